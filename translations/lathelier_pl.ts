@@ -4853,7 +4853,7 @@
     </message>
     <message>
         <source>1/min</source>
-        <translation>1/min</translation>
+        <translation>obr/min</translation>
     </message>
     <message>
         <source>Points of the limit</source>
@@ -5013,7 +5013,7 @@
     </message>
     <message>
         <source>No stable speed can be recommended for {selected_rpm} 1/min: {reason}.</source>
-        <translation>Nie można zalecić stabilnej prędkości dla {selected_rpm} 1/min: {reason}.</translation>
+        <translation>Nie można zalecić stabilnej prędkości dla {selected_rpm} obr/min: {reason}.</translation>
     </message>
     <message>
         <source>The frequency response has {found} lines; at least {minimum} are needed.</source>
@@ -5037,7 +5037,7 @@
     </message>
     <message>
         <source>The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is the nearest inside.</source>
-        <translation>Prędkość wybranego worka, {lobe_rpm} 1/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
+        <translation>Prędkość wybranego worka, {lobe_rpm} obr/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
     </message>
     <message>
         <source>The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits the depth may lie outside.</source>
@@ -5229,15 +5229,15 @@
     </message>
     <message>
         <source>{speed} 1/min · no lobe limits here</source>
-        <translation>{speed} 1/min · żaden worek tu nie ogranicza</translation>
+        <translation>{speed} obr/min · żaden worek tu nie ogranicza</translation>
     </message>
     <message>
         <source>{speed} 1/min · stable with a probability of {probability} % · lobe {k}, chatter at {frequency} Hz</source>
-        <translation>{speed} 1/min · stabilne z prawdopodobieństwem {probability} % · worek {k}, drgania przy {frequency} Hz</translation>
+        <translation>{speed} obr/min · stabilne z prawdopodobieństwem {probability} % · worek {k}, drgania przy {frequency} Hz</translation>
     </message>
     <message>
         <source>{speed} 1/min · lobe {k}, chatter at {frequency} Hz</source>
-        <translation>{speed} 1/min · worek {k}, drgania przy {frequency} Hz</translation>
+        <translation>{speed} obr/min · worek {k}, drgania przy {frequency} Hz</translation>
     </message>
     <message>
         <source>No speed is recommended: {reason}</source>
@@ -5477,15 +5477,15 @@
     </message>
     <message>
         <source>Recommended: {speed:0} 1/min</source>
-        <translation>Zalecane: {speed:0} 1/min</translation>
+        <translation>Zalecane: {speed:0} obr/min</translation>
     </message>
     <message>
         <source>Recommended: {speed:0} 1/min, stable up to {limit:3} ×</source>
-        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit:3} ×</translation>
+        <translation>Zalecane: {speed:0} obr/min, stabilne do {limit:3} ×</translation>
     </message>
     <message>
         <source>Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
-        <translation>Zalecane: {speed:0} 1/min, stabilne do {limit_mm:3} mm</translation>
+        <translation>Zalecane: {speed:0} obr/min, stabilne do {limit_mm:3} mm</translation>
     </message>
     <message>
         <source>Stable at every speed up to {depth_mm:3} mm</source>
@@ -6325,7 +6325,7 @@
     </message>
     <message>
         <source>The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the most over the whole pass: {depth} mm.</source>
-        <translation>Za narzędziem wałek jest cieńszy o głębokość skrawania. Ze wszystkich pokazanych prędkości {speed} 1/min znosi najwięcej w całym przejściu: {depth} mm.</translation>
+        <translation>Za narzędziem wałek jest cieńszy o głębokość skrawania. Ze wszystkich pokazanych prędkości {speed} obr/min znosi najwięcej w całym przejściu: {depth} mm.</translation>
     </message>
     <message>
         <source>z (mm)</source>
@@ -6581,15 +6581,15 @@
     </message>
     <message>
         <source>{speed} 1/min · least limit at z {z} mm, chatter at {frequency} Hz</source>
-        <translation>{speed} 1/min · najmniejsza granica przy z {z} mm, drgania o częstotliwości {frequency} Hz</translation>
+        <translation>{speed} obr/min · najmniejsza granica przy z {z} mm, drgania o częstotliwości {frequency} Hz</translation>
     </message>
     <message>
         <source>Best over the pass: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
-        <translation>Najlepsza dla przejścia: {speed:0} 1/min, stabilna do {limit_mm:3} mm</translation>
+        <translation>Najlepsza dla przejścia: {speed:0} obr/min, stabilna do {limit_mm:3} mm</translation>
     </message>
     <message>
         <source>Best over the pass: {speed:0} 1/min</source>
-        <translation>Najlepsza dla przejścia: {speed:0} 1/min</translation>
+        <translation>Najlepsza dla przejścia: {speed:0} obr/min</translation>
     </message>
     <message>
         <source>Stability over a pass</source>
@@ -6769,11 +6769,11 @@
     </message>
     <message>
         <source>The cut is to be {depth_mm:2} mm deep. Find a spindle speed between {from_rpm:0} and {to_rpm:0} 1/min at which it does not chatter. You may listen to {cuts:0} cuts first.</source>
-        <translation>Głębokość skrawania ma wynosić {depth_mm:2} mm. Znajdź prędkość wrzeciona między {from_rpm:0} a {to_rpm:0} 1/min, przy której nie ma drgań. Najpierw możesz posłuchać skrawań: {cuts:0}.</translation>
+        <translation>Głębokość skrawania ma wynosić {depth_mm:2} mm. Znajdź prędkość wrzeciona między {from_rpm:0} a {to_rpm:0} obr/min, przy której nie ma drgań. Najpierw możesz posłuchać skrawań: {cuts:0}.</translation>
     </message>
     <message>
         <source>This cut at {speed_rpm:0} 1/min chatters. Count the waves on the surface over one revolution: how many whole waves are there?</source>
-        <translation>To skrawanie przy {speed_rpm:0} 1/min drga. Policz fale na powierzchni jednego obrotu: ile jest całych fal?</translation>
+        <translation>To skrawanie przy {speed_rpm:0} obr/min drga. Policz fale na powierzchni jednego obrotu: ile jest całych fal?</translation>
     </message>
     <message>
         <source>The tool was hit once with a hammer and rings out. Read two amplitudes some periods apart: how large is the damping ratio in per cent?</source>
@@ -6781,19 +6781,19 @@
     </message>
     <message>
         <source>Listen to this cut at {speed_rpm:0} 1/min and look at its waveform: how many times a second does the tool swing?</source>
-        <translation>Posłuchaj tego skrawania przy {speed_rpm:0} 1/min i obejrzyj jego przebieg: ile razy na sekundę wychyla się narzędzie?</translation>
+        <translation>Posłuchaj tego skrawania przy {speed_rpm:0} obr/min i obejrzyj jego przebieg: ile razy na sekundę wychyla się narzędzie?</translation>
     </message>
     <message>
         <source>Every cut of less than {least_mm:2} mm is stable; at the least limit the chatter has {bottom_hz:1} Hz. Predict: is a cut of {depth_mm:2} mm at {speed_rpm:0} 1/min stable, or does it chatter? The exact relation and the shortcut of the papers disagree here.</source>
-        <translation>Każde skrawanie płytsze niż {least_mm:2} mm jest stabilne; przy najmniejszej granicy drgania mają {bottom_hz:1} Hz. Przewidź: czy skrawanie {depth_mm:2} mm przy {speed_rpm:0} 1/min jest stabilne, czy drga? Zależność dokładna i skrót z publikacji dają tu różne odpowiedzi.</translation>
+        <translation>Każde skrawanie płytsze niż {least_mm:2} mm jest stabilne; przy najmniejszej granicy drgania mają {bottom_hz:1} Hz. Przewidź: czy skrawanie {depth_mm:2} mm przy {speed_rpm:0} obr/min jest stabilne, czy drga? Zależność dokładna i skrót z publikacji dają tu różne odpowiedzi.</translation>
     </message>
     <message>
         <source>At {speed_rpm:0} 1/min the limit is {limit_mm:2} mm, {depth_mm:2} mm were to be cut. The best speed is {best_rpm:0} 1/min with at least {best_mm:2} mm even if the speed is 1 % off: there 60 f/N with the natural frequency f = {natural_hz:0} Hz is {best_waves:2}, close to a whole number, and the wave is met almost in step.</source>
-        <translation>Przy {speed_rpm:0} 1/min granica wynosi {limit_mm:2} mm, a miało być {depth_mm:2} mm. Najlepsza prędkość to {best_rpm:0} 1/min z granicą co najmniej {best_mm:2} mm, nawet gdy prędkość odbiega o 1 %: 60 f/N z częstotliwością własną f = {natural_hz:0} Hz wynosi tam {best_waves:2}, blisko liczby całkowitej, i fala spotykana jest niemal zgodnie.</translation>
+        <translation>Przy {speed_rpm:0} obr/min granica wynosi {limit_mm:2} mm, a miało być {depth_mm:2} mm. Najlepsza prędkość to {best_rpm:0} obr/min z granicą co najmniej {best_mm:2} mm, nawet gdy prędkość odbiega o 1 %: 60 f/N z częstotliwością własną f = {natural_hz:0} Hz wynosi tam {best_waves:2}, blisko liczby całkowitej, i fala spotykana jest niemal zgodnie.</translation>
     </message>
     <message>
         <source>60 f/N = 60 · {frequency_hz:1} Hz / {speed_rpm:0} 1/min = {waves:2} waves: {k:0} whole waves and a phase ε of {phase_deg:0}°.</source>
-        <translation>60 f/N = 60 · {frequency_hz:1} Hz / {speed_rpm:0} 1/min = {waves:2} fali: {k:0} całych fal i faza ε równa {phase_deg:0}°.</translation>
+        <translation>60 f/N = 60 · {frequency_hz:1} Hz / {speed_rpm:0} obr/min = {waves:2} fali: {k:0} całych fal i faza ε równa {phase_deg:0}°.</translation>
     </message>
     <message>
         <source>Over {periods:0} periods the amplitude falls from {first_mm:4} mm to {last_mm:4} mm: δ = ln({first_mm:4}/{last_mm:4})/{periods:0} = {decrement:3}, and ζ = δ/√(4π² + δ²) = {damping_percent:2} %.</source>
@@ -7081,15 +7081,15 @@
     </message>
     <message>
         <source>{speed} 1/min · depth {depth_mm:3} mm</source>
-        <translation>{speed} 1/min · głębokość {depth_mm:3} mm</translation>
+        <translation>{speed} obr/min · głębokość {depth_mm:3} mm</translation>
     </message>
     <message>
         <source>{speed} 1/min · depth {depth_mm:3} mm, limit {limit_mm:3} mm · {frequency} Hz · {k} whole waves, ε = {phase}°</source>
-        <translation>{speed} 1/min · głębokość {depth_mm:3} mm, granica {limit_mm:3} mm · {frequency} Hz · {k} całych fal, ε = {phase}°</translation>
+        <translation>{speed} obr/min · głębokość {depth_mm:3} mm, granica {limit_mm:3} mm · {frequency} Hz · {k} całych fal, ε = {phase}°</translation>
     </message>
     <message>
         <source>{speed} 1/min · depth {depth_mm:3} mm, no lobe limits here · {frequency} Hz</source>
-        <translation>{speed} 1/min · głębokość {depth_mm:3} mm, nic jej tu nie ogranicza · {frequency} Hz</translation>
+        <translation>{speed} obr/min · głębokość {depth_mm:3} mm, nic jej tu nie ogranicza · {frequency} Hz</translation>
     </message>
     <message>
         <source>Training: a cut and its chatter</source>
@@ -7929,7 +7929,7 @@
     </message>
     <message>
         <source>z of the program&apos;s zero</source>
-        <translation>z zera programu</translation>
+        <translation>Współrzędna z zera programu</translation>
     </message>
     <message>
         <source>z = this less the program&apos;s Z; 0: the program&apos;s zero is the free end.</source>
@@ -8325,7 +8325,7 @@
     </message>
     <message>
         <source>The nose of radius {radius_mm:4} mm does not fit into this corner without a gouge.</source>
-        <translation>Naroże o promieniu {radius_mm:4} mm nie wejdzie w ten kąt bez podcięcia.</translation>
+        <translation>Naroże o promieniu {radius_mm:4} mm nie wejdzie w ten kąt bez wcięcia w zarys.</translation>
     </message>
     <message>
         <source>The program stops itself here: {found}.</source>
@@ -8805,7 +8805,7 @@
     </message>
     <message>
         <source>z of the chuck face</source>
-        <translation>z czoła uchwytu</translation>
+        <translation>Współrzędna z czoła uchwytu</translation>
     </message>
     <message>
         <source>From the free end; empty: the end of the stock.</source>
@@ -8821,7 +8821,7 @@
     </message>
     <message>
         <source>z of the supported end</source>
-        <translation>z podpartego końca</translation>
+        <translation>Współrzędna z podpartego końca</translation>
     </message>
     <message>
         <source>Of the faced end that the centre stands in, from the free end of the stock.</source>
@@ -8969,7 +8969,7 @@
     </message>
     <message>
         <source>What meets no deeper is no finding.</source>
-        <translation>Co nie wchodzi głębiej, nie jest znaleziskiem.</translation>
+        <translation>Co nie wchodzi głębiej, nie jest błędem.</translation>
     </message>
     <message>
         <source>rapid move through stock</source>
@@ -9037,7 +9037,7 @@
     </message>
     <message>
         <source>Finding</source>
-        <translation>Znalezisko</translation>
+        <translation>Wykryty błąd</translation>
     </message>
     <message>
         <source>Width</source>
@@ -9093,7 +9093,7 @@
     </message>
     <message>
         <source>blade</source>
-        <translation>listwa</translation>
+        <translation>przecinak</translation>
     </message>
     <message>
         <source>drill on the axis</source>
@@ -9121,7 +9121,7 @@
     </message>
     <message>
         <source>Tip angle</source>
-        <translation>Kąt wierzchołkowy</translation>
+        <translation>Kąt naroża</translation>
     </message>
     <message>
         <source>Between both edges: C 80°, D 55°, V 35°; of a drill, its point.</source>
@@ -9133,11 +9133,11 @@
     </message>
     <message>
         <source>Of an insert; the reach of a blade, the length of a drill.</source>
-        <translation>Płytki; wysięg listwy, długość wiertła.</translation>
+        <translation>Płytki; wysięg przecinaka, długość wiertła.</translation>
     </message>
     <message>
         <source>Of a blade; the diameter of a drill.</source>
-        <translation>Listwy; średnica wiertła.</translation>
+        <translation>Przecinaka; średnica wiertła.</translation>
     </message>
     <message>
         <source>Width of the shank</source>
@@ -10677,7 +10677,7 @@
     </message>
     <message>
         <source>Blade {tool} reaches {reach_mm} mm; parting off needs {needed_mm} mm.</source>
-        <translation>Listwa {tool} sięga {reach_mm} mm; odcięcie wymaga {needed_mm} mm.</translation>
+        <translation>Przecinak {tool} sięga {reach_mm} mm; odcięcie wymaga {needed_mm} mm.</translation>
     </message>
     <message>
         <source>The program is in Fanuc&apos;s G code system B; it was read with its codes replaced by those of system A.</source>
@@ -10717,7 +10717,7 @@
     </message>
     <message>
         <source>Gouge</source>
-        <translation>Podcięcie</translation>
+        <translation>Wcięcie w zarys</translation>
     </message>
     <message>
         <source>z of the gouge</source>
@@ -10749,7 +10749,7 @@
     </message>
     <message>
         <source>gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings}</source>
-        <translation>podcięcie {gouge_um:2} µm · miejsca z pozostałym materiałem: {rest} · ustalenia: {findings}</translation>
+        <translation>wcięcie w zarys {gouge_um:2} µm · miejsca z pozostałym materiałem: {rest} · wykryte błędy: {findings}</translation>
     </message>
     <message>
         <source>Drawing, stock and tool</source>
@@ -10781,7 +10781,7 @@
     </message>
     <message>
         <source>back angle</source>
-        <translation>kąt tylny</translation>
+        <translation>pomocniczy kąt przystawienia</translation>
     </message>
     <message>
         <source>entering angle</source>
@@ -10869,7 +10869,7 @@
     </message>
     <message>
         <source>rpm</source>
-        <translation>rpm</translation>
+        <translation>obr/min</translation>
     </message>
     <message>
         <source>roughing</source>
@@ -10881,7 +10881,7 @@
     </message>
     <message>
         <source>finishing from the chuck</source>
-        <translation>wykończenie od strony uchwytu</translation>
+        <translation>wykańczanie od uchwytu</translation>
     </message>
     <message>
         <source>grooving</source>
@@ -10937,7 +10937,7 @@
     </message>
     <message>
         <source>Corners that the tool must keep out of; empty: a centre of 60°.</source>
-        <translation>Naroża, których narzędzie musi unikać; puste: nakiełek 60°.</translation>
+        <translation>Naroża obszaru, w który narzędzie nie może wejść; puste: kieł 60°.</translation>
     </message>
     <message>
         <source>From the free end of the finished part.</source>
@@ -10953,7 +10953,7 @@
     </message>
     <message>
         <source>Length of the grip</source>
-        <translation>Długość chwytu</translation>
+        <translation>Długość zamocowania</translation>
     </message>
     <message>
         <source>The least length to be held; empty: not looked at.</source>
@@ -10981,7 +10981,7 @@
     </message>
     <message>
         <source>Margin of the back angle</source>
-        <translation>Zapas kąta tylnego</translation>
+        <translation>Zapas pomocniczego kąta przystawienia</translation>
     </message>
     <message>
         <source>What a planned path keeps below the back angle.</source>
@@ -11001,7 +11001,7 @@
     </message>
     <message>
         <source>Of both corners of a blade.</source>
-        <translation>Obu naroży listwy.</translation>
+        <translation>Obu naroży przecinaka.</translation>
     </message>
     <message>
         <source>Reach</source>
@@ -11009,7 +11009,7 @@
     </message>
     <message>
         <source>How deep a blade cuts, on radius.</source>
-        <translation>Jak głęboko tnie listwa, na promieniu.</translation>
+        <translation>Jak głęboko wcina się przecinak, na promieniu.</translation>
     </message>
     <message>
         <source>Per revolution; empty: that of the cutting data.</source>
@@ -11077,7 +11077,7 @@
     </message>
     <message>
         <source>Inserts, blades and drills, by number.</source>
-        <translation>Płytki, listwy i wiertła, według numerów.</translation>
+        <translation>Płytki, przecinaki i wiertła, według numerów.</translation>
     </message>
     <message>
         <source>Cutting data</source>
@@ -11173,19 +11173,19 @@
     </message>
     <message>
         <source>rough</source>
-        <translation>zgrubnie</translation>
+        <translation>obróbka zgrubna</translation>
     </message>
     <message>
         <source>semi-finish</source>
-        <translation>półwykończająco</translation>
+        <translation>obróbka półwykańczająca</translation>
     </message>
     <message>
         <source>finish</source>
-        <translation>wykończenie</translation>
+        <translation>wykańczanie</translation>
     </message>
     <message>
         <source>finish, opposite hand</source>
-        <translation>wykończenie, kierunek przeciwny</translation>
+        <translation>wykańczanie nożem przeciwnym</translation>
     </message>
     <message>
         <source>part off</source>
@@ -11209,7 +11209,7 @@
     </message>
     <message>
         <source>The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was written.</source>
-        <translation>Kontrola zapisanego programu wykazała nieprawidłowości ({count}) i podcięcie {gouge_um} µm; nie zapisano żadnego programu.</translation>
+        <translation>Kontrola zapisanego programu wykryła błędy (liczba: {count}) i wcięcie w zarys {gouge_um} µm; nie zapisano żadnego programu.</translation>
     </message>
     <message>
         <source>There is no post “{found}”; expected a file or one of: {expected}.</source>
@@ -11229,7 +11229,7 @@
     </message>
     <message>
         <source>The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit.</source>
-        <translation>Zadanie nie podaje najwyższej prędkości obrotowej wrzeciona; jako granicę zapisano {max_rpm} 1/min.</translation>
+        <translation>Zadanie nie podaje najwyższej prędkości obrotowej wrzeciona; jako granicę zapisano {max_rpm} obr/min.</translation>
     </message>
     <message>
         <source>Tool {tool} could reach the rest at z = {z_start_mm} … {z_end_mm} mm, but {reason}.</source>
@@ -11242,6 +11242,10 @@
     <message>
         <source>The job states no material from the library, so no power is computed.</source>
         <translation>Zadanie nie podaje materiału z biblioteki, więc moc nie jest obliczana.</translation>
+    </message>
+    <message>
+        <source>No stable speed for z = {z_start_mm} … {z_end_mm} mm; {speed_rpm} 1/min is kept.</source>
+        <translation>Brak stabilnej prędkości obrotowej dla z = {z_start_mm} … {z_end_mm} mm; pozostaje {speed_rpm} obr/min.</translation>
     </message>
     <message>
         <source>Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from the new free end; {face_allowance_mm} mm are faced off there.</source>
@@ -11341,7 +11345,7 @@
     </message>
     <message>
         <source>Feed length</source>
-        <translation>Długość posuwu</translation>
+        <translation>Droga robocza</translation>
     </message>
     <message>
         <source>cm³</source>
@@ -11381,7 +11385,7 @@
     </message>
     <message>
         <source>{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · places with material left: {rest}</source>
-        <translation>Zamocowania: {setups} · {time_min:1} min · podcięcie {gouge_um:2} µm · ustalenia: {findings} · miejsca z pozostałym materiałem: {rest}</translation>
+        <translation>Zamocowania: {setups} · {time_min:1} min · wcięcie w zarys {gouge_um:2} µm · wykryte błędy: {findings} · miejsca z pozostałym materiałem: {rest}</translation>
     </message>
     <message>
         <source>Operations</source>
@@ -11405,7 +11409,7 @@
     </message>
     <message>
         <source>Set-up sheet</source>
-        <translation>Karta ustawienia</translation>
+        <translation>Karta ustawcza</translation>
     </message>
     <message>
         <source>a list of texts</source>
@@ -11497,7 +11501,7 @@
     </message>
     <message>
         <source>the blade does not reach so deep</source>
-        <translation>listwa nie sięga tak głęboko</translation>
+        <translation>przecinak nie sięga tak głęboko</translation>
     </message>
     <message>
         <source>it would meet the chuck</source>
@@ -11517,7 +11521,7 @@
     </message>
     <message>
         <source>the blade that parts off stands within the chuck</source>
-        <translation>listwa odcinająca znajduje się w obrębie uchwytu</translation>
+        <translation>przecinak odcinający część znajduje się w obrębie uchwytu</translation>
     </message>
     <message>
         <source>First or second.</source>
@@ -12313,11 +12317,11 @@
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm: forced or regenerative? A whole number of waves speaks for stock, jaws, bearings or gears.</source>
-        <translation>m = {m}, ε {phase}° przy {rpm} rpm: wymuszone czy regeneracyjne? Całkowita liczba fal wskazuje na półfabrykat, szczęki, łożyska lub koła zębate.</translation>
+        <translation>m = {m}, ε {phase}° przy {rpm} obr/min: wymuszone czy regeneracyjne? Całkowita liczba fal wskazuje na półfabrykat, szczęki, łożyska lub koła zębate.</translation>
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm, {relative} times as strong as the feed marks.</source>
-        <translation>m = {m}, ε {phase}° przy {rpm} rpm, {relative} razy silniejsze niż ślady posuwu.</translation>
+        <translation>m = {m}, ε {phase}° przy {rpm} obr/min, {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.</source>
@@ -12504,30 +12508,6 @@
         <translation>materiał pozostaje</translation>
     </message>
     <message>
-        <source>Speed of the finish</source>
-        <translation>Prędkość obrotowa wykończenia</translation>
-    </message>
-    <message>
-        <source>Speed N</source>
-        <translation>Prędkość N</translation>
-    </message>
-    <message>
-        <source>Cutting speed of the finish</source>
-        <translation>Prędkość skrawania przy wykańczaniu</translation>
-    </message>
-    <message>
-        <source>Cutting speed v_c</source>
-        <translation>Prędkość skrawania v_c</translation>
-    </message>
-    <message>
-        <source>Frequency of chatter</source>
-        <translation>Częstotliwość drgań samowzbudnych</translation>
-    </message>
-    <message>
-        <source>Ideal roughness of the finish</source>
-        <translation>Teoretyczna chropowatość wykończenia</translation>
-    </message>
-    <message>
         <source>this speed</source>
         <translation>ta prędkość obrotowa</translation>
     </message>
@@ -12569,11 +12549,11 @@
     </message>
     <message>
         <source>Job changed from</source>
-        <translation>Zadanie zmienione z</translation>
+        <translation>Zadanie zmienione względem</translation>
     </message>
     <message>
         <source>The file that the form was changed from.</source>
-        <translation>Plik, z którego zmieniono postać.</translation>
+        <translation>Plik, względem którego zmieniono formularz.</translation>
     </message>
     <message>
         <source>Job or tools</source>
@@ -12842,6 +12822,120 @@
     <message>
         <source>Of the diameter, where its limits are not stated.</source>
         <translation>Średnicy, gdy nie podano jej odchyłek.</translation>
+        <source>the part is cut off last: nothing holds it afterwards</source>
+        <translation>część odcina się na końcu: potem nic jej nie trzyma</translation>
+    </message>
+    <message>
+        <source>the centre hole is drilled into the finished face</source>
+        <translation>nakiełek wierci się w splanowanym czole</translation>
+    </message>
+    <message>
+        <source>the other tools start from the finished face</source>
+        <translation>pozostałe narzędzia zaczynają od splanowanego czoła</translation>
+    </message>
+    <message>
+        <source>the tailstock has to hold the work before it is turned</source>
+        <translation>konik musi podeprzeć przedmiot, zanim zacznie się toczenie</translation>
+    </message>
+    <message>
+        <source>the finishing tool would have to take off what roughing takes</source>
+        <translation>nóż wykańczający musiałby zdjąć to, co zdejmuje obróbka zgrubna</translation>
+    </message>
+    <message>
+        <source>the stock around it is roughed first</source>
+        <translation>najpierw zdejmuje się zgrubnie materiał wokół</translation>
+    </message>
+    <message>
+        <source>the finish needs an even allowance, without the steps of roughing</source>
+        <translation>wykańczanie wymaga równego naddatku, bez stopni po obróbce zgrubnej</translation>
+    </message>
+    <message>
+        <source>“{operation}” cannot run before “{needed}”: {reason}.</source>
+        <translation>„{operation}” nie może poprzedzać „{needed}”: {reason}.</translation>
+    </message>
+    <message>
+        <source>The program of clamping {clamping} was changed after its check; check it again first.</source>
+        <translation>Program zamocowania {clamping} zmieniono po kontroli; najpierw sprawdź go ponownie.</translation>
+    </message>
+    <message>
+        <source>The program of clamping {clamping} is not the planned one: it was changed by hand.</source>
+        <translation>Program zamocowania {clamping} nie jest zaplanowanym: zmieniono go ręcznie.</translation>
+    </message>
+    <message>
+        <source>Clamping {clamping}: changes by hand belong to another program than the one that stands here now, and are left out.</source>
+        <translation>Zamocowanie {clamping}: ręczne zmiany należą do innego programu niż obecny i zostały pominięte.</translation>
+    </message>
+    <message>
+        <source>The program of clamping {clamping} is “{item}”, corrected for deflection by up to {correction_um} µm of the radius; it is checked against the drawing with this correction.</source>
+        <translation>Programem zamocowania {clamping} jest „{item}”, skorygowany ze względu na ugięcie o nie więcej niż {correction_um} µm na promieniu; sprawdza się go względem rysunku z tą korekcją.</translation>
+    </message>
+    <message>
+        <source>“{item}” was corrected from another program than the one that is planned now: correct that one again.</source>
+        <translation>„{item}” powstał z korekcji innego programu niż zaplanowany teraz: skoryguj obecny ponownie.</translation>
+    </message>
+    <message>
+        <source>The program of clamping {clamping} is {path}, and not the planned one.</source>
+        <translation>Programem zamocowania {clamping} jest {path}, a nie zaplanowany.</translation>
+    </message>
+    <message>
+        <source>Operations in the order in which they run: clamping, kind, tool. Those that are not named keep their places.</source>
+        <translation>Operacje w kolejności wykonywania: zamocowanie, rodzaj, narzędzie. Niewymienione zostają na swoich miejscach.</translation>
+    </message>
+    <message>
+        <source>the depth in mm</source>
+        <translation>głębokość w mm</translation>
+    </message>
+    <message>
+        <source>more than the rows before it are long</source>
+        <translation>więcej niż długość wierszy przed nim</translation>
+    </message>
+    <message>
+        <source>The stock is the bar that the program was planned for, {length_mm} mm up to the chuck.</source>
+        <translation>Półfabrykatem jest pręt, dla którego zaplanowano program: {length_mm} mm do uchwytu.</translation>
+    </message>
+    <message>
+        <source>From the mouth inward. A file fills the table; once it is changed, it rules.</source>
+        <translation>Od wylotu w głąb. Plik wypełnia tabelę; po zmianie obowiązuje tabela.</translation>
+    </message>
+    <message>
+        <source>Bores changed from</source>
+        <translation>Otwory zmienione względem</translation>
+    </message>
+    <message>
+        <source>The input that the table of bores was changed from.</source>
+        <translation>Dane, względem których zmieniono tabelę otworów.</translation>
+    </message>
+    <message>
+        <source>Drawing, stock and tool, first clamping</source>
+        <translation>Rysunek, półfabrykat i narzędzie, pierwsze zamocowanie</translation>
+    </message>
+    <message>
+        <source>finished up to here</source>
+        <translation>wykończone dotąd</translation>
+    </message>
+    <message>
+        <source>Speed N of the finish</source>
+        <translation>Obroty N wykańczania</translation>
+    </message>
+    <message>
+        <source>Cutting speed v_c of the finish</source>
+        <translation>Prędkość skrawania v_c wykańczania</translation>
+    </message>
+    <message>
+        <source>v_c</source>
+        <translation>v_c</translation>
+    </message>
+    <message>
+        <source>Frequency of chatter f_m</source>
+        <translation>Częstotliwość drgań f_m</translation>
+    </message>
+    <message>
+        <source>f_m</source>
+        <translation>f_m</translation>
+    </message>
+    <message>
+        <source>Ideal roughness Rz of the finish</source>
+        <translation>Teoretyczna chropowatość Rz wykańczania</translation>
     </message>
     <message>
         <source>Rz</source>
@@ -12866,6 +12960,48 @@
     <message>
         <source>At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} mm, with the force of the work material.</source>
         <translation>Przy {speed_rpm} 1/min stabilne byłyby głębokości do {stable_depth_mm:3} mm dla z = {z_start_mm} … {z_end_mm} mm, przy oporze skrawania materiału obrabianego.</translation>
+        <source>? check void</source>
+        <translation>? kontrola nieważna</translation>
+    </message>
+    <message>
+        <source>A program was changed after its check: check it again.</source>
+        <translation>Program zmieniono po kontroli: sprawdź go ponownie.</translation>
+    </message>
+    <message>
+        <source>✓ compensated, checked</source>
+        <translation>✓ skompensowany, sprawdzony</translation>
+    </message>
+    <message>
+        <source>✗ compensated; material stays</source>
+        <translation>✗ skompensowany; materiał pozostaje</translation>
+    </message>
+    <message>
+        <source>Program in place of the planned one</source>
+        <translation>Program w miejsce zaplanowanego</translation>
+    </message>
+    <message>
+        <source>To be checked instead: one that came back corrected from the panel Correction, or an NC program for the first clamping. It may be missing.</source>
+        <translation>Do sprawdzenia zamiast zaplanowanego: program skorygowany w panelu Korekcja albo program NC pierwszego zamocowania. Można pominąć.</translation>
+    </message>
+    <message>
+        <source>Programs that were changed by hand and stand in place of planned ones.</source>
+        <translation>Programy zmienione ręcznie, które stoją w miejscu zaplanowanych.</translation>
+    </message>
+    <message>
+        <source>Changed from</source>
+        <translation>Zmieniony z</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the program before.</source>
+        <translation>SHA-256 programu przed zmianami.</translation>
+    </message>
+    <message>
+        <source>Checked</source>
+        <translation>Sprawdzony</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the text that was checked.</source>
+        <translation>SHA-256 sprawdzonego tekstu.</translation>
     </message>
 </context>
 <context>
@@ -13519,7 +13655,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Finding</source>
-        <translation>Spostrzeżenie</translation>
+        <translation>Wykryty błąd</translation>
     </message>
 </context>
 <context>
@@ -13835,7 +13971,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation>segmentów: %L1 · %2</translation>
+        <translation>odcinków: %L1 · %2</translation>
     </message>
     <message>
         <source>%L1 lines</source>
@@ -13910,7 +14046,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation>%L1 odcinków · %2</translation>
+        <translation>odcinków: %L1 · %2</translation>
     </message>
 </context>
 <context>
@@ -14135,6 +14271,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Keep line %1</source>
         <translation>Zostaw wiersz %1</translation>
     </message>
+    <message>
+        <source>%1, corrected</source>
+        <translation>%1, skorygowany</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::correction_panel::CorrectionViews</name>
@@ -14157,6 +14297,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Changed blocks only</source>
         <translation>Tylko zmienione bloki</translation>
+    </message>
+    <message>
+        <source>Check as a turning program</source>
+        <translation>Sprawdź jako program tokarski</translation>
+    </message>
+    <message>
+        <source>Gives the corrected program with its correction to the panel Turning program, which checks it against the drawing, the stock and the chuck.</source>
+        <translation>Daje skorygowany program wraz z korekcją panelowi Program tokarski, który sprawdza go względem rysunku, materiału i uchwytu.</translation>
     </message>
 </context>
 <context>
@@ -14408,7 +14556,7 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation>segmentów: %L1 · %2</translation>
+        <translation>odcinków: %L1 · %2</translation>
     </message>
 </context>
 <context>
@@ -14480,6 +14628,62 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>The wheel enlarges the drawing, dragging moves it. A click lights a row, a double click on a dimension changes it, the right button shows what can be done with a row.</source>
         <translation>Kółko myszy powiększa rysunek, przeciąganie go przesuwa. Kliknięcie podświetla wiersz, podwójne kliknięcie wymiaru zmienia go, prawy przycisk pokazuje, co można zrobić z wierszem.</translation>
+    </message>
+    <message>
+        <source>Add a bore</source>
+        <translation>Dodaj otwór</translation>
+    </message>
+    <message>
+        <source>A cylinder from this end, or one more behind the last one. Its row in the table is changed by a double click, its kind and its place by the right button.</source>
+        <translation>Walec od tego końca albo kolejny za ostatnim. Jego wiersz w tabeli zmienia podwójne kliknięcie, rodzaj i miejsce – prawy przycisk.</translation>
+    </message>
+    <message>
+        <source>From the free end</source>
+        <translation>Od wolnego końca</translation>
+    </message>
+    <message>
+        <source>From the chuck end</source>
+        <translation>Od strony uchwytu</translation>
+    </message>
+    <message>
+        <source>Change row %1</source>
+        <translation>Zmień wiersz %1</translation>
+    </message>
+    <message>
+        <source>Row %1</source>
+        <translation>Wiersz %1</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Add a row behind it</source>
+        <translation>Dodaj wiersz za nim</translation>
+    </message>
+    <message>
+        <source>Add a row behind %1</source>
+        <translation>Dodaj wiersz za %1</translation>
+    </message>
+    <message>
+        <source>Change its kind</source>
+        <translation>Zmień rodzaj</translation>
+    </message>
+    <message>
+        <source>Add a bore from the free end</source>
+        <translation>Dodaj otwór od wolnego końca</translation>
+    </message>
+    <message>
+        <source>Add a bore from the chuck end</source>
+        <translation>Dodaj otwór od strony uchwytu</translation>
+    </message>
+    <message>
+        <source>Change the diameter of a bore</source>
+        <translation>Zmień średnicę otworu</translation>
+    </message>
+    <message>
+        <source>Change the depth of a bore</source>
+        <translation>Zmień głębokość otworu</translation>
     </message>
 </context>
 <context>
@@ -15695,7 +15899,7 @@ Wszystkie inne widoki działają.</translation>
     </message>
     <message>
         <source>Speed (1/min)</source>
-        <translation>Prędkość (1/min)</translation>
+        <translation>Prędkość (obr/min)</translation>
     </message>
     <message>
         <source>Answer</source>
@@ -16183,6 +16387,147 @@ Wszystkie inne widoki działają.</translation>
     </message>
 </context>
 <context>
+    <name>lathelier::turning_panel::CourseCharts</name>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Speed of the spindle along the part</source>
+        <translation>Prędkość obrotowa wrzeciona wzdłuż części</translation>
+    </message>
+    <message>
+        <source>v_c</source>
+        <translation>v_c</translation>
+    </message>
+    <message>
+        <source>Cutting speed along the part</source>
+        <translation>Prędkość skrawania wzdłuż części</translation>
+    </message>
+    <message>
+        <source>f_m</source>
+        <translation>f_m</translation>
+    </message>
+    <message>
+        <source>Frequency of chatter of each section; needs a spindle</source>
+        <translation>Częstotliwość drgań samowzbudnych każdego odcinka; wymaga wrzeciona</translation>
+    </message>
+    <message>
+        <source>Rz</source>
+        <translation>Rz</translation>
+    </message>
+    <message>
+        <source>Ideal roughness along the part</source>
+        <translation>Teoretyczna chropowatość wzdłuż części</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::turning_panel::OperationsPane</name>
+    <message>
+        <source>✗ “%1” cannot run before “%2”: %3.</source>
+        <translation>✗ „%1” nie może poprzedzać „%2”: %3.</translation>
+    </message>
+    <message>
+        <source>Run this operation earlier (Alt+Up)</source>
+        <translation>Wykonaj tę operację wcześniej (Alt+strzałka w górę)</translation>
+    </message>
+    <message>
+        <source>Run this operation earlier</source>
+        <translation>Wykonaj tę operację wcześniej</translation>
+    </message>
+    <message>
+        <source>Run this operation later (Alt+Down)</source>
+        <translation>Wykonaj tę operację później (Alt+strzałka w dół)</translation>
+    </message>
+    <message>
+        <source>Run this operation later</source>
+        <translation>Wykonaj tę operację później</translation>
+    </message>
+    <message>
+        <source>Reset order</source>
+        <translation>Przywróć kolejność</translation>
+    </message>
+    <message>
+        <source>Back to the usual order of operations</source>
+        <translation>Wraca do zwykłej kolejności operacji</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Operacje</translation>
+    </message>
+    <message>
+        <source>The box switches an operation off: what it would take off stays. Drag a row by its number, or use the arrows, to run an operation earlier or later.</source>
+        <translation>Pole wyłącza operację: to, co by zdjęła, zostaje. Przeciągnij wiersz za numer albo użyj strzałek, by wykonać operację wcześniej lub później.</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::turning_panel::ProgramBar</name>
+    <message>
+        <source>planned</source>
+        <translation>zaplanowany</translation>
+    </message>
+    <message>
+        <source>compensated</source>
+        <translation>skompensowany</translation>
+    </message>
+    <message>
+        <source>%1, changed by hand</source>
+        <translation>%1, zmieniony ręcznie</translation>
+    </message>
+    <message>
+        <source>? Check void: the text was changed after it</source>
+        <translation>? Kontrola nieważna: tekst zmieniono po niej</translation>
+    </message>
+    <message>
+        <source>✗ The program has errors</source>
+        <translation>✗ Program zawiera błędy</translation>
+    </message>
+    <message>
+        <source>? Not checked: the program before it is not</source>
+        <translation>? Niesprawdzony: poprzedni program nie jest sprawdzony</translation>
+    </message>
+    <message>
+        <source>✓ %1, checked</source>
+        <translation>✓ %1, sprawdzony</translation>
+    </message>
+    <message>
+        <source>✗ %1: cuts into the drawing</source>
+        <translation>✗ %1: wcina się w zarys</translation>
+    </message>
+    <message>
+        <source>✗ %1, findings: %2</source>
+        <translation>✗ %1, wykryte błędy: %2</translation>
+    </message>
+    <message>
+        <source>Hands it to the panels Deflection, Correction and Program, with its bar</source>
+        <translation>Daje go wraz z prętem panelom Ugięcie, Korekcja i Program</translation>
+    </message>
+    <message>
+        <source>Only a program that was checked and has no findings is handed on</source>
+        <translation>Przekazać można tylko program sprawdzony i bez błędów</translation>
+    </message>
+    <message>
+        <source>Check again</source>
+        <translation>Sprawdź ponownie</translation>
+    </message>
+    <message>
+        <source>Checks the text as it stands here against drawing, stock and chuck</source>
+        <translation>Sprawdza obecny tekst względem rysunku, materiału i uchwytu</translation>
+    </message>
+    <message>
+        <source>Take back changes</source>
+        <translation>Cofnij zmiany</translation>
+    </message>
+    <message>
+        <source>The program as it was before it was changed by hand</source>
+        <translation>Program sprzed ręcznych zmian</translation>
+    </message>
+    <message>
+        <source>Use this program</source>
+        <translation>Użyj tego programu</translation>
+    </message>
+</context>
+<context>
     <name>lathelier::turning_panel::ToolScrubber</name>
     <message>
         <source>Pause</source>
@@ -16229,7 +16574,7 @@ Wszystkie inne widoki działają.</translation>
     </message>
     <message>
         <source>%L1 segments · %2</source>
-        <translation>%L1 odcinków · %2</translation>
+        <translation>odcinków: %L1 · %2</translation>
     </message>
     <message>
         <source>Programs of both clampings…</source>
@@ -16237,7 +16582,7 @@ Wszystkie inne widoki działają.</translation>
     </message>
     <message>
         <source>Turning program…</source>
-        <translation>Program toczenia…</translation>
+        <translation>Program tokarski…</translation>
     </message>
     <message>
         <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
@@ -16255,6 +16600,42 @@ Wszystkie inne widoki działają.</translation>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
     </message>
+    <message>
+        <source>Move: %1</source>
+        <translation>Przesuń: %1</translation>
+    </message>
+    <message>
+        <source>Reset the order of operations</source>
+        <translation>Przywróć kolejność operacji</translation>
+    </message>
+    <message>
+        <source>Edit the program</source>
+        <translation>Zmień program</translation>
+    </message>
+    <message>
+        <source>Take back the changes of the program</source>
+        <translation>Cofnij zmiany programu</translation>
+    </message>
+    <message>
+        <source>Check the program again</source>
+        <translation>Sprawdź program ponownie</translation>
+    </message>
+    <message>
+        <source>turning program</source>
+        <translation>program tokarski</translation>
+    </message>
+    <message>
+        <source>%1, clamping %2</source>
+        <translation>%1, zamocowanie %2</translation>
+    </message>
+    <message>
+        <source>part at z %1-%2 mm</source>
+        <translation>część przy z %1-%2 mm</translation>
+    </message>
+    <message>
+        <source>%L1 blocks</source>
+        <translation>bloki: %L1</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::turning_panel::TurningViews</name>
@@ -16264,7 +16645,7 @@ Wszystkie inne widoki działają.</translation>
     </message>
     <message>
         <source>Line %1 · %2 · tool %3 · Ø %4 · Z %5</source>
-        <translation>Linia %1 · %2 · narzędzie %3 · Ø %4 · Z %5</translation>
+        <translation>Wiersz %1 · %2 · narzędzie %3 · Ø %4 · Z %5</translation>
     </message>
     <message>
         <source>rapid</source>
@@ -16292,51 +16673,15 @@ Wszystkie inne widoki działają.</translation>
     </message>
     <message>
         <source>Speeds and why</source>
-        <translation>Prędkości obrotowe i ich uzasadnienie</translation>
+        <translation>Prędkości i dlaczego</translation>
     </message>
     <message>
         <source>What stays, findings</source>
-        <translation>Co zostaje, ustalenia</translation>
+        <translation>Co zostaje, wykryte błędy</translation>
     </message>
     <message>
         <source>Set-up sheet</source>
-        <translation>Karta ustawienia</translation>
-    </message>
-    <message>
-        <source>N</source>
-        <translation>N</translation>
-    </message>
-    <message>
-        <source>Speed of the spindle along the part</source>
-        <translation>Prędkość obrotowa wrzeciona wzdłuż części</translation>
-    </message>
-    <message>
-        <source>v_c</source>
-        <translation>v_c</translation>
-    </message>
-    <message>
-        <source>Cutting speed along the part</source>
-        <translation>Prędkość skrawania wzdłuż części</translation>
-    </message>
-    <message>
-        <source>f_m</source>
-        <translation>f_m</translation>
-    </message>
-    <message>
-        <source>Frequency of chatter of each section; needs a spindle</source>
-        <translation>Częstotliwość drgań samowzbudnych każdego odcinka; wymaga wrzeciona</translation>
-    </message>
-    <message>
-        <source>Rz</source>
-        <translation>Rz</translation>
-    </message>
-    <message>
-        <source>Ideal roughness along the part</source>
-        <translation>Chropowatość idealna wzdłuż części</translation>
-    </message>
-    <message>
-        <source>Along the part</source>
-        <translation>Wzdłuż części</translation>
+        <translation>Karta ustawcza</translation>
     </message>
     <message>
         <source>Path of the tool</source>
@@ -16349,10 +16694,6 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Text of the program</source>
         <translation>Tekst programu</translation>
-    </message>
-    <message>
-        <source>The box switches an operation off: what it would take off stays</source>
-        <translation>Pole wyłącza operację: to, co by zdjęła, zostaje</translation>
     </message>
     <message>
         <source>Speeds of the finish</source>
@@ -16373,6 +16714,18 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Tools</source>
         <translation>Narzędzia</translation>
+    </message>
+    <message>
+        <source>Open in Lobes</source>
+        <translation>Otwórz krzywe workowe</translation>
+    </message>
+    <message>
+        <source>The response of the part at that moment, in the panel of lobes</source>
+        <translation>Charakterystyka części w tej chwili, w panelu Krzywe workowe</translation>
+    </message>
+    <message>
+        <source>Without a spindle there is no dynamics to choose speeds by: the finish keeps its cutting speed of %1, and the speed follows the diameter. A spindle (SPINDLE.json, or “Spindle” of the project) gives each cylinder its own speed and says why.</source>
+        <translation>Bez wrzeciona nie ma dynamiki, z której wynikałyby obroty: wykańczanie zachowuje prędkość skrawania %1, a obroty zależą od średnicy. Wrzeciono (SPINDLE.json albo wrzeciono z projektu) daje każdemu walcowi jego własne obroty i podaje powód.</translation>
     </message>
 </context>
 </TS>

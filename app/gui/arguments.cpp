@@ -14,6 +14,7 @@ Arguments parseArguments(const QStringList& words)
         QString* value = word == "--report"     ? &result.report
                          : word == "--shots"    ? &result.shots
                          : word == "--language" ? &result.language
+                         : word == "--theme"    ? &result.theme
                                                 : nullptr;
         if (value && i + 1 < words.size())
             *value = words[++i];
@@ -30,6 +31,8 @@ Arguments parseArguments(const QStringList& words)
     }
     if (!result.language.isEmpty() && !Languages::codes().contains(result.language))
         result.error = "--language takes one of: " + Languages::codes().join(", ") + ".";
+    if (!result.theme.isEmpty() && result.theme != "light" && result.theme != "dark")
+        result.error = "--theme takes light or dark.";
     const QString suffix = QFileInfo(result.report).suffix().toLower();
     if (!result.report.isEmpty() && suffix != "pdf" && suffix != "html")
         result.error = "--report takes a file that ends in .pdf or .html.";
@@ -42,7 +45,8 @@ QString usage()
 {
     return "lathelier [FILES…|PROJECT] [--language en|pl]\n"
            "lathelier --report FILE.pdf|FILE.html PROJECT    write the project's report, without a display\n"
-           "lathelier --shots DIR PROJECT                    write screenshots of the window and every panel\n"
+           "lathelier --shots DIR [--theme light|dark] PROJECT\n"
+           "                                                 write screenshots of the window and every panel\n"
            "lathelier --help | --version\n";
 }
 

@@ -10,6 +10,7 @@ struct Arguments {
     QStringList files;  ///< a project, or data files for the active panel
     QString language;   ///< empty: as set
     QString report;     ///< write this file and leave; needs no display
+    QString theme;      ///< of screenshots: "light", "dark"; empty: as the desktop
     QString shots;      ///< write screenshots into this folder and leave
     QString error;      ///< what is wrong with the command line; empty: nothing
     bool help = false;

@@ -98,6 +98,7 @@ int main(int argc, char** argv)
     if (fresh) {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, QFile::decodeName(fresh->path().c_str()));
+        QSettings().setValue("theme", arguments.theme);
     }
     Languages languages;
     const lathelier::Settings settings = lathelier::readSettings();

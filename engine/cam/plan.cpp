@@ -50,8 +50,8 @@ private:
                       TurningPlan& plan, const Progress& progress)
     {
         const WorkStock begin = left ? turnedRound(*left, clamping) : barOf(clamping);
-        SetupOperations planned =
-            planSetup(clamping, begin, parameters_.skipped, progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
+        SetupOperations planned = planSetup(clamping, begin, parameters_.skipped, parameters_.order,
+                                            progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
         SetupPlan setup;
         setup.clamping = clamping;
         const std::vector<SectionSpeed> sections =

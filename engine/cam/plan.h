@@ -29,6 +29,7 @@ struct TurningParameters {
     PartModel part_model = PartModel::Finished;                               ///< body for the speeds of finishing
     double tool_change_s = 3;                                                 ///< for the time
     std::vector<SkippedOperation> skipped;                                    ///< switched off
+    std::vector<OperationStep> order;                                         ///< as operation_order.h takes it
     friend bool operator==(const TurningParameters&, const TurningParameters&) = default;
 };
 
@@ -84,8 +85,8 @@ struct TurningPlan {
     const CheckResult& worstCheck() const;
 };
 
-/// Errors: those of job_rules.h; feedBeyondNose, noSetupPossible, postCannot; those of receptanceOf(). Throws
-/// Cancelled.
+/// Errors: those of job_rules.h; feedBeyondNose, noSetupPossible, orderImpossible, postCannot; those of receptanceOf().
+/// Throws Cancelled.
 TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
                         const TurningParameters& parameters = {}, const Progress& progress = {});
 

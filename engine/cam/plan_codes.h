@@ -12,6 +12,9 @@ inline constexpr ErrorCode noSetupPossible{
     "no_setup_possible", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The part cannot be clamped so: {reason}; {missing_mm} mm are missing.")};
 
+inline constexpr ErrorCode orderImpossible{"order_impossible", ErrorKind::NoAnswer,
+                                           LT_TEXT("Engine", "“{operation}” cannot run before “{needed}”: {reason}.")};
+
 inline constexpr ErrorCode programRefused{
     "program_refused", ErrorKind::NoAnswer,
     LT_TEXT("Engine",
@@ -35,9 +38,38 @@ inline constexpr ErrorCode workMaterialUnknown{
     "work_material_unknown", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The material “{found}” is not in the library; expected one of: {expected}.")};
 
+inline constexpr ErrorCode checkVoid{
+    "check_void", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The program of clamping {clamping} was changed after its check; check it again first.")};
+
 }  // namespace errors
 
 namespace notes {
+
+inline constexpr NoteCode programChangedByHand{
+    "program_changed_by_hand", Severity::Warning,
+    LT_TEXT("Engine", "The program of clamping {clamping} is not the planned one: it was changed by hand.")};
+
+inline constexpr NoteCode changesOfOtherProgram{
+    "changes_of_other_program", Severity::Warning,
+    LT_TEXT("Engine",
+            "Clamping {clamping}: changes by hand belong to another program than the one that stands here now, and are "
+            "left out.")};
+
+inline constexpr NoteCode programCorrected{
+    "program_corrected", Severity::Info,
+    LT_TEXT("Engine",
+            "The program of clamping {clamping} is “{item}”, corrected for deflection by up to {correction_um} µm of "
+            "the radius; it is checked against the drawing with this correction.")};
+
+inline constexpr NoteCode correctedFromOther{
+    "corrected_from_other", Severity::Warning,
+    LT_TEXT("Engine",
+            "“{item}” was corrected from another program than the one that is planned now: correct that one again.")};
+
+inline constexpr NoteCode programGiven{
+    "program_given", Severity::Info,
+    LT_TEXT("Engine", "The program of clamping {clamping} is {path}, and not the planned one.")};
 
 inline constexpr NoteCode speedLimitAssumed{
     "speed_limit_assumed", Severity::Warning,

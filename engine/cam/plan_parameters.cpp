@@ -31,6 +31,13 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
              Label{LT_TEXT("Engine", "Left out"),
                    LT_TEXT("Engine", "Operations that are switched off: clamping, kind, tool."),
                    {},
+                   true}),
+        rows("order", &P::order, Range{0, 100},
+             Label{LT_TEXT("Engine", "Order"),
+                   LT_TEXT("Engine",
+                           "Operations in the order in which they run: clamping, kind, tool. Those that are not named "
+                           "keep their places."),
+                   {},
                    true}));
     return all;
 }

@@ -6,6 +6,7 @@
 #include "engine/cam/deep_rest.h"
 #include "engine/cam/ends.h"
 #include "engine/cam/job_bodies.h"
+#include "engine/cam/operation_order.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/rest_operations.h"
 #include "engine/cam/roughing.h"
@@ -18,10 +19,11 @@ namespace {
 class SetupPlanner {
 public:
     SetupPlanner(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                 const Progress& progress)
+                 const std::vector<OperationStep>& order, const Progress& progress)
         : clamping_(clamping),
           job_(clamping.job),
           skipped_(skipped),
+          order_(order),
           frame_(frameOf(clamping.job, clamping.part)),
           progress_(progress),
           result_{{}, {}, {}, {}, {}, std::move(stock), {}}
@@ -32,27 +34,18 @@ public:
     {
         const JobTool& rough = *job_.toolFor(ToolUse::Rough);
         const JobTool& finish = *job_.toolFor(ToolUse::Finish);
-        const double depth = job_.cutting.rough.depth_mm;
-        faceTheEnd(rough, depth);
-        progress_.report(0.1);
-        WorkStock laid = result_.after;
-        if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
-        progress_.report(0.4);
-        keep(semiFinishing(frame_, rough), depth);
-        std::optional<Operation> deep = deepPasses(frame_, rough, finish, result_.after);
-        const bool is_split = deep && !isSkipped(*deep);
-        if (is_split) keep(*std::move(deep), std::min(depth, deepFinish_mm));
-        keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
-        if (!is_split) noteDeepFinish(rough, finish);
-        noteRoughness(finish);
         reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
         if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
-        progress_.report(0.6);
-        for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
-            for (const JobTool& tool : job_.tools)
-                if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove))) clean(tool);
-        for (const DrawnThread& thread : clamping_.threads) cutThread(thread);
-        if (clamping_.parts_off && !job_.setup.tailstock) partOff();
+        noteRoughness(finish);
+        const std::vector<OperationStep> steps = inOrder(usualSteps(rough, finish), order_);
+        if (const auto fault = faultOf(steps))
+            throw Error(errors::orderImpossible, {{"operation", nameOf(fault->step.kind)},
+                                                  {"needed", nameOf(fault->needs.kind)},
+                                                  {"reason", fault->reason}});
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            progress_.report(static_cast<double>(i) / static_cast<double>(steps.size()));
+            runStep(steps[i]);
+        }
         if (clamping_.parts_off && job_.setup.tailstock) result_.notes.push_back({notes::partOffLeftOut, {}});
         result_.rest = restOf(frame_.contour, reaches_);
         progress_.report(1);
@@ -60,6 +53,63 @@ public:
     }
 
 private:
+    std::vector<OperationStep> usualSteps(const JobTool& rough, const JobTool& finish) const
+    {
+        std::vector<OperationStep> steps;
+        const auto add = [&](OperationKind kind, int tool) {
+            const OperationStep step{clamping_.is_mirrored ? 2 : 1, kind, tool};
+            if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
+        };
+        add(OperationKind::Face, rough.number);
+        if (const auto hole = centreDrilling(frame_)) add(OperationKind::CentreDrill, hole->tool);
+        add(OperationKind::Rough, rough.number);
+        add(OperationKind::SemiFinish, rough.number);
+        add(OperationKind::Finish, finish.number);
+        for (const ToolUse use : {ToolUse::FinishBack, ToolUse::Groove, ToolUse::PartOff})
+            for (const JobTool& tool : job_.tools)
+                if (tool.use == use && (use != ToolUse::PartOff || !job_.toolFor(ToolUse::Groove)))
+                    add(tool.isBlade() ? OperationKind::Groove : OperationKind::FinishBack, tool.number);
+        if (!clamping_.threads.empty()) {
+            const JobTool* threader = job_.toolFor(ToolUse::Thread);
+            add(OperationKind::Thread, threader ? threader->number : 0);
+        }
+        if (clamping_.parts_off && !job_.setup.tailstock) add(OperationKind::PartOff, job_.partingBlade()->number);
+        return steps;
+    }
+
+    void runStep(const OperationStep& step)
+    {
+        const JobTool &rough = *job_.toolFor(ToolUse::Rough), &finish = *job_.toolFor(ToolUse::Finish);
+        const double depth = job_.cutting.rough.depth_mm;
+        switch (step.kind) {
+            case OperationKind::Face: faceTheEnd(rough, depth); break;
+            case OperationKind::CentreDrill: break;  // follows the face at once
+            case OperationKind::Rough: {
+                WorkStock laid = result_.after;
+                if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
+                break;
+            }
+            case OperationKind::SemiFinish: keep(semiFinishing(frame_, rough), depth); break;
+            case OperationKind::Finish: finishAll(rough, finish, depth); break;
+            case OperationKind::FinishBack:
+            case OperationKind::Groove: clean(*job_.tool(step.tool)); break;
+            case OperationKind::Thread:
+                for (const DrawnThread& thread : clamping_.threads) cutThread(thread);
+                break;
+            case OperationKind::PartOff: partOff(); break;
+        }
+    }
+
+    /// In passes where a single one would cut too deep.
+    void finishAll(const JobTool& rough, const JobTool& finish, double depth)
+    {
+        std::optional<Operation> deep = deepPasses(frame_, rough, finish, result_.after);
+        const bool is_split = deep && !isSkipped(*deep);
+        if (is_split) keep(*std::move(deep), std::min(depth, deepFinish_mm));
+        keep(finishing(frame_, finish), job_.cutting.rough.allowance_mm);
+        if (!is_split) noteDeepFinish(rough, finish);
+    }
+
     /// The tailstock comes after its hole was drilled into the faced end; without a drill it stands there from the
     /// start.
     void faceTheEnd(const JobTool& rough, double depth)
@@ -263,6 +313,7 @@ private:
     const Clamping& clamping_;
     const Job& job_;
     const std::vector<SkippedOperation>& skipped_;
+    const std::vector<OperationStep>& order_;
     WorkFrame frame_;
     const Progress& progress_;
     SetupOperations result_;
@@ -292,9 +343,9 @@ const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
 }
 
 SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                          const Progress& progress)
+                          const std::vector<OperationStep>& order, const Progress& progress)
 {
-    return SetupPlanner(clamping, std::move(stock), skipped, progress).run();
+    return SetupPlanner(clamping, std::move(stock), skipped, order, progress).run();
 }
 
 WorkStock barOf(const Clamping& clamping)

@@ -30,6 +30,9 @@ struct SkippedOperation {
     friend bool operator==(const SkippedOperation&, const SkippedOperation&) = default;
 };
 
+/// The same as a place in the order of operations.
+using OperationStep = SkippedOperation;
+
 const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*);
 
 struct SetupOperations {
@@ -43,9 +46,10 @@ struct SetupOperations {
 };
 
 /// `stock`: before the first operation, in the z of this clamping; later operations meet what `skipped` ones leave.
-/// Errors noSetupPossible. Throws Cancelled.
+/// `order`: as inOrder() takes it (operation_order.h); steps of the other clamping are passed over. Errors
+/// noSetupPossible, orderImpossible. Throws Cancelled.
 SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped = {},
-                          const Progress& progress = {});
+                          const std::vector<OperationStep>& order = {}, const Progress& progress = {});
 
 /// The stock of a clamping that begins with the bar.
 WorkStock barOf(const Clamping& clamping);

@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,11 +74,13 @@ struct Arc {
 
 enum class Anchor : std::uint8_t { Start, Middle, End };
 
-/// What a text says of the outside of the shaft, for a window in which it is edited. Writers of files ignore it.
+/// What a text says of the outside of the shaft or of a bore, for a window in which it is edited. Writers of files
+/// ignore it.
 struct DimensionTarget {
     enum class Of : std::uint8_t { None, Diameter, Length, ArcRadius, Chamfer, Taper, Groove };
-    Of of = Of::None;                    ///< which size; None: a remark, a bore, a keyway
-    std::vector<std::size_t> rows = {};  ///< of Shaft::segments, from 0. Length, Groove: all from first to last
+    Of of = Of::None;                      ///< which size; None: a remark, a keyway
+    std::vector<std::size_t> rows = {};    ///< of Shaft::segments, from 0. Length, Groove: all from first to last
+    std::optional<std::size_t> bore = {};  ///< of Shaft::bores: `rows` are its rows; Diameter and Length (depth) alone
     friend bool operator==(const DimensionTarget&, const DimensionTarget&) = default;
 };
 

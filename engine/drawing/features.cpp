@@ -311,6 +311,7 @@ private:
                  row.start_diameter_mm},
                 free ? from_mouth : from_far,
                 free ? from_far : from_mouth};
+            bore.size.label.target = {DimensionTarget::Of::Diameter, {row.index}, number_of_bore};
             features_.bores.push_back(std::move(bore));
         }
         addCallouts(rows, known, false, free ? Mouth::Free : Mouth::Chuck);
@@ -320,8 +321,10 @@ private:
             const bool drill_point = same(rows[station.before].end_diameter_mm, 0);
             if (drill_point || (through && same(station.z_mm, rows.back().end_z_mm))) continue;
             const double depth = std::abs(station.z_mm - mouth);
-            features_.bore_lengths.push_back({mouth, station.z_mm, outerRadius(outer_, mouth), station.radius_mm,
-                                              size(rows[station.before], depth, lengthUncertainty(station, known))});
+            LengthDimension length_of{mouth, station.z_mm, outerRadius(outer_, mouth), station.radius_mm,
+                                      size(rows[station.before], depth, lengthUncertainty(station, known))};
+            length_of.label.target = {DimensionTarget::Of::Length, {rows[station.before].index}, number_of_bore};
+            features_.bore_lengths.push_back(std::move(length_of));
         }
     }
 

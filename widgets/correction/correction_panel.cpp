@@ -1,5 +1,9 @@
 #include "widgets/correction/correction_panel.h"
 
+#include <filesystem>
+
+#include "engine/cam/check/correction_file.h"
+#include "engine/core/item_numbers.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
@@ -22,6 +26,26 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the corrected program follows."));
 }
 
+/// The text with what it stands off from the programmed contour; z from the free end of its clamping.
+gcode::ProgramItem correctedProgram(const deflection_common::DeflectionPicture& picture)
+{
+    const deflection::CorrectedProgram& corrected = *picture.study->corrected;
+    gcode::ProgramItem item;
+    item.text = deflection_common::toUtf8(corrected.text);
+    if (picture.program) item.clamping = picture.program->clamping;
+    item.corrected_from = picture.program_sha256;
+    item.z_zero_mm = picture.job->setup.z_zero_mm;
+    std::vector<cam::CorrectedCorner> corners;
+    for (const deflection::CorrectedRun& run : corrected.compensation.runs)
+        for (const deflection::CorrectedNode& node : run.nodes)
+            corners.push_back({node.z_mm - item.z_zero_mm, node.x_mm - node.programmed_mm});
+    const cam::StatedCorrection all = cam::correctionOf(corners);
+    requireKeepable(all.z_mm.size());
+    item.correction_z_mm = all.z_mm;
+    item.correction_radius_mm = all.radius_mm;
+    return item;
+}
+
 }  // namespace
 
 PanelFacts correctionPanelFacts()
@@ -38,6 +62,7 @@ CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
 {
     setViews(views_, views_->heroes());
     connect(views_, &CorrectionViews::taken, this, &CorrectionPanel::take);
+    connect(views_, &CorrectionViews::checkWanted, this, &CorrectionPanel::offerCorrected);
     connect(views_, &CorrectionViews::notWritten, this, &CorrectionPanel::sayNotWritten);
 }
 
@@ -81,6 +106,21 @@ void CorrectionPanel::take(qlonglong line, bool wanted)
         if (!wanted) kept.push_back({number, number});
         lathelier::set(state.parameters, deflection_common::keptLinesKey, Value(kept));
     });
+}
+
+/// Under the name of the program that it was made of.
+void CorrectionPanel::offerCorrected()
+{
+    const auto picture = result();
+    if (!picture || !picture->study->corrected) return;
+    const project::Source& source = state().inputs.at(deflection_common::programRole);
+    const std::string of = source.item.empty() ? std::filesystem::path(source.path).stem().string() : source.item;
+    try {
+        offerItem(tr("%1, corrected").arg(QString::fromStdString(of)).toStdString(), gcode::correctedItem,
+                  gcode::toValues(correctedProgram(*picture)), picture->synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
 }
 
 void CorrectionPanel::retranslate()

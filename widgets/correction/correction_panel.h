@@ -26,6 +26,7 @@ protected:
 
 private:
     void take(qlonglong line, bool wanted);
+    void offerCorrected();
 
     CorrectionViews* views_;
 };

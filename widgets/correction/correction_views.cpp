@@ -1,5 +1,6 @@
 #include "widgets/correction/correction_views.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
 
@@ -14,6 +15,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
       lines_(new QTableView),
       model_(new DiffModel(this)),
       only_changes_(new QCheckBox),
+      check_(new QToolButton),
       reason_(new QLabel),
       correction_(new plot::ChartView),
       residual_(new plot::ChartView),
@@ -37,7 +39,12 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     auto* both = new QWidget;
     auto* stacked = new QVBoxLayout(both);
     stacked->setContentsMargins(0, 0, 0, 0);
-    stacked->addWidget(only_changes_);
+    check_->setObjectName("correctionCheck");
+    auto* above = new QHBoxLayout;
+    above->addWidget(only_changes_);
+    above->addStretch();
+    above->addWidget(check_);
+    stacked->addLayout(above);
     stacked->addWidget(lines_, 1);
     reason_->setObjectName("correctionReason");
     reason_->setWordWrap(true);
@@ -51,6 +58,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(heroes_, 1);
     connect(only_changes_, &QCheckBox::toggled, model_, &DiffModel::setOnlyChanges);
+    connect(check_, &QToolButton::clicked, this, &CorrectionViews::checkWanted);
     connect(model_, &DiffModel::taken, this, &CorrectionViews::taken);
     connect(lines_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { markRow(now.row()); });
@@ -108,6 +116,10 @@ void CorrectionViews::retranslate()
     heroes_->setTitle("residual", tr("Before and after"));
     heroes_->setTitle("robustness", tr("Other machines"));
     only_changes_->setText(tr("Changed blocks only"));
+    check_->setText(tr("Check as a turning program"));
+    check_->setToolTip(
+        tr("Gives the corrected program with its correction to the panel Turning program, which checks it against the "
+           "drawing, the stock and the chuck."));
     lines_->setAccessibleName(tr("Programs side by side"));
     robustness_->setAccessibleName(tr("Other machines"));
     model_->retranslate();

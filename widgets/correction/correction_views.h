@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QTableView>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 
@@ -31,6 +32,7 @@ public:
 
 signals:
     void taken(qlonglong line, bool take);  ///< as DiffModel::taken()
+    void checkWanted();                     ///< of the corrected program against drawing and stock
     void notWritten(const QString& path);   ///< the system refused to write this file
 
 private:
@@ -42,6 +44,7 @@ private:
     QTableView* lines_;
     DiffModel* model_;
     QCheckBox* only_changes_;
+    QToolButton* check_;
     QLabel* reason_;  ///< of the selected row, in full
     plot::ChartView* correction_;
     plot::ChartView* residual_;

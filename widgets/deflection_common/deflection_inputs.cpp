@@ -24,7 +24,8 @@ std::vector<InputRole> turningRoles()
 {
     std::vector<InputRole> roles{
         chatter_common::inputRole(programRole, LT_TEXT("Engine", "Program"),
-                                  LT_TEXT("Engine", "The NC program that turns the work."), gcode::programFiles(), ""),
+                                  LT_TEXT("Engine", "The NC program that turns the work."), gcode::programFiles(),
+                                  gcode::programItem),
         chatter_common::inputRole(setupRole, LT_TEXT("Engine", "Set-up"),
                                   LT_TEXT("Engine", "Machine, tool and material: SETUP.json."),
                                   deflection::setupFiles(), ""),
@@ -103,6 +104,7 @@ PanelFacts turningFacts(const char* id, Text title, const char* icon)
     facts.kinds = {&gcode::programFiles(), &deflection::setupFiles()};
     facts.roles = programRoles();
     facts.part_inputs = {programRole};
+    facts.item_inputs = {{gcode::programItem, programRole}};
     return facts;
 }
 
@@ -132,8 +134,7 @@ Worker::Job readingJob(const project::PanelState& state, std::shared_ptr<Stores>
 {
     return [state, stores = std::move(stores)](const Progress& progress) -> std::shared_ptr<const void> {
         const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
-        if (const auto given = state.inputs.find(programRole); given != state.inputs.end())
-            stores->of<ProgramStore>()->load(given->second, part);
+        if (state.inputs.count(programRole) > 0) takenProgram(state, *stores, part);
         if (const auto given = state.inputs.find(setupRole); given != state.inputs.end())
             stores->of<SetupStore>()->load(given->second, part);
         chatter_common::takeShaft(state, *stores, part);

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/deflection/deflection_codes.h"
+#include "engine/gcode/program_item_codes.h"
+#include "engine/io/file.h"
 #include "engine/report/result_json.h"
 #include "widgets/chatter_common/taken_input.h"
 
@@ -12,7 +14,10 @@ namespace {
 deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progress& progress,
                              DeflectionPicture& picture)
 {
-    std::string program = takeProgram(state, stores, progress.part(0, 0.3), picture);
+    TakenProgram taken;
+    std::string program = takeProgram(state, stores, progress.part(0, 0.3), picture, taken);
+    picture.program = taken.item;
+    picture.program_sha256 = io::sha256(program);
     const auto machine = takeFile<SetupStore>(state, setupRole, stores, progress.part(0.3, 0.4), picture);
     deflection::TurningSetup setup = machine->file.setup;
     std::optional<Shaft> stock = machine->file.stock;
@@ -36,7 +41,13 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
             picture.notes.push_back({notes::spindleHasNoSprings, {}});
         }
     }
-    const std::string& path = state.inputs.at(programRole).path;
+    // A program that was planned knows the bar that it was planned for.
+    if (!stock && taken.item && taken.item->stock) {
+        stock = taken.item->stock;
+        if (!picture.question.changes.z_zero_mm) setup.z_zero_mm = taken.item->z_zero_mm;
+        picture.notes.push_back({notes::barOfProgram, {{"length_mm", stock->length_mm()}}});
+    }
+    const std::string path = programName(state);
     if (!stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
     try {
         gcode::Program read =
@@ -73,7 +84,7 @@ DeflectionPicture deflectionPicture(const project::PanelState& state, Wanted wan
             picture.drawn = stock::DrawnPath(job->path.moves, job->setup.z_zero_mm, job->program.blocks.size(),
                                              progress.part(0.98, 1));
     } catch (Error& error) {
-        throw error.with("path", state.inputs.at(programRole).path);
+        throw error.with("path", programName(state));
     }
     picture.notes.insert(picture.notes.end(), picture.study->notes.begin(), picture.study->notes.end());
     picture.job = std::move(job);

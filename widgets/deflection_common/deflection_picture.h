@@ -16,6 +16,8 @@ struct DeflectionPicture {
     DeflectionQuestion question;                            ///< as asked
     std::shared_ptr<const deflection::TurningJob> job;      ///< never null
     std::shared_ptr<const deflection::TurningStudy> study;  ///< never null
+    std::optional<gcode::ProgramItem> program;              ///< item that the program was taken from; none: a file
+    std::string program_sha256;                             ///< of the text that was read
     stock::DrawnPath drawn;                                 ///< of the program; with the stock of a prediction
     std::vector<InputFile> inputs;                          ///< files and items
     Notes notes;                                            ///< of the files and of the result

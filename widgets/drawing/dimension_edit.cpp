@@ -86,6 +86,21 @@ QString typedSize(const ShaftRows& rows, const drawing::DimensionTarget& target)
     return {};
 }
 
+QString typedBoreSize(const std::vector<ShaftBore>& bores, const drawing::DimensionTarget& target)
+{
+    const std::vector<BoreSegment>& rows = bores.at(*target.bore).segments;
+    if (target.of == Of::Diameter) return number(rows.at(target.rows.front()).start_diameter_mm);
+    double depth_mm = 0;
+    for (std::size_t i = 0; i <= target.rows.back(); ++i) depth_mm += rows.at(i).length_mm;
+    return number(depth_mm);
+}
+
+std::optional<double> typedNumber(const QString& typed)
+{
+    const std::vector<double> given = numbersIn(typed);
+    return given.size() == 1 ? std::optional(given.front()) : std::nullopt;
+}
+
 QString typingHelp(const drawing::DimensionTarget& target)
 {
     switch (target.of) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QString>
+#include <optional>
+#include <vector>
 
 #include "engine/core/shaft_sizes.h"
 #include "engine/drawing/drawing.h"
@@ -11,6 +13,12 @@ namespace lathelier::drawing_panel {
 /// The size as it is typed again, in the user's locale, in millimetres and degrees as on the sheet: "45", "1 × 45" (leg
 /// and angle of a chamfer), "2 × 27" (width and bottom of a groove), "1:10" or the whole angle of a cone.
 QString typedSize(const ShaftRows& rows, const drawing::DimensionTarget& target);
+
+/// The same of a bore: the diameter of its row, or how deep the row ends.
+QString typedBoreSize(const std::vector<ShaftBore>& bores, const drawing::DimensionTarget& target);
+
+/// The one number that was typed, as it stands; none: there is none, or more.
+std::optional<double> typedNumber(const QString& typed);
 
 /// How it is typed, for the tooltip of the field.
 QString typingHelp(const drawing::DimensionTarget& target);

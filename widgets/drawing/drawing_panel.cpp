@@ -27,7 +27,7 @@ PanelInputs panelInputs()
     PanelInputs inputs;
     inputs.roles = {shaft};
     for (FieldInfo& info : infos<DrawingQuestion>())
-        if (info.key != segmentsOfKey) inputs.fields.push_back(std::move(info));
+        if (info.key != segmentsOfKey && info.key != boresOfKey) inputs.fields.push_back(std::move(info));
     inputs.defaults = toValues(DrawingQuestion{});
     inputs.invitation = LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, STEP), or state its segments.");
     return inputs;
@@ -73,6 +73,7 @@ DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
     connect(views_, &DrawingViews::shaftWanted, this, &DrawingPanel::keepShaft);
     connect(views_, &DrawingViews::editWanted, this, &DrawingPanel::editRows);
     connect(views_, &DrawingViews::notWritten, this, &DrawingPanel::sayNotWritten);
+    connect(views_, &DrawingViews::boresEditWanted, this, &DrawingPanel::editBores);
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &DrawingPanel::followTable);
 }
 
@@ -95,10 +96,29 @@ void DrawingPanel::editRows(const QString& step, const RowsChange& change, const
     }
 }
 
+void DrawingPanel::editBores(const QString& step, const BoresChange& change)
+{
+    const auto picture = result();
+    if (!picture) return;
+    try {
+        Shaft shaft = picture->shaft;
+        shaft.bores = change(shaft.bores);
+        if (shaft.bores == picture->shaft.bores) return;
+        checkShaft(shaft);
+        editState(step, [&](project::PanelState& state) { setBores(state, shaft.bores); });
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
 /// A table changed by hand is of the input that is there now, and rows that are tied follow: the same undo step as the
 /// change itself.
 void DrawingPanel::followTable(const std::string& key, const Value& table, int gesture, const QString& step)
 {
+    if (key == boresKey)
+        return editState(
+            step, [&](project::PanelState& state) { lathelier::set(state.parameters, boresOfKey, boresOf(state)); },
+            QString("drawing/bores/%1").arg(gesture));
     if (key != segmentsKey) return;
     const auto picture = result();
     const std::optional<ShaftRows> typed = rowsIn(table);
@@ -129,7 +149,10 @@ void DrawingPanel::keepShaft()
 
 void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
-    for (const FoundFile& file : files) part_common::openShaft(state, file.path);
+    for (const FoundFile& file : files) {
+        part_common::openShaft(state, file.path);
+        lathelier::set(state.parameters, boresOfKey, std::string());
+    }
 }
 
 DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) const
@@ -152,8 +175,10 @@ QString DrawingPanel::understood(const InputRole&, const project::Source& source
 
 void DrawingPanel::showResult(const std::shared_ptr<const DrawingPicture>& picture)
 {
-    inputColumn().form().setValues(
-        {{segmentsKey, part_common::rowsOf(picture->shaft.segments)}});  // also those of a file
+    DrawingQuestion rows;
+    rows.bores = rowsOfBores(picture->shaft.bores);
+    inputColumn().form().setValues({{segmentsKey, part_common::rowsOf(picture->shaft.segments)},
+                                    {boresKey, *lathelier::find(toValues(rows), boresKey)}});  // also those of a file
     views_->setPicture(picture);
 }
 

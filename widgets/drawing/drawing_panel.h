@@ -34,6 +34,7 @@ protected:
 
 private:
     void editRows(const QString& step, const RowsChange& change, const QString& merge_key);
+    void editBores(const QString& step, const BoresChange& change);
     void followTable(const std::string& key, const Value& table, int gesture, const QString& step);
     void keepShaft();
 

@@ -59,6 +59,7 @@ DrawingPicture drawingPicture(const project::PanelState& state, Stores& stores, 
         question.segments, question.segments_of, state, picture.shaft, picture.notes, [&](const project::Source&) {
             takeShaft(picture, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
         });
+    if (question.bores_of == boresOf(state)) picture.shaft.bores = boresOfRows(question.bores);
     if (!question.name.empty()) picture.shaft.name = question.name;
     part_common::chooseMaterial(question.material, picture.shaft, picture.notes);
     picture.remarks = checkShaft(picture.shaft);

@@ -1,6 +1,63 @@
 #include "widgets/drawing/drawing_question.h"
 
+#include <algorithm>
+
+#include "engine/core/field_within.h"
+
 namespace lathelier::drawing_panel {
+namespace {
+
+const Text kRows = LT_TEXT("Engine", "Bores");
+const Text kRowsHelp =
+    LT_TEXT("Engine", "From the mouth inward. A file fills the table; once it is changed, it rules.");
+
+}  // namespace
+
+const std::vector<Field<BoreRow>>& fieldsOf(const BoreRow*)
+{
+    using B = BoreRow;
+    static const auto all = [] {
+        std::vector<Field<B>> fields = described<B>(field(
+            "from", &B::from, {{"free", LT_TEXT("Engine", "free end")}, {"chuck", LT_TEXT("Engine", "chuck end")}},
+            Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The end that its mouth is at.")}));
+        for (const Field<BoreSegment>& inner : lathelier::fields<BoreSegment>())
+            fields.push_back(within(&B::row, inner.info.key));
+        return fields;
+    }();
+    return all;
+}
+
+std::vector<BoreRow> rowsOfBores(const std::vector<ShaftBore>& bores)
+{
+    std::vector<BoreRow> rows;
+    for (const ShaftBore& bore : bores)
+        for (const BoreSegment& row : bore.segments) rows.push_back({bore.from, row});
+    return rows;
+}
+
+std::vector<ShaftBore> boresOfRows(const std::vector<BoreRow>& rows)
+{
+    std::vector<ShaftBore> bores;
+    for (const BoreRow& row : rows) {
+        auto own = std::find_if(bores.begin(), bores.end(), [&](const ShaftBore& b) { return b.from == row.from; });
+        if (own == bores.end()) own = bores.insert(bores.end(), ShaftBore{row.from, {}});
+        own->segments.push_back(row.row);
+    }
+    return bores;
+}
+
+std::string boresOf(const project::PanelState& state)
+{
+    return "of " + part_common::identity(state);
+}
+
+void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores)
+{
+    DrawingQuestion question;
+    question.bores = rowsOfBores(bores);
+    lathelier::set(state.parameters, boresKey, *find(toValues(question), boresKey));
+    lathelier::set(state.parameters, boresOfKey, boresOf(state));
+}
 
 const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
 {
@@ -8,6 +65,10 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
     static const auto all = described<Q>(
         rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
         field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
+        rows(boresKey, &Q::bores, Range{0, 1000}, Label{kRows, kRowsHelp}),
+        field(boresOfKey, &Q::bores_of,
+              Label{LT_TEXT("Engine", "Bores changed from"),
+                    LT_TEXT("Engine", "The input that the table of bores was changed from.")}),
         field("name", &Q::name,
               Label{LT_TEXT("Engine", "Part name"),
                     LT_TEXT("Engine", "In the title block and in all files; empty: as the input has it.")}),

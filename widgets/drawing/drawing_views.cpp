@@ -30,7 +30,8 @@ DrawingViews::DrawingViews(QWidget* parent)
       remarks_(new CopyTable),
       buttons_(new QWidget),
       shaft_(new QToolButton),
-      fit_(new QToolButton)
+      fit_(new QToolButton),
+      bore_(new QToolButton)
 {
     sheet_->setObjectName("sheet");
     meridian_->setObjectName("meridian");
@@ -48,7 +49,13 @@ DrawingViews::DrawingViews(QWidget* parent)
     remarks_->setWordWrap(true);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(0, 0, 0, 0);
+    bore_->setObjectName("addBore");
+    bore_->setPopupMode(QToolButton::InstantPopup);
+    bore_->setMenu(new QMenu(bore_));
+    for (const ShaftEnd end : {ShaftEnd::Free, ShaftEnd::Chuck})
+        connect(bore_->menu()->addAction(QString()), &QAction::triggered, this, [this, end] { addBore(end); });
     row->addWidget(shaft_);
+    row->addWidget(bore_);
     row->addStretch();
     row->addWidget(fit_);
     auto* layout = new QVBoxLayout(this);
@@ -70,7 +77,10 @@ DrawingViews::DrawingViews(QWidget* parent)
     connect(sheet_, &SheetView::dimensionActivated, this, [this](int label) {
         const auto index = static_cast<std::size_t>(label);
         const drawing::DimensionTarget& target = drawing_.labels[index].target;
-        sheet_->editDimension(index, typedSize(picture_->shaft.segments, target), typingHelp(target));
+        sheet_->editDimension(
+            index,
+            target.bore ? typedBoreSize(picture_->shaft.bores, target) : typedSize(picture_->shaft.segments, target),
+            typingHelp(target));
     });
     connect(sheet_, &SheetView::dimensionTyped, this, &DrawingViews::typeDimension);
     connect(sheet_, &SheetView::rowKeyPressed, this, &DrawingViews::pressKey);
@@ -90,6 +100,8 @@ DrawingViews::DrawingViews(QWidget* parent)
         row_ = outside ? std::optional(static_cast<std::size_t>(at)) : std::nullopt;
         showMark();
     });
+    rows_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    connect(rows_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* cell) { typeBoreCell(*cell); });
     rows_->installEventFilter(this);
     rows_->viewport()->installEventFilter(this);
     meridian_->installEventFilter(this);
@@ -120,6 +132,7 @@ void DrawingViews::show()
     {
         const QSignalBlocker quiet(rows_);
         rows_->setTable(rowsTable(*picture_, screenLanguage()));
+        openBoreCells();
     }
     const report::Table measured = measuredTable(*picture_, screenLanguage());
     heroes_->setAvailable("measured", !measured.rows.empty());
@@ -232,6 +245,7 @@ void DrawingViews::typeDimension(int label, const QString& text)
 {
     if (!picture_ || label < 0 || label >= static_cast<int>(drawing_.labels.size())) return;
     const drawing::DimensionTarget target = drawing_.labels[static_cast<std::size_t>(label)].target;
+    if (target.bore) return typeBore(target, text);
     const KeepAfter kept = keep();
     edit(stepOf(target), [=](ShaftRows all) {
         // What was not changed keeps all its digits.
@@ -269,7 +283,8 @@ void DrawingViews::pressKey(QKeyEvent* event)
     if (!row_ || !enter || heroes_->hero() != "sheet") return;
     for (std::size_t i = 0; i < drawing_.labels.size(); ++i) {
         const drawing::DimensionTarget& target = drawing_.labels[i].target;
-        if (target.of == drawing::DimensionTarget::Of::None || target.of == drawing::DimensionTarget::Of::Length)
+        if (target.bore || target.of == drawing::DimensionTarget::Of::None ||
+            target.of == drawing::DimensionTarget::Of::Length)
             continue;
         if (std::find(target.rows.begin(), target.rows.end(), *row_) == target.rows.end()) continue;
         emit sheet_->dimensionActivated(static_cast<int>(i));
@@ -280,7 +295,10 @@ void DrawingViews::pressKey(QKeyEvent* event)
 void DrawingViews::openTableMenu(int row, const QPoint& global)
 {
     QMenu menu(this);
-    part_common::addRowVerbs(menu, row + 1, verbsOf(static_cast<std::size_t>(row)));
+    if (boreAt(row))
+        addBoreVerbs(menu, row);
+    else
+        part_common::addRowVerbs(menu, row + 1, verbsOf(static_cast<std::size_t>(row)));
     menu.addSeparator();
     menu.addAction(CopyTable::tr("Copy"), this, [this] { rows_->copyToClipboard(); });
     menu.exec(global);
@@ -292,12 +310,17 @@ bool DrawingViews::eventFilter(QObject* watched, QEvent* event)
     if (event->type() == QEvent::KeyPress && (watched == rows_ || watched == meridian_)) {
         auto* const key = static_cast<QKeyEvent*>(event);
         if (row_ && part_common::pressRowKey(*key, verbsOf(*row_))) return true;
+        const auto bore = watched == rows_ ? boreAt(rows_->currentRow()) : std::nullopt;
+        if (bore && key->key() == Qt::Key_Delete) {
+            deleteBore(*bore);
+            return true;
+        }
     }
     if (event->type() == QEvent::ContextMenu && watched == rows_->viewport()) {
         const auto* const request = static_cast<QContextMenuEvent*>(event);
         const bool by_key = request->reason() == QContextMenuEvent::Keyboard;
         const int row = by_key ? rows_->currentRow() : rows_->rowAt(request->pos().y());
-        if (picture_ && row >= 0 && row < static_cast<int>(picture_->shaft.segments.size())) {
+        if (picture_ && row >= 0 && (boreAt(row) || row < static_cast<int>(picture_->shaft.segments.size()))) {
             openTableMenu(row, request->globalPos());
             return true;
         }
@@ -322,6 +345,12 @@ void DrawingViews::retranslate()
     remarks_->setAccessibleName(tr("Remarks"));
     shaft_->setText(tr("Use this shaft"));
     shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
+    bore_->setText(tr("Add a bore"));
+    bore_->setToolTip(
+        tr("A cylinder from this end, or one more behind the last one. Its row in the table is changed by a double "
+           "click, its kind and its place by the right button."));
+    bore_->menu()->actions().value(0)->setText(tr("From the free end"));
+    bore_->menu()->actions().value(1)->setText(tr("From the chuck end"));
     fit_->setText(tr("Whole sheet"));
     fit_->setToolTip(
         tr("The wheel enlarges the drawing, dragging moves it. A click lights a row, a double click on a dimension "

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/core/bore_edit.h"
 #include "engine/core/shaft_sizes.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/hero_views.h"
@@ -21,6 +22,16 @@ namespace lathelier::drawing_panel {
 
 /// What becomes of the rows of the outside; throws Error where that cannot be.
 using RowsChange = std::function<ShaftRows(ShaftRows)>;
+
+/// The same of the bores.
+using BoresChange = std::function<ShaftBores(ShaftBores)>;
+
+/// A row of a bore.
+struct BorePlace {
+    std::size_t bore = 0;  ///< of Shaft::bores
+    std::size_t row = 0;   ///< from the mouth
+    QString name;          ///< "B1.2"
+};
 
 class DrawingViews : public QWidget {
     Q_OBJECT
@@ -38,7 +49,11 @@ public:
 
     void markRow(std::optional<std::size_t> row);            ///< index into Shaft::segments
     std::optional<std::size_t> row() const { return row_; }  ///< that is lit
-    void markStretch(double from_mm, double to_mm);          ///< of z: the row in its middle
+    CopyTable* rows() const { return rows_; }
+    /// Adds what can be done with a row of a bore, in the table's row `at`.
+    void addBoreVerbs(QMenu& menu, int at);
+    void addBore(ShaftEnd from);                     ///< or a row more to the one that is there
+    void markStretch(double from_mm, double to_mm);  ///< of z: the row in its middle
     /// What can be done with a row; `z_mm`: where it is cut.
     part_common::RowVerbs verbsOf(std::size_t row, std::optional<double> z_mm = {});
 
@@ -46,6 +61,7 @@ signals:
     void shaftWanted();  ///< keep it in the project
     /// One undo step; those with the same key, which is not empty, are one.
     void editWanted(const QString& step, const lathelier::drawing_panel::RowsChange& change, const QString& merge_key);
+    void boresEditWanted(const QString& step, const lathelier::drawing_panel::BoresChange& change);  ///< one undo step
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 protected:
@@ -60,6 +76,11 @@ private:
     void dragShoulder(const QString& key, double z_mm, bool dropped);
     void pressKey(QKeyEvent* event);
     void openTableMenu(int row, const QPoint& global);
+    void typeBore(const drawing::DimensionTarget& target, const QString& text);
+    void typeBoreCell(const QTableWidgetItem& cell);
+    void openBoreCells();
+    void deleteBore(const BorePlace& place);
+    std::optional<BorePlace> boreAt(int row) const;
     KeepAfter keep() const;
 
     std::shared_ptr<const DrawingPicture> picture_;
@@ -76,6 +97,7 @@ private:
     QWidget* buttons_;
     QToolButton* shaft_;
     QToolButton* fit_;
+    QToolButton* bore_;
 };
 
 }  // namespace lathelier::drawing_panel

@@ -152,6 +152,7 @@ void SheetView::mouseReleaseEvent(QMouseEvent* event)
     if (const auto label = dimensionAt(event->localPos())) {
         const drawing::DimensionTarget& target = drawing_.labels[*label].target;
         row = target.of == drawing::DimensionTarget::Of::Length ? target.rows.back() : target.rows.front();
+        if (target.bore) row.reset();
     }
     emit rowClicked(row ? static_cast<int>(*row) : -1);
 }
@@ -320,6 +321,7 @@ void SheetView::paintMark(QPainter& painter) const
     colour.setAlpha(70);
     painter.setBrush(colour);
     for (const drawing::Label& label : drawing_.labels) {
+        if (label.target.bore) continue;
         const auto& rows = label.target.rows;
         const bool of_length = label.target.of == drawing::DimensionTarget::Of::Length;
         const bool says = of_length ? !rows.empty() && rows.back() == *row_

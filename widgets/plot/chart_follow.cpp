@@ -6,7 +6,8 @@ namespace lathelier::plot {
 void ChartView::followX(ChartView* leader)
 {
     content_->leader = leader;
-    auto* margins = new QCPMarginGroup(&leader->plot());
+    QCPMarginGroup* margins = leader->plot().axisRect()->marginGroup(QCP::msLeft);
+    if (!margins) margins = new QCPMarginGroup(&leader->plot());
     for (ChartView* chart : {leader, this})
         chart->plot().axisRect()->setMarginGroup(QCP::msLeft | QCP::msRight, margins);
     connect(leader, &ChartView::rangeChanged, this, [this] {

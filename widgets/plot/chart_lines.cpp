@@ -27,6 +27,10 @@ void RegionFill::draw(QCPPainter* painter)
     painter->setPen(Qt::NoPen);
     painter->setBrush(mBrush);
     painter->drawPolygon(polygon);
+    if (!hatch_.isValid()) return;
+    painter->setPen(QPen(hatch_, 1.5));
+    painter->setBrush(QBrush(hatch_, Qt::BDiagPattern));
+    painter->drawPolygon(polygon);
 }
 
 void ChartLines::draw(QCPPainter* painter)

@@ -17,6 +17,8 @@ public:
     {
         setLayer("background");
     }
+    /// Lines in this colour over the ground, and along the edge so that a small area is seen.
+    void setHatch(const QColor& colour) { hatch_ = colour; }
     double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
     QCPRange getKeyRange(bool& found, QCP::SignDomain) const override { return found = false, QCPRange(); }
     QCPRange getValueRange(bool& found, QCP::SignDomain, const QCPRange&) const override
@@ -26,10 +28,15 @@ public:
 
 protected:
     void draw(QCPPainter* painter) override;
-    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override { painter->fillRect(rect, mBrush); }
+    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override
+    {
+        painter->fillRect(rect, mBrush);
+        if (hatch_.isValid()) painter->fillRect(rect, QBrush(hatch_, Qt::BDiagPattern));
+    }
 
 private:
     const report::Region region_;
+    QColor hatch_;  ///< not valid: none
 };
 
 /// What lies over the curves: limits, marks, handles and the marked place, with their names.

@@ -178,8 +178,11 @@ void ChartView::applyStyle()
 {
     Content& c = *content_;
     c.lines->font = font();
-    for (std::size_t i = 0; i < c.regions.size(); ++i)
-        c.regions[i]->setBrush(faint(style().colour(c.data.regions[i].colour, i), 45));
+    for (std::size_t i = 0; i < c.regions.size(); ++i) {
+        const QColor colour = style().colour(c.data.regions[i].colour, i);
+        c.regions[i]->setBrush(faint(colour, 45));
+        if (c.data.regions[i].colour.role == report::ColourRole::Excess) c.regions[i]->setHatch(colour);
+    }
     for (std::size_t i = 0; i < c.drawn.size(); ++i) {
         const report::Curve& curve = c.data.curves[i];
         const QColor colour = style().colour(curve.colour, i);

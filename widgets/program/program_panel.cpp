@@ -65,7 +65,8 @@ ProgramPanel::Compute ProgramPanel::compute(const project::PanelState& state) co
 void ProgramPanel::showResult(const std::shared_ptr<const ProgramPicture>& picture)
 {
     const auto source = state().inputs.find(programRole);
-    const bool is_asked = source != state().inputs.end() && source->second.path == picture->file;
+    const bool is_asked = source != state().inputs.end() && source->second.item == picture->item &&
+                          (!picture->item.empty() || source->second.path == picture->file);
     const auto asked = fromValues<DeflectionQuestion>(state().parameters);
     const ProgramDraft* draft = draftOf(asked.drafts, picture->file, picture->sha256);
     const bool is_newest = draft ? picture->isDraft() && draft->text == picture->text : !picture->isDraft();

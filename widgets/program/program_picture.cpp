@@ -14,7 +14,7 @@ using namespace deflection_common;
 
 /// Stock and tool as far as they are known.
 std::optional<stock::CheckedStock> takeStock(const project::PanelState& state, Stores& stores, const Progress& progress,
-                                             ProgramPicture& picture)
+                                             const TakenProgram& taken, ProgramPicture& picture)
 {
     std::optional<Shaft> shaft;
     if (state.inputs.count(setupRole) > 0) {
@@ -25,6 +25,10 @@ std::optional<stock::CheckedStock> takeStock(const project::PanelState& state, S
     }
     if (auto stated = chatter_common::takeShaft(state, stores, progress))
         shaft = chatter_common::noted(picture, *std::move(stated));
+    if (!shaft && taken.item && taken.item->stock) {  // the bar that it was planned for
+        shaft = taken.item->stock;
+        if (!picture.question.changes.z_zero_mm) picture.parameters.z_zero_mm = taken.item->z_zero_mm;
+    }
     if (!shaft) return std::nullopt;
     return stock::CheckedStock{*std::move(shaft), picture.parameters};
 }
@@ -35,18 +39,19 @@ ProgramPicture programPicture(const project::PanelState& state, Stores& stores, 
 {
     ProgramPicture picture;
     picture.question = fromValues<DeflectionQuestion>(state.parameters);
-    picture.file = state.inputs.at(programRole).path;
-    std::string text = takeProgram(state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")), picture);
-    const auto loaded = stores.of<ProgramStore>()->load(state.inputs.at(programRole), progress);
-    picture.sha256 = loaded->inputs.front().sha256;
-    picture.file_text = toUtf8(loaded->file.text);
+    TakenProgram taken;
+    std::string text = takeProgram(state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")), picture, taken);
+    picture.file = taken.name;
+    picture.item = state.inputs.at(programRole).item;
+    picture.sha256 = taken.input.sha256;
+    picture.file_text = toUtf8(taken.text);
     picture.text = picture.isDraft() ? picture.question.drafts.front().text : picture.file_text;
-    const std::optional<stock::CheckedStock> stock = takeStock(state, stores, progress.part(0.1, 0.2), picture);
+    const std::optional<stock::CheckedStock> stock = takeStock(state, stores, progress.part(0.1, 0.2), taken, picture);
     try {
         picture.check = std::make_shared<stock::ProgramCheck>(
             stock::checkProgram(std::move(text), picture.question.reading, stock, progress.part(0.2, 1)));
     } catch (Error& error) {
-        throw error.with("path", picture.file);
+        throw error.with("path", programName(state));
     }
     picture.notes.insert(picture.notes.end(), picture.check->notes.begin(), picture.check->notes.end());
     return picture;

@@ -13,8 +13,9 @@ namespace lathelier::program_panel {
 struct ProgramPicture {
     deflection_common::DeflectionQuestion question;    ///< as asked; of the drafts the one that is used
     std::shared_ptr<const stock::ProgramCheck> check;  ///< never null
-    std::string file;                                  ///< path of the program
-    std::string sha256;                                ///< of that file
+    std::string file;                                  ///< path of the program, or what tells its item from others
+    std::string item;                                  ///< name of the item; empty: a file
+    std::string sha256;                                ///< of that file or item
     std::string file_text;                             ///< of the file, UTF-8
     std::string text;                                  ///< that was read, UTF-8: of the draft or of the file
     stock::StockParameters parameters;                 ///< of the check against stock; tools for the drawing

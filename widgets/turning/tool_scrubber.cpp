@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QStyle>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace lathelier::turning_panel {
@@ -20,8 +21,11 @@ ToolScrubber::ToolScrubber(QWidget* parent)
       slider_(new QSlider(Qt::Horizontal)),
       where_(new QLabel)
 {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto* row = new QHBoxLayout;
+    column->addLayout(row);
     for (int i = 0; i < 2; ++i) {
         auto* button = new QToolButton;
         button->setObjectName(QString("clamping%1").arg(i + 1));
@@ -36,10 +40,10 @@ ToolScrubber::ToolScrubber(QWidget* parent)
     slider_->setRange(0, places);
     slider_->setPageStep(places / 40);
     slider_->setValue(places);
-    row->addWidget(slider_, 5);
+    row->addWidget(slider_, 1);
     where_->setObjectName("turningWhere");
     where_->setMinimumWidth(1);  // long text must not widen the panel
-    row->addWidget(where_, 4);
+    column->addWidget(where_);
     playing_.setInterval(pause_ms);
     connect(clampings_, &QButtonGroup::idClicked, this, &ToolScrubber::clampingChosen);
     connect(slider_, &QSlider::valueChanged, this, &ToolScrubber::moved);

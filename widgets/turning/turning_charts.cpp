@@ -13,6 +13,7 @@
 #include "engine/report/result_json.h"
 #include "engine/stability/stability_plots.h"
 #include "engine/stock/stock_plots.h"
+#include "widgets/turning/rest_places.h"
 
 namespace lathelier::turning_panel {
 namespace {
@@ -38,6 +39,23 @@ std::string restName(std::size_t number, const cam::RestInterval& rest, const La
         text(LT_TEXT("Engine", "{number}: {left_mm:3} mm, {cause}"), language),
         {{"number", static_cast<std::int64_t>(number)}, {"left_mm", rest.left_mm}, {"cause", cam::nameOf(rest.cause)}},
         language);
+}
+
+/// What stays there of the part that this clamping finishes, hatched, with number and cause.
+void addRest(report::Plot& plot, const TurningPicture& picture, std::size_t setup, const Language& language)
+{
+    const auto& all = picture.plan->rest;
+    bool is_named = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (placeOf(picture, i).clamping != setup) continue;
+        report::Region area = areaOf(picture, i, setup);
+        if (!is_named) area.name = LT_TEXT("Engine", "material stays");
+        is_named = true;
+        plot.regions.push_back(std::move(area));
+        const Interval at = inStock(picture, setup, {all[i].z_start_mm, all[i].z_end_mm});
+        plot.marks.push_back(
+            {(at.from + at.to) / 2, radiusAt(picture.clampings[setup], at), restName(i + 1, all[i], language)});
+    }
 }
 
 /// The speeds of a block, by its line.
@@ -149,23 +167,23 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
         // The scrubber shows the stock pass by pass: earlier ones would only fill chart and legend.
         std::erase_if(plot.curves, [](const report::Curve& curve) { return curve.thin; });
         for (report::Curve& curve : plot.curves) curve.name = std::string();
-        for (report::Curve& curve : clamping.drawn.curves(clamping.drawn.whole(pixels)))
-            plot.curves.push_back(std::move(curve));
     }
-    plot.title = setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool")
-                            : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
-    plot.x.title = LT_TEXT("Engine", "z from the raw end");
+    if (!check.stock) plot.y = {LT_TEXT("Engine", "Radius"), mm};  // the program is not checked, or has errors
+    for (report::Curve& curve : clamping.drawn.curves(clamping.drawn.whole(pixels)))
+        plot.curves.push_back(std::move(curve));
+    const bool is_one = picture.clampings.size() == 1;
+    plot.title = is_one       ? LT_TEXT("Engine", "Drawing, stock and tool")
+                 : setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool, first clamping")
+                              : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
+    plot.x = {LT_TEXT("Engine", "z from the raw end"), mm};
     report::Curve drawing{LT_TEXT("Engine", "drawing"), clamping.drawing_z_mm, clamping.drawing_x_mm};
     drawing.spoken = false;
     plot.curves.push_back(std::move(drawing));
-    std::size_t number = 0;
-    for (const cam::RestInterval& rest : picture.plan->rest) {
-        const Interval at = inStock(picture, setup, {rest.z_start_mm, rest.z_end_mm});
-        plot.regions.push_back(report::stretch(
-            number == 0 ? report::Caption(LT_TEXT("Engine", "material stays")) : report::Caption(std::string()), at,
-            report::ColourRole::Excess));
-        plot.marks.push_back({(at.from + at.to) / 2, radiusAt(clamping, at), restName(++number, rest, language)});
-    }
+    if (!is_one)
+        plot.limits.push_back({report::Limit::Direction::Vertical,
+                               picture.plan->setups[setup].clamping.finished_to_mm + clamping.part_zero_mm,
+                               LT_TEXT("Engine", "finished up to here")});
+    addRest(plot, picture, setup, language);
     for (const cam::CheckFinding& found : check.findings)
         if (found.kind == cam::CheckKind::InsertBelowDrawing)
             plot.marks.push_back({found.z_mm + clamping.part_zero_mm, found.x_mm,
@@ -181,23 +199,23 @@ report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course
     report::Curve curve;
     switch (course) {
         case Course::Speed:
-            plot.title = LT_TEXT("Engine", "Speed of the finish");
-            plot.y = {LT_TEXT("Engine", "Speed N"), LT_TEXT("Engine", "1/min")};
+            plot.title = LT_TEXT("Engine", "Speed N of the finish");
+            plot.y = {LT_TEXT("Engine", "N"), LT_TEXT("Engine", "1/min")};
             curve = speedCurve(picture, setup, false);
             break;
         case Course::CuttingSpeed:
-            plot.title = LT_TEXT("Engine", "Cutting speed of the finish");
-            plot.y = {LT_TEXT("Engine", "Cutting speed v_c"), LT_TEXT("Engine", "m/min")};
+            plot.title = LT_TEXT("Engine", "Cutting speed v_c of the finish");
+            plot.y = {LT_TEXT("Engine", "v_c"), LT_TEXT("Engine", "m/min")};
             curve = speedCurve(picture, setup, true);
             break;
         case Course::Frequency:
-            plot.title = LT_TEXT("Engine", "Frequency of chatter");
-            plot.y = {LT_TEXT("Engine", "Frequency f_m"), LT_TEXT("Engine", "Hz")};
+            plot.title = LT_TEXT("Engine", "Frequency of chatter f_m");
+            plot.y = {LT_TEXT("Engine", "f_m"), LT_TEXT("Engine", "Hz")};
             curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return s.frequency_hz; });
             break;
         case Course::Roughness:
-            plot.title = LT_TEXT("Engine", "Ideal roughness of the finish");
-            plot.y = {LT_TEXT("Engine", "Ideal Rz"), LT_TEXT("Engine", "µm")};
+            plot.title = LT_TEXT("Engine", "Ideal roughness Rz of the finish");
+            plot.y = {LT_TEXT("Engine", "Rz"), LT_TEXT("Engine", "µm")};
             curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return std::optional(s.Rz_um); });
             break;
     }
@@ -229,14 +247,26 @@ std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std
     const auto& operations = picture.plan->setups.at(setup).operations;
     for (std::size_t i = 0; i < operations.size(); ++i)
         all.push_back({{number, operations[i].kind, operations[i].tool}, i});
+    const auto& order = picture.plan->parameters.order;
+    const auto rank = [&](const cam::OperationStep& step) { return std::find(order.begin(), order.end(), step); };
     for (const cam::SkippedOperation& skipped : picture.plan->parameters.skipped) {
         if (skipped.setup != number) continue;
         const auto later = std::find_if(all.begin(), all.end(), [&](const ListedOperation& operation) {
+            if (rank(operation.which) != order.end() && rank(skipped) != order.end())
+                return rank(operation.which) > rank(skipped);
             return operation.which.kind > skipped.kind;
         });
         all.insert(later, {skipped, std::nullopt});
     }
     return all;
+}
+
+std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup)
+{
+    std::vector<cam::OperationStep> steps;
+    for (const ListedOperation& operation : listedOperations(picture, setup))
+        if (std::find(steps.begin(), steps.end(), operation.which) == steps.end()) steps.push_back(operation.which);
+    return steps;
 }
 
 report::Table operationTable(const TurningPicture& picture, std::size_t setup)
@@ -266,7 +296,7 @@ report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
     const auto add = [&](Text name, Value value, Text unit = {}, int decimals = 2) {
         table.rows.push_back({name, std::move(value), unit, decimals});
     };
-    add(LT_TEXT("Engine", "Control"), plan.post);
+    add(LT_TEXT("Engine", "Control"), labelOf(picture.question.post));
     add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, mm, 3);
     if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, mm);
     add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored
@@ -290,6 +320,18 @@ report::Answer answerOf(const TurningPicture& picture, const Language& language)
 {
     const cam::TurningPlan& plan = *picture.plan;
     report::Answer answer = cam::answer(plan, language);
+    if (picture.isVoid()) {
+        answer.verdict_words = LT_TEXT("Engine", "? check void");
+        answer.sentence = LT_TEXT("Engine", "A program was changed after its check: check it again.");
+        answer.value.reset();
+        answer.values.clear();
+        return answer;
+    }
+    const bool is_corrected = std::any_of(picture.programs.begin(), picture.programs.end(),
+                                          [](const ShownProgram& p) { return p.origin == ProgramOrigin::Corrected; });
+    if (is_corrected && plan.verdict && !plan.is_refused)
+        answer.verdict_words = plan.rest.empty() ? LT_TEXT("Engine", "✓ compensated, checked")
+                                                 : LT_TEXT("Engine", "✗ compensated; material stays");
     for (const cam::SetupPlan& setup : plan.setups)
         for (const cam::CheckFinding& found : setup.check.findings) {
             if (answer.findings.size() == mostFindingsSaid) break;

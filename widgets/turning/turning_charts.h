@@ -38,6 +38,8 @@ struct ListedOperation {
     std::optional<std::size_t> planned;  ///< index; none: left out
 };
 std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std::size_t setup);
+/// The same as steps of the order, each once.
+std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup);
 report::Table operationTable(const TurningPicture& picture, std::size_t setup);  ///< a row for each of them
 
 /// Set-up sheet of one clamping: control, bar, zero, chuck, time, what stays.

@@ -4,7 +4,10 @@
 #include <filesystem>
 
 #include "engine/cad/step_kind.h"
+#include "engine/cam/plan_codes.h"
+#include "engine/core/frf_item.h"
 #include "engine/core/shaft_item.h"
+#include "engine/gcode/program_kind.h"
 #include "engine/gcode/toolpath_files.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_kind.h"
@@ -17,9 +20,11 @@
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
+#include "widgets/deflection_common/turning_files.h"
 #include "widgets/part_common/part_store.h"
 #include "widgets/part_common/shaft_table.h"
 #include "widgets/part_common/taken_part.h"
+#include "widgets/program_common/program_editor.h"
 #include "widgets/turning/job_store.h"
 #include "widgets/turning/turning_charts.h"
 #include "widgets/turning/turning_views.h"
@@ -31,7 +36,7 @@ using chatter_common::spindleRole;
 using part_common::shaftRole;
 
 constexpr const char* clampingKey = "clamping";
-constexpr const char* courseKey = "course";
+constexpr const char* coursesKey = "courses";
 
 PanelInputs panelInputs()
 {
@@ -53,10 +58,18 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing."),
         receptance::spindleFiles(), receptance::spindleItem);
     spindle.required = false;
+    InputRole program = chatter_common::inputRole(
+        programRole, LT_TEXT("Engine", "Program in place of the planned one"),
+        LT_TEXT("Engine",
+                "To be checked instead: one that came back corrected from the panel Correction, or an NC program for "
+                "the first clamping. It may be missing."),
+        gcode::programFiles(), gcode::correctedItem);
+    program.required = false;
     PanelInputs inputs;
-    inputs.roles = {job, shaft, spindle};
+    inputs.roles = {job, shaft, spindle, program};
+    const auto& hidden = {jobOfKey, skippedKey, orderKey, draftsKey};
     for (FieldInfo& info : infos<TurningQuestion>())
-        if (info.key != jobOfKey && info.key != skippedKey) inputs.fields.push_back(std::move(info));
+        if (std::find(hidden.begin(), hidden.end(), info.key) == hidden.end()) inputs.fields.push_back(std::move(info));
     inputs.defaults = toValues(TurningQuestion{});
     inputs.invitation = LT_TEXT("Engine",
                                 "Drop a job (JOB.json) and a shaft here: its turning program follows, read back and "
@@ -73,8 +86,12 @@ std::string pathOf(const std::string& stated, std::size_t index, std::size_t cou
         .string();
 }
 
+/// What was not checked as it stands is not given out.
 void writePrograms(const TurningPicture& picture, const QString& path)
 {
+    for (std::size_t i = 0; i < picture.programs.size(); ++i)
+        if (picture.programs[i].is_void)
+            throw Error(errors::checkVoid, {{"clamping", static_cast<std::int64_t>(i) + 1}});
     cam::throwIfRefused(*picture.plan);
     const auto& setups = picture.plan->setups;
     for (std::size_t i = 0; i < setups.size(); ++i)
@@ -99,8 +116,9 @@ PanelFacts turningPanelFacts()
     facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
-    facts.part_inputs = {shaftRole};
-    facts.item_inputs = {{shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}};
+    facts.part_inputs = {shaftRole, programRole};
+    facts.item_inputs = {
+        {shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}, {gcode::correctedItem, programRole}};
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;
     facts.hasWork = [](const project::PanelState& state) { return missingInputs(state).empty(); };
@@ -114,6 +132,18 @@ TurningPanel::TurningPanel(Session& owner, QWidget* parent)
 {
     setViews(views_, views_->heroes());
     connect(views_, &TurningViews::operationSwitched, this, &TurningPanel::switchOperation);
+    connect(views_->order(), &OperationsPane::orderWanted, this,
+            [this](const std::vector<cam::OperationStep>& order, const cam::OperationStep& moved) {
+                setOrder(tr("Move: %1").arg(screenText(cam::nameOf(moved.kind))), moved.setup, order);
+            });
+    connect(views_->order(), &OperationsPane::orderReset, this,
+            [this] { setOrder(tr("Reset the order of operations"), static_cast<int>(views_->clamping()) + 1, {}); });
+    connect(views_, &TurningViews::programEdited, this,
+            [this](int clamping, const std::string& utf8) { keepDraft(clamping, utf8); });
+    connect(views_, &TurningViews::takeBackWanted, this, [this](int clamping) { keepDraft(clamping, std::nullopt); });
+    connect(views_, &TurningViews::checkWanted, this, &TurningPanel::checkAgain);
+    connect(views_, &TurningViews::useWanted, this, &TurningPanel::offerProgram);
+    connect(views_, &TurningViews::lobesWanted, this, &TurningPanel::offerLobes);
     connect(views_, &TurningViews::notWritten, this, &TurningPanel::sayNotWritten);
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &TurningPanel::followForm);
 }
@@ -141,13 +171,72 @@ void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool 
     });
 }
 
+/// Of one clamping; the order of the other one stays. Empty: the usual one.
+void TurningPanel::setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order)
+{
+    editState(step, [&](project::PanelState& state) {
+        cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
+        std::erase_if(plan.order, [clamping](const cam::OperationStep& each) { return each.setup == clamping; });
+        plan.order.insert(plan.order.end(), order.begin(), order.end());
+        lathelier::set(state.parameters, orderKey, *lathelier::find(toValues(plan), orderKey));
+    });
+}
+
+/// Typing is one undo step until something else is done.
+void TurningPanel::keepDraft(int clamping, const std::optional<std::string>& utf8)
+{
+    const auto picture = result();
+    if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
+    editState(
+        utf8 ? tr("Edit the program") : tr("Take back the changes of the program"),
+        [&](project::PanelState& state) { setDraft(state, *picture, static_cast<std::size_t>(clamping), utf8); },
+        utf8 ? QString("turning.program.%1").arg(clamping) : QString());
+}
+
+void TurningPanel::checkAgain(int clamping)
+{
+    const auto picture = result();
+    if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
+    editState(tr("Check the program again"),
+              [&](project::PanelState& state) { askForCheck(state, *picture, static_cast<std::size_t>(clamping)); });
+}
+
+/// Under the part's name, so that the next one takes its place.
+void TurningPanel::offerProgram(int clamping)
+{
+    const auto picture = result();
+    const auto index = static_cast<std::size_t>(clamping);
+    if (!picture || index >= picture->programs.size() || !isSound(*picture, index)) return;
+    QString name = QString::fromStdString(turning_panel::nameOf(*picture));
+    if (name.isEmpty()) name = tr("turning program");
+    if (picture->programs.size() > 1) name = tr("%1, clamping %2").arg(name).arg(clamping + 1);
+    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*picture, index)), picture->synthetic);
+}
+
+void TurningPanel::offerLobes(int section)
+{
+    const auto picture = result();
+    if (!picture || section < 0 || section >= static_cast<int>(picture->plan->sections.size())) return;
+    const cam::SectionSpeed& speed = picture->plan->sections[static_cast<std::size_t>(section)];
+    if (!speed.receptance) return;
+    const std::string name =
+        tr("part at z %1-%2 mm").arg(screenNumber(speed.z_start_mm, 1), screenNumber(speed.z_end_mm, 1)).toStdString();
+    try {
+        offerItem(name, frfItem, toValues(*speed.receptance), picture->synthetic);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
 void TurningPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     for (const FoundFile& file : files) {
         if (file.kind == &cam::jobFiles())
             openJob(state, file.path);
         else
-            state.inputs[file.kind == &receptance::spindleFiles() ? spindleRole : shaftRole] =
+            state.inputs[file.kind == &receptance::spindleFiles() ? spindleRole
+                         : file.kind == &gcode::programFiles()    ? programRole
+                                                                  : shaftRole] =
                 newSource(QString::fromStdString(file.path));
     }
 }
@@ -183,6 +272,11 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
         return understoodText(loaded->file.facts, job.shaft ? tr("%L1 tools, with its shaft").arg(job.tools.size())
                                                             : tr("%L1 tools").arg(job.tools.size()));
     }
+    if (role.role == programRole) {
+        const auto loaded = stores.of<deflection_common::ProgramStore>()->known(source);
+        if (!loaded) return {};
+        return understoodText(loaded->file.facts, tr("%L1 blocks").arg(loaded->file.facts.rows));
+    }
     const auto loaded = stores.of<part_common::PartStore>()->known(source);
     if (!loaded) return {};
     const Shaft& shaft = loaded->file.shaft;
@@ -194,7 +288,8 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
 void TurningPanel::showResult(const std::shared_ptr<const TurningPicture>& picture)
 {
     inputColumn().form().setValues(jobValues(picture->plan->job));  // also those of a file
-    views_->setPicture(picture);
+    const bool is_newest = picture->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
+    views_->setPicture(picture, is_newest && !views_->editor()->isTyping());
 }
 
 report::Answer TurningPanel::answer(const TurningPicture& picture) const
@@ -242,14 +337,20 @@ void TurningPanel::showPlace(const report::Place& place)
         views_->goToLine(*place.line);
     } else if (place.z_mm) {
         views_->heroes()->setHero("contour");
-        views_->showStretch(*place.z_mm);
+        const auto& rests = picture->plan->rest;
+        const auto rest = std::find_if(rests.begin(), rests.end(), [&](const cam::RestInterval& each) {
+            return Interval{each.z_start_mm, each.z_end_mm} == *place.z_mm;
+        });
+        if (rest != rests.end())
+            views_->showRest(static_cast<std::size_t>(rest - rests.begin()));
+        else
+            views_->showStretch(*place.z_mm);
     }
 }
 
 Values TurningPanel::view() const
 {
-    return {{clampingKey, static_cast<std::int64_t>(views_->clamping())},
-            {courseKey, static_cast<std::int64_t>(views_->courseShown())}};
+    return {{clampingKey, static_cast<std::int64_t>(views_->clamping())}, {coursesKey, views_->courses()->shown()}};
 }
 
 void TurningPanel::restoreView(const Values& kept)
@@ -260,7 +361,7 @@ void TurningPanel::restoreView(const Values& kept)
         return stated ? std::clamp<std::int64_t>(*stated, 0, most) : 0;
     };
     views_->setClamping(static_cast<std::size_t>(number(clampingKey, 1)));
-    views_->setCourse(static_cast<Course>(number(courseKey, static_cast<std::int64_t>(Course::Roughness))));
+    views_->courses()->setShown(number(coursesKey, (1 << CourseCharts::count) - 1));
 }
 
 void TurningPanel::setPresenting(bool presenting)

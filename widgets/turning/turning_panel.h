@@ -39,6 +39,11 @@ protected:
 private:
     void followForm(const std::string& key, const Value& value, int gesture, const QString& step);
     void switchOperation(const cam::SkippedOperation& operation, bool on);
+    void setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order);
+    void keepDraft(int clamping, const std::optional<std::string>& utf8);
+    void checkAgain(int clamping);
+    void offerProgram(int clamping);
+    void offerLobes(int section);
 
     TurningViews* views_;
 };

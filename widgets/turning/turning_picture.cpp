@@ -1,5 +1,6 @@
 #include "widgets/turning/turning_picture.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/cam/cam_codes.h"
@@ -127,8 +128,10 @@ TurningPicture turningPicture(const project::PanelState& state, Stores& stores, 
         inputs.spindle = chatter_common::noted(picture, *std::move(spindle));
     for (const InputFile& input : picture.inputs)
         inputs.origin.push_back("SHA-256 " + input.sha256.substr(0, shownDigits));
+    cam::TurningPlan planned = cam::planTurning(part, job, inputs, picture.question.plan, progress.part(0.1, 0.7));
+    const std::vector<cam::GivenProgram> given = chooseProgram(picture, planned, state, stores, reading);
     picture.plan = std::make_shared<const cam::TurningPlan>(
-        cam::planTurning(part, job, inputs, picture.question.plan, progress.part(0.1, 0.8)));
+        cam::withPrograms(std::move(planned), given, inputs, progress.part(0.7, 0.8)));
     for (std::size_t i = 0; i < picture.plan->setups.size(); ++i)
         picture.clampings.push_back(clampingPicture(*picture.plan, i, progress));
     const double share = 0.2 / static_cast<double>(picture.plan->sections.size() + 1);
@@ -138,6 +141,11 @@ TurningPicture turningPicture(const project::PanelState& state, Stores& stores, 
     }
     picture.notes.insert(picture.notes.end(), picture.plan->notes.begin(), picture.plan->notes.end());
     return picture;
+}
+
+bool TurningPicture::isVoid() const
+{
+    return std::any_of(programs.begin(), programs.end(), [](const ShownProgram& program) { return program.is_void; });
 }
 
 Interval inStock(const TurningPicture& picture, std::size_t setup, const Interval& z_mm)

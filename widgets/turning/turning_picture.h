@@ -13,6 +13,7 @@
 #include "engine/stability/speed_choice.h"
 #include "engine/stock/drawn_path.h"
 #include "widgets/core/files/stores.h"
+#include "widgets/turning/turning_programs.h"
 #include "widgets/turning/turning_question.h"
 
 namespace lathelier::turning_panel {
@@ -39,12 +40,15 @@ struct SectionLobes {
 struct TurningPicture {
     TurningQuestion question;                                ///< as asked
     bool is_changed = false;                                 ///< the form rules over the file
-    std::shared_ptr<const cam::TurningPlan> plan;            ///< never null
+    std::shared_ptr<const cam::TurningPlan> plan;            ///< with the programs as they stand here; never null
+    std::vector<ShownProgram> programs;                      ///< one for each set-up of the plan
     std::vector<ClampingPicture> clampings;                  ///< one for each set-up of the plan
     std::vector<std::shared_ptr<const SectionLobes>> lobes;  ///< one for each section; null: no dynamics
     std::vector<InputFile> inputs;                           ///< files and items
     Notes notes;                                             ///< of the files and of the plan
     bool synthetic = false;                                  ///< a source is marked as synthetic
+
+    bool isVoid() const;  ///< a program was changed after its check
 };
 
 /// Reads, plans and checks; safe from any thread. Errors: those of the readers and of cam::planTurning();

@@ -42,11 +42,17 @@ std::vector<Field<TurningQuestion>> allFields()
         for (FieldInfo& column : info.columns)
             column.advanced = column.kind == FieldInfo::Kind::Rows || column.key == "back_margin_deg";
     }
-    for (const char* key : {"relation", "part_model", "tool_change_s", skippedKey})
+    for (const char* key : {"relation", "part_model", "tool_change_s", skippedKey, orderKey})
         all.push_back(foldedWithin(&Q::plan, key));
     all.push_back(field(
         jobOfKey, &Q::job_of,
         Label{LT_TEXT("Engine", "Job changed from"), LT_TEXT("Engine", "The file that the form was changed from.")}));
+    all.push_back(
+        rows(draftsKey, &Q::drafts, Range{0, 10},
+             Label{LT_TEXT("Engine", "Changed programs"),
+                   LT_TEXT("Engine", "Programs that were changed by hand and stand in place of planned ones."),
+                   {},
+                   true}));
     return all;
 }
 
@@ -64,6 +70,11 @@ const char* nameOf(PostChoice post)
     return posts.at(static_cast<std::size_t>(post));
 }
 
+Text labelOf(PostChoice post)
+{
+    return postChoices().at(static_cast<std::size_t>(post)).label;
+}
+
 TurningQuestion::TurningQuestion()
 {
     job.stock.diameter_mm = usualBar_mm;
@@ -71,6 +82,23 @@ TurningQuestion::TurningQuestion()
     job.setup.chuck_face_z_mm = usualChuck_mm;
     job.cutting.rough = {usualDepth_mm, usualFeed_mm_rev, usualSpeed_m_min};
     job.cutting.finish = {finishFeed_mm_rev, finishSpeed_m_min};
+}
+
+const std::vector<Field<TurningDraft>>& fieldsOf(const TurningDraft*)
+{
+    using D = TurningDraft;
+    static const auto all = described<D>(
+        field("setup", &D::setup, {1, 2}, Label{LT_TEXT("Engine", "Clamping"), LT_TEXT("Engine", "First or second.")}),
+        field("of_sha256", &D::of_sha256,
+              Label{LT_TEXT("Engine", "Changed from"),
+                    LT_TEXT("Engine", "SHA-256 of the program before."),
+                    {},
+                    false,
+                    true}),
+        field("text", &D::text, Label{LT_TEXT("Engine", "Program"), LT_TEXT("Engine", "As changed."), {}, false, true}),
+        field("checked_sha256", &D::checked_sha256,
+              Label{LT_TEXT("Engine", "Checked"), LT_TEXT("Engine", "SHA-256 of the text that was checked.")}));
+    return all;
 }
 
 const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*)
@@ -112,6 +140,7 @@ void openJob(project::PanelState& state, const std::string& path)
     state.inputs[jobRole] = newSource(QString::fromStdString(path));
     set(state.parameters, toolsKey, Rows{});
     set(state.parameters, skippedKey, Rows{});
+    set(state.parameters, orderKey, Rows{});
 }
 
 std::vector<Text> missingInputs(const project::PanelState& state)

@@ -10,22 +10,38 @@
 
 namespace lathelier::turning_panel {
 
-inline constexpr const char* jobRole = "job";         ///< of the input; besides: shaftRole, spindleRole
-inline constexpr const char* jobOfKey = "job_of";     ///< what the job was changed from; no form
-inline constexpr const char* toolsKey = "tools";      ///< of the job
-inline constexpr const char* skippedKey = "skipped";  ///< of the plan; edited in the list of operations
+inline constexpr const char* jobRole = "job";          ///< of the input; besides: shaftRole, spindleRole
+inline constexpr const char* jobOfKey = "job_of";      ///< what the job was changed from; no form
+inline constexpr const char* toolsKey = "tools";       ///< of the job
+inline constexpr const char* skippedKey = "skipped";   ///< of the plan; edited in the list of operations
+inline constexpr const char* orderKey = "order";       ///< of the plan; edited in the list of operations
+inline constexpr const char* draftsKey = "drafts";     ///< programs changed by hand; made by the editor
+inline constexpr const char* programRole = "program";  ///< of the input in place of a planned program
 
 /// The posts that are built in.
 enum class PostChoice { FanucA, FanucB, Haas, Sinumerik, LinuxCnc, Grbl };
 
 /// As cam::postNamed() takes it.
 const char* nameOf(PostChoice post);
+Text labelOf(PostChoice post);  ///< what people read
+
+/// A program that was changed by hand.
+struct TurningDraft {
+    int setup = 1;               ///< clamping, 1 or 2
+    std::string of_sha256;       ///< of the program before the changes
+    std::string text;            ///< the whole program, UTF-8
+    std::string checked_sha256;  ///< of the text that was asked to be checked; another one: its check is void
+    friend bool operator==(const TurningDraft&, const TurningDraft&) = default;
+};
+
+const std::vector<Field<TurningDraft>>& fieldsOf(const TurningDraft*);
 
 struct TurningQuestion {
     PostChoice post = PostChoice::FanucA;  ///< control that the program is for
     cam::TurningParameters plan;           ///< clampings, relation, part, operations that are left out
     cam::Job job;                          ///< as the form has it; rules where it has tools
     std::string job_of;                    ///< identity() of the file that the form was changed from
+    std::vector<TurningDraft> drafts;      ///< changes by hand, at most one for each clamping
 
     TurningQuestion();
 };

@@ -2,15 +2,12 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QSignalBlocker>
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cam/check/check_report.h"
-#include "engine/cam/plan_report.h"
 #include "widgets/core/language.h"
 #include "widgets/program_common/program_editor.h"
 #include "widgets/turning/tool_shapes.h"
@@ -24,15 +21,6 @@ using program_common::ProgramEditor;
 constexpr int places = ToolScrubber::places;
 constexpr int leastPixels = 200;
 
-QToolButton* choice(QButtonGroup* group, int id, const char* name)
-{
-    auto* button = new QToolButton;
-    button->setObjectName(name);
-    button->setCheckable(true);
-    group->addButton(button, id);
-    return button;
-}
-
 QSplitter* stacked(std::initializer_list<QWidget*> parts)
 {
     auto* splitter = new QSplitter(Qt::Vertical);
@@ -41,25 +29,21 @@ QSplitter* stacked(std::initializer_list<QWidget*> parts)
     return splitter;
 }
 
-void fill(CopyTable* table, const report::Table& rows)
-{
-    const QSignalBlocker quiet(table);
-    table->setTable(rows);
-}
-
 }  // namespace
 
 TurningViews::TurningViews(QWidget* parent)
     : QWidget(parent),
       heroes_(new HeroViews),
       contour_(new plot::ChartView),
-      course_(new plot::ChartView),
+      courses_(new CourseCharts(contour_)),
       path_(new plot::ChartView),
       why_(new plot::ChartView),
-      courses_(new QButtonGroup(this)),
       editor_(new ProgramEditor),
-      operations_(new OperationsTable),
+      bar_(new ProgramBar),
+      operations_(new OperationsPane),
       sections_(new CopyTable),
+      sentence_(new QLabel),
+      lobes_(new QToolButton),
       rest_(new CopyTable),
       findings_(new CopyTable),
       sheet_(new CopyTable),
@@ -67,28 +51,20 @@ TurningViews::TurningViews(QWidget* parent)
       scrubber_(new ToolScrubber)
 {
     contour_->setObjectName("turningContour");
-    course_->setObjectName("turningCourse");
     path_->setObjectName("turningPath");
     why_->setObjectName("turningWhy");
     editor_->setObjectName("turningText");
-    operations_->setObjectName("turningOperations");
     sections_->setObjectName("turningSections");
     rest_->setObjectName("turningRest");
     findings_->setObjectName("turningFindings");
     sheet_->setObjectName("turningSheet");
     tools_->setObjectName("turningTools");
-    editor_->setReadOnly(true);
-    auto* program = new QSplitter(Qt::Horizontal);
-    program->addWidget(editor_);
-    program->addWidget(path_);
-    program->setChildrenCollapsible(false);
-    program->setStretchFactor(0, 2);
-    program->setStretchFactor(1, 3);
-    program->setSizes({400, 600});  // shares: the hint of a text is narrow
+    sentence_->setObjectName("turningSentence");
+    lobes_->setObjectName("turningOpenLobes");
     heroes_->add("contour", makeContourSide());
-    heroes_->add("program", program);
+    heroes_->add("program", makeProgramSide());
     heroes_->add("operations", operations_);
-    heroes_->add("sections", stacked({sections_, why_}));
+    heroes_->add("sections", makeSectionsSide());
     heroes_->add("rest", stacked({rest_, findings_}));
     heroes_->add("sheet", stacked({sheet_, tools_}));
     auto* layout = new QVBoxLayout(this);
@@ -102,36 +78,68 @@ TurningViews::TurningViews(QWidget* parent)
 
 TurningViews::~TurningViews() = default;
 
-/// The contour, and one of the courses below it over the same z.
+/// The contour, and what runs along the part below it over the same z.
 QWidget* TurningViews::makeContourSide()
 {
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(choice(courses_, static_cast<int>(Course::Speed), "courseSpeed"));
-    row->addWidget(choice(courses_, static_cast<int>(Course::CuttingSpeed), "courseCuttingSpeed"));
-    row->addWidget(choice(courses_, static_cast<int>(Course::Frequency), "courseFrequency"));
-    row->addWidget(choice(courses_, static_cast<int>(Course::Roughness), "courseRoughness"));
-    row->addStretch(1);
-    courses_->button(0)->setChecked(true);
-    auto* lower = new QWidget;
-    auto* column = new QVBoxLayout(lower);
+    QSplitter* both = stacked({contour_, courses_});
+    both->setStretchFactor(0, 5);
+    both->setStretchFactor(1, 4);
+    return both;
+}
+
+QWidget* TurningViews::makeProgramSide()
+{
+    auto* text = new QWidget;
+    auto* column = new QVBoxLayout(text);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
-    column->addLayout(row);
-    column->addWidget(course_, 1);
-    course_->followX(contour_);
-    QSplitter* both = stacked({contour_, lower});
-    both->setStretchFactor(0, 5);
-    both->setStretchFactor(1, 3);
-    return both;
+    column->addWidget(bar_);
+    column->addWidget(editor_, 1);
+    auto* program = new QSplitter(Qt::Horizontal);
+    program->addWidget(text);
+    program->addWidget(path_);
+    program->setChildrenCollapsible(false);
+    program->setStretchFactor(0, 2);
+    program->setStretchFactor(1, 3);
+    program->setSizes({400, 600});  // shares: the hint of a text is narrow
+    return program;
+}
+
+/// Speeds with the lobes of the row that is chosen; without dynamics a sentence that says so.
+QWidget* TurningViews::makeSectionsSide()
+{
+    sentence_->setWordWrap(true);
+    sentence_->setMargin(8);
+    sentence_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* why = new QWidget;
+    auto* column = new QVBoxLayout(why);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(lobes_, 0, Qt::AlignLeft);
+    column->addWidget(why_, 1);
+    auto* side = new QWidget;
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(sentence_);
+    layout->addWidget(stacked({sections_, why}), 1);
+    return side;
 }
 
 void TurningViews::connectParts()
 {
-    connect(courses_, &QButtonGroup::idClicked, this, [this](int id) { setCourse(static_cast<Course>(id)); });
+    const auto at = [this] { return static_cast<int>(clamping_); };
+    connect(editor_, &ProgramEditor::edited, this,
+            [this, at] { emit programEdited(at(), editor_->program().toStdString()); });
+    connect(bar_, &ProgramBar::checkWanted, this, [this, at] {
+        editor_->takeOver();
+        emit checkWanted(at());
+    });
+    connect(bar_, &ProgramBar::takeBackWanted, this, [this, at] { emit takeBackWanted(at()); });
+    connect(bar_, &ProgramBar::useWanted, this, [this, at] { emit useWanted(at()); });
+    connect(lobes_, &QToolButton::clicked, this, [this] { emit lobesWanted(std::max(0, sections_->currentRow())); });
     connect(scrubber_, &ToolScrubber::clampingChosen, this,
             [this](int id) { setClamping(static_cast<std::size_t>(id)); });
-    connect(scrubber_, &ToolScrubber::moved, this, &TurningViews::moveTool);
+    connect(scrubber_, &ToolScrubber::moved, this, [this](int place) { moveTool(place); });
     // The editor may say so while it is painted: charts must not be drawn anew then.
     connect(
         editor_, &ProgramEditor::lineReached, this,
@@ -142,36 +150,16 @@ void TurningViews::connectParts()
     for (plot::ChartView* chart : {contour_, path_})
         connect(chart, &plot::PlotCanvas::clicked, this,
                 [this, chart](double z_mm, double x_mm) { pick(chart, z_mm, x_mm); });
-    for (plot::ChartView* chart : {contour_, course_, path_, why_})
+    connect(courses_, &CourseCharts::notWritten, this, &TurningViews::notWritten);
+    for (plot::ChartView* chart : {contour_, path_, why_})
         connect(chart, &plot::PlotWidget::notWritten, this, &TurningViews::notWritten);
 }
 
-void TurningViews::connectTables()
-{
-    const auto onRow = [this](CopyTable* table, auto chosen) {
-        connect(table, &QTableWidget::currentCellChanged, this, [this, chosen](int row, int, int before, int) {
-            if (picture_ && row >= 0 && row != before) chosen(static_cast<std::size_t>(row));
-        });
-    };
-    onRow(sections_, [this](std::size_t row) { showWhy(static_cast<int>(row)); });
-    onRow(rest_, [this](std::size_t row) {
-        if (row >= picture_->plan->rest.size()) return;
-        const cam::RestInterval& rest = picture_->plan->rest[row];
-        if (rest.line > 0 && picture_->plan->setups.size() == 1) goToLine(rest.line);
-        showStretch({rest.z_start_mm, rest.z_end_mm});
-    });
-    onRow(findings_, [this](std::size_t row) {
-        const auto& found = picture_->plan->setups[clamping_].check.findings;
-        if (row < found.size()) goToLine(found[row].line);
-    });
-    connect(operations_, &OperationsTable::lineChosen, this, &TurningViews::goToLine);
-    connect(operations_, &OperationsTable::switched, this, &TurningViews::operationSwitched);
-}
-
-void TurningViews::setPicture(const std::shared_ptr<const TurningPicture>& picture)
+void TurningViews::setPicture(const std::shared_ptr<const TurningPicture>& picture, bool takes_text)
 {
     scrubber_->setPlaying(false);
     picture_ = picture;
+    takes_text_ = takes_text;
     if (clamping_ >= picture->clampings.size()) clamping_ = 0;
     show();
 }
@@ -186,60 +174,44 @@ void TurningViews::setClamping(std::size_t clamping)
     if (picture_ && clamping >= picture_->clampings.size()) clamping = 0;
     if (clamping == clamping_) return;
     scrubber_->setPlaying(false);
+    editor_->takeOver();  // what is typed belongs to the clamping that is left
     clamping_ = clamping;
+    takes_text_ = true;
     line_ = 0;
     show();
 }
 
-void TurningViews::setCourse(Course course)
-{
-    shown_ = course;
-    courses_->button(static_cast<int>(course))->setChecked(true);
-    showCourse();
-}
-
+/// While the text is being changed, the tool stays at the line of the caret.
 void TurningViews::show()
 {
     if (!picture_) return;
-    const cam::SetupPlan& setup = picture_->plan->setups[clamping_];
     scrubber_->setClampings(picture_->clampings.size(), clamping_);
-    {
-        editor_->setReadOnly(false);
-        editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
-                            setup.check.program.dialect);
-        editor_->setReadOnly(true);
-        std::vector<LineRemark> remarks;
-        for (const cam::CheckFinding& found : setup.check.findings)
-            remarks.push_back({found.line, 0, true,
-                               tr("%1, %2 deep")
-                                   .arg(screenText(cam::nameOf(found.kind)),
-                                        screenQuantity(found.depth_mm, LT_TEXT("Engine", "mm"), 3))});
-        editor_->setRemarks(std::move(remarks));
-    }
+    const bool is_editing = editor_->hasFocus();
+    showText();
     showTables();
-    showCourse();
+    courses_->setPicture(*picture_, clamping_);
     showStock(stock_, true);
+    if (is_editing) return goToLine(editor_->line());
     scrubber_->setPlace(places);
     moveTool(places);
 }
 
-void TurningViews::showTables()
+void TurningViews::showText()
 {
-    const cam::TurningPlan& plan = *picture_->plan;
-    const cam::SetupPlan& setup = plan.setups[clamping_];
-    operations_->setPicture(*picture_, clamping_);
-    fill(sections_, cam::sectionTable(plan));
-    fill(rest_, cam::restTable(plan));
-    fill(findings_, cam::findingTable(setup.check));
-    report::Document sheet;
-    sheet.sections.push_back({{}, {sheetOf(*picture_, clamping_)}});
-    sheet_->setQuantities(sheet);
-    fill(tools_, cam::toolTable(plan));
-    rest_->setVisible(!plan.rest.empty());
-    findings_->setVisible(!setup.check.findings.empty());
-    heroes_->setAvailable("rest", !plan.rest.empty() || !setup.check.findings.empty());
-    heroes_->setAvailable("sections", !plan.sections.empty());
-    showWhy(std::max(0, sections_->currentRow()));
+    const cam::SetupPlan& setup = picture_->plan->setups[clamping_];
+    bar_->setPicture(*picture_, clamping_);
+    if (takes_text_)
+        editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
+                            setup.check.program.dialect);
+    std::vector<LineRemark> remarks;
+    for (const gcode::Diagnostic& said : setup.check.path.diagnostics)
+        if (said.error) remarks.push_back({said.line, said.column, true, screenText(*said.error)});
+    for (const cam::CheckFinding& found : setup.check.findings)
+        remarks.push_back({found.line, 0, true,
+                           tr("%1, %2 deep")
+                               .arg(screenText(cam::nameOf(found.kind)),
+                                    screenQuantity(found.depth_mm, LT_TEXT("Engine", "mm"), 3))});
+    editor_->setRemarks(std::move(remarks));
 }
 
 /// Draws contour and path where the stock is another one, or `again`.
@@ -251,25 +223,14 @@ void TurningViews::showStock(const StockShown& shown, bool again)
         contourPlot(*picture_, clamping_, shown, std::max(leastPixels, contour_->width()), screenLanguage());
     report::Plot path = plot;
     path.marks.clear();  // said in the other view; text and path have little room
+    for (report::Curve& curve : path.curves) curve.name = std::string();
+    for (report::Region& region : path.regions) region.name = std::string();
     contour_->setData(std::move(plot));
     path_->setData(std::move(path));
 }
 
-void TurningViews::showCourse()
-{
-    if (picture_) course_->setData(coursePlot(*picture_, clamping_, shown_));
-}
-
-void TurningViews::showWhy(int section)
-{
-    if (!picture_) return;
-    report::Plot plot = whyPlot(*picture_, static_cast<std::size_t>(section), screenLanguage());
-    why_->setVisible(!plot.curves.empty());
-    if (!plot.curves.empty()) why_->setData(std::move(plot));
-}
-
 /// The tool at a place of the scrubber: its outline, the stock by then, its block in the text.
-void TurningViews::moveTool(int place)
+void TurningViews::moveTool(int place, bool moves_caret)
 {
     const ClampingPicture* clamping = shownClamping();
     if (!clamping || clamping->drawn.corners() == 0) return;
@@ -287,7 +248,7 @@ void TurningViews::moveTool(int place)
         tip = {std::lerp(from.z_mm, to.z_mm, share), std::lerp(from.x_mm, to.x_mm, share)};
     }
     line_ = drawn.lineOf(at);
-    if (editor_->line() != line_) editor_->goToLine(line_);
+    if (moves_caret && editor_->line() != line_) editor_->goToLine(line_);
     StockShown shown;
     if (place < places) shown = stockAt(*picture_, clamping_, line_, !drawn.isRapid(at));
     showStock(shown, false);
@@ -305,16 +266,16 @@ void TurningViews::goToLine(std::int64_t line)
     const auto pieces = clamping->drawn.piecesOf(line);
     if (pieces.empty()) {
         line_ = line;
-        editor_->goToLine(line);
+        if (editor_->line() != line) editor_->goToLine(line);
         scrubber_->say(tr("Line %1: no move").arg(line));
         return;
     }
     const double way = clamping->travelled_mm[pieces.back()], whole = clamping->length_mm();
     scrubber_->setPlace(whole > 0 ? static_cast<int>(std::floor(way / whole * places)) : 0);
-    moveTool(std::min(scrubber_->place(), places - 1));
+    moveTool(std::min(scrubber_->place(), places - 1), false);
     // The place that the slider can show may belong to the block before.
     line_ = line;
-    editor_->goToLine(line);
+    if (editor_->line() != line) editor_->goToLine(line);
     const stock::Corner& end = clamping->drawn.corner(pieces.back());
     pointOutTool({end.z_mm, end.x_mm}, clamping->drawn.toolOf(pieces.back()));
 }
@@ -332,7 +293,8 @@ void TurningViews::showStretch(const Interval& z_mm)
 {
     if (!picture_) return;
     const Interval at = inStock(*picture_, clamping_, z_mm);
-    for (plot::ChartView* chart : {contour_, course_}) chart->setMarker((at.from + at.to) / 2);
+    contour_->setMarker((at.from + at.to) / 2);
+    courses_->setMarker((at.from + at.to) / 2);
 }
 
 void TurningViews::pick(plot::ChartView* chart, double z_mm, double x_mm)
@@ -359,22 +321,16 @@ void TurningViews::retranslate()
     heroes_->setTitle("sections", tr("Speeds and why"));
     heroes_->setTitle("rest", tr("What stays, findings"));
     heroes_->setTitle("sheet", tr("Set-up sheet"));
-    courses_->button(0)->setText(tr("N"));
-    courses_->button(0)->setToolTip(tr("Speed of the spindle along the part"));
-    courses_->button(1)->setText(tr("v_c"));
-    courses_->button(1)->setToolTip(tr("Cutting speed along the part"));
-    courses_->button(2)->setText(tr("f_m"));
-    courses_->button(2)->setToolTip(tr("Frequency of chatter of each section; needs a spindle"));
-    courses_->button(3)->setText(tr("Rz"));
-    courses_->button(3)->setToolTip(tr("Ideal roughness along the part"));
+    courses_->retranslate();
+    operations_->retranslate();
+    bar_->retranslate();
     scrubber_->retranslate();
     contour_->setAccessibleName(tr("Contour and stock"));
-    course_->setAccessibleName(tr("Along the part"));
     path_->setAccessibleName(tr("Path of the tool"));
     why_->setAccessibleName(tr("Why this speed"));
     editor_->setAccessibleName(tr("Text of the program"));
-    operations_->setAccessibleName(tr("Operations"));
-    operations_->setToolTip(tr("The box switches an operation off: what it would take off stays"));
+    lobes_->setText(tr("Open in Lobes"));
+    lobes_->setToolTip(tr("The response of the part at that moment, in the panel of lobes"));
     sections_->setAccessibleName(tr("Speeds of the finish"));
     sections_->setToolTip(tr("A row shows the stability lobes of the part at that moment"));
     rest_->setAccessibleName(tr("What stays on the drawing"));

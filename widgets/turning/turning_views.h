@@ -1,9 +1,10 @@
-// The views of a turning program, linked: the contour with its stock and what runs along it; the text beside its path;
-// operations, speeds with their reason, what stays and what is met, the set-up sheet. Below all of them a scrubber
-// moves the tool along the program.
+// The views of a turning program, linked: the contour with its stock and what runs along it; the text, which can be
+// changed, beside its path; operations, speeds with their reason, what stays and what is met, the set-up sheet. Below
+// all of them a scrubber moves the tool along the program.
 #pragma once
 
-#include <QButtonGroup>
+#include <QLabel>
+#include <QToolButton>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -11,7 +12,9 @@
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/hero_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/turning/operations_table.h"
+#include "widgets/turning/course_charts.h"
+#include "widgets/turning/operations_pane.h"
+#include "widgets/turning/program_bar.h"
 #include "widgets/turning/tool_scrubber.h"
 #include "widgets/turning/turning_charts.h"
 #include "widgets/turning/turning_picture.h"
@@ -29,64 +32,78 @@ public:
     explicit TurningViews(QWidget* parent = nullptr);
     ~TurningViews() override;
 
-    void setPicture(const std::shared_ptr<const TurningPicture>& picture);
+    /// `takes_text`: the editor shows the texts of the picture; else it keeps what is typed meanwhile.
+    void setPicture(const std::shared_ptr<const TurningPicture>& picture, bool takes_text);
 
     HeroViews* heroes() const { return heroes_; }
     plot::ChartView* contour() const { return contour_; }
-    plot::ChartView* course() const { return course_; }
+    CourseCharts* courses() const { return courses_; }
     plot::ChartView* why() const { return why_; }
     program_common::ProgramEditor* editor() const { return editor_; }
-    OperationsTable* operations() const { return operations_; }
+    ProgramBar* bar() const { return bar_; }
+    OperationsPane* order() const { return operations_; }
+    OperationsTable* operations() const { return operations_->table(); }
     CopyTable* sections() const { return sections_; }
+    QLabel* sentence() const { return sentence_; }  ///< in place of speeds, where there is no dynamics
+    QToolButton* openLobes() const { return lobes_; }
     CopyTable* rest() const { return rest_; }
     CopyTable* findings() const { return findings_; }
     ToolScrubber* scrubber() const { return scrubber_; }
 
     std::size_t clamping() const { return clamping_; }  ///< that is shown, from 0
     void setClamping(std::size_t clamping);
-    Course courseShown() const { return shown_; }
-    void setCourse(Course course);
 
     void goToLine(std::int64_t line);                   ///< the tool stands at the end of this block
     std::int64_t line() const { return line_; }         ///< that runs at the scrubber's place; 0: none
     const StockShown& stock() const { return stock_; }  ///< as the contour has it
     void showStretch(const Interval& z_mm);             ///< of the part as drawn
+    void showRest(std::size_t rest);                    ///< index: in its clamping, at its block
     void setPresenting(bool presenting);                ///< without the scrubber
     void retranslate();
 
 signals:
     /// An operation is switched on or off.
     void operationSwitched(const lathelier::cam::SkippedOperation& operation, bool on);
-    void notWritten(const QString& path);  ///< the system refused to write a picture
+    void programEdited(int clamping, const std::string& utf8);  ///< from 0
+    void checkWanted(int clamping);                             ///< of the text that stands there
+    void takeBackWanted(int clamping);                          ///< the changes by hand
+    void useWanted(int clamping);                               ///< the program, in other panels
+    void lobesWanted(int section);                              ///< in the panel of lobes, at that moment of the part
+    void notWritten(const QString& path);                       ///< the system refused to write a picture
 
 private:
     QWidget* makeContourSide();
+    QWidget* makeProgramSide();
+    QWidget* makeSectionsSide();
     void connectParts();
     void connectTables();
     void show();
+    void showText();
     void showTables();
+    void showSections();
     void showStock(const StockShown& shown, bool again);
-    void showCourse();
     void showWhy(int section);
-    void moveTool(int place);
+    void moveTool(int place, bool moves_caret = true);
     void pointOutTool(const QPointF& tip, int number);
     void pick(plot::ChartView* chart, double z_mm, double x_mm);
     const ClampingPicture* shownClamping() const;
 
     std::shared_ptr<const TurningPicture> picture_;
     std::size_t clamping_ = 0;
-    Course shown_ = Course::Speed;
+    bool takes_text_ = true;
     StockShown stock_;
     std::int64_t line_ = 0;
     HeroViews* heroes_;
     plot::ChartView* contour_;
-    plot::ChartView* course_;
+    CourseCharts* courses_;
     plot::ChartView* path_;
     plot::ChartView* why_;
-    QButtonGroup* courses_;
     program_common::ProgramEditor* editor_;
-    OperationsTable* operations_;
+    ProgramBar* bar_;
+    OperationsPane* operations_;
     CopyTable* sections_;
+    QLabel* sentence_;
+    QToolButton* lobes_;
     CopyTable* rest_;
     CopyTable* findings_;
     CopyTable* sheet_;

@@ -35,29 +35,37 @@ void lay(StatedCorrection& all, const StatedCorrection& run)
 
 }  // namespace
 
+StatedCorrection correctionOf(std::span<const CorrectedCorner> corners)
+{
+    StatedCorrection all, run;
+    for (const CorrectedCorner& corner : corners) {
+        if (run.isAny() && corner.z_mm < run.z_mm.back()) {
+            lay(all, run);
+            run = {};
+        }
+        if (run.isAny() && corner.z_mm == run.z_mm.back()) {
+            run.radius_mm.back() = corner.radius_mm;
+            continue;
+        }
+        run.z_mm.push_back(corner.z_mm);
+        run.radius_mm.push_back(corner.radius_mm);
+    }
+    lay(all, run);
+    return all;
+}
+
 StatedCorrection readCorrection(const std::string& json)
 {
     const io::JsonDocument document{json};
     const Text number = LT_TEXT("Engine", "a number");
-    StatedCorrection all, run;
+    std::vector<CorrectedCorner> corners;
     const io::JsonCursor nodes =
         document.root().at("nodes", LT_TEXT("Engine", "the corners that deflection --compensate states"));
     nodes.items(mostNodes, [&](const io::JsonCursor& node) {
         const double z = node.at("z_mm", number).number();
-        const double radius = node.at("x_mm", number).number() - node.at("programmed_mm", number).number();
-        if (run.isAny() && z < run.z_mm.back()) {
-            lay(all, run);
-            run = {};
-        }
-        if (run.isAny() && z == run.z_mm.back()) {
-            run.radius_mm.back() = radius;
-            return;
-        }
-        run.z_mm.push_back(z);
-        run.radius_mm.push_back(radius);
+        corners.push_back({z, node.at("x_mm", number).number() - node.at("programmed_mm", number).number()});
     });
-    lay(all, run);
-    return all;
+    return correctionOf(corners);
 }
 
 }  // namespace lathelier::cam

@@ -1,15 +1,25 @@
-// What `deflection --compensate --json` says of a corrected program, as a correction of the drawing.
+// What a correction for deflection says of a program, as a correction of the drawing.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "engine/cam/check/drawn_contour.h"
 
 namespace lathelier::cam {
 
-/// `nodes` [{`z_mm`, `x_mm`, `programmed_mm`}…]: corners of all corrected runs one after the other, each run from the
-/// free end toward the chuck. The correction is x - programmed, straight between the corners of a run; where runs
-/// overlap, the last one counts. Errors with line and column: malformed, keyMissing.
+/// A corner of a corrected run.
+struct CorrectedCorner {
+    double z_mm = 0;       ///< from the free end of the clamping
+    double radius_mm = 0;  ///< what is added to the radius
+};
+
+/// Corners of all corrected runs one after the other, each run from the free end toward the chuck; straight between the
+/// corners of a run. Where runs overlap, the last one counts.
+StatedCorrection correctionOf(std::span<const CorrectedCorner> corners);
+
+/// What `deflection --compensate --json` writes: `nodes` [{`z_mm`, `x_mm`, `programmed_mm`}…], in
+/// the order of correctionOf(). The correction is x - programmed. Errors with line and column: malformed, keyMissing.
 StatedCorrection readCorrection(const std::string& json);
 
 }  // namespace lathelier::cam

@@ -2,9 +2,13 @@
 #include <QLabel>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoStack>
+#include <algorithm>
+#include <cmath>
 
 #include "engine/deflection/deflection_codes.h"
+#include "engine/gcode/program_item_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "tests/widgets/deflection/slender_files.h"
 #include "widgets/core/panel/hero_views.h"
@@ -83,6 +87,67 @@ private slots:
         const int row = panel_->views().lines()->currentIndex().row();
         QVERIFY(std::abs(*model().placeOf(row) - 200) < 1e-9);
         QCOMPARE(*panel_->views().residual()->marker(), 200.0);
+    }
+
+    /// The way back to the panel that checks turning programs.
+    void theCorrectedProgramIsOfferedWithItsCorrection()
+    {
+        open();
+        settle();
+        std::string name;
+        project::Item item;
+        connect(panel_.get(), &PanelBase::itemOffered, this,
+                [&](const std::string& offered_name, const project::Item& offered, bool) {
+                    name = offered_name;
+                    item = offered;
+                });
+        panel_->views().findChild<QToolButton*>("correctionCheck")->click();
+        QCOMPARE(name, std::string("program, corrected"));
+        QCOMPARE(item.kind, std::string(gcode::correctedItem));
+        const auto program = gcode::programOf(item.values);
+        QVERIFY(program.has_value());
+        QCOMPARE(program->text, corrected().text);
+        QCOMPARE(program->clamping, 1);
+        QVERIFY(!program->corrected_from.empty());
+        double most_mm = 0;
+        for (const double radius_mm : program->correction_radius_mm) most_mm = std::max(most_mm, std::abs(radius_mm));
+        QVERIFY(std::abs(2000 * most_mm - std::abs(corrected().compensation.largest_correction_um)) < 1.1);
+    }
+
+    /// A program that the turning panel planned is an item, and knows its bar.
+    void aPlannedProgramBringsItsBar()
+    {
+        session_->edit("Open", [&](project::Project& project) {
+            project::PanelState& state = project.panels["deflection"];
+            deflection_common::giveSlenderFiles(folder_, state);
+            deflection::TurningSetup setup = deflection::caseASetup();
+            setup.stock.clear();
+            io::writeFile(folder_.filePath("bare.json").toStdString(), deflection::setupText(setup));
+            state.inputs[deflection_common::setupRole].path = folder_.filePath("bare.json").toStdString();
+            gcode::ProgramItem program;
+            program.text = deflection_common::slenderProgram;
+            program.z_zero_mm = 2;
+            program.stock = Shaft{"bar", {{287.5, 34, 34, 0, {}, ""}}, std::nullopt};
+            project.items["planned"] = {gcode::programItem, gcode::toValues(program), {}};
+            state.inputs[deflection_common::programRole] = {};
+            state.inputs[deflection_common::programRole].item = "planned";
+        });
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::barOfProgram));
+        QCOMPARE(panel_->result()->job->setup.z_zero_mm, 2.0);
+        QCOMPARE(panel_->result()->job->stock.length_mm(), 287.5);
+        project::Item item;
+        connect(panel_.get(), &PanelBase::itemOffered, this,
+                [&](const std::string&, const project::Item& offered, bool) { item = offered; });
+        panel_->views().findChild<QToolButton*>("correctionCheck")->click();
+        const auto program = gcode::programOf(item.values);
+        QVERIFY(program.has_value());
+        QCOMPARE(program->corrected_from, io::sha256(deflection_common::slenderProgram));
+        // Places count from the finished face, not from the raw end.
+        const deflection::CorrectedRun& run = corrected().compensation.runs.back();
+        const auto& z_mm = program->correction_z_mm;
+        QVERIFY(std::any_of(z_mm.begin(), z_mm.end(),
+                            [&](double z) { return std::abs(z - (run.nodes.back().z_mm - 2)) < 1e-6; }));
     }
 
     void whatMayNotBeChangedIsRefusedWithItsLine()

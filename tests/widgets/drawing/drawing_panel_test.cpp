@@ -2,6 +2,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -383,6 +384,76 @@ private slots:
         languages.use("en");
         QLocale::setDefault(QLocale::c());
         QTRY_VERIFY(says("Scale"));
+    }
+
+    void boresAreEditedAsRowsAre()
+    {
+        drop(panel_.get(), {file_});
+        settle();
+        const auto bores = [&]() -> const ShaftBores& { return panel_->result()->shaft.bores; };
+        auto* table = panel_->views().rows();
+        QCOMPARE(bores().size(), std::size_t{1});
+        const int outside = static_cast<int>(rows().size());
+        QCOMPARE(table->item(outside, 0)->text(), QString("B1.1"));
+        // A cell typed in: its diameter.
+        table->item(outside, 5)->setText("18");
+        QTRY_COMPARE(bores()[0].segments[0].start_diameter_mm, 18.0);
+        settle();
+        QCOMPARE(bores()[0].segments[0].end_diameter_mm, 18.0);
+        QVERIFY(says("⌀18"));
+        table->item(outside, 4)->setText("22.5");
+        QTRY_COMPARE(bores()[0].segments[0].length_mm, 22.5);
+        settle();
+        // A row behind it, made a cone, and deleted again.
+        const auto pick = [&](const QString& text) {
+            QMenu menu;
+            panel_->views().addBoreVerbs(menu, outside);
+            for (QAction* action : menu.findChildren<QAction*>())
+                if (action->text() == text) return action->trigger();
+            for (QMenu* sub : menu.findChildren<QMenu*>())
+                for (QAction* action : sub->actions())
+                    if (action->text() == text) return action->trigger();
+            QFAIL("no such verb");
+        };
+        pick("Add a row behind it");
+        QTRY_COMPARE(bores()[0].segments.size(), std::size_t{2});
+        settle();
+        pick("Chamfer");
+        QTRY_COMPARE(bores()[0].segments[0].role, std::string("chamfer"));
+        settle();
+        session_->undoStack().undo();
+        settle();
+        pick("Delete");
+        QTRY_COMPARE(bores()[0].segments.size(), std::size_t{1});
+        settle();
+        // On the sheet: the depth under a double click.
+        const int depth = labelOf("22.5");
+        QVERIFY(depth >= 0);
+        emit panel_->views().sheet()->dimensionActivated(depth);
+        QCOMPARE(panel_->views().sheet()->field()->text(), QString("22.5"));
+        emit panel_->views().sheet()->dimensionTyped(depth, "30");
+        QTRY_COMPARE(bores()[0].segments[0].length_mm, 30.0);
+        settle();
+        // From the other end, and all of it taken back.
+        panel_->views().addBore(ShaftEnd::Free);
+        QTRY_COMPARE(bores().size(), std::size_t{2});
+        settle();
+        while (session_->undoStack().index() > 1) session_->undoStack().undo();
+        settle();
+        QCOMPARE(bores().size(), std::size_t{1});
+        QCOMPARE(bores()[0].segments[0].start_diameter_mm, 20.0);
+    }
+
+    void aBoreThatCannotBeIsRefused()
+    {
+        drop(panel_.get(), {file_});
+        settle();
+        auto* table = panel_->views().rows();
+        const int outside = static_cast<int>(rows().size());
+        const int steps = session_->undoStack().count();
+        table->item(outside, 5)->setText("60");  // wider than the part
+        QTRY_COMPARE(table->item(outside, 5)->text(), QString("20.000"));
+        QCOMPARE(session_->undoStack().count(), steps);
     }
 };
 

@@ -76,7 +76,14 @@ void CopyTable::copyToClipboard() const
 void CopyTable::changeEvent(QEvent* event)
 {
     QTableWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange) fitCells();
+    if (event->type() != QEvent::FontChange) return;
+    for (int row = 0; row < rowCount(); ++row)  // titles across the table have a font of their own
+        if (QTableWidgetItem* title = item(row, 0); title && columnSpan(row, 0) > 2) {
+            QFont bold = font();
+            bold.setBold(true);
+            title->setFont(bold);
+        }
+    fitCells();
 }
 
 void CopyTable::keyPressEvent(QKeyEvent* event)

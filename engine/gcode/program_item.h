@@ -1,0 +1,34 @@
+// An NC program as an item of the project: one panel writes it, others predict what it cuts, correct it, check it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/shaft.h"
+#include "engine/core/value.h"
+
+namespace lathelier::gcode {
+
+inline constexpr const char* programItem = "program";              ///< kind: as it was planned
+inline constexpr const char* correctedItem = "corrected_program";  ///< kind: corrected, to be checked
+
+/// A program with what goes with it.
+struct ProgramItem {
+    std::string text;                     ///< the whole program, UTF-8
+    int clamping = 1;                     ///< 1 or 2: which one of the part's clampings
+    double z_zero_mm = 0;                 ///< z of the program's Z0 from the raw end of `stock`
+    std::optional<Shaft> stock;           ///< before the first cut, up to the chuck; none: not known
+    std::string corrected_from;           ///< SHA-256 of the program that was corrected; empty: this is none
+    std::vector<double> correction_z_mm;  ///< places of the correction, from the free end of the clamping, ascending
+    std::vector<double> correction_radius_mm;  ///< what is added to the radius there, one for each place
+    friend bool operator==(const ProgramItem&, const ProgramItem&) = default;
+};
+
+/// Values of the item.
+Values toValues(const ProgramItem& program);
+
+/// The program again; nothing when the values are not those of a program.
+std::optional<ProgramItem> programOf(const Values& values);
+
+}  // namespace lathelier::gcode

@@ -1,0 +1,13 @@
+// What taking a program from the project remarks: codes with their English patterns. {name} is replaced by the named
+// value.
+#pragma once
+
+#include "engine/core/error.h"
+
+namespace lathelier::notes {
+
+inline constexpr NoteCode barOfProgram{
+    "bar_of_program", Severity::Info,
+    LT_TEXT("Engine", "The stock is the bar that the program was planned for, {length_mm} mm up to the chuck.")};
+
+}  // namespace lathelier::notes

@@ -1,0 +1,55 @@
+// The list of operations with buttons that move one up or down. An order that cannot be says why, below the list, and
+// changes nothing. Rows can be dragged by their numbers too.
+#pragma once
+
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "widgets/turning/operations_table.h"
+
+namespace lathelier::turning_panel {
+
+class OperationsPane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OperationsPane(QWidget* parent = nullptr);
+
+    void setPicture(const TurningPicture& picture, std::size_t setup);
+    OperationsTable* table() const { return table_; }
+    QToolButton* up() const { return up_; }
+    QToolButton* down() const { return down_; }
+    QToolButton* reset() const { return reset_; }
+    QString said() const { return said_->text(); }  ///< why the last move cannot be; empty: it could
+
+    void moveStep(int row, std::size_t place);  ///< what stands in this row to a place among the steps
+    void retranslate();
+
+signals:
+    /// All steps of the shown clamping as they are to run; `moved`: the one that the user took.
+    void orderWanted(const std::vector<lathelier::cam::OperationStep>& order,
+                     const lathelier::cam::OperationStep& moved);
+    void orderReset();
+
+private:
+    std::optional<std::size_t> placeOf(int row) const;
+    void moveBy(int places);
+    void enableButtons();
+    void dropRow(int row, int on);
+
+    OperationsTable* table_;
+    QToolButton* up_;
+    QToolButton* down_;
+    QToolButton* reset_;
+    QLabel* said_;
+    std::vector<cam::OperationStep> steps_;
+    std::vector<cam::OperationStep> rows_;
+    std::optional<cam::OperationStep> chosen_;  ///< stays the current row
+    bool is_own_order_ = false;                 ///< not the usual one
+    bool puts_back_ = false;                    ///< the header's row goes back after a drag
+};
+
+}  // namespace lathelier::turning_panel

@@ -1,0 +1,69 @@
+#include "widgets/turning/program_bar.h"
+
+#include <QVBoxLayout>
+
+#include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
+
+namespace lathelier::turning_panel {
+namespace {
+
+constexpr int digestDigits = 12;
+
+}  // namespace
+
+ProgramBar::ProgramBar(QWidget* parent)
+    : QWidget(parent), state_(new QLabel), check_(new QToolButton), take_back_(new QToolButton), use_(new QToolButton)
+{
+    state_->setObjectName("turningState");
+    check_->setObjectName("turningCheck");
+    take_back_->setObjectName("turningTakeBack");
+    use_->setObjectName("turningUse");
+    state_->setWordWrap(true);
+    auto* row = new FlowRow;
+    for (QToolButton* button : {use_, check_, take_back_}) row->addWidget(button);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addWidget(state_);
+    column->addLayout(row);
+    connect(check_, &QToolButton::clicked, this, &ProgramBar::checkWanted);
+    connect(take_back_, &QToolButton::clicked, this, &ProgramBar::takeBackWanted);
+    connect(use_, &QToolButton::clicked, this, &ProgramBar::useWanted);
+}
+
+void ProgramBar::setPicture(const TurningPicture& picture, std::size_t setup)
+{
+    const ShownProgram& program = picture.programs[setup];
+    const cam::CheckResult& check = picture.plan->setups[setup].check;
+    const bool is_sound = isSound(picture, setup);
+    QString of = program.origin == ProgramOrigin::Planned     ? tr("planned")
+                 : program.origin == ProgramOrigin::Corrected ? tr("compensated")
+                                                              : screenFileName(QString::fromStdString(program.name));
+    if (program.is_changed) of = tr("%1, changed by hand").arg(of);
+    const QString state = program.is_void          ? tr("? Check void: the text was changed after it")
+                          : check.path.has_errors  ? tr("✗ The program has errors")
+                          : !check.stock           ? tr("? Not checked: the program before it is not")
+                          : is_sound               ? tr("✓ %1, checked").arg(of)
+                          : check.findings.empty() ? tr("✗ %1: cuts into the drawing").arg(of)
+                                                   : tr("✗ %1, findings: %2").arg(of).arg(check.findings.size());
+    const QString digest = QString::fromStdString(program.sha256);
+    state_->setText(QString("%1 · SHA-256 %2").arg(state, digest.left(digestDigits)));
+    state_->setToolTip("SHA-256 " + digest);
+    check_->setVisible(program.is_void);
+    take_back_->setVisible(program.is_changed);
+    use_->setEnabled(is_sound);
+    use_->setToolTip(is_sound ? tr("Hands it to the panels Deflection, Correction and Program, with its bar")
+                              : tr("Only a program that was checked and has no findings is handed on"));
+}
+
+void ProgramBar::retranslate()
+{
+    check_->setText(tr("Check again"));
+    check_->setToolTip(tr("Checks the text as it stands here against drawing, stock and chuck"));
+    take_back_->setText(tr("Take back changes"));
+    take_back_->setToolTip(tr("The program as it was before it was changed by hand"));
+    use_->setText(tr("Use this program"));
+}
+
+}  // namespace lathelier::turning_panel

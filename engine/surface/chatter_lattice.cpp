@@ -146,7 +146,7 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
         lattice.lines.push_back({1, 0, *seed, seed_significance, picture.amplitudeAt(*seed)}), best = *seed;
     lattice.fundamental = fitted(lattice.lines, feed);
     lattice.feed = feed.frequency;
-    if (const auto together = fittedLattice(picture, feed.frequency, lattice.fundamental)) {
+    if (const auto together = fittedLattice(picture, feed.frequency, lattice.fundamental, 10, &significance)) {
         lattice.fundamental = together->chatter;
         lattice.feed = together->feed;
         lattice.spread = together->chatter_spread;

@@ -10,7 +10,9 @@ namespace lathelier::surface {
 namespace {
 
 constexpr int mostMultiple = 4;    // of the vibration
-constexpr double mostOrder = 2.6;  // of the feed: lines beyond are weak
+constexpr double mostOrder = 2.6;  // of the feed: lines beyond are weak…
+constexpr double mostKnownOrder = 5.6;  // …unless they are known to stand out
+constexpr double leastStanding = 5;     // S of a line that is fitted
 constexpr int patch = 2;           // bins to either side of a line that are looked at
 constexpr double leastAlong_bins = 3;
 
@@ -32,25 +34,32 @@ struct Indices {
 /// The problem with its samples of the spectrum.
 class Fit {
 public:
-    Fit(const WindowedPicture& picture, Vector feed, Vector chatter)
+    Fit(const WindowedPicture& picture, Vector feed, Vector chatter, const Significance* noise)
         : picture_(picture), bins_{double(picture.columns()), double(picture.rows())}
     {
         const Vector along = (1 / length(feed)) * feed;
         const double least = leastAlong_bins * std::hypot(along.x / bins_.x, along.y / bins_.y);
+        const double most = (noise ? mostKnownOrder : mostOrder) * length(feed);
         for (int l = -mostMultiple; l <= mostMultiple; ++l)
             for (int j = -12; j <= 12; ++j) {
                 const Vector line = double(l) * chatter + double(j) * feed;
                 const double place = dot(line, along);
-                if (place < least || place > mostOrder * length(feed) || std::abs(line.x) > 0.48 ||
+                if (place < least || place > most || std::abs(line.x) > 0.48 ||
                     std::abs(line.y) > 0.48)
                     continue;
+                double weight = 1;
+                if (noise) {
+                    if (place > mostOrder * length(feed) && noise->at(line, NoiseLevel::Medians) < leastStanding)
+                        continue;
+                    weight = 1 / std::sqrt(noise->levelAt(line, NoiseLevel::Medians));
+                }
                 lines_.push_back({l, j});
-                sample(line);
+                sample(line, weight);
             }
         data_.resize(static_cast<Eigen::Index>(values_.size()), 2);
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            data_(static_cast<Eigen::Index>(i), 0) = values_[i].real();
-            data_(static_cast<Eigen::Index>(i), 1) = values_[i].imag();
+            data_(static_cast<Eigen::Index>(i), 0) = weights_[i] * values_[i].real();
+            data_(static_cast<Eigen::Index>(i), 1) = weights_[i] * values_[i].imag();
         }
     }
 
@@ -71,7 +80,7 @@ public:
                 model(i, k) =
                     std::abs(offset.x) * bins_.x > 4.5 || std::abs(offset.y) * bins_.y > 4.5
                         ? 0
-                        : windowTransform(offset.x, picture_.columns()) * windowTransform(offset.y, picture_.rows());
+                        : weights_[static_cast<std::size_t>(i)] * windowTransform(offset.x, picture_.columns()) * windowTransform(offset.y, picture_.rows());
             }
         }
         Eigen::MatrixXd normal = model.transpose() * model;
@@ -85,7 +94,7 @@ public:
 
 private:
     /// The bins about a place, each once, with phases about the picture's middle.
-    void sample(Vector line)
+    void sample(Vector line, double weight)
     {
         const int column = static_cast<int>(std::lround(line.x * bins_.x));
         const int row = static_cast<int>(std::lround(line.y * bins_.y));
@@ -98,6 +107,7 @@ private:
                 });
                 if (known) continue;
                 places_.push_back(place);
+                weights_.push_back(weight);
                 fy.push_back(place.y);
             }
             const auto found = picture_.at(x / bins_.x, fy);
@@ -113,6 +123,7 @@ private:
     Vector bins_;
     std::vector<Indices> lines_;
     std::vector<Vector> places_;
+    std::vector<double> weights_;
     std::vector<std::complex<double>> values_;
     Eigen::MatrixXd data_;
 };
@@ -132,9 +143,10 @@ Eigen::MatrixXd slopes(const Fit& fit, const Eigen::Vector4d& p, const Eigen::Ve
 
 }  // namespace
 
-std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter, int iterations)
+std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter, int iterations,
+                                            const Significance* noise)
 {
-    const Fit fit(picture, feed, chatter);
+    const Fit fit(picture, feed, chatter, noise);
     if (!fit.isDetermined()) return std::nullopt;
     const double columns = picture.columns(), rows = picture.rows();
     const Eigen::Vector4d start(feed.x * columns, feed.y * rows, chatter.x * columns, chatter.y * rows);

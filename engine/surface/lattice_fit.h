@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "engine/surface/significance.h"
 #include "engine/surface/spectrum.h"
 
 namespace lathelier::surface {
@@ -19,9 +20,10 @@ struct LatticeVectors {
     Vector chatter_spread{};  ///< standard deviations of K_c's components, as the residuals of the fit tell
 };
 
-/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. Nothing where the fit leaves its
-/// start by more than a bin or does not settle.
+/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. `noise`: lines that stand out of it
+/// only, further ones among them, each weighted by the level of the noise around it; none: all alike. Nothing where the
+/// fit leaves its start by more than a bin or does not settle.
 std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter,
-                                            int iterations = 10);
+                                            int iterations = 10, const Significance* noise = nullptr);
 
 }  // namespace lathelier::surface

@@ -107,11 +107,25 @@ double Significance::levelAt(int column, int row, NoiseLevel level) const
     return std::exp(level == NoiseLevel::Means ? meansLevel(column, row, 1e300) : mediansLevel(column, row));
 }
 
-double Significance::at(Vector frequency, NoiseLevel level) const
+/// False: beyond the plane.
+bool Significance::binOf(Vector frequency, int& column, int& row) const
 {
     const Vector there = turned(frequency, spectrum_.turn_deg);
-    const int column = static_cast<int>(std::lround(there.x * spectrum_.power.columns)) + spectrum_.zeroColumn();
-    const int row = static_cast<int>(std::lround(there.y * spectrum_.power.rows)) + spectrum_.zeroRow();
+    column = static_cast<int>(std::lround(there.x * spectrum_.power.columns)) + spectrum_.zeroColumn();
+    row = static_cast<int>(std::lround(there.y * spectrum_.power.rows)) + spectrum_.zeroRow();
+    return column >= 0 && row >= 0 && column < spectrum_.power.columns && row < spectrum_.power.rows;
+}
+
+double Significance::levelAt(Vector frequency, NoiseLevel level) const
+{
+    int column = 0, row = 0;
+    return binOf(frequency, column, row) ? levelAt(column, row, level) : typicalLevel(length(frequency));
+}
+
+double Significance::at(Vector frequency, NoiseLevel level) const
+{
+    int column = 0, row = 0;
+    binOf(frequency, column, row);
     int best_x = -1, best_y = -1;
     float best = -1;
     for (int y = row - 1; y <= row + 1; ++y)

@@ -43,6 +43,9 @@ public:
     /// S at a frequency of the picture: the largest power within a bin of it.
     double at(Vector frequency, NoiseLevel level) const;
 
+    /// The level of the noise at a frequency of the picture.
+    double levelAt(Vector frequency, NoiseLevel level) const;
+
     /// The typical level of the noise at the radius of a frequency.
     double typicalLevel(double cycles_per_px) const;
 
@@ -53,6 +56,7 @@ private:
     double mediansLevel(int column, int row) const;
     int foldedColumn(int column) const;
     int foldedRow(int row) const;
+    bool binOf(Vector frequency, int& column, int& row) const;
 
     const PowerSpectrum& spectrum_;
     Grid log_power_;

@@ -1,5 +1,6 @@
 #include "engine/features/scene/scene_shapes.h"
 
+#define PCL_NO_PRECOMPILE  // only templates are used: the shared libraries of instances are not loaded
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/sample_consensus/ransac.h>

@@ -214,7 +214,7 @@ void SurfacePanel::showResult(const std::shared_ptr<const SurfacePicture>& pictu
 
 report::Answer SurfacePanel::answer(const SurfacePicture& picture) const
 {
-    return answerOf(picture, screenLanguage());
+    return surface_panel::answerOf(picture, screenLanguage());
 }
 
 report::Document SurfacePanel::document(const SurfacePicture& picture) const

@@ -1,6 +1,5 @@
 #include "widgets/surface/surface_views.h"
 
-#include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -12,7 +11,6 @@
 #include "engine/surface/surface_report.h"
 #include "engine/surface/surface_words.h"
 #include "widgets/core/language.h"
-#include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/view_frame.h"
 #include "widgets/surface/surface_answer.h"
 #include "widgets/surface/surface_overlays.h"
@@ -26,7 +24,6 @@ constexpr const char* chatterKey = "chatter_marks";
 constexpr const char* slidesKey = "under_slider";
 constexpr const char* shareKey = "slider";
 constexpr const char* tableKey = "table";
-constexpr int mostCandidates = 5;
 
 template <class T>
 T kept(const Values& values, const char* key, T otherwise)
@@ -55,11 +52,7 @@ SurfaceViews::SurfaceViews(QWidget* parent)
       numbers_(new CopyTable),
       speeds_(new CopyTable),
       generator_(new GeneratorPane),
-      bar_(new QWidget),
-      images_(new QButtonGroup(this)),
-      candidates_(new QWidget),
-      send_(new QPushButton),
-      synthetic_(new QLabel)
+      bar_(new SurfaceBar)
 {
     marks_->setObjectName("surfaceMarks");
     spectrum_->setObjectName("surfaceSpectrum");
@@ -70,7 +63,6 @@ SurfaceViews::SurfaceViews(QWidget* parent)
     numbers_->setObjectName("surfaceNumbers");
     speeds_->setObjectName("surfaceSpeeds");
     generator_->setObjectName("surfaceGenerator");
-    send_->setObjectName("surfaceSend");
     words_->setFrameShape(QFrame::NoFrame);
     tabs_->setDocumentMode(true);
     tabs_->addTab(numbers_, {});
@@ -98,33 +90,11 @@ SurfaceViews::SurfaceViews(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(makeBar());
+    layout->addWidget(bar_);
     layout->addWidget(split, 1);
     generator_->hide();
     connectParts();
     retranslate();
-}
-
-/// Which picture, which candidate, on to the lobes.
-QWidget* SurfaceViews::makeBar()
-{
-    auto* row = new FlowRow(bar_);
-    for (int i = 0; i < 2; ++i) {
-        auto* button = new QToolButton;
-        button->setObjectName(i == 0 ? "showBefore" : "showAfter");
-        button->setCheckable(true);
-        images_->addButton(button, i);
-        row->addWidget(button);
-    }
-    auto* chips = new QHBoxLayout(candidates_);
-    chips->setContentsMargins(0, 0, 0, 0);
-    chips->setSpacing(4);
-    row->addWidget(candidates_);
-    row->addWidget(send_);
-    synthetic_->setFrameShape(QFrame::Box);
-    synthetic_->setMargin(2);
-    row->setTrailing(synthetic_);
-    return bar_;
 }
 
 QWidget* SurfaceViews::makeMarksSide()
@@ -152,8 +122,9 @@ QWidget* SurfaceViews::makeMarksSide()
 
 void SurfaceViews::connectParts()
 {
-    connect(images_, &QButtonGroup::idClicked, this, &SurfaceViews::choose);
-    connect(send_, &QPushButton::clicked, this, &SurfaceViews::sendWanted);
+    connect(bar_, &SurfaceBar::imageChosen, this, &SurfaceViews::choose);
+    connect(bar_, &SurfaceBar::sendWanted, this, &SurfaceViews::sendWanted);
+    connect(bar_, &SurfaceBar::candidateWanted, this, &SurfaceViews::candidateWanted);
     for (QToolButton* button : {showFeed_, showChatter_})
         connect(button, &QToolButton::toggled, this, &SurfaceViews::showMarks);
     connect(spectrum_, &plot::PlotCanvas::clicked, this, [this](double x, double y) {
@@ -212,7 +183,8 @@ void SurfaceViews::show()
     heroes_->setAvailable("comparison", !picture_->before.isNull());
     heroes_->setAvailable("unrolled", there && marksShown()->unrolled);
     heroes_->setAvailable("model", picture_->model != nullptr);
-    showBar();
+    bar_->setPicture(*picture_, chosen_);
+    bar_->setVisible(!presenting_);
     showPhotograph();
     showGenerator();
     if (!there) return;
@@ -225,43 +197,6 @@ void SurfaceViews::show()
     report::Plot plot = chatterFrequencyPlot(*picture_->model);
     if (picture_->marks) drawMarksFrequency(plot, *picture_->marks, screenLanguage());
     model_->setData(std::move(plot));
-}
-
-void SurfaceViews::showBar()
-{
-    const bool two = picture_->shown.size() > 1;
-    for (int i = 0; i < 2; ++i) {
-        auto* button = images_->button(i);
-        button->setVisible(two);
-        button->setChecked(i == chosen_);
-        if (two) button->setToolTip(QString::fromStdString(picture_->shown[static_cast<std::size_t>(i)].name));
-    }
-    for (QWidget* chip : candidates_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        chip->hide();
-        chip->deleteLater();
-    }
-    const surface::ImageMarks* const first = picture_->result ? &picture_->first() : nullptr;
-    const bool open = first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
-    candidates_->setVisible(open);
-    if (open)
-        for (int i = 0; i < std::min<int>(mostCandidates, static_cast<int>(first->chatter_marks->candidates_hz.size()));
-             ++i) {
-            const double hz = first->chatter_marks->candidates_hz[static_cast<std::size_t>(i)];
-            auto* chip = new QToolButton;
-            chip->setObjectName(QString("candidate%1").arg(i));
-            chip->setText(screenQuantity(hz, LT_TEXT("Engine", "Hz"), 1));
-            chip->setCheckable(true);
-            chip->setChecked(i == 0);
-            chip->setToolTip(i == 0 ? tr("The reading that is used") : tr("Use this reading of the marks"));
-            candidates_->layout()->addWidget(chip);
-            connect(chip, &QToolButton::clicked, this, [this, hz] { emit candidateWanted(hz); });
-        }
-    send_->setVisible(picture_->marks.has_value());
-    if (picture_->marks)
-        send_->setText(tr("Send %1 to the lobe chart")
-                           .arg(screenQuantity(picture_->marks->frequency_hz, LT_TEXT("Engine", "Hz"), 1)));
-    synthetic_->setVisible(picture_->synthetic);
-    bar_->setVisible(!presenting_);
 }
 
 void SurfaceViews::showMarks()
@@ -402,10 +337,7 @@ void SurfaceViews::retranslate()
     showFeed_->setToolTip(tr("Draw the crests of the feed marks over the picture"));
     showChatter_->setText(tr("Chatter marks"));
     showChatter_->setToolTip(tr("Draw the crests of the chatter marks over the picture"));
-    images_->button(0)->setText(tr("Before"));
-    images_->button(1)->setText(tr("After"));
-    send_->setToolTip(tr("The panel Lobes marks the speed, and the frequency over it"));
-    synthetic_->setText(tr("Synthetic data"));
+    bar_->retranslate();
     marks_->setAccessibleName(tr("Picture without its uneven light, with its marks"));
     unrolled_->setAccessibleName(tr("Picture with the circumference laid flat"));
     spectrum_->setAccessibleName(tr("Spectrum"));

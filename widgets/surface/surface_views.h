@@ -2,8 +2,6 @@
 // with tools, the unrolled picture, sentences, the model's frequencies, tables; and the generator beside them.
 #pragma once
 
-#include <QLabel>
-#include <QPushButton>
 #include <QTabWidget>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -16,10 +14,8 @@
 #include "widgets/surface/comparison_view.h"
 #include "widgets/surface/generator_pane.h"
 #include "widgets/surface/photograph_view.h"
+#include "widgets/surface/surface_bar.h"
 #include "widgets/surface/surface_picture.h"
-
-class QButtonGroup;
-class QHBoxLayout;
 
 namespace lathelier::surface_panel {
 
@@ -37,7 +33,7 @@ public:
     PhotographView* photograph() const { return photograph_; }
     GeneratorPane* generator() const { return generator_; }
     QTextBrowser* words() const { return words_; }
-    QPushButton* sendButton() const { return send_; }
+    QPushButton* sendButton() const { return bar_->sendButton(); }
 
     int chosen() const { return chosen_; }  ///< picture that is shown, from 0
     void choose(int image);
@@ -59,11 +55,9 @@ signals:
     void notWritten(const QString& path);
 
 private:
-    QWidget* makeBar();
     QWidget* makeMarksSide();
     void connectParts();
     void show();
-    void showBar();
     void showMarks();
     void showSpectrum();
     void showPhotograph();
@@ -92,11 +86,7 @@ private:
     CopyTable* numbers_;
     CopyTable* speeds_;
     GeneratorPane* generator_;
-    QWidget* bar_;
-    QButtonGroup* images_;
-    QWidget* candidates_;
-    QPushButton* send_;
-    QLabel* synthetic_;
+    SurfaceBar* bar_;
 };
 
 }  // namespace lathelier::surface_panel

@@ -15,6 +15,7 @@
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/speed/speed_panel.h"
 #include "widgets/spindle_machine/machine_panel.h"
+#include "widgets/surface/surface_panel.h"
 #include "widgets/training/training_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 #include "widgets/turning/turning_panel.h"
@@ -40,6 +41,7 @@ const std::vector<PanelFacts>& panelTable()
                                                recognise_panel::recognisePanelFacts(),
                                                drawing_panel::drawingPanelFacts(),
                                                turning_panel::turningPanelFacts(),
+                                               surface_panel::surfacePanelFacts(),
                                                training_panel::trainingPanelFacts()};
     return table;
 }

@@ -15,6 +15,7 @@
 #include "engine/sample/deflection_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
+#include "engine/sample/surface_sample.h"
 #include "engine/sample/worn_sample.h"
 
 namespace lathelier::sample {
@@ -23,7 +24,7 @@ namespace {
 constexpr char truthName[] = "truth.json";
 constexpr char projectName[] = "sample.lathelier";
 
-/// Panels and report of one part; `sources`: its files by name.
+/// Panels and report of one part; `sources`: its files and those of the parts before it, by name.
 void take(const SampleContent& content, const std::map<std::string, project::Source>& sources,
           project::Project& project)
 {
@@ -41,7 +42,7 @@ const std::vector<const SamplePart*>& sampleParts()
 {
     static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),     &cylinderSample(),
                                                     &chatterSample(), &deflectionSample(), &wornSample(),
-                                                    &chainSample()};
+                                                    &chainSample(),   &surfaceSample()};
     return all;
 }
 
@@ -68,10 +69,10 @@ std::vector<std::string> writeSample(const std::string& directory, std::uint64_t
     project.title = "Sample: a shaft and its copy; a record of a lathe's spindle";
     Json truth{{"seed", seed}};
     const auto count = static_cast<double>(sampleParts().size());
+    std::map<std::string, project::Source> sources;
     double done = 0;
     for (const SamplePart* part : sampleParts()) {
         const SampleContent content = part->make(seed, progress.part(done / count, (done + 1) / count));
-        std::map<std::string, project::Source> sources;
         for (std::size_t i = 0; i < part->files.size(); ++i) {
             const std::string& name = part->files[i];
             io::writeFile(path(name), content.texts.at(i));

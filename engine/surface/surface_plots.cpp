@@ -12,6 +12,7 @@ namespace {
 
 constexpr int widestMap = 600;
 constexpr int widestPicture = 900;
+constexpr int mostNamed = 4;  // of the comb's lines, and of the lattice's
 
 Grid atMost(const Grid& grid, int columns)
 {
@@ -64,7 +65,83 @@ void ring(report::Curve& curve, Vector centre, double radius)
     lift(curve);
 }
 
+/// The names of the first lines of comb and lattice, each on the side where its frequency points right.
+void nameStrongest(report::Plot& plot, const ImageMarks& image, double pixel, double edge)
+{
+    int feed = 0, chatter = 0;
+    for (const NamedLine& line : image.view.lines) {
+        if ((line.is_feed ? feed : chatter)++ >= mostNamed) continue;
+        const double sign = line.frequency.x < 0 ? -1 : 1;
+        const double x = sign * line.frequency.x / pixel, y = -sign * line.frequency.y / pixel;
+        if (std::abs(x) < edge && std::abs(y) < edge) plot.marks.push_back({x, y, nameOf(line)});
+    }
+}
+
 }  // namespace
+
+std::string nameOf(const NamedLine& line)
+{
+    const auto times = [](int count, const char* letter) {
+        return (std::abs(count) == 1 ? std::string() : std::to_string(std::abs(count)) + " ") + letter;
+    };
+    if (line.is_feed) return times(line.multiple, "f");
+    std::string name = times(line.multiple, "c");
+    if (line.order != 0) name += (line.order > 0 ? " + " : " \u2212 ") + times(line.order, "f");
+    return name;
+}
+
+int lineAt(const ImageMarks& image, double x, double y)
+{
+    const SurfaceView& view = image.view;
+    const double pixel = view.px_per_px * image.mm_per_px.value_or(1);
+    const Vector place{x * pixel, -y * pixel};
+    double nearest = 0.04 * view.spectrum_edge;
+    int found = -1;
+    for (std::size_t i = 0; i < view.lines.size(); ++i)
+        for (const double sign : {1.0, -1.0}) {
+            const double away = length(place - sign * view.lines[i].frequency);
+            if (away >= nearest) continue;
+            nearest = away;
+            found = static_cast<int>(i);
+        }
+    return found;
+}
+
+report::Plot linesOverNoise(const ImageMarks& image)
+{
+    const double pixel = image.view.px_per_px * image.mm_per_px.value_or(1);
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Lines over the noise");
+    plot.x = {LT_TEXT("Engine", "Lines in a length"),
+              image.mm_per_px ? LT_TEXT("Engine", "1/mm") : LT_TEXT("Engine", "1/px")};
+    plot.y = {LT_TEXT("Engine", "Power over the noise, S"), {}, report::Axis::Scale::Logarithmic};
+    report::Curve feed, chatter;
+    feed.name = LT_TEXT("Engine", "feed marks");
+    chatter.name = LT_TEXT("Engine", "chatter marks");
+    double largest = image.threshold, right = 0;
+    int named = 0;
+    for (const NamedLine& line : image.view.lines) {
+        if (!line.significance || !(*line.significance > 0)) continue;
+        report::Curve& curve = line.is_feed ? feed : chatter;
+        curve.style = report::Curve::Style::Points;
+        curve.x.push_back(length(line.frequency) / pixel);
+        curve.y.push_back(*line.significance);
+        largest = std::max(largest, *line.significance);
+        right = std::max(right, curve.x.back());
+        if (line.is_feed || named++ < mostNamed) plot.marks.push_back({curve.x.back(), curve.y.back(), nameOf(line)});
+    }
+    for (report::Curve* curve : {&feed, &chatter})
+        if (!curve->x.empty()) plot.curves.push_back(std::move(*curve));
+    if (plot.curves.empty()) {  // the strongest line, wherever it is, reaches so far
+        plot.limits.push_back({report::Limit::Direction::Horizontal, std::max(1e-3, image.largest_significance),
+                               LT_TEXT("Engine", "strongest line")});
+        right = 0.5 / pixel;
+    }
+    plot.limits.push_back({report::Limit::Direction::Horizontal, image.threshold, LT_TEXT("Engine", "threshold, T")});
+    plot.x.range = Interval{0, 1.15 * right};
+    plot.y.range = Interval{1, 3 * largest};
+    return plot;
+}
 
 report::Plot markedPicture(const ImageMarks& image, const SurfaceParameters& parameters)
 {
@@ -115,21 +192,28 @@ report::Plot ringedSpectrum(const ImageMarks& image)
     for (const NamedLine& line : view.lines)
         for (const double sign : {1.0, -1.0}) {
             const Vector place{sign * line.frequency.x / pixel, -sign * line.frequency.y / pixel};
-            if (std::abs(place.x) < edge && std::abs(place.y) < edge)
-                ring(line.is_feed ? feed : chatter, place, 0.02 * edge);
+            if (std::abs(place.x) >= edge || std::abs(place.y) >= edge) continue;
+            ring(line.is_feed ? feed : chatter, place, 0.02 * edge);
         }
+    nameStrongest(plot, image, pixel, edge);
     for (report::Curve* curve : {&feed, &chatter})
         if (!curve->x.empty()) plot.curves.push_back(std::move(*curve));
     return plot;
 }
 
+report::GreyImage greyOf(const Grid& grid, double low, double high)
+{
+    report::GreyImage grey{grid.columns, grid.rows, 8, {}, {}};
+    grey.samples.reserve(grid.values.size());
+    for (const float value : grid.values)
+        grey.samples.push_back(
+            static_cast<std::uint16_t>(std::lround(255 * std::clamp((double(value) - low) / (high - low), 0.0, 1.0))));
+    return grey;
+}
+
 std::string picturePng(const ImageMarks& image)
 {
-    const Grid picture = atMost(image.view.picture, widestPicture);
-    report::GreyImage grey{picture.columns, picture.rows, 8, {}, {}};
-    for (const float value : picture.values)
-        grey.samples.push_back(static_cast<std::uint16_t>(std::lround(255 * std::clamp(value, 0.0F, 1.0F))));
-    return report::encodePng(grey);
+    return report::encodePng(greyOf(atMost(image.view.picture, widestPicture), 0, 1));
 }
 
 }  // namespace lathelier::surface

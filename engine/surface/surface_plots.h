@@ -3,8 +3,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engine/report/chart.h"
+#include "engine/report/png.h"
 #include "engine/surface/surface.h"
 
 namespace lathelier::surface {
@@ -12,8 +14,22 @@ namespace lathelier::surface {
 /// The flattened picture, in mm where the scale is known; lines at the distance of the marks found and of the feed.
 report::Plot markedPicture(const ImageMarks& image, const SurfaceParameters& parameters);
 
-/// Decades of power over its surroundings, with rings about the lines of the comb and of the lattice.
+/// Decades of power over its surroundings, with rings about the lines of the comb and of the lattice, which are named.
 report::Plot ringedSpectrum(const ImageMarks& image);
+
+/// "f", "2 f" of the comb; "c", "c + f", "2 c - f" of the lattice, whose order counts from the bands.
+std::string nameOf(const NamedLine& line);
+
+/// The line within 4 % of the drawn spectrum's edge of a place in it (the axes of ringedSpectrum()), or of its
+/// opposite; -1: none.
+int lineAt(const ImageMarks& image, double x, double y);
+
+/// The lines of comb and lattice by their power over the noise, with the threshold.
+report::Plot linesOverNoise(const ImageMarks& image);
+
+/// Grey levels of a picture between `low` and `high`; a flattened one is shown between ±flatRange.
+inline constexpr double flatRange = 2.5;
+report::GreyImage greyOf(const Grid& grid, double low, double high);
 
 /// The brightness of the picture as evaluated, as a PNG file, at most 900 px wide.
 std::string picturePng(const ImageMarks& image);

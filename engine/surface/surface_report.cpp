@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/core/texts.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
+#include "engine/surface/surface_pictures.h"
 #include "engine/surface/surface_plots.h"
 #include "engine/surface/surface_quantities.h"
+#include "engine/surface/surface_words.h"
 
 namespace lathelier::surface {
 namespace {
@@ -51,8 +54,10 @@ report::Section pictureSection(const ImageMarks& image, const SurfaceParameters&
 {
     report::Section section{image.path, {answer(image, language)}};
     section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Picture as evaluated"), picturePng(image)});
-    section.blocks.push_back(markedPicture(image, parameters));
+    section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Picture without its uneven light"),
+                                             markedPictureSvg(image, parameters, language)});
     section.blocks.push_back(ringedSpectrum(image));
+    section.blocks.push_back(linesOverNoise(image));
     section.blocks.push_back(
         report::quantityTable(LT_TEXT("Engine", "Picture"), image,
                               {"width", "height", "bits", "mm_per_px", "speed_rpm", "saturated_percent", "unrolled",
@@ -118,6 +123,12 @@ report::Document surfaceReport(const SurfaceResult& result, const Language& lang
     document.title = LT_TEXT("Engine", "Marks of turned surfaces");
     document.synthetic = contains(result.notes, notes::syntheticData);
     document.sections.push_back(surfaceSummary(result, language));
+    std::vector<report::Section> words = surfaceWords(result, language);
+    if (result.images.size() > 1)
+        words.front().blocks.emplace_back(
+            report::Picture{LT_TEXT("Engine", "Before and after, in one scale, direction and grey"),
+                            comparisonSvg(result, {result.images[0].path, result.images[1].path}, language)});
+    std::move(words.begin(), words.end(), std::back_inserter(document.sections));
     for (const ImageMarks& image : result.images)
         document.sections.push_back(pictureSection(image, result.parameters, language));
     document.sections.push_back(

@@ -45,12 +45,18 @@ void drawSpectrum(SurfaceView& view, const PictureLines& lines)
             view.spectrum.row(row)[column] =
                 static_cast<float>(std::log10(double(power) / medians[ringOf(spectrum, x, y)] + 1e-9));
         }
-    if (lines.feed)
+    if (lines.feed) {
+        view.feed = lines.feed->frequency;
         for (int j = 1; j * length(lines.feed->frequency) < view.spectrum_edge; ++j)
-            view.lines.push_back({double(j) * lines.feed->frequency, true, j, 0});
-    if (lines.chatter)
-        for (const LatticeLine& line : lines.chatter->lines)
-            view.lines.push_back({line.frequency, false, line.multiple, line.order});
+            view.lines.push_back({double(j) * lines.feed->frequency, true, j, 0,
+                                  j == 1 ? std::optional(lines.feed->significance) : std::nullopt});
+    }
+    if (!lines.chatter) return;
+    for (const LatticeLine& line : lines.chatter->lines)
+        view.lines.push_back({line.frequency, false, line.multiple, line.order, line.significance});
+    if (!lines.feed) return;
+    const Vector comb = lines.feed->frequency, wave = lines.chatter->fundamental;
+    view.bands = wave - std::round(dot(wave, comb) / dot(comb, comb)) * comb;
 }
 
 }  // namespace lathelier::surface

@@ -1,6 +1,7 @@
 // What panels and reports draw of one picture.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@ namespace lathelier::surface {
 
 /// A line of the spectrum with its name.
 struct NamedLine {
-    Vector frequency{};   ///< cycles per pixel of `picture`
-    bool is_feed = true;  ///< of the comb; else of the chatter lattice
-    int multiple = 1;     ///< of the comb's or the vibration's first line
-    int order = 0;        ///< chatter: distance in lines of the comb
+    Vector frequency{};                    ///< cycles per pixel of `picture`
+    bool is_feed = true;                   ///< of the comb; else of the chatter lattice
+    int multiple = 1;                      ///< of the comb's or the vibration's first line
+    int order = 0;                         ///< chatter: distance in lines of the comb
+    std::optional<double> significance{};  ///< power over the level of the noise; none: not looked at
 };
 
 struct SurfaceView {
@@ -24,6 +26,8 @@ struct SurfaceView {
     Grid spectrum;          ///< logarithm (base 10) of the power over the median of its ring, about zero
     double spectrum_edge = 0.5;    ///< largest frequency of `spectrum`, cycles per pixel of `picture`
     std::vector<NamedLine> lines;  ///< that were found
+    std::optional<Vector> feed;    ///< first line of the comb, cycles per pixel of `picture`
+    std::optional<Vector> bands;   ///< wave vector of the chatter bands: the K_c + j K_f that is least along the feed
 };
 
 struct PictureLines;

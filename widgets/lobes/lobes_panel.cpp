@@ -24,6 +24,13 @@ PanelInputs panelInputs()
     inputs.roles = {chatter_common::responseRole(
         LT_TEXT("Engine", "Of the point that is cut, in the direction of the chip thickness: UFF, CSV or MAT."))};
     inputs.roles.front().takes_next = true;
+    InputRole marks;
+    marks.role = marksRole;
+    marks.label = LT_TEXT("Engine", "Chatter marks");
+    marks.hint = LT_TEXT("Engine", "Read off a photograph by the panel Surface. They may be missing.");
+    marks.item_kind = stability::marksItem;
+    marks.required = false;
+    inputs.roles.push_back(marks);
     inputs.fields = infos<LobesQuestion>();
     inputs.defaults = toValues(LobesQuestion{});
     inputs.invitation =
@@ -65,8 +72,8 @@ PanelFacts lobesPanelFacts()
     facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
     facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
-    facts.part_inputs = {frfRole};
-    facts.item_inputs = {{frfItem, frfRole}};
+    facts.part_inputs = {frfRole, marksRole};
+    facts.item_inputs = {{frfItem, frfRole}, {stability::marksItem, marksRole}};
     facts.make = [](Session& session) -> PanelBase* { return new LobesPanel(session); };
     facts.missing = [](const project::PanelState& state) {
         std::vector<Text> labels;

@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
+#include "engine/io/file.h"
 #include "engine/io/io_codes.h"
+#include "engine/project/project_codes.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/core/task/memo.h"
 
@@ -21,6 +23,21 @@ stability::OperatingPoint pointOf(const LobesQuestion& question, const stability
 {
     return {question.operating_speed_rpm.value_or((lobes.speed_rpm.from + lobes.speed_rpm.to) / 2),
             question.operating_depth.value_or(usualDepth * lobes.minimum_depth_mm.value_or(1))};
+}
+
+/// Marks of chatter that another panel has read off a surface. Error itemNotThere.
+void takeMarks(const project::PanelState& state, LobesPicture& picture)
+{
+    const project::Source* const source = chatter_common::sourceOf(state, marksRole);
+    if (!source) return;
+    const auto item = state.items.find(marksRole);
+    if (item != state.items.end() && item->second.kind == stability::marksItem)
+        picture.marks = stability::marksOf(item->second.values);
+    if (!picture.marks)
+        throw Error(errors::itemNotThere, {{"item", source->item}, {"kind", std::string(stability::marksItem)}});
+    const std::string content = toJson(item->second.values).dump();
+    picture.inputs.push_back({source->item, static_cast<std::int64_t>(content.size()), io::sha256(content)});
+    picture.synthetic |= source->synthetic;
 }
 
 void recommend(LobesPicture& picture)
@@ -56,6 +73,7 @@ LobesPicture lobesPicture(const project::PanelState& state, Stores& stores, cons
         picture.frf = std::make_shared<const Frf>(stability::frfOf(question.modes, highest));
         for (const stability::Mode& mode : question.modes) basis += toJson(toValues(mode)).dump();
     }
+    takeMarks(state, picture);
     picture.lobes = stores.of<LobesMemo>()->find(
         basis + toJson(toValues(question.lobes)).dump(), progress.part(0.5, 1, LT_TEXT("Engine", "Finding lobes")),
         [&](const Progress& computing) { return findLobes(*picture.frf, question.lobes, computing); });
@@ -105,6 +123,9 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
         answer.findings.push_back(
             {LT_TEXT("Engine", "No speed is recommended: {reason}"), {{"reason", reason ? *reason : Value()}}, {}, {}});
     }
+    if (picture.marks)
+        if (const auto check = checkModel(*picture.marks, lobes))
+            answer.findings.push_back(modelFinding(*picture.marks, *check, language));
     if (lobes.minimum_depth_mm && !relative)
         answer.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth_mm:3} mm"),
                                    {{"depth_mm", *lobes.minimum_depth_mm}},

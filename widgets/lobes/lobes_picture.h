@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/report/document.h"
+#include "engine/stability/marks_item.h"
 #include "engine/stability/stability_plots.h"
 #include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/taken_input.h"
@@ -17,6 +18,8 @@ using chatter_common::FrfStore;
 
 using chatter_common::frfRole;
 
+inline constexpr const char* marksRole = "marks";
+
 struct LobesPicture {
     std::shared_ptr<const Frf> frf;                      ///< receptance of the point that is cut
     std::shared_ptr<const stability::LobeResult> lobes;  ///< never null
@@ -24,6 +27,7 @@ struct LobesPicture {
     std::optional<Error> no_speed;                       ///< why not
     stability::OperatingPoint point;                     ///< as asked, or its default
     stability::PointOfWork work;                         ///< what is known of it
+    std::optional<stability::SurfaceMarks> marks;        ///< of a surface that was cut; none: none were sent
     LobesQuestion question;                              ///< as asked
     std::vector<InputFile> inputs;                       ///< the file, if there is one
     Notes notes;                                         ///< of the file and of the results

@@ -56,9 +56,15 @@ void LobesViews::show()
 {
     if (!picture_) return;
     const stability::LobeResult& result = *picture_->lobes;
-    lobes_->setData(
-        lobesPlot(result, picture_->speed ? &*picture_->speed : nullptr, picture_->point, screenLanguage()));
-    chatter_->setData(chatterFrequencyPlot(result));
+    report::Plot lobes =
+        lobesPlot(result, picture_->speed ? &*picture_->speed : nullptr, picture_->point, screenLanguage());
+    report::Plot frequencies = chatterFrequencyPlot(result);
+    if (picture_->marks) {
+        drawMarks(lobes, *picture_->marks, screenLanguage());
+        drawMarksFrequency(frequencies, *picture_->marks, screenLanguage());
+    }
+    lobes_->setData(std::move(lobes));
+    chatter_->setData(std::move(frequencies));
     parts_->setData(receptance::realImaginaryPlot(*picture_->frf, result.frequency_of_minimum_hz, screenLanguage()));
     magnitude_->setData(receptance::magnitudePlot(*picture_->frf));
     if (picture_->speed) candidates_->setTable(stability::candidatesTable(*picture_->speed));

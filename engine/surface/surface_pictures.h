@@ -1,0 +1,21 @@
+// Pictures of surfaces with what was found drawn over them, for reports: SVG with the picture inside.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/texts.h"
+#include "engine/surface/surface.h"
+
+namespace lathelier::surface {
+
+/// The flattened picture in grey with the crests of feed and chatter marks, rulers of the pitch that was found and of
+/// the feed that was stated, and a scale bar, as SVG.
+std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& parameters,
+                             const Language& language = {});
+
+/// Before and after in the same scale, direction and grey, side by side, as SVG.
+std::string comparisonSvg(const SurfaceResult& result, const std::vector<std::string>& names,
+                          const Language& language = {});
+
+}  // namespace lathelier::surface

@@ -1,0 +1,52 @@
+// Before and after: side by side, or one under a slider; what is zoomed in one is zoomed in the other.
+#pragma once
+
+#include <QButtonGroup>
+#include <QLabel>
+#include <QSlider>
+#include <QWidget>
+
+#include "widgets/surface/picture_view.h"
+
+namespace lathelier::surface_panel {
+
+class ComparisonView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ComparisonView(QWidget* parent = nullptr);
+
+    void setPictures(const QImage& before, const QImage& after, double mm_per_px);
+    void setNames(const QString& before, const QString& after, const QString& alignment);
+
+    bool hasSlider() const { return slides_; }
+    void setSlides(bool slides);  ///< one picture with a slider; else side by side
+    double share() const { return share_; }
+    void setShare(double share);  ///< of the width, that shows the first picture
+    PictureView* before() const { return before_; }
+    PictureView* after() const { return after_; }
+    QSlider* slider() const { return slider_; }
+    void retranslate();
+
+signals:
+    void notWritten(const QString& path);
+
+private:
+    void arrange();
+
+    PictureView* before_;
+    PictureView* after_;
+    QWidget* beforeSide_;
+    QWidget* afterSide_;
+    QLabel* beforeName_;
+    QLabel* afterName_;
+    QLabel* alignment_;
+    QSlider* slider_;
+    QButtonGroup* ways_;
+    QImage first_, second_;
+    double mm_per_px_ = 0;
+    double share_ = 0.5;
+    bool slides_ = false;
+};
+
+}  // namespace lathelier::surface_panel

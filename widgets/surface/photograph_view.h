@@ -1,0 +1,51 @@
+// The photograph as it is in its file, with the tools that say what is in it: a region, a length that is known, the
+// direction of feed.
+#pragma once
+
+#include <QButtonGroup>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "widgets/core/form/number_edit.h"
+#include "widgets/surface/picture_view.h"
+
+namespace lathelier::surface_panel {
+
+class PhotographView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PhotographView(QWidget* parent = nullptr);
+
+    /// `diameter_mm`: offered as the length between two edges; none: not known.
+    void setPicture(const QImage& image, double mm_per_px, const std::optional<double>& diameter_mm);
+    void setTools(bool usable);  ///< false: a picture that was made has nothing to be told
+    PictureView* view() const { return view_; }
+    NumberEdit* length() const { return length_; }
+    void retranslate();
+
+signals:
+    void regionWanted(const std::optional<QRectF>& region);  ///< in pixels of the file; none: the whole picture
+    void scaleWanted(double pixels, double mm);
+    void directionWanted(double direction_deg);
+
+private:
+    void chooseTool(int id);
+    void takeLength(double pixels);
+    void showLength();
+
+    PictureView* view_;
+    QWidget* bar_;
+    QButtonGroup* tools_;
+    QPushButton* whole_;
+    QLabel* measured_;
+    NumberEdit* length_;
+    QPushButton* set_;
+    QPushButton* isDiameter_;
+    QLabel* hint_;
+    double pixels_ = 0;  ///< between the two clicks; 0: not clicked
+    std::optional<double> diameter_mm_;
+};
+
+}  // namespace lathelier::surface_panel

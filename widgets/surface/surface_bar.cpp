@@ -1,0 +1,98 @@
+#include "widgets/surface/surface_bar.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QToolButton>
+#include <algorithm>
+
+#include "widgets/core/language.h"
+#include "widgets/core/panel/flow_row.h"
+
+namespace lathelier::surface_panel {
+namespace {
+
+constexpr std::size_t mostCandidates = 5;
+
+}  // namespace
+
+SurfaceBar::SurfaceBar(QWidget* parent)
+    : QWidget(parent),
+      images_(new QButtonGroup(this)),
+      candidates_(new QWidget),
+      send_(new QPushButton),
+      synthetic_(new QLabel)
+{
+    send_->setObjectName("surfaceSend");
+    auto* row = new FlowRow(this);
+    for (int i = 0; i < 2; ++i) {
+        auto* button = new QToolButton;
+        button->setObjectName(i == 0 ? "showBefore" : "showAfter");
+        button->setCheckable(true);
+        images_->addButton(button, i);
+        row->addWidget(button);
+    }
+    auto* chips = new QHBoxLayout(candidates_);
+    chips->setContentsMargins(0, 0, 0, 0);
+    chips->setSpacing(4);
+    row->addWidget(candidates_);
+    row->addWidget(send_);
+    synthetic_->setFrameShape(QFrame::Box);
+    synthetic_->setMargin(2);
+    row->setTrailing(synthetic_);
+    connect(images_, &QButtonGroup::idClicked, this, &SurfaceBar::imageChosen);
+    connect(send_, &QPushButton::clicked, this, &SurfaceBar::sendWanted);
+    retranslate();
+}
+
+void SurfaceBar::setPicture(const SurfacePicture& picture, int chosen)
+{
+    const bool two = picture.shown.size() > 1;
+    for (int i = 0; i < 2; ++i) {
+        auto* button = images_->button(i);
+        button->setVisible(two);
+        button->setChecked(i == chosen);
+        if (two) button->setToolTip(QString::fromStdString(picture.shown[static_cast<std::size_t>(i)].name));
+    }
+    showCandidates(picture);
+    send_->setVisible(picture.marks.has_value());
+    if (picture.marks)
+        send_->setText(tr("Send %1 to the lobe chart")
+                           .arg(screenQuantity(picture.marks->frequency_hz, LT_TEXT("Engine", "Hz"), 1)));
+    synthetic_->setVisible(picture.synthetic);
+}
+
+/// One button for each reading that the picture leaves open.
+void SurfaceBar::showCandidates(const SurfacePicture& picture)
+{
+    for (QWidget* chip : candidates_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        chip->hide();
+        chip->setObjectName({});
+        chip->deleteLater();
+    }
+    const surface::ImageMarks* const first = picture.result ? &picture.first() : nullptr;
+    const bool open = first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
+    candidates_->setVisible(open);
+    if (!open) return;
+    const std::vector<double>& all = first->chatter_marks->candidates_hz;
+    for (std::size_t i = 0; i < std::min(mostCandidates, all.size()); ++i) {
+        const double hz = all[i];
+        auto* chip = new QToolButton;
+        chip->setObjectName(QString("candidate%1").arg(i));
+        chip->setText(screenQuantity(hz, LT_TEXT("Engine", "Hz"), 1));
+        chip->setCheckable(true);
+        chip->setChecked(i == 0);
+        chip->setToolTip(i == 0 ? tr("The reading that is used") : tr("Use this reading of the marks"));
+        candidates_->layout()->addWidget(chip);
+        connect(chip, &QToolButton::clicked, this, [this, hz] { emit candidateWanted(hz); });
+    }
+}
+
+void SurfaceBar::retranslate()
+{
+    images_->button(0)->setText(tr("Before"));
+    images_->button(1)->setText(tr("After"));
+    send_->setToolTip(tr("The panel Lobes marks the speed, and the frequency over it"));
+    synthetic_->setText(tr("Synthetic data"));
+}
+
+}  // namespace lathelier::surface_panel

@@ -1,0 +1,271 @@
+#include "widgets/surface/surface_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/io/file.h"
+#include "engine/io/image/image_kind.h"
+#include "engine/surface/surface_pictures.h"
+#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+#include "widgets/surface/image_store.h"
+#include "widgets/surface/surface_answer.h"
+#include "widgets/surface/surface_views.h"
+
+namespace lathelier::surface_panel {
+namespace {
+
+PanelInputs panelInputs()
+{
+    InputRole before;
+    before.role = beforeRole;
+    before.label = LT_TEXT("Engine", "Picture (before)");
+    before.hint = LT_TEXT("Engine", "Photograph of a turned surface: PNG, JPEG or TIFF");
+    before.kinds = {&io::imageFiles()};
+    before.required = false;  // a picture can be made
+    InputRole after = before;
+    after.role = afterRole;
+    after.label = LT_TEXT("Engine", "Picture after");
+    after.hint = LT_TEXT("Engine", "The same surface after the speed was corrected, taken alike. It may be missing.");
+    after.takes_next = true;
+    PanelInputs inputs;
+    inputs.roles = {before, after,
+                    chatter_common::responseRole(
+                        LT_TEXT("Engine", "A model to compare the marks with: UFF, CSV or MAT. It may be missing."))};
+    for (FieldInfo& info : infos<SurfaceQuestion>())
+        if (info.key.rfind(madePrefix, 0) != 0) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(SurfaceQuestion{});
+    inputs.invitation = LT_TEXT("Engine",
+                                "Drop one or two photographs of a turned surface here, or let one be made (Make a "
+                                "picture).");
+    return inputs;
+}
+
+bool hasPicture(const project::PanelState& state)
+{
+    return state.inputs.count(beforeRole) > 0 || makesPicture(state.parameters);
+}
+
+}  // namespace
+
+PanelFacts surfacePanelFacts()
+{
+    PanelFacts facts;
+    facts.id = "surface";
+    facts.title = LT_TEXT("Engine", "Surface");
+    facts.icon = "surface";
+    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50},
+                        {"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    facts.kinds = {&io::imageFiles()};
+    facts.roles = panelInputs().roles;
+    facts.part_inputs = {beforeRole, afterRole};
+    facts.make = [](Session& session) -> PanelBase* { return new SurfacePanel(session); };
+    facts.missing = [](const project::PanelState& state) {
+        std::vector<Text> labels;
+        if (!hasPicture(state)) labels.push_back(LT_TEXT("Engine", "Picture (before)"));
+        return labels;
+    };
+    facts.hasWork = hasPicture;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
+                      const Progress& progress) { return reportOf(surfacePicture(state, stores, progress), language); };
+    return facts;
+}
+
+SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
+    : Panel(owner, surfacePanelFacts(), panelInputs(), parent), views_(new SurfaceViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &SurfaceViews::sendWanted, this, &SurfacePanel::sendMarks);
+    connect(views_, &SurfaceViews::candidateWanted, this, &SurfacePanel::chooseCandidate);
+    connect(views_, &SurfaceViews::regionWanted, this, &SurfacePanel::setRegion);
+    connect(views_, &SurfaceViews::scaleWanted, this, &SurfacePanel::setScale);
+    connect(views_, &SurfaceViews::directionWanted, this, &SurfacePanel::setDirection);
+    connect(views_, &SurfaceViews::madeWanted, this, &SurfacePanel::setMade);
+    connect(views_, &SurfaceViews::notWritten, this, &SurfacePanel::sayNotWritten);
+}
+
+/// One for each picture: the other picture's stays, or is the whole of it.
+void SurfacePanel::setRegion(int image, const std::optional<QRectF>& region)
+{
+    const auto picture = result();
+    if (!picture) return;
+    const auto chosen = static_cast<std::size_t>(image);
+    std::vector<surface::Region> all;
+    const std::vector<surface::Region> before = picture->question.surface.roi;
+    bool any = false;
+    for (std::size_t i = 0; i < picture->shown.size(); ++i) {
+        const QSize size = picture->shown[i].photograph.size();
+        const surface::Region whole{0, 0, double(size.width()), double(size.height())};
+        surface::Region each = before.empty() ? whole : before[std::min(i, before.size() - 1)];
+        if (i == chosen)
+            each = region ? surface::Region{std::floor(region->x()), std::floor(region->y()),
+                                            std::floor(region->width()), std::floor(region->height())}
+                          : whole;
+        any = any || toValues(each) != toValues(whole);
+        all.push_back(each);
+    }
+    if (!any) all.clear();
+    editState(region ? tr("Choose a region") : tr("Take the whole picture"), [&](project::PanelState& state) {
+        SurfaceQuestion question;
+        question.surface.roi = all;
+        lathelier::set(state.parameters, "roi", *lathelier::find(toValues(question), "roi"));
+    });
+}
+
+void SurfacePanel::setScale(double pixels, double mm)
+{
+    editState(tr("Set the scale"), [&](project::PanelState& state) {
+        lathelier::set(state.parameters, "scale_px_mm",
+                       QStringLiteral("%1:%2").arg(pixels, 0, 'f', 2).arg(mm, 0, 'g', 9).toStdString());
+        lathelier::set(state.parameters, "mm_per_px", Value());
+        lathelier::set(state.parameters, "scale_from_feed", false);
+    });
+}
+
+void SurfacePanel::setDirection(double direction_deg)
+{
+    editState(tr("Set the direction of feed"), [&](project::PanelState& state) {
+        lathelier::set(state.parameters, "feed_direction_deg", std::round(10 * direction_deg) / 10);
+    });
+}
+
+void SurfacePanel::chooseCandidate(double frequency_hz)
+{
+    editState(tr("Choose a reading of the marks"), [&](project::PanelState& state) {
+        lathelier::set(state.parameters, "expect_hz", std::round(10 * frequency_hz) / 10);
+    });
+}
+
+void SurfacePanel::setMade(const std::string& key, const Value& value, int gesture)
+{
+    editState(
+        tr("Change the picture that is made"),
+        [&](project::PanelState& state) { lathelier::set(state.parameters, madePrefix + key, value); },
+        QStringLiteral("surface/made/%1/%2").arg(QString::fromStdString(key)).arg(gesture));
+}
+
+void SurfacePanel::sendMarks()
+{
+    const auto picture = result();
+    if (!picture || !picture->marks) return;
+    offerItem(tr("Marks of %1").arg(QString::fromStdString(picture->marks->picture)).toStdString(),
+              stability::marksItem, toValues(*picture->marks), picture->synthetic);
+}
+
+/// Pictures in their order: before, after; one more picture is the next one after.
+void SurfacePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    std::vector<project::Source> pictures;
+    for (const FoundFile& file : files) {
+        const project::Source source = newSource(QString::fromStdString(file.path));
+        if (file.kind == &io::frfFiles())
+            state.inputs[chatter_common::frfRole] = source;
+        else
+            pictures.push_back(source);
+    }
+    if (pictures.empty()) return;
+    lathelier::set(state.parameters, makeKey, false);
+    if (pictures.size() == 1) {
+        state.inputs[state.inputs.count(beforeRole) > 0 ? afterRole : beforeRole] = pictures.front();
+        return;
+    }
+    state.inputs[beforeRole] = pictures[0];
+    state.inputs[afterRole] = pictures[1];
+}
+
+SurfacePanel::Compute SurfacePanel::compute(const project::PanelState& state) const
+{
+    fromValues<SurfaceQuestion>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return surfacePicture(state, *stores, progress);
+    };
+}
+
+Worker::Job SurfacePanel::makeReadingJob(const project::PanelState& state) const
+{
+    return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+        const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
+        for (const char* role : {beforeRole, afterRole})
+            if (const auto source = state.inputs.find(role); source != state.inputs.end())
+                stores->of<ImageStore>()->load(source->second, part);
+        chatter_common::takeResponse(state, *stores, part);
+        return nullptr;
+    };
+}
+
+QString SurfacePanel::understood(const InputRole& role, const project::Source& source) const
+{
+    Stores& stores = session().stores();
+    if (role.role == chatter_common::frfRole) return chatter_common::understoodResponse(source, stores);
+    const auto loaded = stores.of<ImageStore>()->known(source);
+    if (!loaded) return {};
+    const io::Image& image = loaded->file;
+    return understoodText(io::imageFacts(source.path, image),
+                          tr("%1 × %2 px, %3 bit").arg(image.width).arg(image.height).arg(image.bits));
+}
+
+void SurfacePanel::showResult(const std::shared_ptr<const SurfacePicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+report::Answer SurfacePanel::answer(const SurfacePicture& picture) const
+{
+    return surface_panel::answerOf(picture, screenLanguage());
+}
+
+report::Document SurfacePanel::document(const SurfacePicture& picture) const
+{
+    return reportOf(picture, screenLanguage());
+}
+
+std::vector<PanelExport> SurfacePanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    std::vector<PanelExport> all;
+    const auto write = [](const QString& path, const std::string& text) { io::writeFile(path.toStdString(), text); };
+    const QString svg = tr("Picture (*.svg)");
+    if (!picture->made_png.empty())
+        all.push_back({tr("Picture that was made (PNG)…"), tr("Picture (*.png)"), "png",
+                       [picture, write](const QString& path) { write(path, picture->made_png); }});
+    if (!picture->result) return all;
+    for (std::size_t i = 0; i < picture->result->images.size(); ++i)
+        all.push_back({i == 0 ? tr("Picture with its marks (SVG)…") : tr("Picture after with its marks (SVG)…"), svg,
+                       "svg", [picture, write, i](const QString& path) {
+                           write(path, markedPictureSvg(picture->result->images[i], picture->result->parameters,
+                                                        screenLanguage()));
+                       }});
+    if (picture->result->images.size() > 1)
+        all.push_back({tr("Before and after (SVG)…"), svg, "svg", [picture, write](const QString& path) {
+                           write(path, comparisonSvg(*picture->result, {picture->shown[0].name, picture->shown[1].name},
+                                                     screenLanguage()));
+                       }});
+    return all;
+}
+
+Values SurfacePanel::view() const
+{
+    return views_->view();
+}
+
+void SurfacePanel::restoreView(const Values& kept)
+{
+    views_->restoreView(kept);
+}
+
+void SurfacePanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void SurfacePanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::surface_panel

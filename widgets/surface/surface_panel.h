@@ -1,0 +1,49 @@
+// The panel "Surface": are there chatter marks on this surface, which vibration made them, and are they gone after?
+#pragma once
+
+#include "widgets/core/panel/panel.h"
+#include "widgets/surface/surface_picture.h"
+
+namespace lathelier::surface_panel {
+
+class SurfaceViews;
+
+/// The panel's line of the panel table.
+PanelFacts surfacePanelFacts();
+
+class SurfacePanel : public Panel<SurfacePicture> {
+    Q_OBJECT
+
+public:
+    explicit SurfacePanel(Session& session, QWidget* parent = nullptr);
+
+    SurfaceViews& views() const { return *views_; }
+    void setPresenting(bool presenting) override;
+
+protected:
+    Compute compute(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const SurfacePicture>& picture) override;
+    report::Answer answer(const SurfacePicture& picture) const override;
+    Notes notes(const SurfacePicture& picture) const override { return picture.notes; }
+    report::Document document(const SurfacePicture& picture) const override;
+    std::optional<Error> problem(const SurfacePicture& picture) const override { return picture.refused; }
+    std::vector<PanelExport> exports() const override;
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    QString understood(const InputRole& role, const project::Source& source) const override;
+    Values view() const override;
+    void restoreView(const Values& kept) override;
+    void retranslate() override;
+
+private:
+    void setRegion(int image, const std::optional<QRectF>& region);
+    void setScale(double pixels, double mm);
+    void setDirection(double direction_deg);
+    void chooseCandidate(double frequency_hz);
+    void setMade(const std::string& key, const Value& value, int gesture);
+    void sendMarks();
+
+    SurfaceViews* views_;
+};
+
+}  // namespace lathelier::surface_panel

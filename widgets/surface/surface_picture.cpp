@@ -1,0 +1,156 @@
+#include "widgets/surface/surface_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/core/json.h"
+#include "engine/stability/lobes.h"
+#include "engine/surface/picture_comparison.h"
+#include "engine/surface/surface_plots.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/core/task/memo.h"
+#include "widgets/surface/image_store.h"
+
+namespace lathelier::surface_panel {
+namespace {
+
+constexpr int modelPoints = 400;
+constexpr double modelFrom = 0.7, modelTo = 1.4;  // of the speed of the cut
+
+/// Pictures that were made, by their parameters: one that is looked at anew is not made again.
+struct MadePictures : Memo<io::Image> {};
+
+QImage imageOf(const surface::Grid& grid, double low, double high)
+{
+    QImage image(grid.columns, grid.rows, QImage::Format_Grayscale8);
+    for (int y = 0; y < grid.rows; ++y) {
+        uchar* line = image.scanLine(y);
+        const float* row = grid.row(y);
+        for (int x = 0; x < grid.columns; ++x)
+            line[x] =
+                static_cast<uchar>(std::lround(255 * std::clamp((double(row[x]) - low) / (high - low), 0.0, 1.0)));
+    }
+    return image;
+}
+
+QImage imageOf(const io::Image& image)
+{
+    surface::Grid grid;
+    grid.columns = image.width;
+    grid.rows = image.height;
+    grid.values = image.grey;
+    return imageOf(grid, 0, 1);
+}
+
+std::string nameOf(const std::string& path)
+{
+    return std::filesystem::path(path).filename().string();
+}
+
+void addStripes(ShownImage& shown, const surface::SurfaceView& view)
+{
+    const auto of = [&](const std::optional<surface::Vector>& wave) {
+        return wave ? surface::stripesOf(*wave, phaseOf(view.flat, *wave), view.flat.columns, view.flat.rows)
+                    : std::vector<surface::Stripe>();
+    };
+    shown.feed_stripes = of(view.feed);
+    shown.chatter_bands = of(view.bands);
+}
+
+std::vector<surface::NamedImage> readImages(const project::PanelState& state, SurfacePicture& picture, Stores& stores,
+                                            const Progress& progress)
+{
+    std::vector<surface::NamedImage> images;
+    for (const char* role : {beforeRole, afterRole}) {
+        const project::Source* const source = chatter_common::sourceOf(state, role);
+        if (!source) continue;
+        const auto loaded = stores.of<ImageStore>()->load(*source, progress);
+        images.push_back({source->path, loaded->file});
+        picture.inputs.push_back(loaded->inputs.front());
+        picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
+        picture.synthetic |= source->synthetic;
+    }
+    return images;
+}
+
+surface::NamedImage makeImage(SurfacePicture& picture, Stores& stores, const Progress& progress)
+{
+    const surface::SyntheticParameters asked = pictureOf(picture.question);
+    const std::string key = toJson(toValues(asked)).dump();
+    const auto made = stores.of<MadePictures>()->find(
+        key, progress, [&](const Progress& part) { return surface::syntheticPicture(asked, part); });
+    picture.made_png = surface::syntheticPng(*made);
+    picture.synthetic = true;
+    return {"SYNTHETIC", *made};
+}
+
+void compareWithModel(const project::PanelState& state, SurfacePicture& picture, Stores& stores,
+                      const Progress& progress)
+{
+    auto response = chatter_common::takeResponse(state, stores, progress.part(0, 0.3));
+    if (!response) return;
+    const Frf frf = chatter_common::noted(picture, std::move(response->taken));
+    if (!picture.marks) return;
+    stability::LobeParameters parameters;
+    parameters.speed_rpm = {{modelFrom * picture.marks->speed_rpm, modelTo * picture.marks->speed_rpm}};
+    parameters.points = modelPoints;
+    picture.model = std::make_shared<const stability::LobeResult>(findLobes(frf, parameters, progress.part(0.3, 1)));
+    picture.check = checkModel(*picture.marks, *picture.model);
+}
+
+void prepare(SurfacePicture& picture, const Progress& progress)
+{
+    const surface::SurfaceResult& result = *picture.result;
+    for (std::size_t i = 0; i < result.images.size(); ++i) {
+        const surface::SurfaceView& view = result.images[i].view;
+        ShownImage& shown = picture.shown[i];
+        shown.evaluated = imageOf(view.picture, 0, 1);
+        shown.flat = imageOf(view.flat, -surface::flatRange, surface::flatRange);
+        addStripes(shown, view);
+        progress.report(static_cast<double>(i + 1) / 3);
+    }
+    if (result.images.size() > 1) {
+        const surface::AlignedPictures both = surface::aligned(result.images);
+        picture.before = imageOf(both.pictures[0], -surface::flatRange, surface::flatRange);
+        picture.after = imageOf(both.pictures[1], -surface::flatRange, surface::flatRange);
+        picture.common_mm_per_px = both.mm_per_px;
+    }
+    const surface::ImageMarks& first = result.images.front();
+    if (first.chatter_marks && first.chatter_marks->frequency_hz && first.speed_rpm)
+        picture.marks = stability::SurfaceMarks{
+            picture.shown.front().name, *first.speed_rpm, *first.chatter_marks->frequency_hz,
+            first.chatter_marks->frequency_uncertainty_hz.value_or(0), first.chatter_marks->nearest_other_hz};
+    progress.report(1);
+}
+
+}  // namespace
+
+SurfacePicture surfacePicture(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    SurfacePicture picture;
+    picture.question = fromValues<SurfaceQuestion>(state.parameters);
+    std::vector<surface::NamedImage> images;
+    if (picture.question.make_picture)
+        images.push_back(makeImage(picture, stores, progress.part(0, 0.4, LT_TEXT("Engine", "Making the picture"))));
+    else
+        images = readImages(state, picture, stores, progress.part(0, 0.2, LT_TEXT("Engine", "Reading")));
+    for (const surface::NamedImage& image : images)
+        picture.shown.push_back({nameOf(image.path), imageOf(image.image), {}, {}, {}, {}});
+    try {
+        picture.result = std::make_shared<const surface::SurfaceResult>(
+            findSurfaceMarks(images, parametersOf(picture.question, images.size()),
+                             progress.part(0.4, 0.85, LT_TEXT("Engine", "Evaluating"))));
+    } catch (const Error& error) {
+        picture.refused = error;  // the pictures are shown: there the scale and the region can be mended
+        return picture;
+    }
+    const Notes& notes = picture.result->notes;
+    picture.notes.insert(picture.notes.end(), notes.begin(), notes.end());
+    prepare(picture, progress.part(0.85, 0.9));
+    compareWithModel(state, picture, stores, progress.part(0.9, 1, LT_TEXT("Engine", "Finding lobes")));
+    return picture;
+}
+
+}  // namespace lathelier::surface_panel

@@ -1,0 +1,51 @@
+// What the worker of the panel "Surface" computes: the marks of one picture or two, and all that is drawn of them.
+#pragma once
+
+#include <QImage>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/error.h"
+#include "engine/core/input_file.h"
+#include "engine/stability/marks_item.h"
+#include "engine/surface/stripes.h"
+#include "engine/surface/surface.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/surface/surface_question.h"
+
+namespace lathelier::surface_panel {
+
+/// One picture, ready to be drawn.
+struct ShownImage {
+    std::string name;                            ///< of the file, or what stands for it
+    QImage photograph;                           ///< as the file has it, grey
+    QImage evaluated;                            ///< unrolled and made smaller, grey
+    QImage flat;                                 ///< without its uneven light
+    std::vector<surface::Stripe> feed_stripes;   ///< crests of the feed marks in `flat`
+    std::vector<surface::Stripe> chatter_bands;  ///< crests of the chatter marks in `flat`
+};
+
+struct SurfacePicture {
+    SurfaceQuestion question;                              ///< as asked
+    std::vector<ShownImage> shown;                         ///< one or two
+    std::shared_ptr<const surface::SurfaceResult> result;  ///< null: `refused` says why
+    std::optional<Error> refused;                          ///< the pictures are there, and cannot be evaluated
+    QImage before, after;                                  ///< of two pictures: one scale, direction, size and grey
+    double common_mm_per_px = 0;                           ///< of these two; 0: not known
+    std::shared_ptr<const stability::LobeResult> model;    ///< about the speed of the cut; null: none given
+    std::optional<stability::SurfaceMarks> marks;          ///< the first picture's, if it has a frequency
+    std::optional<stability::ModelCheck> check;            ///< of the marks by the model
+    std::vector<InputFile> inputs;                         ///< pictures and response
+    Notes notes;                                           ///< of files and result
+    bool synthetic = false;                                ///< a source is marked as synthetic, or the picture was made
+    std::string made_png;                                  ///< the picture that was made, as a file; empty: none
+
+    const surface::ImageMarks& first() const { return result->images.front(); }
+};
+
+/// Reads or makes, evaluates, prepares; safe from any thread. Errors: those of the readers. Throws Cancelled.
+SurfacePicture surfacePicture(const project::PanelState& state, Stores& stores, const Progress& progress);
+
+}  // namespace lathelier::surface_panel

@@ -1,0 +1,359 @@
+#include "widgets/surface/surface_views.h"
+
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <QVariant>
+#include <algorithm>
+
+#include "engine/stability/stability_plots.h"
+#include "engine/surface/surface_plots.h"
+#include "engine/surface/surface_report.h"
+#include "engine/surface/surface_words.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/view_frame.h"
+#include "widgets/surface/surface_answer.h"
+#include "widgets/surface/surface_overlays.h"
+
+namespace lathelier::surface_panel {
+namespace {
+
+constexpr const char* chosenKey = "picture";
+constexpr const char* feedKey = "feed_marks";
+constexpr const char* chatterKey = "chatter_marks";
+constexpr const char* slidesKey = "under_slider";
+constexpr const char* shareKey = "slider";
+constexpr const char* tableKey = "table";
+
+template <class T>
+T kept(const Values& values, const char* key, T otherwise)
+{
+    const Value* const value = lathelier::find(values, key);
+    const T* const there = value ? std::get_if<T>(value) : nullptr;
+    return there ? *there : otherwise;
+}
+
+}  // namespace
+
+SurfaceViews::SurfaceViews(QWidget* parent)
+    : QWidget(parent),
+      heroes_(new HeroViews),
+      marks_(new PictureView),
+      showFeed_(new QToolButton),
+      showChatter_(new QToolButton),
+      spectrum_(new plot::ChartView),
+      lines_(new plot::ChartView),
+      comparison_(new ComparisonView),
+      photograph_(new PhotographView),
+      unrolled_(new PictureView),
+      words_(new QTextBrowser),
+      model_(new plot::ChartView),
+      tabs_(new QTabWidget),
+      numbers_(new CopyTable),
+      speeds_(new CopyTable),
+      generator_(new GeneratorPane),
+      bar_(new SurfaceBar)
+{
+    marks_->setObjectName("surfaceMarks");
+    spectrum_->setObjectName("surfaceSpectrum");
+    lines_->setObjectName("surfaceLines");
+    unrolled_->setObjectName("surfaceUnrolled");
+    words_->setObjectName("surfaceWords");
+    model_->setObjectName("surfaceModel");
+    numbers_->setObjectName("surfaceNumbers");
+    speeds_->setObjectName("surfaceSpeeds");
+    generator_->setObjectName("surfaceGenerator");
+    words_->setFrameShape(QFrame::NoFrame);
+    tabs_->setDocumentMode(true);
+    tabs_->addTab(numbers_, {});
+    tabs_->addTab(speeds_, {});
+    auto* spectra = new QSplitter(Qt::Vertical);
+    spectra->addWidget(spectrum_);
+    spectra->addWidget(lines_);
+    spectra->setStretchFactor(0, 3);
+    spectra->setStretchFactor(1, 2);
+    spectra->setChildrenCollapsible(false);
+    lines_->setProperty(ViewFrame::onlyLarge, true);
+    heroes_->add("marks", makeMarksSide());
+    heroes_->add("spectrum", spectra);
+    heroes_->add("comparison", comparison_);
+    heroes_->add("photograph", photograph_);
+    heroes_->add("unrolled", unrolled_);
+    heroes_->add("words", words_);
+    heroes_->add("model", model_);
+    heroes_->add("tables", tabs_);
+    auto* split = new QSplitter(Qt::Horizontal);
+    split->addWidget(heroes_);
+    split->addWidget(generator_);
+    split->setStretchFactor(0, 1);
+    split->setChildrenCollapsible(false);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(bar_);
+    layout->addWidget(split, 1);
+    generator_->hide();
+    connectParts();
+    retranslate();
+}
+
+QWidget* SurfaceViews::makeMarksSide()
+{
+    auto* side = new QWidget;
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    auto* tools = new QWidget;
+    tools->setProperty(ViewFrame::onlyLarge, true);
+    auto* row = new QHBoxLayout(tools);
+    row->setContentsMargins(0, 0, 0, 0);
+    showFeed_->setObjectName("showFeedMarks");
+    showChatter_->setObjectName("showChatterMarks");
+    for (QToolButton* button : {showFeed_, showChatter_}) {
+        button->setCheckable(true);
+        button->setChecked(true);
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    column->addWidget(tools);
+    column->addWidget(marks_, 1);
+    return side;
+}
+
+void SurfaceViews::connectParts()
+{
+    connect(bar_, &SurfaceBar::imageChosen, this, &SurfaceViews::choose);
+    connect(bar_, &SurfaceBar::sendWanted, this, &SurfaceViews::sendWanted);
+    connect(bar_, &SurfaceBar::candidateWanted, this, &SurfaceViews::candidateWanted);
+    for (QToolButton* button : {showFeed_, showChatter_})
+        connect(button, &QToolButton::toggled, this, &SurfaceViews::showMarks);
+    connect(spectrum_, &plot::PlotCanvas::clicked, this, [this](double x, double y) {
+        const surface::ImageMarks* const image = marksShown();
+        if (!image) return;
+        const int picked = surface::lineAt(*image, x, y);
+        chooseLine(picked == line_ ? -1 : picked);
+    });
+    connect(photograph_, &PhotographView::regionWanted, this,
+            [this](const std::optional<QRectF>& region) { emit regionWanted(chosen_, region); });
+    connect(photograph_, &PhotographView::scaleWanted, this, &SurfaceViews::scaleWanted);
+    connect(photograph_, &PhotographView::directionWanted, this, &SurfaceViews::directionWanted);
+    connect(generator_, &GeneratorPane::valueWanted, this, &SurfaceViews::madeWanted);
+    connect(comparison_, &ComparisonView::notWritten, this, &SurfaceViews::notWritten);
+    for (plot::PlotWidget* plot :
+         {static_cast<plot::PlotWidget*>(marks_), static_cast<plot::PlotWidget*>(unrolled_),
+          static_cast<plot::PlotWidget*>(photograph_->view()), static_cast<plot::PlotWidget*>(spectrum_),
+          static_cast<plot::PlotWidget*>(lines_), static_cast<plot::PlotWidget*>(model_)})
+        connect(plot, &plot::PlotWidget::notWritten, this, &SurfaceViews::notWritten);
+}
+
+void SurfaceViews::setPicture(const std::shared_ptr<const SurfacePicture>& picture)
+{
+    picture_ = picture;
+    if (chosen_ >= static_cast<int>(picture->shown.size())) chosen_ = 0;
+    const surface::ImageMarks* const image = marksShown();
+    if (!image || line_ >= static_cast<int>(image->view.lines.size())) line_ = -1;
+    show();
+}
+
+const surface::ImageMarks* SurfaceViews::marksShown() const
+{
+    return picture_ && picture_->result ? &picture_->result->images[static_cast<std::size_t>(chosen_)] : nullptr;
+}
+
+void SurfaceViews::choose(int image)
+{
+    if (!picture_ || image < 0 || image >= static_cast<int>(picture_->shown.size())) image = 0;
+    if (image != chosen_) line_ = -1;
+    chosen_ = image;
+    show();
+}
+
+void SurfaceViews::chooseLine(int line)
+{
+    line_ = line;
+    showMarks();
+    showSpectrum();
+}
+
+void SurfaceViews::show()
+{
+    if (!picture_) return;
+    const bool there = picture_->result != nullptr;
+    for (const char* key : {"marks", "spectrum", "words", "tables"}) heroes_->setAvailable(key, there);
+    heroes_->setAvailable("comparison", !picture_->before.isNull());
+    heroes_->setAvailable("unrolled", there && marksShown()->unrolled);
+    heroes_->setAvailable("model", picture_->model != nullptr);
+    bar_->setPicture(*picture_, chosen_);
+    bar_->setVisible(!presenting_);
+    showPhotograph();
+    showGenerator();
+    if (!there) return;
+    showMarks();
+    showSpectrum();
+    showComparison();
+    showWords();
+    showTables();
+    if (!picture_->model) return;
+    report::Plot plot = chatterFrequencyPlot(*picture_->model);
+    if (picture_->marks) drawMarksFrequency(plot, *picture_->marks, screenLanguage());
+    model_->setData(std::move(plot));
+}
+
+void SurfaceViews::showMarks()
+{
+    const surface::ImageMarks* const image = marksShown();
+    if (!image) return;
+    const ShownImage& shown = picture_->shown[static_cast<std::size_t>(chosen_)];
+    const double mm_per_px = image->mm_per_px.value_or(0) * image->view.px_per_px;
+    marks_->setPicture(shown.flat, mm_per_px);
+    std::vector<Overlay> overlays;
+    if (showFeed_->isChecked() && image->view.feed) overlays.push_back(feedOverlay(*image, shown));
+    if (showChatter_->isChecked() && image->view.bands) overlays.push_back(chatterOverlay(*image, shown));
+    if (line_ >= 0) overlays.push_back(lineOverlay(*image, line_));
+    marks_->setOverlays(std::move(overlays));
+    marks_->setRulers(rulersOf(*image, picture_->result->parameters), rulerDirection_deg(*image));
+    unrolled_->setPicture(shown.evaluated, mm_per_px);
+    unrolled_->setOverlays({});
+}
+
+void SurfaceViews::showSpectrum()
+{
+    const surface::ImageMarks* const image = marksShown();
+    if (!image) return;
+    report::Plot plot = ringedSpectrum(*image);
+    spectrum_->setData(std::move(plot));
+    plot::PointedOut out;
+    if (line_ >= 0) {
+        const surface::Vector at = image->view.lines[static_cast<std::size_t>(line_)].frequency;
+        const double pixel = image->view.px_per_px * image->mm_per_px.value_or(1);
+        out.place = QPointF(at.x / pixel, -at.y / pixel);
+    }
+    spectrum_->pointOut(std::move(out));
+    lines_->setData(linesOverNoise(*image));
+}
+
+void SurfaceViews::showPhotograph()
+{
+    const ShownImage& shown = picture_->shown[static_cast<std::size_t>(chosen_)];
+    const surface::ImageMarks* const image = marksShown();
+    const surface::SurfaceParameters p = parametersOf(picture_->question, picture_->shown.size());
+    photograph_->setPicture(shown.photograph, image ? image->mm_per_px.value_or(0) : 0, p.diameter_mm);
+    photograph_->setTools(!picture_->question.make_picture);
+    std::optional<QRectF> region;
+    if (!p.roi.empty()) {
+        const surface::Region& roi = p.roi[p.roi.size() == 1 ? 0 : static_cast<std::size_t>(chosen_)];
+        const QRectF there(roi.x, roi.y, roi.width, roi.height);
+        if (there != QRectF(shown.photograph.rect())) region = there;
+    }
+    photograph_->view()->setRegion(region);
+    photograph_->view()->setArrow(p.feed_direction_deg);
+}
+
+void SurfaceViews::showComparison()
+{
+    if (picture_->before.isNull()) return;
+    const auto name = [&](std::size_t i) {
+        const surface::ImageMarks& image = picture_->result->images[i];
+        const QString file = QString::fromStdString(picture_->shown[i].name);
+        return image.speed_rpm
+                   ? QStringLiteral("%1 · %2").arg(file, screenQuantity(*image.speed_rpm, LT_TEXT("Engine", "rpm"), 0))
+                   : file;
+    };
+    QString alignment;
+    if (const auto said = alignmentSentence(*picture_->result, screenLanguage()))
+        alignment = QString::fromStdString(fill(text(said->pattern, screenLanguage()), said->values, screenLanguage()));
+    comparison_->setNames(name(0), name(1), alignment);
+    comparison_->setPictures(picture_->before, picture_->after, picture_->common_mm_per_px);
+}
+
+void SurfaceViews::showWords()
+{
+    const Language language = screenLanguage();
+    QString html;
+    for (const report::Section& section : surface_panel::words(*picture_, language)) {
+        html += "<h3>" + QString::fromStdString(captionText(section.title, language)).toHtmlEscaped() + "</h3>";
+        for (const report::Block& block : section.blocks)
+            if (const auto* said = std::get_if<report::Paragraph>(&block))
+                html += "<p>" +
+                        QString::fromStdString(fill(text(said->pattern, language), said->values, language))
+                            .toHtmlEscaped() +
+                        "</p>";
+    }
+    words_->setHtml(html);
+}
+
+void SurfaceViews::showTables()
+{
+    numbers_->setQuantities(reportOf(*picture_, screenLanguage()));
+    const report::Table speeds = surface::speedTable(picture_->first());
+    speeds_->setTable(speeds);
+    tabs_->setTabVisible(1, !speeds.rows.empty());
+}
+
+void SurfaceViews::showGenerator()
+{
+    generator_->setVisible(picture_->question.make_picture && !presenting_);
+    if (!picture_->question.make_picture) return;
+    generator_->setParameters(pictureOf(picture_->question));
+    generator_->setFound(picture_->result ? foundWords(*picture_) : screenText(*picture_->refused));
+}
+
+Values SurfaceViews::view() const
+{
+    return {{chosenKey, std::int64_t{chosen_}},      {feedKey, showFeed_->isChecked()},
+            {chatterKey, showChatter_->isChecked()}, {slidesKey, comparison_->hasSlider()},
+            {shareKey, comparison_->share()},        {tableKey, std::int64_t{tabs_->currentIndex()}}};
+}
+
+void SurfaceViews::restoreView(const Values& values)
+{
+    chosen_ = static_cast<int>(std::clamp<std::int64_t>(kept<std::int64_t>(values, chosenKey, 0), 0, 1));
+    showFeed_->setChecked(kept(values, feedKey, true));
+    showChatter_->setChecked(kept(values, chatterKey, true));
+    comparison_->setSlides(kept(values, slidesKey, false));
+    comparison_->setShare(kept(values, shareKey, 0.5));
+    tabs_->setCurrentIndex(static_cast<int>(std::clamp<std::int64_t>(kept<std::int64_t>(values, tableKey, 0), 0, 1)));
+    if (picture_) choose(chosen_);
+}
+
+void SurfaceViews::setPresenting(bool presenting)
+{
+    presenting_ = presenting;
+    bar_->setVisible(!presenting);
+    if (picture_) showGenerator();
+}
+
+void SurfaceViews::retranslate()
+{
+    heroes_->setTitle("marks", tr("Marks"));
+    heroes_->setTitle("spectrum", tr("Spectrum"));
+    heroes_->setTitle("comparison", tr("Before and after"));
+    heroes_->setTitle("photograph", tr("Photograph"));
+    heroes_->setTitle("unrolled", tr("Unrolled"));
+    heroes_->setTitle("words", tr("What the picture says"));
+    heroes_->setTitle("model", tr("Model"));
+    heroes_->setTitle("tables", tr("Tables"));
+    showFeed_->setText(tr("Feed marks"));
+    showFeed_->setToolTip(tr("Draw the crests of the feed marks over the picture"));
+    showChatter_->setText(tr("Chatter marks"));
+    showChatter_->setToolTip(tr("Draw the crests of the chatter marks over the picture"));
+    bar_->retranslate();
+    marks_->setAccessibleName(tr("Picture without its uneven light, with its marks"));
+    unrolled_->setAccessibleName(tr("Picture with the circumference laid flat"));
+    spectrum_->setAccessibleName(tr("Spectrum"));
+    spectrum_->setToolTip(tr("A click on a ring draws its stripes over the picture"));
+    lines_->setAccessibleName(tr("Lines over the noise"));
+    model_->setAccessibleName(tr("Chatter frequency of the model"));
+    words_->setAccessibleName(tr("What the picture says"));
+    const QStringList names{tr("Numbers"), tr("What speed next")};
+    for (int i = 0; i < names.size(); ++i) {
+        tabs_->setTabText(i, names[i]);
+        tabs_->widget(i)->setAccessibleName(names[i]);
+    }
+    comparison_->retranslate();
+    photograph_->retranslate();
+    generator_->retranslate();
+    show();
+}
+
+}  // namespace lathelier::surface_panel

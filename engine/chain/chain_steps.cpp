@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_file.h"
@@ -299,22 +300,32 @@ void ChainSteps::prove()
         share(0.95, 0.96, LT_TEXT("Engine", "Proof")));
 }
 
+/// Before: the speed of the job's cutting data; after: the one that the program has there.
+std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double>& z_mm) const
+{
+    const Json& planned = results_->planned;
+    if (!z_mm || !planned.contains("sections")) return std::nullopt;
+    for (const Json& section : planned["sections"]) {
+        if (!section["z_start_mm"].is_number() || !section["speed_rpm"].is_number()) continue;
+        if (*z_mm < section["z_start_mm"].get<double>() || *z_mm > section["z_end_mm"].get<double>()) continue;
+        const double diameter_mm = section["diameter_mm"];
+        const double stated_rpm = 1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * diameter_mm);
+        return CutThere{diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)), section["speed_rpm"]};
+    }
+    return std::nullopt;
+}
+
 void ChainSteps::comparePhotographs()
 {
     if (question_.photograph_before.empty() || question_.photograph_after.empty())
         return runner_.miss("surface", noPhotographs);
     StepRequest step = asked("surface", "surface", {question_.photograph_before, question_.photograph_after});
     setIfGiven(step.given, "mm_per_px", question_.photograph_mm_px);
-    if (!question_.job.empty()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
-    if (question_.photograph_z_mm && results_->planned.contains("sections"))
-        for (const Json& section : results_->planned["sections"]) {
-            if (!section["z_start_mm"].is_number() || !section["speed_rpm"].is_number()) continue;
-            const double z_mm = *question_.photograph_z_mm;
-            if (z_mm < section["z_start_mm"].get<double>() || z_mm > section["z_end_mm"].get<double>()) continue;
-            set(step.given, "diameter_mm", section["diameter_mm"].get<double>());
-            set(step.given, "speed_rpm", Rows{{{{{"rpm", section["speed_rpm"].get<double>()}}}}});
-            break;
-        }
+    if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
+    if (const auto cut = cutAt(question_.photograph_z_mm)) {
+        set(step.given, "diameter_mm", cut->diameter_mm);
+        set(step.given, "speed_rpm", Rows{{{{{"rpm", cut->before_rpm}}}, {{{"rpm", cut->after_rpm}}}}});
+    }
     runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
 }
 

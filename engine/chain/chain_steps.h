@@ -30,6 +30,10 @@ public:
 
 private:
     struct Results;
+    struct CutThere {
+        double diameter_mm;            // of the finish
+        double before_rpm, after_rpm;  // by the job's cutting speed, by the program
+    };
 
     StepRequest asked(const char* id, const char* verb, std::vector<std::string> operands, Values given = {}) const;
     Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
@@ -39,6 +43,7 @@ private:
     Shaft readPart();
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
+    std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;
 
     const ChainQuestion& question_;
     StepRunner& runner_;

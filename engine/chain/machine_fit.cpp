@@ -79,9 +79,12 @@ std::optional<MachineFit> fitMachine(const std::string& folder, const Dossier& d
     const deflection::DeflectionResult before = predictJob(job, progress.part(0, 0.2));
     fit.found = identify(job.stock, job.runs, job.setup, fittedDiameters(before.final, proof, fit.zero_mm), parameters,
                          progress.part(0.2, 1));
-    // The chain lays the job's bar into it anew.
     deflection::TurningSetup written = fit.found.setup;
-    written.stock = fs::path(setup.setup.stock) == "bar.json" ? std::string() : setup.setup.stock;
+    const std::string stock =
+        fs::absolute(fs::path(path).parent_path() / setup.setup.stock).lexically_normal().string();
+    written.stock = stock;
+    fit.whole_text = deflection::setupText(written);
+    written.stock = setup.setup.stock == "bar.json" ? std::string() : stock;
     fit.setup_text = deflection::setupText(written);
     return fit;
 }

@@ -14,7 +14,8 @@ namespace lathelier::chain {
 
 struct MachineFit {
     deflection::IdentificationResult found;  ///< factors, set-up, what was predicted before and after
-    std::string setup_text;                  ///< SETUP.json with what was found; stock and zero as the chain had them
+    std::string setup_text;                  ///< SETUP.json with what was found; the chain lays the bar into it anew
+    std::string whole_text;                  ///< the same with the stock that was used, by its full path
     double zero_mm = 0;                      ///< z of its stock less z of the part
 };
 

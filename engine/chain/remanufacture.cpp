@@ -26,9 +26,11 @@ Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode
         steps.prove();
         steps.comparePhotographs();
     } catch (const Cancelled&) {
-        if (mode != RunMode::Look)
+        if (mode != RunMode::Look) {
+            runner.keepRest();
             io::writeFile(runner.path(dossierFile),
                           report::toText(wholeDossier(runner.dossier(), {}, toValues(question))));
+        }
         throw;
     }
     return std::move(runner.dossier());

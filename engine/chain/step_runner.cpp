@@ -273,6 +273,17 @@ void StepRunner::fail(const std::string& id, const Error& error)
     finish(std::move(step), {});
 }
 
+void StepRunner::keepRest()
+{
+    if (!earlier_) return;
+    for (const ChainStep& step : earlier_->steps) {
+        if (dossier_.step(step.id)) continue;
+        dossier_.steps.push_back(step);
+        for (const TracedNumber& number : earlier_->numbers)
+            if (number.step == step.id) dossier_.numbers.push_back(number);
+    }
+}
+
 void StepRunner::remark(Note note)
 {
     ChainStep& step = dossier_.steps.back();

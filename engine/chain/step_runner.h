@@ -61,7 +61,8 @@ public:
 
     void miss(const std::string& id, Text what);           ///< records a step that lacks an input
     void fail(const std::string& id, const Error& error);  ///< records a step whose preparation was refused
-    void remark(Note note);                                ///< of the last step, unless it was taken over
+    void keepRest();         ///< after a stop: steps that were not come to stay as the earlier run left them
+    void remark(Note note);  ///< of the last step, unless it was taken over
 
     /// Why the last step went without its outputs_if_possible; none: it did not.
     const std::optional<Error>& refusal() const { return refusal_; }

@@ -324,7 +324,9 @@ void ChainSteps::comparePhotographs()
     if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
     if (const auto cut = cutAt(question_.photograph_z_mm)) {
         set(step.given, "diameter_mm", cut->diameter_mm);
-        set(step.given, "speed_rpm", Rows{{{{{"rpm", cut->before_rpm}}}, {{{"rpm", cut->after_rpm}}}}});
+        Rows speeds;
+        for (const double rpm : {cut->before_rpm, cut->after_rpm}) speeds.rows.push_back(Row{Values{{"rpm", rpm}}});
+        set(step.given, "speed_rpm", std::move(speeds));
     }
     runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
 }

@@ -91,6 +91,11 @@ std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, c
     return stamps;
 }
 
+struct Looked {
+    std::shared_ptr<const chain::Dossier> dossier;
+    std::string stamps;
+};
+
 void writeMade(const AskedChain& asked)
 {
     for (const MadeInput& made : asked.made) {
@@ -222,14 +227,20 @@ void ChainStrip::look()
         emit messageRaised({error, chainTitle});
         return;
     }
-    look_.compute<std::shared_ptr<const chain::Dossier>>(
+    look_.compute<Looked>(
         [asked = asked_, ask = ask_, stores = session_.sharedStores()](const Progress& progress) {
             io::InputFiles inputs;
             auto earlier = stores->of<ChainMemory>()->find(asked.question.out, progress);
-            return std::make_shared<const chain::Dossier>(
+            Looked looked;
+            looked.dossier = std::make_shared<const chain::Dossier>(
                 chain::remanufacture(asked.question, ask, chain::RunMode::Look, earlier, inputs, progress));
+            looked.stamps = stampsOf(*looked.dossier, asked.question.out, progress);
+            return looked;
         },
-        [this](const std::shared_ptr<const chain::Dossier>& dossier) { show(dossier); },
+        [this](const Looked& looked) {
+            stamps_ = looked.stamps;
+            show(looked.dossier);
+        },
         [this](const Error& error) {
             emit messageRaised({error, chainTitle});
         });
@@ -251,7 +262,6 @@ void ChainStrip::watchFiles()
 
 void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
 {
-    if (looked_ != dossier) stamps_.clear();
     looked_ = dossier;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
         const StripStep& step = stripSteps()[i];

@@ -84,7 +84,7 @@ private:
     AskedChain asked_;  ///< of looked_
     QTimer due_;
     QTimer turn_;         ///< looks whether a file of the chain was changed
-    std::string stamps_;  ///< of the files when they were looked at last; empty: not yet
+    std::string stamps_;  ///< of the files when they were looked at last
     Task watch_;
     Task look_;
     Task run_;

@@ -3,6 +3,7 @@
 // stands in, and that file to the files from outside.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -285,6 +286,80 @@ TEST_P(ChainOfPart, GoesOnWhereAFileHasChanged)
         const bool follows = id.starts_with("deflection") || id == "corrected_check" || id == "proof";
         EXPECT_EQ(before["steps"][i]["outputs"] == after["steps"][i]["outputs"], !follows || id == "surface") << id;
     }
+}
+
+/// The question with another job, as a technologist gets it wrong.
+std::vector<std::string> withJob(std::vector<std::string> words, const std::string& path)
+{
+    *(std::find(words.begin(), words.end(), "--job") + 1) = path;
+    return words;
+}
+
+TEST_P(ChainOfPart, AToolListThatCannotMakeThePartIsSaidAndWhatWasMadeStays)
+{
+    const std::vector<std::string> words = question();
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
+    const std::string drawn = io::fileSha256(out_ + "/draw.json"), compared = io::fileSha256(out_ + "/copy.json");
+    cam::Job job = jobOf(GetParam());
+    std::erase_if(job.tools, [](const cam::JobTool& tool) { return tool.use == cam::ToolUse::Finish; });
+    std::vector<std::string> bad = withJob(words, write("no_finish.json", cam::jobText(job)));
+    bad.emplace_back("--resume");
+    const Outcome run = runProgram(LATHELIER_CLI, runOf(bad));
+    EXPECT_TRUE(run.exit_code == 3 || run.exit_code == 4) << run.exit_code;
+    EXPECT_FALSE(run.standard_error.empty());
+    const Json dossier = readJson(out_ + "/dossier.json");
+    bool has_failed = false;
+    for (const Json& step : dossier["steps"]) {
+        if (has_failed) {
+            EXPECT_EQ(step["state"], "not_reached") << step["step"];
+        }
+        if (step["state"] != "failed") continue;
+        has_failed = true;
+        EXPECT_TRUE(step["error"]["code"].is_string());
+        EXPECT_FALSE(step["remarks"].empty());
+    }
+    EXPECT_TRUE(has_failed);
+    EXPECT_EQ(io::fileSha256(out_ + "/draw.json"), drawn);
+    EXPECT_EQ(io::fileSha256(out_ + "/copy.json"), compared);
+}
+
+TEST_P(ChainOfPart, ASectionWithoutASafeSpeedIsSaid)
+{
+    cam::Job job = jobOf(GetParam());
+    job.max_rpm = 60;  // below every lobe that is looked at
+    const std::vector<std::string> words = withJob(question(), write("slow.json", cam::jobText(job)));
+    const Outcome run = runProgram(LATHELIER_CLI, runOf(words));
+    const Json dossier = readJson(out_ + "/dossier.json");
+    const Json planned = readJson(out_ + "/program.json");
+    if (run.exit_code == 0) {
+        // Without a stable speed a section says why it has the one it has.
+        for (const Json& section : planned["sections"])
+            if (section["lobe"].is_null()) {
+                EXPECT_FALSE(section["reason"].get<std::string>().empty());
+            }
+    } else {
+        EXPECT_EQ(run.exit_code, 4) << run.standard_error;
+        EXPECT_TRUE(planned["error"]["code"].is_string());
+    }
+    for (const Json& step : dossier["steps"])
+        if (step["step"] == "draw" || step["step"] == "speeds") {
+            EXPECT_EQ(step["state"], "done");
+        }
+}
+
+TEST_P(ChainOfPart, AFileThatChangedSinceIsToldByInspect)
+{
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(question())).exit_code, 0);
+    write("setup.json", "{}");
+    std::filesystem::remove(out_ + "/rows.csv");
+    const Outcome run = runProgram(LATHELIER_CLI, runOf({"inspect", out_ + "/dossier.json", "--json", "-"}));
+    ASSERT_EQ(run.exit_code, 0) << run.standard_error;
+    const Json details = Json::parse(run.standard_output)["files"][0]["details"];
+    EXPECT_EQ(details["unchanged"], false);
+    std::set<std::string> named;
+    for (const Json& fault : details["faults"])
+        named.insert(std::filesystem::path(fault["path"].get<std::string>()).filename().string());
+    EXPECT_EQ(named, (std::set<std::string>{"setup.json", "rows.csv"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Chain, ChainOfPart, testing::ValuesIn(parts()),

@@ -1,5 +1,6 @@
 #include "app/cli/verb_answer.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/run.h"
@@ -84,6 +85,24 @@ Request requestOf(const Verb& verb, std::vector<std::string> operands, const Val
             set(request.parameters, option.info.key, value ? *value : option.standard);
         }
     return request;
+}
+
+chain::VerbReply askByName(const chain::VerbQuestion& question, const Progress& progress)
+{
+    const std::vector<Verb>& all = verbs();
+    const Verb& verb =
+        *std::find_if(all.begin(), all.end(), [&](const Verb& known) { return known.name == question.verb; });
+    const Request request = requestOf(verb, question.operands, question.given, question.outputs);
+    io::InputFiles inputs;
+    Answer answer = ask(verb, request, inputs, progress);
+    chain::VerbReply reply;
+    reply.result = std::make_shared<const Json>(envelope(verb, request, inputs, answer));
+    reply.inputs = inputs.list();
+    reply.parameters = request.parameters;
+    if (answer.report && answer.errors.empty()) reply.sections = answer.report().sections;
+    reply.notes = std::move(answer.notes);
+    reply.errors = std::move(answer.errors);
+    return reply;
 }
 
 }  // namespace lathelier::cli

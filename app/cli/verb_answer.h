@@ -1,8 +1,9 @@
 // A verb asked once: its answer with everything that was refused, its object, its exit code. The command line asks one
-// verb, `remanufacture` several in a row.
+// verb; the chain, here and in the window, several in a row.
 #pragma once
 
 #include "app/cli/arguments.h"
+#include "engine/chain/verb_asker.h"
 #include "engine/core/failure.h"
 
 namespace lathelier::cli {
@@ -32,5 +33,8 @@ int exitCode(const Answer& answer, bool strict);
 /// A request with all parameters at their defaults but `given`. Precondition: the verb has options of these keys.
 Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,
                   std::map<std::string, std::string> outputs);
+
+/// A verb of the table asked by its name, with its report: a chain::AskVerb. Precondition: there is one of this name.
+chain::VerbReply askByName(const chain::VerbQuestion& question, const Progress& progress);
 
 }  // namespace lathelier::cli

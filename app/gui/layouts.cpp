@@ -4,6 +4,7 @@
 #include <QScreen>
 #include <QSettings>
 #include <algorithm>
+#include <iterator>
 
 #include "app/gui/workspaces.h"
 
@@ -27,6 +28,16 @@ bool isOnAScreen(const QWidget& widget)
 }
 
 }  // namespace
+
+std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& workspace)
+{
+    std::vector<PanelDock*> here;
+    std::copy_if(docks.begin(), docks.end(), std::back_inserter(here),
+                 [&](const PanelDock* dock) { return isIn(dock->facts(), workspace); });
+    std::stable_partition(here.begin(), here.end(),
+                          [&](const PanelDock* dock) { return dock->facts().workspaces.front().id == workspace; });
+    return here;
+}
 
 Layouts::Layouts(QMainWindow& window, const std::vector<PanelDock*>& docks, QDockWidget& log, QDockWidget& data)
     : window_(window), docks_(docks), log_(log), data_(data)
@@ -88,18 +99,17 @@ void Layouts::arrangeAsAtFirst()
         dock->setFloating(false);
         window_.removeDockWidget(dock);
     }
-    PanelDock* first = nullptr;
     for (PanelDock* dock : docks_) {
+        if (isIn(dock->facts(), workspace_)) continue;
         window_.addDockWidget(Qt::TopDockWidgetArea, dock);
-        if (!isIn(dock->facts(), workspace_)) {
-            dock->hide();
-        } else if (first) {
-            window_.tabifyDockWidget(first, dock);
-            dock->show();
-        } else {
-            first = dock;
-            dock->show();
-        }
+        dock->hide();
+    }
+    PanelDock* first = nullptr;
+    for (PanelDock* dock : docksIn(docks_, workspace_)) {
+        window_.addDockWidget(Qt::TopDockWidgetArea, dock);
+        if (first) window_.tabifyDockWidget(first, dock);
+        dock->show();
+        if (!first) first = dock;
     }
     log_.setFloating(false);
     window_.removeDockWidget(&log_);
@@ -118,9 +128,8 @@ void Layouts::ensureSeen(PanelDock* active)
         if (dock->isFloating() && !dock->isHidden() && !isOnAScreen(*dock)) dock->setFloating(false);
     if (!active || !isIn(active->facts(), workspace_)) {
         active = nullptr;
-        for (PanelDock* dock : docks_)
-            if (isIn(dock->facts(), workspace_) && (!active || (active->isHidden() && !dock->isHidden())))
-                active = dock;
+        for (PanelDock* dock : docksIn(docks_, workspace_))
+            if (!active || (active->isHidden() && !dock->isHidden())) active = dock;
     }
     if (!active) return;
     active->show();

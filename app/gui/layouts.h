@@ -9,6 +9,9 @@
 
 namespace lathelier {
 
+/// The docks of a workspace: those whose own it is first.
+std::vector<PanelDock*> docksIn(const std::vector<PanelDock*>& docks, const std::string& workspace);
+
 /// Arranges the docks of a window. Whatever a saved arrangement says, the active panel ends up visible.
 class Layouts {
 public:

@@ -38,7 +38,7 @@ int runWindow(const Arguments& arguments, Languages& languages)
     const bool shots = !arguments.shots.isEmpty();
     const QString recovery =
         shots ? QString() : QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery";
-    MainWindow window(session, languages, panelTable(), recovery);
+    MainWindow window(session, languages, panelTable(), recovery, stripTable());
     window.openPaths(arguments.files);
     if (shots) return takeShots(window, arguments.shots);
     window.show();

@@ -35,7 +35,7 @@ io::FileKinds kindsOf(const std::vector<PanelFacts>& panels)
 }  // namespace
 
 MainWindow::MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
-                       const QString& recoveryFolder)
+                       const QString& recoveryFolder, const std::vector<StripFacts>& strips)
     : session_(session),
       languages_(languages),
       settings_(readSettings()),
@@ -77,6 +77,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     makeActions();
     makeMenus();
     makeWorkspaceBar();
+    makeStrips(strips);
     retranslate();
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
@@ -174,6 +175,7 @@ void MainWindow::enterWorkspace(const std::string& id)
         layouts_->enter(entered, active == lastActive_.end() ? nullptr : active->second);
         for (PanelDock* dock : docks_) dock->showAction().setVisible(isIn(dock->facts(), entered));
     }
+    showStrips();
     for (const auto& [name, action] : workspaceActions_) action->setChecked(name == entered);
     session_.setWorkspace(entered);
 }
@@ -184,9 +186,8 @@ PanelDock* MainWindow::activeDock() const
     const auto active = lastActive_.find(workspace);
     if (active != lastActive_.end()) return active->second;
     // Nothing has been seen yet: files named on the command line come before the window.
-    const auto first =
-        std::find_if(docks_.begin(), docks_.end(), [&](PanelDock* dock) { return isIn(dock->facts(), workspace); });
-    return first == docks_.end() ? nullptr : *first;
+    const std::vector<PanelDock*> here = docksIn(docks_, workspace);
+    return here.empty() ? nullptr : here.front();
 }
 
 void MainWindow::openPaths(const QStringList& paths)
@@ -266,6 +267,7 @@ void MainWindow::setPresenting(bool presenting)
     bar_->setVisible(!presenting);
     statusBar()->setVisible(!presenting);
     if (!presenting) restoreState(stateBeforePresenting_);
+    showStrips();
     layouts_->ensureSeen(activeDock());
     action("presenter")->setChecked(presenting);
 }
@@ -306,9 +308,7 @@ void MainWindow::showDock(PanelDock* dock)
 /// The panels of the workspace in turn, those that were closed too.
 void MainWindow::stepPanel(int by)
 {
-    std::vector<PanelDock*> here;
-    for (PanelDock* dock : docks_)
-        if (isIn(dock->facts(), layouts_->workspace())) here.push_back(dock);
+    const std::vector<PanelDock*> here = docksIn(docks_, layouts_->workspace());
     if (here.empty()) return;
     const auto now = std::find(here.begin(), here.end(), activeDock());
     const auto count = static_cast<std::ptrdiff_t>(here.size());

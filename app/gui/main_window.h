@@ -14,6 +14,7 @@
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/message_log.h"
+#include "widgets/core/panel/workspace_strip.h"
 
 class QLabel;
 class QToolButton;
@@ -27,7 +28,7 @@ class MainWindow : public QMainWindow {
 public:
     /// `recoveryFolder` empty: no autosave and no recovery (screenshots, tests).
     MainWindow(Session& session, Languages& languages, const std::vector<PanelFacts>& panels,
-               const QString& recoveryFolder = {});
+               const QString& recoveryFolder = {}, const std::vector<StripFacts>& strips = {});
     ~MainWindow() override;
 
     /// A project is opened at once; other files go to the panel that works on their kind, else to the active one, as
@@ -58,6 +59,8 @@ private:
     void makeActions();
     void makeMenus();
     void makeWorkspaceBar();
+    void makeStrips(const std::vector<StripFacts>& strips);
+    void showStrips();
     QAction* makeAction(const char* name, const char* picture, const QList<QKeySequence>& keys,
                         std::function<void()> run);
     void retranslate();
@@ -94,6 +97,7 @@ private:
     std::map<std::string, QAction*> workspaceActions_;
     std::map<QString, QMenu*> menus_;
     QToolBar* bar_ = nullptr;
+    std::map<std::string, QToolBar*> strips_;  ///< over the panels of a workspace, by its id
     QLabel* status_ = nullptr;
     QToolButton* openSaved_ = nullptr;  ///< beside a message that a report was saved
     HelpWindow* help_ = nullptr;

@@ -155,6 +155,31 @@ void MainWindow::makeWorkspaceBar()
     }
 }
 
+/// A row of its own under the workspaces, as high as what stands in it.
+void MainWindow::makeStrips(const std::vector<StripFacts>& strips)
+{
+    for (const StripFacts& facts : strips) {
+        WorkspaceStrip* strip = facts.make(session_);
+        addToolBarBreak();
+        QToolBar* row = addToolBar(QString());
+        row->setObjectName(QString::fromStdString("strip_" + facts.workspace));
+        row->setMovable(false);
+        row->toggleViewAction()->setVisible(false);
+        row->addWidget(strip);
+        strips_[facts.workspace] = row;
+        connect(strip, &WorkspaceStrip::messageRaised, this, &MainWindow::announce);
+        connect(strip, &WorkspaceStrip::panelWanted, this, [this](const std::string& id) {
+            for (PanelDock* dock : docks_)
+                if (dock->facts().id == id) return showPanel(dock);
+        });
+    }
+}
+
+void MainWindow::showStrips()
+{
+    for (const auto& [workspace, row] : strips_) row->setVisible(!presenting_ && workspace == layouts_->workspace());
+}
+
 void MainWindow::fillRecent()
 {
     QMenu* menu = menus_["recent"];

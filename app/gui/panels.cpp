@@ -1,5 +1,9 @@
 #include "app/gui/panels.h"
 
+#include <algorithm>
+
+#include "app/cli/verb_answer.h"
+#include "widgets/chain/chain_panel.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/correction/correction_panel.h"
 #include "widgets/cylindricity/cylindricity_panel.h"
@@ -21,6 +25,22 @@
 #include "widgets/turning/turning_panel.h"
 
 namespace lathelier {
+namespace {
+
+/// Panels of other workspaces that a step of the chain opens stand beside it.
+std::vector<PanelFacts> withSteps(std::vector<PanelFacts> table)
+{
+    const std::vector<std::string> steps = chain_panel::panelsOfSteps();
+    for (PanelFacts& facts : table) {
+        if (std::find(steps.begin(), steps.end(), facts.id) == steps.end()) continue;
+        const auto is_copy = [](const Workspace& one) { return one.id == chain_panel::workspace().id; };
+        if (std::none_of(facts.workspaces.begin(), facts.workspaces.end(), is_copy))
+            facts.workspaces.push_back(chain_panel::workspace());
+    }
+    return table;
+}
+
+}  // namespace
 
 const std::vector<PanelFacts>& panelTable()
 {
@@ -42,7 +62,15 @@ const std::vector<PanelFacts>& panelTable()
                                                drawing_panel::drawingPanelFacts(),
                                                turning_panel::turningPanelFacts(),
                                                surface_panel::surfacePanelFacts(),
-                                               training_panel::trainingPanelFacts()};
+                                               training_panel::trainingPanelFacts(),
+                                               chain_panel::chainPanelFacts()};
+    static const std::vector<PanelFacts> with_steps = withSteps(table);
+    return with_steps;
+}
+
+const std::vector<StripFacts>& stripTable()
+{
+    static const std::vector<StripFacts> table{chain_panel::chainStrip(cli::askByName)};
     return table;
 }
 

@@ -24,9 +24,12 @@ inline constexpr NoteCode correctionRefused{
     "correction_refused", Severity::Warning,
     LT_TEXT("Engine", "The program cannot be corrected for deflection: {reason}")};
 
-inline constexpr NoteCode firstClampingOnly{
-    "first_clamping_only", Severity::Warning,
-    LT_TEXT("Engine", "Deflection is predicted for the first of {count} clampings.")};
+inline constexpr NoteCode chainFileChanged{
+    "chain_file_changed", Severity::Warning,
+    LT_TEXT("Engine", "{step}: {path} is no longer what it was when the chain was run.")};
+
+inline constexpr NoteCode fitRefused{"fit_refused", Severity::Warning,
+                                     LT_TEXT("Engine", "Stiffness and forces cannot be fitted to the copy: {reason}")};
 
 inline constexpr NoteCode predictionDisagrees{
     "prediction_disagrees", Severity::Warning,

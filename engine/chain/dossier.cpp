@@ -5,8 +5,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/texts.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_document.h"
+#include "engine/report/result_json.h"
 
 namespace lathelier::chain {
 namespace {
@@ -19,6 +21,15 @@ Json toJson(const std::vector<InputFile>& files)
     return list;
 }
 
+/// For people who open the file: what the step noted, and why it failed.
+std::vector<std::string> remarksOf(const ChainStep& step)
+{
+    std::vector<std::string> remarks = step.remarks;
+    for (const Note& note : step.notes) remarks.push_back(text(note));
+    if (step.error) remarks.push_back(text(*step.error));
+    return remarks;
+}
+
 Json toJson(const ChainStep& step)
 {
     Json json = {{"step", step.id},
@@ -26,7 +37,9 @@ Json toJson(const ChainStep& step)
                  {"result", step.result.empty() ? Json(nullptr) : Json(step.result)},
                  {"inputs", toJson(step.inputs)},
                  {"outputs", toJson(step.outputs)},
-                 {"parameters", lathelier::toJson(step.parameters)}};
+                 {"parameters", lathelier::toJson(step.parameters)},
+                 {"request", step.request.empty() ? Json(nullptr) : Json(step.request)},
+                 {"remarks", remarksOf(step)}};
     if (step.error) json["error"] = lathelier::toJson(*step.error);
     return json;
 }
@@ -44,10 +57,20 @@ Json toJson(const TracedNumber& number)
 }
 
 /// A note that somebody has to confirm: what was not stated and had to be assumed.
-bool saysAssumed(const Note& note)
+bool saysAssumed(const Json& note)
 {
-    const std::string code = note.code.key;
+    const std::string code = note.value("code", "");
     return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos;
+}
+
+/// Of all steps, those that were taken over from an earlier run among them.
+Json notesOf(const Dossier& dossier)
+{
+    Json notes = lathelier::toJson(dossier.notes);
+    for (const ChainStep& step : dossier.steps)
+        if (step.past_notes)
+            for (const Json& note : *step.past_notes) notes.push_back(note);
+    return notes;
 }
 
 /// The files of a dossier on the disk, each read once.
@@ -157,7 +180,7 @@ void checkNumber(const io::JsonCursor& number, FilesOnDisk& disk, const std::map
 
 const char* key(StepState state)
 {
-    constexpr const char* keys[] = {"done", "missing", "failed", "not_reached"};
+    constexpr const char* keys[] = {"done", "missing", "failed", "not_reached", "out_of_date"};
     return keys[static_cast<std::size_t>(state)];
 }
 
@@ -167,9 +190,30 @@ Text nameOf(StepState state)
         case StepState::Done: return LT_TEXT("Engine", "done");
         case StepState::Missing: return LT_TEXT("Engine", "missing");
         case StepState::Failed: return LT_TEXT("Engine", "failed");
+        case StepState::OutOfDate: return LT_TEXT("Engine", "out of date");
         case StepState::NotReached: break;
     }
     return LT_TEXT("Engine", "not reached");
+}
+
+const ChainStep* Dossier::step(const std::string& id) const
+{
+    const auto found = std::find_if(steps.begin(), steps.end(), [&id](const ChainStep& step) { return step.id == id; });
+    return found == steps.end() ? nullptr : &*found;
+}
+
+std::optional<Error> Dossier::error() const
+{
+    for (const ChainStep& step : steps)
+        if (step.state == StepState::Failed) return step.error;
+    return std::nullopt;
+}
+
+std::vector<report::Section> Dossier::sections() const
+{
+    std::vector<report::Section> all;
+    for (const ChainStep& step : steps) all.insert(all.end(), step.sections.begin(), step.sections.end());
+    return all;
 }
 
 void add(Dossier& dossier, ChainStep step, const Json& result)
@@ -186,21 +230,24 @@ void add(Dossier& dossier, ChainStep step, const Json& result)
 
 Json toJson(const Dossier& dossier)
 {
-    Json steps = Json::array(), numbers = Json::array(), confirmed = Json::array();
-    Notes assumed;
+    Json steps = Json::array(), numbers = Json::array(), confirmed = Json::array(), assumed = Json::array();
     for (const ChainStep& step : dossier.steps) steps.push_back(toJson(step));
     for (const TracedNumber& number : dossier.numbers) numbers.push_back(toJson(number));
-    for (const Note& note : dossier.notes)
+    for (const Json& note : notesOf(dossier))
         if (saysAssumed(note)) assumed.push_back(note);
     for (const Confirmation& word : dossier.confirmed)
         confirmed.push_back(
             {{"what", word.what}, {"file", word.file}, {"by", word.by.empty() ? Json(nullptr) : Json(word.by)}});
-    return {{"schema", dossierSchema},
-            {"verdict", dossier.verdict ? Json(key(*dossier.verdict)) : Json(nullptr)},
-            {"steps", steps},
-            {"numbers", numbers},
-            {"assumed", lathelier::toJson(assumed)},
-            {"confirmed", confirmed}};
+    return {{"schema", dossierSchema}, {"verdict", dossier.verdict ? Json(key(*dossier.verdict)) : Json(nullptr)},
+            {"steps", steps},          {"numbers", numbers},
+            {"assumed", assumed},      {"confirmed", confirmed}};
+}
+
+Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters)
+{
+    Json whole = report::wholeResult("remanufacture", inputs, parameters, toJson(dossier), {});
+    whole["notes"] = notesOf(dossier);
+    return whole;
 }
 
 DossierCheck checkDossier(const std::string& path, const Progress& progress)

@@ -5,6 +5,7 @@
 // by the digests alone. checkDossier() follows them all again on the disk.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,17 +16,19 @@
 #include "engine/core/input_file.h"
 #include "engine/core/json.h"
 #include "engine/core/progress.h"
+#include "engine/report/document.h"
 
 namespace lathelier::chain {
 
 enum class StepState : std::uint8_t {
-    Done,       ///< its files are there
-    Missing,    ///< what it needs was not given
-    Failed,     ///< it refused; what earlier steps made stays
-    NotReached  ///< an earlier step failed
+    Done,        ///< its files are there
+    Missing,     ///< what it needs was not given
+    Failed,      ///< it refused; what earlier steps made stays
+    NotReached,  ///< an earlier step failed, or nothing was asked yet
+    OutOfDate    ///< done, and something before it has changed since
 };
 
-/// "done", "missing", "failed", "not_reached".
+/// "done", "missing", "failed", "not_reached", "out_of_date".
 const char* key(StepState state);
 Text nameOf(StepState state);
 
@@ -37,8 +40,12 @@ struct ChainStep {
     std::vector<InputFile> outputs;           ///< by their path within the folder of the chain
     std::string result;                       ///< which of the outputs is its result as JSON; empty: none
     Values parameters;                        ///< all of them
-    Notes notes;                              ///< of the step
+    Notes notes;                              ///< of the step, where this process has run it
     std::optional<Error> error;               ///< why it failed, or what is missing
+    std::string request;                      ///< SHA-256 of what was asked: another one makes the step out of date
+    std::vector<report::Section> sections;    ///< of its report, where this process has run it
+    std::vector<std::string> remarks;         ///< notes and error of a step that was read from a file, in English
+    std::shared_ptr<const Json> past_notes;   ///< its notes as they were written; null where `notes` has them
 };
 
 /// Somebody's word for something that the chain does not compute.
@@ -54,6 +61,11 @@ struct Dossier {
     std::vector<Confirmation> confirmed;  ///< what people answer for
     std::optional<Verdict> verdict;       ///< of the copy; none: no copy, or no limit
     Notes notes;                          ///< of the steps, each with `step`
+    std::string version;                  ///< of the program that made it
+
+    const ChainStep* step(const std::string& id) const;  ///< null: it has none of this id
+    std::optional<Error> error() const;                  ///< of the step that failed
+    std::vector<report::Section> sections() const;       ///< of the reports of all steps
 };
 
 inline constexpr const char* dossierSchema = "lathelier-dossier";
@@ -64,6 +76,9 @@ void add(Dossier& dossier, ChainStep step, const Json& result);
 
 /// `schema`, `verdict`, `steps`, `numbers`, `assumed` (the notes that say so), `confirmed`.
 Json toJson(const Dossier& dossier);
+
+/// All that dossier.json holds: the head of a result, toJson(), the notes of all steps.
+Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters);
 
 /// What differs from what a dossier states.
 struct DossierFault {

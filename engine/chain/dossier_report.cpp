@@ -2,10 +2,47 @@
 
 #include <algorithm>
 
+#include "engine/core/texts.h"
+
 namespace lathelier::chain {
 namespace {
 
 constexpr std::size_t shownOfDigest = 12;
+
+std::int64_t countOf(const Dossier& dossier, StepState state)
+{
+    return std::count_if(dossier.steps.begin(), dossier.steps.end(),
+                         [state](const ChainStep& step) { return step.state == state; });
+}
+
+/// The worst deviation of the copy against its tolerance, where both are there.
+void addCopy(const Dossier& dossier, report::Answer& answer)
+{
+    const ChainStep* const copy = dossier.step("copy");
+    const Value* const stated = copy ? find(copy->parameters, "tolerance_mm") : nullptr;
+    const auto* const tolerance_mm = stated ? std::get_if<double>(stated) : nullptr;
+    for (const TracedNumber& number : dossier.numbers) {
+        if (number.pointer != "/worst/deviation_mm" || number.step != "copy") continue;
+        answer.quantity = LT_TEXT("Engine", "Largest deviation of the copy");
+        answer.value = number.value;
+        answer.expanded_uncertainty = number.uncertainty;
+        answer.unit = millimetre;
+        answer.is_signed = true;
+        if (!tolerance_mm) continue;
+        answer.lower_limit = -*tolerance_mm;
+        answer.upper_limit = *tolerance_mm;
+    }
+}
+
+/// Of a step that another run has made.
+report::Section remarksSection(const ChainStep& step)
+{
+    report::Table table{LT_TEXT("Engine", "Taken over from an earlier run"), {LT_TEXT("Engine", "Remark")}, {}, {}};
+    for (const std::string& remark : step.remarks) table.rows.push_back({remark});
+    return {titleOf(step.id), {std::move(table)}};
+}
+
+}  // namespace
 
 Text titleOf(const std::string& step)
 {
@@ -15,18 +52,12 @@ Text titleOf(const std::string& step)
     if (step == "speeds") return LT_TEXT("Engine", "Stable depths and speeds");
     if (step == "program") return LT_TEXT("Engine", "Turning program");
     if (step == "deflection") return LT_TEXT("Engine", "Deflection");
+    if (step == "deflection_2") return LT_TEXT("Engine", "Deflection, second clamping");
+    if (step == "surface") return LT_TEXT("Engine", "Photographs of the surface");
     if (step == "corrected_check") return LT_TEXT("Engine", "Check of the corrected program");
     if (step == "copy") return LT_TEXT("Engine", "Comparison of the copy");
     return LT_TEXT("Engine", "Predicted and measured");
 }
-
-std::int64_t countOf(const Dossier& dossier, StepState state)
-{
-    return std::count_if(dossier.steps.begin(), dossier.steps.end(),
-                         [state](const ChainStep& step) { return step.state == state; });
-}
-
-}  // namespace
 
 report::Table stepsTable(const Dossier& dossier)
 {
@@ -78,21 +109,23 @@ report::Answer answer(const Dossier& dossier)
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Copy of a part");
     answer.verdict = dossier.verdict;
+    addCopy(dossier, answer);
     answer.sentence = LT_TEXT("Engine", "{done} of {steps} steps done, {missing} missing, {failed} failed.");
     answer.values = {{"done", countOf(dossier, StepState::Done)},
                      {"steps", static_cast<std::int64_t>(dossier.steps.size())},
                      {"missing", countOf(dossier, StepState::Missing)},
                      {"failed", countOf(dossier, StepState::Failed) + countOf(dossier, StepState::NotReached)}};
     for (const ChainStep& step : dossier.steps)
-        if (step.state == StepState::Failed && step.error)
-            answer.findings.push_back({LT_TEXT("Engine", "{step}: {error}"),
-                                       {{"step", titleOf(step.id)}, {"error", text(*step.error)}},
-                                       std::nullopt,
-                                       {}});
+        if (step.state == StepState::Failed && (step.error || !step.remarks.empty()))
+            answer.findings.push_back(
+                {LT_TEXT("Engine", "{step}: {error}"),
+                 {{"step", titleOf(step.id)}, {"error", step.error ? text(*step.error) : step.remarks.back()}},
+                 std::nullopt,
+                 {}});
     return answer;
 }
 
-report::Document dossierReport(const Dossier& dossier, std::vector<report::Section> steps)
+report::Document dossierReport(const Dossier& dossier)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Dossier of a copied part");
@@ -106,7 +139,11 @@ report::Document dossierReport(const Dossier& dossier, std::vector<report::Secti
         for (const Confirmation& word : dossier.confirmed) words.rows.push_back({word.what, word.file, word.by});
         document.sections.back().blocks.emplace_back(std::move(words));
     }
-    for (report::Section& section : steps) document.sections.push_back(std::move(section));
+    for (const ChainStep& step : dossier.steps) {
+        document.sections.insert(document.sections.end(), step.sections.begin(), step.sections.end());
+        if (step.sections.empty() && step.past_notes && !step.remarks.empty())
+            document.sections.push_back(remarksSection(step));
+    }
     document.sections.push_back({LT_TEXT("Engine", "Where every number stands"), {numbersTable(dossier)}});
     document.sections.push_back({LT_TEXT("Engine", "Files"), {filesTable(dossier)}});
     return document;

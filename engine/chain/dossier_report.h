@@ -11,10 +11,14 @@ report::Table stepsTable(const Dossier& dossier);
 report::Table filesTable(const Dossier& dossier);    ///< inputs and outputs of each step with their digests
 report::Table numbersTable(const Dossier& dossier);  ///< value, U, file and place
 
-/// The verdict of the copy; else how far the chain came.
+/// The verdict of the copy with its worst deviation against the tolerance, and how far the chain came.
 report::Answer answer(const Dossier& dossier);
 
-/// Answer, steps, what the steps' own reports say in `steps`, numbers, files.
-report::Document dossierReport(const Dossier& dossier, std::vector<report::Section> steps);
+/// What people read of a step of this id.
+Text titleOf(const std::string& step);
+
+/// Answer, steps, what the steps' own reports say, numbers, files. Of a step that was taken over from an earlier run
+/// its remarks stand in place of its report.
+report::Document dossierReport(const Dossier& dossier);
 
 }  // namespace lathelier::chain

@@ -40,6 +40,10 @@ constexpr Pattern patterns[] = {
     {"deflection", "/wear_offset_um"},
     {"deflection", "/largest_correction_um"},
     {"deflection", "/residual_max_um"},
+    {"deflection_2", "/max_um"},
+    {"deflection_2", "/mean_abs_um"},
+    {"deflection_2", "/largest_correction_um"},
+    {"deflection_2", "/residual_max_um"},
     {"corrected_check", "/check/gouge_um"},
     {"corrected_check", "/check/left_max_mm"},
     {"copy", "/rmse_mm"},
@@ -50,6 +54,10 @@ constexpr Pattern patterns[] = {
     {"proof", "/places/*/measured_um", "/places/*/measured_uncertainty_um"},
     {"proof", "/places/*/normalized_error"},
     {"proof", "/largest_normalized_error"},
+    {"proof", "/along/*/measured_um", "/along/*/measured_uncertainty_um"},
+    {"surface", "/images/*/feed_marks/pitch_mm"},
+    {"surface", "/images/*/chatter_marks/frequency_hz"},
+    {"surface", "/comparison/relative_to_feed/*"},
 };
 
 /// The pattern with its stars replaced, in order.

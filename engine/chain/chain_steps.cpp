@@ -1,0 +1,334 @@
+#include "engine/chain/chain_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "engine/cam/job_bodies.h"
+#include "engine/cam/job_file.h"
+#include "engine/cam/post/post.h"
+#include "engine/chain/chain_codes.h"
+#include "engine/chain/proof.h"
+#include "engine/core/texts.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
+
+namespace lathelier::chain {
+namespace {
+
+constexpr const char* measuredFile = "measured.json";
+constexpr const char* drawingFile = "drawing.json";
+constexpr const char* heldFile = "held.json";
+
+const Text noScan = LT_TEXT("Engine", "the scan of the worn part, or a drawing");
+const Text noDrawing = LT_TEXT("Engine", "a drawing");
+const Text noMachine = LT_TEXT("Engine", "the machine (--machine)");
+const Text noJob = LT_TEXT("Engine", "the job (--job)");
+const Text noProgram = LT_TEXT("Engine", "a program");
+const Text noSetup = LT_TEXT("Engine", "a set-up of deflection (--setup)");
+const Text noCopy = LT_TEXT("Engine", "the scan of the copy (--copy)");
+const Text noPhotographs = LT_TEXT("Engine", "photographs before and after (--photograph-before, --photograph-after)");
+
+void setIfGiven(Values& values, const char* key, const std::optional<double>& value)
+{
+    if (value) set(values, key, *value);
+}
+
+}  // namespace
+
+struct ChainSteps::Results {
+    Json drawn, planned, deflected, second, compared;
+};
+
+ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs,
+                       const Progress& progress)
+    : question_(question), runner_(runner), inputs_(inputs), progress_(progress), results_(std::make_unique<Results>())
+{
+}
+
+ChainSteps::~ChainSteps() = default;
+
+/// What files leave open is settled alike in all steps.
+StepRequest ChainSteps::asked(const char* id, const char* verb, std::vector<std::string> operands, Values given) const
+{
+    StepRequest step{id, verb, std::move(operands), std::move(given), {}};
+    for (const auto& [key, value] : question_.reading)
+        if (!find(step.given, key)) set(step.given, key, value);
+    return step;
+}
+
+void ChainSteps::recognise()
+{
+    const bool is_drawn = !question_.drawing.empty();
+    if (is_drawn) runner_.dossier().confirmed.push_back({"drawing", question_.drawing, question_.confirmed_by});
+    if (question_.scan.empty()) return runner_.miss("recognise", LT_TEXT("Engine", "the scan of the worn part"));
+    StepRequest step = asked("recognise", "recognize", {question_.scan}, question_.recognition);
+    // The contour as well: an incomplete drawing is refused here and not further on.
+    step.outputs = {{"--shaft", measuredFile}, {"--stock", "measured.txt"}};
+    runner_.run(step, share(0, 0.3, LT_TEXT("Engine", "Recognising")));
+    if (is_drawn) return;
+    if (!question_.confirmed_by.empty())
+        runner_.dossier().confirmed.push_back({"drawing", measuredFile, question_.confirmed_by});
+    const Value* const snap = find(question_.recognition, "snap");
+    if (!(snap && *snap == Value(std::string("apply"))))
+        runner_.remark({notes::measuredSizesCut, {{"file", std::string("recognise.json")}}});
+}
+
+void ChainSteps::draw()
+{
+    shaft_ = question_.drawing;
+    if (shaft_.empty() && question_.scan.empty()) return runner_.miss("draw", noScan);
+    if (shaft_.empty()) shaft_ = runner_.path(measuredFile);
+    StepRequest step = asked("draw", "draw", {shaft_});
+    step.outputs = {{"--shaft", drawingFile}, {"--drawing", "drawing.svg"},  {"--dxf", "drawing.dxf"},
+                    {"--step", "part.step"},  {"--freecad", "part.FCMacro"}, {"--csv", "rows.csv"}};
+    results_->drawn = runner_.run(step, share(0.3, 0.4, LT_TEXT("Engine", "Drawing")));
+    shaft_ = runner_.path(drawingFile);
+}
+
+/// False: there is none.
+bool ChainSteps::readJob()
+{
+    if (question_.job.empty()) return false;
+    cam::JobFile file =
+        cam::loadJob({question_.job, inputs_.open(question_.job, progress_), question_.reading, inputs_, progress_});
+    job_ = std::move(file.job);
+    return true;
+}
+
+/// What was read so far prepares the next step.
+void ChainSteps::takeFiles()
+{
+    for (const InputFile& file : inputs_.list())
+        if (file.path != question_.scan) runner_.alsoTakes(file);
+}
+
+Shaft ChainSteps::readPart()
+{
+    Notes said;  // by the step that made it
+    const io::FileBytes bytes(shaft_);
+    return io::readShaft(std::string(bytes.view()), said);
+}
+
+void ChainSteps::planSpeeds()
+{
+    const bool has_drawing = runner_.hasFailed() || runner_.dossier().step("draw")->state != StepState::Missing;
+    const Text missing = !has_drawing                ? noDrawing
+                         : question_.machine.empty() ? noMachine
+                         : question_.job.empty()     ? noJob
+                                                     : Text{};
+    try {
+        if (!runner_.hasFailed()) readJob();  // what the job says wrong is said here, first
+        if (!missing.empty()) {
+            for (const char* id : {"machine", "speeds"}) runner_.miss(id, missing);
+            return;
+        }
+        if (runner_.canRead(drawingFile)) {
+            const Shaft part = readPart();
+            part_length_mm_ = part.length_mm();
+            takeFiles();
+            runner_.alsoTakes(std::string(drawingFile));
+            runner_.write(heldFile, io::shaftText(cam::heldPart(part, job_)));
+        }
+    } catch (const Error& error) {
+        Error named = error;
+        runner_.fail("machine", named.with("path", question_.job));
+    }
+    const std::string held = runner_.path(heldFile);
+    if (!runner_.hasFailed() || !runner_.dossier().step("machine")) {
+        StepRequest machine = asked("machine", "frf", {held}, {{"spindle", question_.machine}});
+        machine.outputs = {{"--csv", "receptance.csv"}};
+        runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
+    }
+    runner_.run(asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}}),
+                share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
+}
+
+/// The program's, by its control.
+std::string ChainSteps::extension() const
+{
+    std::optional<gcode::Dialect> dialect;
+    try {
+        if (question_.post.ends_with(".json")) {
+            Notes said;  // by the step
+            const io::FileBytes bytes(question_.post);
+            dialect = cam::readPost(std::string(bytes.view()), said).dialect;
+        } else {
+            dialect = cam::postNamed(question_.post).dialect;
+        }
+    } catch (const Error&) {
+        return ".nc";  // the step will refuse it
+    }
+    if (dialect == gcode::Dialect::Sinumerik) return ".mpf";
+    return dialect == gcode::Dialect::LinuxCnc ? ".ngc" : ".nc";
+}
+
+void ChainSteps::program()
+{
+    const ChainStep* const drawn = runner_.dossier().step("draw");
+    if (drawn->state == StepState::Missing) return runner_.miss("program", noDrawing);
+    if (question_.job.empty()) return runner_.miss("program", noJob);
+    StepRequest step = asked("program", "turn", {shaft_}, {{"job", question_.job}, {"post", question_.post}});
+    if (!question_.machine.empty()) set(step.given, "spindle", question_.machine);
+    step.outputs = {{"--out", "program" + extension()}};
+    results_->planned = runner_.run(step, share(0.55, 0.65, LT_TEXT("Engine", "Planning the program")));
+    const Json& planned = results_->planned;
+    two_clampings_ = planned.contains("setups") && planned["setups"].size() > 1;
+    if (!two_clampings_ || !runner_.canRead(drawingFile)) return;
+    const Shaft part = readPart();
+    second_ = secondBar(part, job_);
+    split_mm_ = cam::splitOf(part).value_or(part_length_mm_);
+}
+
+void ChainSteps::deflect()
+{
+    if (runner_.dossier().step("program")->state == StepState::Missing || question_.setup.empty()) {
+        const Text missing = question_.setup.empty() ? noSetup : noProgram;
+        for (const char* id : {"deflection", "corrected_check"}) runner_.miss(id, missing);
+        return;
+    }
+    const HeldBar first = runner_.hasFailed() ? HeldBar{} : firstBar(job_);
+    deflectOne("deflection", first, two_clampings_ ? "_1" : "", 0.65, two_clampings_ ? 0.72 : 0.8);
+    if (two_clampings_) {
+        if (second_)
+            deflectOne("deflection_2", *second_, "_2", 0.72, 0.8);
+        else
+            runner_.miss("deflection_2", LT_TEXT("Engine", "a cylinder that the second clamping can grip"));
+    }
+    checkCorrected();
+}
+
+/// A program that cannot be corrected is still predicted.
+void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to)
+{
+    const std::string tail = number == "_2" ? "_2" : "";
+    StepRequest step =
+        asked(id, "deflection", {runner_.path("program" + number + extension())}, {{"setup", question_.setup}});
+    set(step.given, "band", true);
+    setIfGiven(step.given, "tolerance_um", question_.tolerance_um);
+    if (!runner_.hasFailed()) {
+        try {
+            const deflection::SetupFile setup = deflection::loadSetup(
+                {question_.setup, inputs_.open(question_.setup, progress_), question_.reading, inputs_, progress_});
+            if (tail.empty()) zero_mm_ = setup.setup.z_zero_mm;
+            takeFiles();
+            if (!setup.stock || held.is_mirrored) {
+                if (tail.empty()) zero_mm_ = held.z_zero_mm;
+                const std::string bar = "bar" + tail + ".json", made = "setup" + tail + ".json";
+                runner_.write(bar, io::shaftText(held.bar));
+                runner_.write(made, deflection::setupText(setupFor(setup.setup, held, bar)));
+                set(step.given, "setup", runner_.path(made));
+            }
+        } catch (Error& error) {
+            return runner_.fail(id, error.with("path", question_.setup));
+        }
+    }
+    step.outputs_if_possible = {{"--compensate", "program_corrected" + number + extension()}};
+    Json& result = tail.empty() ? results_->deflected : results_->second;
+    result = runner_.run(step, share(from, to, LT_TEXT("Engine", "Deflection")));
+    if (const std::optional<Error>& refusal = runner_.refusal(); refusal && !runner_.hasFailed())
+        runner_.remark({notes::correctionRefused, {{"reason", text(*refusal)}}});
+}
+
+void ChainSteps::checkCorrected()
+{
+    const std::string corrected = "program_corrected" + std::string(two_clampings_ ? "_1" : "") + extension();
+    const Json& made = results_->deflected;
+    // A look does not know yet whether there will be one.
+    if (!runner_.hasFailed() && runner_.isDone("deflection") && !made.contains("residual_max_um"))
+        return runner_.miss("corrected_check", LT_TEXT("Engine", "a corrected program"));
+    if (two_clampings_) {
+        // The part of a clamping alone: the rest of the drawing is not this program's.
+        if (runner_.canRead(drawingFile)) {
+            runner_.write("part_1.json", io::shaftText(cam::cutAt(readPart(), split_mm_)));
+            runner_.alsoTakes(std::string(drawingFile));
+        }
+    }
+    const std::string part = two_clampings_ ? runner_.path("part_1.json") : shaft_;
+    runner_.run(asked("corrected_check", "check", {runner_.path(corrected)},
+                      {{"job", question_.job}, {"shaft", part}, {"correction", runner_.path("deflection.json")}}),
+                share(0.8, 0.85, LT_TEXT("Engine", "Checking the corrected program")));
+}
+
+void ChainSteps::compareCopy()
+{
+    const ChainStep* const drawn = runner_.dossier().step("draw");
+    if (drawn->state == StepState::Missing) return runner_.miss("copy", noDrawing);
+    if (question_.copy.empty()) return runner_.miss("copy", noCopy);
+    StepRequest step = asked("copy", "compare", {shaft_, question_.copy});
+    setIfGiven(step.given, "tolerance_mm", question_.tolerance_mm);
+    step.outputs = {{"--deviations", "deviations.ply"}};
+    Json& compared = results_->compared;
+    compared = runner_.run(step, share(0.85, 0.95, LT_TEXT("Engine", "Comparing the copy")));
+    if (!runner_.isDone("copy") || !compared.contains("verdict") || !compared["verdict"].is_string()) return;
+    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
+        if (compared["verdict"] == std::string(key(verdict))) runner_.dossier().verdict = verdict;
+}
+
+void ChainSteps::prove()
+{
+    const auto isMissing = [&](const char* id) {
+        const ChainStep* const step = runner_.dossier().step(id);
+        return step && step->state == StepState::Missing;
+    };
+    if (isMissing("deflection")) return runner_.miss("proof", question_.setup.empty() ? noSetup : noProgram);
+    if (isMissing("copy")) return runner_.miss("proof", noCopy);
+    std::vector<std::string> inputs{"deflection.json", "copy.json", "draw.json"};
+    const bool has_second = runner_.isDone("deflection_2");
+    if (has_second) inputs.insert(inputs.begin() + 1, "deflection_2.json");
+    runner_.make(
+        "proof", inputs,
+        [&] {
+            PredictedErrors predicted = predictedErrors(results_->deflected, zero_mm_);
+            if (has_second)
+                predicted = joined(predicted, predictedErrors(results_->second, second_->z_zero_mm, part_length_mm_),
+                                   split_mm_);
+            Proof proof{predicted, compareErrors(predicted, measuredErrors(results_->drawn, results_->compared)),
+                        measuredPlaces(results_->drawn, results_->compared)};
+            Json found = proofJson(proof.predicted, proof.places, proof.along);
+            MadeStep made;
+            const Json& largest = found["largest_normalized_error"];
+            if (largest.is_number() && std::abs(largest.get<double>()) > 1)
+                made.notes.push_back({notes::predictionDisagrees, {{"normalized_error", largest.get<double>()}}});
+            made.sections = {{LT_TEXT("Engine", "Predicted and measured"), {proofPlot(proof), proofTable(proof)}}};
+            made.result = std::make_shared<const Json>(std::move(found));
+            return made;
+        },
+        share(0.95, 0.96, LT_TEXT("Engine", "Proof")));
+}
+
+/// Before: the speed of the job's cutting data; after: the one that the program has there.
+std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double>& z_mm) const
+{
+    const Json& planned = results_->planned;
+    if (!z_mm || !planned.contains("sections")) return std::nullopt;
+    for (const Json& section : planned["sections"]) {
+        if (!section["z_start_mm"].is_number() || !section["speed_rpm"].is_number()) continue;
+        if (*z_mm < section["z_start_mm"].get<double>() || *z_mm > section["z_end_mm"].get<double>()) continue;
+        const double diameter_mm = section["diameter_mm"];
+        const double stated_rpm = 1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * diameter_mm);
+        return CutThere{diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)), section["speed_rpm"]};
+    }
+    return std::nullopt;
+}
+
+void ChainSteps::comparePhotographs()
+{
+    if (question_.photograph_before.empty() || question_.photograph_after.empty())
+        return runner_.miss("surface", noPhotographs);
+    StepRequest step = asked("surface", "surface", {question_.photograph_before, question_.photograph_after});
+    setIfGiven(step.given, "mm_per_px", question_.photograph_mm_px);
+    if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
+    if (const auto cut = cutAt(question_.photograph_z_mm)) {
+        set(step.given, "diameter_mm", cut->diameter_mm);
+        Rows speeds;
+        for (const double rpm : {cut->before_rpm, cut->after_rpm}) speeds.rows.push_back(Row{Values{{"rpm", rpm}}});
+        set(step.given, "speed_rpm", std::move(speeds));
+    }
+    runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
+}
+
+}  // namespace lathelier::chain

@@ -1,0 +1,62 @@
+// The steps of the chain, each a verb or what prepares one. remanufacture.h is the door.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "engine/cam/job.h"
+#include "engine/chain/chain_question.h"
+#include "engine/chain/held_bar.h"
+#include "engine/chain/step_runner.h"
+#include "engine/io/input_files.h"
+
+namespace lathelier::chain {
+
+/// To be called in this order; each does nothing but record itself once an earlier one has failed.
+class ChainSteps {
+public:
+    ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs, const Progress& progress);
+    ~ChainSteps();
+
+    void recognise();
+    void draw();
+    void planSpeeds();  ///< machine and speeds
+    void program();
+    void deflect();  ///< with the check of the corrected program
+    void compareCopy();
+    void prove();
+    void comparePhotographs();
+
+private:
+    struct Results;
+    struct CutThere {
+        double diameter_mm;            // of the finish
+        double before_rpm, after_rpm;  // by the job's cutting speed, by the program
+    };
+
+    StepRequest asked(const char* id, const char* verb, std::vector<std::string> operands, Values given = {}) const;
+    Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
+    bool readJob();
+    void takeFiles();
+    std::string extension() const;
+    Shaft readPart();
+    void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
+    void checkCorrected();
+    std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;
+
+    const ChainQuestion& question_;
+    StepRunner& runner_;
+    io::InputFiles& inputs_;
+    const Progress& progress_;
+    cam::Job job_;
+    std::string shaft_;           // path of the drawing
+    bool two_clampings_ = false;  // of the program
+    std::optional<HeldBar> second_;
+    double split_mm_ = 0;  // z that the second clamping finishes from
+    double zero_mm_ = 0;   // z of deflection's stock less z of the part
+    double part_length_mm_ = 0;
+    std::unique_ptr<Results> results_;
+};
+
+}  // namespace lathelier::chain

@@ -1,0 +1,19 @@
+// A dossier read back from its file, so that a later run can take over the steps whose files are as they were.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/chain/dossier.h"
+
+namespace lathelier::chain {
+
+/// Steps (files, request, parameters, remarks), numbers, words of people, verdict. Notes are in `past_notes`; a step
+/// that failed has its sentence in `remarks` and no error. Errors malformed, keyMissing (line, column), keyOutOfRange
+/// (a step of no known state), those of FileBytes. Throws Cancelled.
+Dossier readDossier(const std::string& path, const Progress& progress = {});
+
+/// The dossier in the folder of a chain; none: there is none, or it cannot be read.
+std::optional<Dossier> dossierIn(const std::string& folder, const Progress& progress = {});
+
+}  // namespace lathelier::chain

@@ -1,0 +1,175 @@
+#include "engine/chain/proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace lathelier::chain {
+namespace {
+
+constexpr double clear_mm = 1;  // of a shoulder: the scan rounds it
+
+std::vector<double> numbersAt(const Json& json, const char* list, const char* name)
+{
+    std::vector<double> values;
+    if (!json.contains(list) || !json[list].is_object() || !json[list].contains(name)) return values;
+    for (const Json& item : json[list][name]) values.push_back(item.is_number() ? item.get<double>() : std::nan(""));
+    return values;
+}
+
+double numberAt(const Json& json, const char* name)
+{
+    return json.contains(name) && json[name].is_number() ? json[name].get<double>() : std::nan("");
+}
+
+void append(PredictedErrors& all, const PredictedErrors& more, std::size_t i, bool has_band)
+{
+    all.z_mm.push_back(more.z_mm[i]);
+    all.error_um.push_back(more.error_um[i]);
+    if (!has_band) return;
+    all.low_um.push_back(more.low_um[i]);
+    all.high_um.push_back(more.high_um[i]);
+}
+
+}  // namespace
+
+PredictedErrors predictedErrors(const Json& deflected, double zero_mm, double mirrored_length_mm)
+{
+    PredictedErrors predicted{
+        numbersAt(deflected, "final", "z_mm"), numbersAt(deflected, "final", "diameter_error_um"), {}, {}};
+    predicted.error_um.resize(predicted.z_mm.size(), std::nan(""));
+    if (numbersAt(deflected, "band", "z_mm").size() == predicted.z_mm.size()) {
+        predicted.low_um = numbersAt(deflected, "band", "low_um");
+        predicted.high_um = numbersAt(deflected, "band", "high_um");
+        if (predicted.low_um.size() != predicted.z_mm.size() || predicted.high_um.size() != predicted.z_mm.size())
+            predicted.low_um = predicted.high_um = {};
+    }
+    for (double& z_mm : predicted.z_mm) z_mm -= zero_mm;
+    if (mirrored_length_mm > 0) {
+        for (double& z_mm : predicted.z_mm) z_mm = mirrored_length_mm - z_mm;
+        for (auto* values : {&predicted.z_mm, &predicted.error_um, &predicted.low_um, &predicted.high_um})
+            std::reverse(values->begin(), values->end());
+    }
+    return predicted;
+}
+
+PredictedErrors joined(const PredictedErrors& first, const PredictedErrors& second, double split_mm)
+{
+    PredictedErrors all;
+    const bool has_band = !first.low_um.empty() && !second.low_um.empty();
+    for (std::size_t i = 0; i < first.z_mm.size(); ++i)
+        if (first.z_mm[i] <= split_mm) append(all, first, i, has_band);
+    for (std::size_t i = 0; i < second.z_mm.size(); ++i)
+        if (second.z_mm[i] > split_mm) append(all, second, i, has_band);
+    return all;
+}
+
+std::vector<MeasuredError> measuredErrors(const Json& drawn, const Json& compared)
+{
+    std::vector<MeasuredError> measured;
+    if (!compared.contains("rows") || !drawn.contains("segments")) return measured;
+    for (const Json& row : compared["rows"]) {
+        if (row.value("quantity", "") != "diameter" || !row["bore"].is_null()) continue;
+        if (!row["deviation_mm"].is_number() || !row["uncertainty_mm"].is_number()) continue;
+        const auto number = row["row"].get<std::int64_t>();
+        if (number < 1 || number > static_cast<std::int64_t>(drawn["segments"].size())) continue;
+        const Json& segment = drawn["segments"].at(static_cast<std::size_t>(number - 1));
+        measured.push_back({number, segment["z_start_mm"], segment["z_end_mm"],
+                            1000 * row["deviation_mm"].get<double>(), 1000 * row["uncertainty_mm"].get<double>()});
+    }
+    return measured;
+}
+
+std::vector<MeasuredPlace> measuredPlaces(const Json& drawn, const Json& compared)
+{
+    std::vector<MeasuredPlace> places;
+    if (!compared.contains("zones") || !drawn.contains("segments")) return places;
+    for (const Json& zone : compared["zones"]) {
+        const double from_mm = numberAt(zone, "z_start_mm"), to_mm = numberAt(zone, "z_end_mm");
+        const double mean_mm = numberAt(zone, "mean_mm"), uncertainty_mm = numberAt(zone, "uncertainty_mm");
+        if (!std::isfinite(from_mm + to_mm + mean_mm + uncertainty_mm) || !(uncertainty_mm > 0)) continue;
+        std::int64_t number = 0;
+        for (const Json& row : drawn["segments"]) {
+            ++number;
+            const bool is_cylinder = row["start_diameter_mm"] == row["end_diameter_mm"];
+            if (!is_cylinder || from_mm < numberAt(row, "z_start_mm") - clear_mm / 2) continue;
+            if (to_mm > numberAt(row, "z_end_mm") - clear_mm / 2) continue;
+            places.push_back({(from_mm + to_mm) / 2, 2000 * mean_mm, 2000 * uncertainty_mm, number});
+        }
+    }
+    return places;
+}
+
+Json proofJson(const PredictedErrors& predicted, const std::vector<ComparedError>& places,
+               const std::vector<MeasuredPlace>& along)
+{
+    Json json = toJson(places);
+    json["along"] = Json::array();
+    for (const MeasuredPlace& place : along)
+        json["along"].push_back({{"z_mm", place.z_mm},
+                                 {"row", place.row},
+                                 {"measured_um", place.error_um},
+                                 {"measured_uncertainty_um", place.uncertainty_um}});
+    json["predicted"] = {{"z_mm", numbers(predicted.z_mm)},
+                         {"error_um", numbers(predicted.error_um)},
+                         {"low_um", numbers(predicted.low_um)},
+                         {"high_um", numbers(predicted.high_um)}};
+    return json;
+}
+
+std::optional<Proof> proofFrom(const Json& json)
+{
+    if (!json.is_object() || !json.contains("places") || !json.contains("predicted")) return std::nullopt;
+    Proof proof;
+    proof.predicted = {numbersAt(json, "predicted", "z_mm"), numbersAt(json, "predicted", "error_um"),
+                       numbersAt(json, "predicted", "low_um"), numbersAt(json, "predicted", "high_um")};
+    for (const Json& place : json["places"])
+        proof.places.push_back({static_cast<std::int64_t>(numberAt(place, "row")), numberAt(place, "z_start_mm"),
+                                numberAt(place, "z_end_mm"), numberAt(place, "predicted_um"),
+                                numberAt(place, "predicted_uncertainty_um"), numberAt(place, "measured_um"),
+                                numberAt(place, "measured_uncertainty_um"), numberAt(place, "normalized_error")});
+    if (json.contains("along"))
+        for (const Json& place : json["along"])
+            proof.along.push_back({numberAt(place, "z_mm"), numberAt(place, "measured_um"),
+                                   numberAt(place, "measured_uncertainty_um"),
+                                   static_cast<std::int64_t>(numberAt(place, "row"))});
+    return proof;
+}
+
+report::Plot proofPlot(const Proof& proof)
+{
+    report::Plot plot = errorsPlot(proof.predicted, proof.places);
+    report::Curve along;
+    along.name = LT_TEXT("Engine", "copy along z, ± U");
+    along.colour = report::ColourRole::Mark;
+    for (const MeasuredPlace& place : proof.along) {
+        // A bar of ± U at each place; a gap behind it.
+        for (const double error_um : {place.error_um - place.uncertainty_um, place.error_um + place.uncertainty_um}) {
+            along.x.push_back(place.z_mm);
+            along.y.push_back(error_um);
+        }
+        along.x.push_back(place.z_mm);
+        along.y.push_back(std::nan(""));
+    }
+    if (!along.x.empty()) plot.curves.push_back(std::move(along));
+    return plot;
+}
+
+report::Table proofTable(const Proof& proof)
+{
+    report::Table table{
+        LT_TEXT("Engine", "Predicted and measured error of the diameter"),
+        {LT_TEXT("Engine", "Row"), LT_TEXT("Engine", "From z [mm]"), LT_TEXT("Engine", "To z [mm]"),
+         LT_TEXT("Engine", "Predicted [µm]"), LT_TEXT("Engine", "U [µm]"), LT_TEXT("Engine", "Measured [µm]"),
+         LT_TEXT("Engine", "U [µm]"), LT_TEXT("Engine", "E_n"), LT_TEXT("Engine", "Agreement")},
+        {},
+        {0, 1, 1, 1, 1, 1, 1, 2, 0}};
+    for (const ComparedError& place : proof.places)
+        table.rows.push_back(
+            {place.row, place.z_start_mm, place.z_end_mm, place.predicted_um, place.predicted_uncertainty_um,
+             place.measured_um, place.measured_uncertainty_um, place.normalized_error,
+             std::abs(place.normalized_error) <= 1 ? LT_TEXT("Engine", "✓ agrees") : LT_TEXT("Engine", "✗ disagrees")});
+    return table;
+}
+
+}  // namespace lathelier::chain

@@ -1,0 +1,49 @@
+#include "engine/chain/remanufacture.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/chain/chain_steps.h"
+#include "engine/chain/dossier_report.h"
+#include "engine/io/file.h"
+#include "engine/report/html.h"
+#include "engine/report/result_json.h"
+
+namespace lathelier::chain {
+
+Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode mode,
+                      std::shared_ptr<const Dossier> earlier, io::InputFiles& inputs, const Progress& progress)
+{
+    if (mode != RunMode::Look) refuseOverwriting(question);
+    StepRunner runner(question.out, ask, mode, std::move(earlier));
+    ChainSteps steps(question, runner, inputs, progress);
+    try {
+        steps.recognise();
+        steps.draw();
+        steps.planSpeeds();
+        steps.program();
+        steps.deflect();
+        steps.compareCopy();
+        steps.prove();
+        steps.comparePhotographs();
+    } catch (const Cancelled&) {
+        if (mode != RunMode::Look) {
+            runner.keepRest();
+            io::writeFile(runner.path(dossierFile),
+                          report::toText(wholeDossier(runner.dossier(), {}, toValues(question))));
+        }
+        throw;
+    }
+    return std::move(runner.dossier());
+}
+
+void writeDossier(const ChainQuestion& question, const Dossier& dossier, const std::vector<InputFile>& inputs,
+                  const Values& parameters)
+{
+    const std::string folder = question.out + "/";
+    io::writeFile(folder + dossierFile, report::toText(wholeDossier(dossier, inputs, parameters)));
+    report::Document document = dossierReport(dossier);
+    document.inputs = inputs;
+    io::writeFile(folder + reportFile, report::toHtml(document));
+}
+
+}  // namespace lathelier::chain

@@ -1,0 +1,302 @@
+#include "engine/chain/step_runner.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/chain/chain_codes.h"
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/report/result_json.h"
+
+namespace lathelier::chain {
+namespace fs = std::filesystem;
+namespace {
+
+std::string resultOf(const std::string& step)
+{
+    return step + ".json";
+}
+
+Json readJson(const std::string& path)
+{
+    const io::FileBytes bytes(path);
+    Json json = Json::parse(bytes.view(), nullptr, false);
+    return json.is_object() ? json : Json::object();
+}
+
+void removeFile(const std::string& path)
+{
+    std::error_code ignored;
+    fs::remove(path, ignored);
+}
+
+}  // namespace
+
+StepRunner::StepRunner(std::string folder, AskVerb ask, RunMode mode, std::shared_ptr<const Dossier> earlier)
+    : folder_(std::move(folder)), ask_(std::move(ask)), mode_(mode), earlier_(std::move(earlier))
+{
+    dossier_.version = LATHELIER_VERSION;
+    if (mode_ == RunMode::Look) return;
+    std::error_code failure;
+    fs::create_directories(folder_, failure);
+    if (failure || !fs::is_directory(folder_))
+        throw Error(errors::fileNotWritable, {{"path", folder_}, {"reason", failure.message()}});
+}
+
+std::string StepRunner::path(const std::string& name) const
+{
+    return (fs::path(folder_) / name).string();
+}
+
+InputFile StepRunner::named(InputFile file) const
+{
+    // A file in the folder itself is one of the chain's, wherever the folder is moved to.
+    const fs::path path(file.path);
+    std::error_code ignored;
+    if (fs::equivalent(path.has_parent_path() ? path.parent_path() : fs::path("."), folder_, ignored))
+        file.path = path.filename().string();
+    else if (path.is_relative())
+        file.path = fs::absolute(path, ignored).lexically_normal().string();
+    return file;
+}
+
+/// Of a file as the dossier names it.
+const std::string& StepRunner::digest(const std::string& name, const Progress& progress)
+{
+    const auto [found, is_new] = digests_.try_emplace(name);
+    if (is_new) {
+        try {
+            found->second = io::fileSha256(path(name), progress);  // an absolute path stays what it is
+        } catch (const Error&) {
+            found->second.clear();
+        }
+    }
+    return found->second;
+}
+
+InputFile StepRunner::madeFile(const std::string& name, const Progress& progress)
+{
+    std::error_code ignored;
+    return {name, static_cast<std::int64_t>(fs::file_size(path(name), ignored)), digest(name, progress)};
+}
+
+bool StepRunner::canRead(const std::string& name) const
+{
+    std::error_code ignored;
+    return !failed_ && !isStale(name) && fs::exists(path(name), ignored);
+}
+
+void StepRunner::write(const std::string& name, const std::string& text)
+{
+    if (failed_) return;
+    further_outputs_.push_back(name);
+    if (digest(name, {}) == io::sha256(text)) return;
+    if (mode_ == RunMode::Look) {
+        stale_.insert(name);
+        return;
+    }
+    io::writeFile(path(name), text);
+    digests_.erase(name);
+}
+
+std::string StepRunner::requestOf(const StepRequest& step) const
+{
+    Json asked = {{"verb", step.verb}, {"operands", Json::array()}, {"given", lathelier::toJson(step.given)}};
+    for (const std::string& operand : step.operands) asked["operands"].push_back(named({operand, 0, {}}).path);
+    // Files that options name are known by what lies within the folder, so that it may be moved.
+    for (auto& [key, value] : asked["given"].items())
+        if (value.is_string() && value.get<std::string>().starts_with(folder_))
+            value = named({value.get<std::string>(), 0, {}}).path;
+    asked["outputs"] = step.outputs;
+    asked["if_possible"] = step.outputs_if_possible;
+    for (const InputFile& file : further_inputs_) asked["takes"].push_back(file.path);
+    asked["writes"] = further_outputs_;
+    return io::sha256(asked.dump());
+}
+
+/// The files that the step may leave, its result first.
+std::vector<std::string> StepRunner::namesOf(const StepRequest& step) const
+{
+    std::vector<std::string> names{resultOf(step.id)};
+    names.insert(names.end(), further_outputs_.begin(), further_outputs_.end());
+    for (const auto* outputs : {&step.outputs, &step.outputs_if_possible})
+        for (const auto& [option, name] : *outputs) {
+            names.push_back(name);
+            // Of two clampings each has a file of its own.
+            const fs::path parts(name);
+            for (const char* number : {"_1", "_2"})
+                names.push_back(parts.stem().string() + number + parts.extension().string());
+        }
+    return names;
+}
+
+/// The same step of the earlier run; null where anything of it is another by now.
+const ChainStep* StepRunner::unchanged(const ChainStep& step, const Progress& progress)
+{
+    if (mode_ == RunMode::Everything || !earlier_ || earlier_->version != dossier_.version) return nullptr;
+    const ChainStep* const before = earlier_->step(step.id);
+    if (!before || before->request != step.request) return nullptr;
+    const bool is_failure = before->state == StepState::Failed && mode_ == RunMode::Look;
+    if (before->state != StepState::Done && !is_failure) return nullptr;
+    const auto isThere = [&](const InputFile& file) {
+        return !isStale(file.path) && digest(file.path, progress) == file.sha256;
+    };
+    if (!std::all_of(before->inputs.begin(), before->inputs.end(), isThere)) return nullptr;
+    return std::all_of(before->outputs.begin(), before->outputs.end(), isThere) ? before : nullptr;
+}
+
+void StepRunner::finish(ChainStep step, const Json& result)
+{
+    further_inputs_.clear();
+    further_outputs_.clear();
+    failed_ = failed_ || step.state == StepState::Failed;
+    add(dossier_, std::move(step), result);
+}
+
+Json StepRunner::takeOver(const ChainStep& step, const Progress& progress)
+{
+    progress.check();
+    taken_over_ = true;
+    const Json result = step.state == StepState::Done ? readJson(path(step.result)) : Json::object();
+    finish(step, result);
+    return result;
+}
+
+Json StepRunner::onlyLook(ChainStep step, const std::vector<std::string>& names)
+{
+    const ChainStep* const before = earlier_ ? earlier_->step(step.id) : nullptr;
+    step.state = before && before->state == StepState::Done ? StepState::OutOfDate : StepState::NotReached;
+    if (before) {
+        step.inputs = before->inputs;
+        step.outputs = before->outputs;
+    }
+    stale_.insert(names.begin(), names.end());
+    finish(std::move(step), Json::object());
+    return Json::object();
+}
+
+Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
+{
+    ChainStep step;
+    step.id = wanted.id;
+    refusal_.reset();
+    taken_over_ = false;
+    if (failed_) {
+        finish(std::move(step), {});
+        return Json::object();
+    }
+    step.request = requestOf(wanted);
+    if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);
+    if (mode_ == RunMode::Look) return onlyLook(std::move(step), namesOf(wanted));
+    progress.report(0);
+
+    VerbQuestion question{wanted.verb, wanted.operands, wanted.given, {}};
+    for (const auto* outputs : {&wanted.outputs, &wanted.outputs_if_possible})
+        for (const auto& [option, name] : *outputs) question.outputs[option] = path(name);
+    for (const std::string& name : namesOf(wanted)) {
+        // What is there afterwards is this run's.
+        digests_.erase(name);
+        if (std::find(further_outputs_.begin(), further_outputs_.end(), name) == further_outputs_.end())
+            removeFile(path(name));
+    }
+    const bool may_refuse = !wanted.outputs_if_possible.empty();
+    VerbReply reply = ask_(question, progress.part(0, may_refuse ? 0.5 : 1));
+    if (may_refuse && !reply.errors.empty() && reply.errors.front().code().kind == ErrorKind::NoAnswer) {
+        refusal_ = reply.errors.front();
+        for (const auto& [option, name] : wanted.outputs_if_possible) question.outputs.erase(option);
+        reply = ask_(question, progress.part(0.5, 1));
+    }
+    step.result = resultOf(wanted.id);
+    io::writeFile(path(step.result), report::toText(*reply.result));
+    for (const InputFile& file : reply.inputs) step.inputs.push_back(named(file));
+    step.inputs.insert(step.inputs.end(), further_inputs_.begin(), further_inputs_.end());
+    std::error_code ignored;
+    for (const std::string& name : namesOf(wanted))
+        if (fs::exists(path(name), ignored)) step.outputs.push_back(madeFile(name, progress.quiet()));
+    step.parameters = std::move(reply.parameters);
+    step.notes = std::move(reply.notes);
+    step.sections = std::move(reply.sections);
+    step.state = reply.errors.empty() ? StepState::Done : StepState::Failed;
+    if (!reply.errors.empty()) step.error = reply.errors.front();
+    finish(std::move(step), *reply.result);
+    return *reply.result;
+}
+
+Json StepRunner::make(const std::string& id, const std::vector<std::string>& inputs,
+                      const std::function<MadeStep()>& make, const Progress& progress)
+{
+    ChainStep step;
+    step.id = id;
+    taken_over_ = false;
+    if (failed_) {
+        finish(std::move(step), {});
+        return Json::object();
+    }
+    step.request = requestOf({id, "", inputs, {}, {}});
+    if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);
+    if (mode_ == RunMode::Look) return onlyLook(std::move(step), {resultOf(id)});
+    MadeStep made = make();
+    step.result = resultOf(id);
+    io::writeFile(path(step.result), report::toText(*made.result));
+    digests_.erase(step.result);
+    for (const std::string& name : inputs) step.inputs.push_back(madeFile(name, progress));
+    step.outputs = {madeFile(step.result, progress)};
+    step.notes = std::move(made.notes);
+    step.sections = std::move(made.sections);
+    step.state = StepState::Done;
+    finish(std::move(step), *made.result);
+    return *made.result;
+}
+
+void StepRunner::miss(const std::string& id, Text what)
+{
+    ChainStep step;
+    step.id = id;
+    taken_over_ = false;
+    if (!failed_) {
+        step.state = StepState::Missing;
+        step.error = Error(errors::chainInputMissing, {{"what", what}});
+    }
+    finish(std::move(step), {});
+}
+
+void StepRunner::fail(const std::string& id, const Error& error)
+{
+    ChainStep step;
+    step.id = id;
+    taken_over_ = false;
+    if (!failed_) {
+        step.state = StepState::Failed;
+        step.error = error;
+    }
+    finish(std::move(step), {});
+}
+
+void StepRunner::keepRest()
+{
+    if (!earlier_) return;
+    for (const ChainStep& step : earlier_->steps) {
+        if (dossier_.step(step.id)) continue;
+        dossier_.steps.push_back(step);
+        for (const TracedNumber& number : earlier_->numbers)
+            if (number.step == step.id) dossier_.numbers.push_back(number);
+    }
+}
+
+void StepRunner::remark(Note note)
+{
+    ChainStep& step = dossier_.steps.back();
+    if (taken_over_ || step.state != StepState::Done) return;
+    step.notes.push_back(note);
+    set(note.values, "step", step.id);
+    dossier_.notes.push_back(std::move(note));
+}
+
+bool StepRunner::isDone(const std::string& id) const
+{
+    const ChainStep* const step = dossier_.step(id);
+    return step && step->state == StepState::Done;
+}
+
+}  // namespace lathelier::chain

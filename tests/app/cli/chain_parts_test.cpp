@@ -1,0 +1,369 @@
+// The chain from scan to proof on parts that are made here, each with its own machine, tools and control; their
+// dossiers read back by a reader of its own: every digest computed anew, every number followed to the file that it
+// stands in, and that file to the files from outside.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/cam/job_file.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/receptance/spindle_file.h"
+#include "engine/sample/sample.h"
+#include "engine/sample/scan_ply.h"
+#include "tests/app/cli/run_program.h"
+#include "tests/engine/cam/plan_data.h"
+#include "tests/scratch_folder.h"
+
+namespace lathelier::golden {
+namespace {
+
+using sample::ShaftModel;
+
+/// A part of the test's own.
+struct Part {
+    const char* name;
+    ShaftModel model;                    ///< nominal
+    double worn_um;                      ///< taken off the first piece's radius in its middle
+    double copy_um;                      ///< on the radius of the copy's first piece, at its free end
+    double bar_mm, chuck_mm;             ///< diameter of the bar, z of the chuck's face
+    const char* post;                    ///< control
+    const char* extension;               ///< of its programs
+    receptance::SpindleSprings springs;  ///< machine
+    bool is_drawn;                       ///< a drawing is stated; else what was recognised is cut
+    const char* setups;                  ///< clampings, unused by the chain: for the reader
+};
+
+const std::vector<Part>& parts()
+{
+    static const std::vector<Part> all{
+        {"pin",
+         {{0, 60, 12, 12, 0, 0, 0, 0, 0, 0}, {60, 90, 16, 16, 0, 0, 0, 0, 0, 0}},
+         15,
+         12,
+         36,
+         105,
+         "haas",
+         ".nc",
+         {30000, 150e6, 0.05},
+         true,
+         "1"},
+        {"roller",
+         {{0, 25, 10, 10, 0, 0, 0, 0, 0, 0}, {25, 75, 18, 18, 0, 0, 0, 0, 0, 0}, {75, 80, 18, 15, 0, 0, 0, 0, 0, 0}},
+         10,
+         8,
+         40,
+         95,
+         "sinumerik",
+         ".mpf",
+         {20000, 197e6, 0.06},
+         true,
+         "1"},
+        {"spacer",
+         {{0, 40, 14, 14, 0, 0, 0, 0, 0, 0}, {40, 50, 20, 20, 0, 0, 0, 0, 0, 0}, {50, 85, 15, 15, 0, 0, 0, 0, 0, 0}},
+         8,
+         10,
+         44,
+         100,
+         "linuxcnc",
+         ".ngc",
+         {45000, 198e6, 0.04},
+         false,
+         "auto"}};
+    return all;
+}
+
+Shaft drawingOf(const Part& part)
+{
+    Shaft shaft;
+    shaft.name = part.name;
+    for (const sample::ShaftPiece& piece : part.model) {
+        ShaftSegment row;
+        row.length_mm = piece.z_end_mm - piece.z_start_mm;
+        row.start_diameter_mm = 2 * piece.radius_start_mm;
+        row.end_diameter_mm = 2 * piece.radius_end_mm;
+        if (row.start_diameter_mm != row.end_diameter_mm) row.role = "chamfer";
+        shaft.segments.push_back(row);
+    }
+    return shaft;
+}
+
+cam::Job jobOf(const Part& part)
+{
+    cam::Job job;
+    job.title = part.name;
+    job.stock.diameter_mm = part.bar_mm;
+    job.stock.face_allowance_mm = 0.8;
+    job.setup.chuck_face_z_mm = part.chuck_mm;
+    job.tools = {cam::roughD55(), cam::finishD55(),
+                 cam::insert(6, cam::ToolUse::FinishBack, 0.4, 93, 35, cam::Hand::FromChuck),
+                 cam::blade(8, cam::ToolUse::Groove, 3, 0.2, 20)};
+    job.tools.back().feed_mm_rev = 0.06;
+    job.cutting.rough = {1.5, 0.2, 180, 0.3};
+    job.cutting.finish = {0.1, 200};
+    job.max_rpm = 3500;
+    return job;
+}
+
+deflection::TurningSetup setupOf(const Part& part)
+{
+    deflection::TurningSetup setup;
+    setup.material.cutting = {1750, 95, 600, 80};
+    setup.tool = {-3, 0.4};
+    setup.chuck = {part.springs.radial_N_mm, 0, part.springs.tilt_N_mm_rad, 0};
+    return setup;
+}
+
+std::string scanOf(ShaftModel model, std::uint64_t seed)
+{
+    sample::ScannerModel scanner;
+    scanner.seed = seed;
+    scanner.row_pitch_mm = 0.25;
+    scanner.angle_step_deg = 3;
+    scanner.sigma_mm = 0.02;
+    scanner.scan_T_part = Eigen::Translation3d(0.2, 0.4, 2) * Eigen::AngleAxisd(0.01, Eigen::Vector3d::UnitX());
+    return sample::scanPly(sample::scanShaft(model, scanner));
+}
+
+Run runOf(std::vector<std::string> words)
+{
+    Run run;
+    run.words = std::move(words);
+    return run;
+}
+
+Json readJson(const std::string& path)
+{
+    const io::FileBytes bytes(path);
+    return Json::parse(bytes.view());
+}
+
+class ChainOfPart : public testing::TestWithParam<Part> {
+protected:
+    ScratchFolder scratch_;
+    std::string out_ = (scratch_ / "chain").string();
+
+    std::string write(const std::string& name, const std::string& text) const
+    {
+        const std::string path = (scratch_ / name).string();
+        io::writeFile(path, text);
+        return path;
+    }
+
+    std::vector<std::string> question() const
+    {
+        const Part& part = GetParam();
+        ShaftModel worn = part.model, copy = part.model;
+        worn.front().barrel_um = -part.worn_um;
+        copy.front().taper_start_um = part.copy_um;
+        std::vector<std::string> words{"remanufacture", write("worn.ply", scanOf(worn, 11))};
+        const auto add = [&](const std::string& option, const std::string& value) {
+            words.push_back(option);
+            words.push_back(value);
+        };
+        add("--machine", write("spindle.json", receptance::spindleText({part.springs})));
+        add("--job", write("job.json", cam::jobText(jobOf(part))));
+        add("--setup", write("setup.json", deflection::setupText(setupOf(part))));
+        add("--copy", write("copy.ply", scanOf(copy, 12)));
+        add("--post", part.post);
+        add("--tolerance-mm", "0.08");
+        add("--out", out_);
+        if (part.is_drawn) {
+            add("--drawing", write("drawing.json", io::shaftText(drawingOf(part))));
+            add("--confirmed-by", "A. Turner");
+        } else {
+            add("--snap", "apply");
+        }
+        add("--json", "-");
+        return words;
+    }
+};
+
+/// The dossier's own check is not used here: it is what is tested.
+void followEverything(const std::string& folder, const Json& dossier)
+{
+    std::map<std::string, std::string> made;              // file of the chain → digest
+    std::map<std::string, std::set<std::string>> origin;  // file of the chain → files from outside
+    for (const Json& step : dossier["steps"]) {
+        if (step["state"] != "done") continue;
+        std::set<std::string> from;
+        EXPECT_FALSE(step["inputs"].empty()) << step["step"];
+        for (const Json& file : step["inputs"]) {
+            const std::string path = file["path"], sha256 = file["sha256"];
+            const std::string at = (std::filesystem::path(folder) / path).string();
+            EXPECT_EQ(io::fileSha256(at), sha256) << step["step"] << ": " << path;
+            EXPECT_EQ(std::filesystem::file_size(at), file["bytes"].get<std::uintmax_t>()) << path;
+            if (std::filesystem::path(path).is_absolute()) {
+                from.insert(path);
+                continue;
+            }
+            // Its own step may write what its verb then takes.
+            if (made.count(path) == 0) {
+                bool is_own = false;
+                for (const Json& output : step["outputs"]) is_own = is_own || output["path"] == path;
+                EXPECT_TRUE(is_own) << path;
+                continue;
+            }
+            EXPECT_EQ(made[path], sha256) << path;
+            from.insert(origin[path].begin(), origin[path].end());
+        }
+        EXPECT_FALSE(from.empty()) << step["step"];
+        for (const Json& file : step["outputs"]) {
+            const std::string path = file["path"];
+            EXPECT_EQ(io::fileSha256((std::filesystem::path(folder) / path).string()), file["sha256"]) << path;
+            made[path] = file["sha256"];
+            origin[path] = from;
+        }
+    }
+    EXPECT_GT(dossier["numbers"].size(), 30u);
+    for (const Json& number : dossier["numbers"]) {
+        const std::string file = number["file"];
+        ASSERT_EQ(made.count(file), 1u) << file;
+        EXPECT_FALSE(origin[file].empty()) << file;
+        const Json written = readJson((std::filesystem::path(folder) / file).string());
+        const Json::json_pointer place(number["pointer"].get<std::string>());
+        ASSERT_TRUE(written.contains(place)) << file << number["pointer"];
+        EXPECT_EQ(written.at(place), number["value"]) << file << number["pointer"];
+        if (number["uncertainty"].is_null()) continue;
+        const Json::json_pointer spread(number["uncertainty_pointer"].get<std::string>());
+        EXPECT_EQ(written.at(spread), number["uncertainty"]) << file << number["uncertainty_pointer"];
+    }
+}
+
+TEST_P(ChainOfPart, IsFollowedFromScanToProof)
+{
+    const Part& part = GetParam();
+    const Outcome run = runProgram(LATHELIER_CLI, runOf(question()));
+    ASSERT_EQ(run.exit_code, 0) << run.standard_error;
+    const Json dossier = readJson(out_ + "/dossier.json");
+    for (const Json& step : dossier["steps"]) {
+        const std::string id = step["step"];
+        if (id != "surface") {
+            EXPECT_EQ(step["state"], "done") << id << step["remarks"];
+        }
+    }
+    followEverything(out_, dossier);
+    EXPECT_TRUE(std::filesystem::exists(out_ + "/program" + part.extension) ||
+                std::filesystem::exists(out_ + "/program_1" + part.extension));
+    EXPECT_TRUE(dossier["verdict"].is_string());
+    if (part.is_drawn) {
+        EXPECT_EQ(dossier["confirmed"][0]["by"], "A. Turner");
+    }
+    // What was cut into the copy is what its rows say.
+    const Json copy = readJson(out_ + "/copy.json");
+    double measured_um = 0;
+    for (const Json& row : copy["rows"])
+        if (row["quantity"] == "diameter" && row["row"] == 1) measured_um = 1000 * row["deviation_mm"].get<double>();
+    EXPECT_NEAR(measured_um, part.copy_um, 4);  // a taper of the radius: half of it on the mean radius
+    const Json proof = readJson(out_ + "/proof.json");
+    EXPECT_FALSE(proof["places"].empty());
+}
+
+TEST_P(ChainOfPart, GoesOnWhereAFileHasChanged)
+{
+    std::vector<std::string> words = question();
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
+    const Json before = readJson(out_ + "/dossier.json");
+    words.emplace_back("--resume");
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
+    const Json same = readJson(out_ + "/dossier.json");
+    EXPECT_EQ(before["steps"], same["steps"]);
+    EXPECT_EQ(before["numbers"], same["numbers"]);
+    EXPECT_EQ(before["assumed"].size(), same["assumed"].size());
+    deflection::TurningSetup setup = setupOf(GetParam());
+    setup.chuck.tilt_N_mm_rad /= 2;
+    write("setup.json", deflection::setupText(setup));
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
+    const Json after = readJson(out_ + "/dossier.json");
+    followEverything(out_, after);
+    for (std::size_t i = 0; i < after["steps"].size(); ++i) {
+        const std::string id = after["steps"][i]["step"];
+        const bool follows = id.starts_with("deflection") || id == "corrected_check" || id == "proof";
+        EXPECT_EQ(before["steps"][i]["outputs"] == after["steps"][i]["outputs"], !follows || id == "surface") << id;
+    }
+}
+
+/// The question with another job, as a technologist gets it wrong.
+std::vector<std::string> withJob(std::vector<std::string> words, const std::string& path)
+{
+    *(std::find(words.begin(), words.end(), "--job") + 1) = path;
+    return words;
+}
+
+TEST_P(ChainOfPart, AToolListThatCannotMakeThePartIsSaidAndWhatWasMadeStays)
+{
+    const std::vector<std::string> words = question();
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
+    const std::string drawn = io::fileSha256(out_ + "/draw.json"), compared = io::fileSha256(out_ + "/copy.json");
+    cam::Job job = jobOf(GetParam());
+    std::erase_if(job.tools, [](const cam::JobTool& tool) { return tool.use == cam::ToolUse::Finish; });
+    std::vector<std::string> bad = withJob(words, write("no_finish.json", cam::jobText(job)));
+    bad.emplace_back("--resume");
+    const Outcome run = runProgram(LATHELIER_CLI, runOf(bad));
+    EXPECT_TRUE(run.exit_code == 3 || run.exit_code == 4) << run.exit_code;
+    EXPECT_FALSE(run.standard_error.empty());
+    const Json dossier = readJson(out_ + "/dossier.json");
+    bool has_failed = false;
+    for (const Json& step : dossier["steps"]) {
+        if (has_failed) {
+            EXPECT_EQ(step["state"], "not_reached") << step["step"];
+        }
+        if (step["state"] != "failed") continue;
+        has_failed = true;
+        EXPECT_TRUE(step["error"]["code"].is_string());
+        EXPECT_FALSE(step["remarks"].empty());
+    }
+    EXPECT_TRUE(has_failed);
+    EXPECT_EQ(io::fileSha256(out_ + "/draw.json"), drawn);
+    EXPECT_EQ(io::fileSha256(out_ + "/copy.json"), compared);
+}
+
+TEST_P(ChainOfPart, ASectionWithoutASafeSpeedIsSaid)
+{
+    cam::Job job = jobOf(GetParam());
+    job.max_rpm = 60;  // below every lobe that is looked at
+    const std::vector<std::string> words = withJob(question(), write("slow.json", cam::jobText(job)));
+    const Outcome run = runProgram(LATHELIER_CLI, runOf(words));
+    const Json dossier = readJson(out_ + "/dossier.json");
+    const Json planned = readJson(out_ + "/program.json");
+    if (run.exit_code == 0) {
+        // Without a stable speed a section says why it has the one it has.
+        for (const Json& section : planned["sections"])
+            if (section["lobe"].is_null()) {
+                EXPECT_FALSE(section["reason"].get<std::string>().empty());
+            }
+    } else {
+        EXPECT_EQ(run.exit_code, 4) << run.standard_error;
+        EXPECT_TRUE(planned["error"]["code"].is_string());
+    }
+    for (const Json& step : dossier["steps"])
+        if (step["step"] == "draw" || step["step"] == "speeds") {
+            EXPECT_EQ(step["state"], "done");
+        }
+}
+
+TEST_P(ChainOfPart, AFileThatChangedSinceIsToldByInspect)
+{
+    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(question())).exit_code, 0);
+    write("setup.json", "{}");
+    std::filesystem::remove(out_ + "/rows.csv");
+    const Outcome run = runProgram(LATHELIER_CLI, runOf({"inspect", out_ + "/dossier.json", "--json", "-"}));
+    ASSERT_EQ(run.exit_code, 0) << run.standard_error;
+    const Json details = Json::parse(run.standard_output)["files"][0]["details"];
+    EXPECT_EQ(details["unchanged"], false);
+    std::set<std::string> named;
+    for (const Json& fault : details["faults"])
+        named.insert(std::filesystem::path(fault["path"].get<std::string>()).filename().string());
+    EXPECT_EQ(named, (std::set<std::string>{"setup.json", "rows.csv"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Chain, ChainOfPart, testing::ValuesIn(parts()),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+}  // namespace
+}  // namespace lathelier::golden

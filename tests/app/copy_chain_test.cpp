@@ -1,0 +1,277 @@
+// The chain in the window, from files that are dropped to the dossier: asked, run, cancelled, gone on with after a
+// change, undone, and its fit taken to the machine.
+#include <QDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolBar>
+#include <QUndoStack>
+
+#include "app/cli/verb_answer.h"
+#include "app/gui/panels.h"
+#include "engine/chain/dossier.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/io/file.h"
+#include "engine/receptance/spindle_file.h"
+#include "engine/sample/chain_sample.h"
+#include "tests/app/window_fixture.h"
+#include "tests/widgets/core/drop_files.h"
+#include "widgets/chain/chain_panel.h"
+#include "widgets/chain/chain_strip.h"
+#include "widgets/chain/chain_views.h"
+#include "widgets/deflection/deflection_panel.h"
+#include "widgets/turning/turning_panel.h"
+
+namespace lathelier {
+
+using chain::StepState;
+using chain_panel::ChainStrip;
+
+class CopyChainTest : public QObject, private WindowFixture {
+    Q_OBJECT
+
+    std::string setup_text_;
+
+    QString file(const char* name) const { return folder_.filePath(name); }
+    std::string out() const { return folder_.filePath("chain").toStdString(); }
+    ChainStrip& strip() const { return *window_->findChild<ChainStrip*>(); }
+    const chain_panel::ChainPanel& panel() const
+    {
+        return static_cast<const chain_panel::ChainPanel&>(dock("chain")->panel());
+    }
+    StepState state(const char* key) const { return strip().tile(key)->state(); }
+    void settle() const
+    {
+        QTest::qWait(1);
+        QTRY_VERIFY_WITH_TIMEOUT(strip().looked() && !strip().isLooking() && !strip().isRunning(), 120000);
+    }
+    void dropFiles(const QStringList& names)
+    {
+        QStringList paths;
+        for (const QString& name : names) paths << folder_.filePath(name);
+        drop(&dock("chain")->panel(), paths);
+        QTRY_VERIFY_WITH_TIMEOUT(!session_->panel("chain").inputs.empty() && !panel().isBusy(), 60000);
+        settle();
+    }
+    void dropAll()
+    {
+        dropFiles({"chain_worn.ply"});
+        dropFiles({"chain_drawing.json", "spindle.json", "chain_job.json", "chain_setup.json", "chain_copy.ply"});
+    }
+    /// Presses Run, and in the question its folder and Run.
+    void startRun()
+    {
+        settle();
+        QTest::mouseClick(strip().findChild<QPushButton*>("runChainWanted"), Qt::LeftButton);
+        auto* dialog = window_->findChild<QDialog*>("runChain");
+        QVERIFY(dialog && dialog->isVisible());
+        dialog->findChild<QLineEdit*>("chainFolder")->setText(QString::fromStdString(out()));
+        QTest::mouseClick(dialog->findChild<QPushButton*>("runChainNow"), Qt::LeftButton);
+        QVERIFY(strip().isRunning());
+    }
+    void runAll()
+    {
+        startRun();
+        settle();
+    }
+
+private slots:
+    void initTestCase()
+    {
+        prepareSettings();
+        const SamplePart& part = sample::chainSample();
+        const SampleContent content = part.make(1, {});
+        for (std::size_t i = 0; i < part.files.size(); ++i)
+            io::writeFile((folder_.path() + "/").toStdString() + part.files[i], content.texts[i]);
+        receptance::SpindleSprings springs;
+        io::writeFile(file("spindle.json").toStdString(), receptance::spindleText({springs}));
+        Notes notes;
+        setup_text_ = content.texts.at(3);
+        deflection::readSetup(setup_text_, notes);  // it is the set-up
+    }
+    void init()
+    {
+        io::writeFile(file("chain_setup.json").toStdString(), setup_text_);
+        QDir(QString::fromStdString(out())).removeRecursively();
+        QSettings().clear();
+        session_ = std::make_unique<Session>();
+        session_->setWorkspace("copy");
+        window_ = std::make_unique<MainWindow>(
+            *session_, languages_,
+            std::vector<PanelFacts>{turning_panel::turningPanelFacts(), deflection_panel::deflectionPanelFacts(),
+                                    chain_panel::chainPanelFacts()},
+            QString(), std::vector<StripFacts>{chain_panel::chainStrip(cli::askByName)});
+        window_->resize(1280, 800);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        window_->enterWorkspace("copy");
+        dock("chain")->show();
+        dock("chain")->raise();
+        dock("chain")->panel();
+        settle();
+    }
+    void cleanup() { end(); }
+
+    void theStripStandsOverItsWorkspaceAlone()
+    {
+        QVERIFY(strip().isVisible());
+        const int height = strip().height();
+        QVERIFY(height < 60);
+        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+            QCOMPARE(state(key), StepState::Missing);
+        window_->enterWorkspace("deflection");
+        QVERIFY(!strip().isVisible());
+        window_->enterWorkspace("copy");
+        QVERIFY(strip().isVisible());
+        QCOMPARE(strip().height(), height);
+        window_->setPresenting(true);
+        QVERIFY(!strip().isVisible());
+        window_->setPresenting(false);
+        QVERIFY(strip().isVisible());
+    }
+
+    void goesFromDropToDossier()
+    {
+        dropAll();
+        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+            QCOMPARE(state(key), StepState::NotReached);
+        QVERIFY(!QFile::exists(QString::fromStdString(out())));  // looking makes nothing
+        const int steps = session_->undoStack().count();
+        runAll();
+        QCOMPARE(session_->undoStack().count(), steps + 1);
+        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+            QCOMPARE(state(key), StepState::Done);
+        const chain::DossierCheck check = chain::checkDossier(out() + "/" + chain::dossierFile);
+        QVERIFY(check.faults.empty() && check.numbers > 80);
+        QVERIFY(QFile::exists(QString::fromStdString(out() + "/report.html")));
+        // Files and digests in the tooltip.
+        const chain::ChainStep& recognise = *strip().looked()->step("recognise");
+        const QString about = strip().tile("scan")->toolTip();
+        QVERIFY(about.contains("chain_worn.ply"));
+        QVERIFY(about.contains(QString::fromStdString(recognise.inputs.front().sha256.substr(0, 12))));
+        // The proof follows by itself.
+        QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
+        QVERIFY(panel().result()->proof && panel().result()->proof->places.size() >= 3);
+        QVERIFY(panel().views().chart()->data().curves.size() >= 4);
+        QCOMPARE(panel().views().rows()->rowCount(), static_cast<int>(panel().result()->proof->places.size()));
+        QVERIFY(panel().reportDocument()->sections.size() > 8);
+        // Items of the project, and panels of the steps that had nothing.
+        const project::Project& project = session_->project();
+        QCOMPARE(project.items.size(), std::size_t{1});
+        QCOMPARE(project.items.begin()->second.kind, std::string("shaft"));
+        QCOMPARE(project.panels.at("turning").inputs.at("shaft").item, project.items.begin()->first);
+        QVERIFY(project.panels.at("deflection").inputs.count("program") == 1);
+        // What the chain has put there is no new drawing of its own: all stays done.
+        QVERIFY(!strip().findChild<QPushButton*>("runChainWanted")->isEnabled());
+        session_->undoStack().undo();
+        QVERIFY(session_->project().items.empty());
+        QVERIFY(session_->project().panels.at("chain").parameters.empty() ||
+                !find(session_->panel("chain").parameters, "run") ||
+                *find(session_->panel("chain").parameters, "run") == Value(std::string()));
+        session_->undoStack().redo();
+        settle();
+        QCOMPARE(state("proof"), StepState::Done);
+    }
+
+    void aChangedFileMakesWhatFollowsOutOfDate()
+    {
+        dropAll();
+        runAll();
+        QCOMPARE(state("proof"), StepState::Done);
+        const std::string program = io::fileStamp(out() + "/program.json");
+        const std::string before = io::fileSha256(out() + "/deflection.json");
+        Notes notes;
+        deflection::TurningSetup setup = deflection::readSetup(setup_text_, notes);
+        setup.chuck.tilt_N_mm_rad /= 2;
+        io::writeFile(file("chain_setup.json").toStdString(), deflection::setupText(setup));
+        QTRY_COMPARE_WITH_TIMEOUT(state("deflection"), StepState::OutOfDate, 30000);  // noticed, not run
+        QCOMPARE(io::fileSha256(out() + "/deflection.json"), before);
+        QCOMPARE(state("proof"), StepState::OutOfDate);
+        QCOMPARE(state("program"), StepState::Done);
+        QCOMPARE(state("copy"), StepState::Done);
+        runAll();
+        QCOMPARE(state("deflection"), StepState::Done);
+        QVERIFY(io::fileSha256(out() + "/deflection.json") != before);
+        QCOMPARE(io::fileStamp(out() + "/program.json"), program);  // was not made anew
+    }
+
+    void aStepThatFailsSaysSoAndWhatWasMadeStays()
+    {
+        dropAll();
+        runAll();
+        const std::string drawn = io::fileSha256(out() + "/draw.json");
+        io::writeFile(file("bad_job.json").toStdString(), R"({"stock": {"diameter_mm": 20, "face_allowance_mm": 1},
+            "setup": {"chuck_face_z_mm": 200}, "tools": [{"number": 1, "use": "rough", "nose_radius_mm": 0.8,
+            "entering_angle_deg": 93, "tip_angle_deg": 55, "edge_length_mm": 12}],
+            "cutting": {"rough": {"depth_mm": 2, "feed_mm_rev": 0.2, "cutting_speed_m_min": 180},
+            "finish": {"feed_mm_rev": 0.1, "cutting_speed_m_min": 180}}})");
+        dropFiles({"bad_job.json"});  // no finishing tool, a bar that is too thin
+        runAll();
+        QCOMPARE(state("scan"), StepState::Done);
+        QVERIFY(state("program") == StepState::Failed || state("machine") == StepState::Failed);
+        QCOMPARE(state("proof"), StepState::NotReached);
+        QCOMPARE(io::fileSha256(out() + "/draw.json"), drawn);
+        QVERIFY(QFile::exists(QString::fromStdString(out() + "/copy.json")));
+        QVERIFY(strip().findChild<QPushButton*>("runChainWanted")->isEnabled());
+    }
+
+    void isStoppedAndKeepsWhatWasMade()
+    {
+        dropAll();
+        startRun();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(QString::fromStdString(out() + "/draw.json")), 60000);
+        QTest::mouseClick(strip().findChild<QPushButton*>("cancelChain"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!strip().isRunning(), 5000);
+        QVERIFY(session_->project().items.empty());
+        // What was finished is taken over by the next run, also from here on.
+        const std::string scan = io::fileStamp(out() + "/recognise.json");
+        runAll();
+        QCOMPARE(state("proof"), StepState::Done);
+        QCOMPARE(io::fileStamp(out() + "/recognise.json"), scan);
+    }
+
+    void theFitGoesToTheMachine()
+    {
+        dropAll();
+        runAll();
+        QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
+        QVERIFY(panel().result()->fit.has_value());
+        const int steps = session_->undoStack().count();
+        QTest::mouseClick(panel().views().takeFit(), Qt::LeftButton);
+        QCOMPARE(session_->undoStack().count(), steps + 1);
+        const project::Project& project = session_->project();
+        QCOMPARE(project.items.size(), std::size_t{2});
+        const std::string item = project.panels.at("deflection").inputs.at("spindle").item;
+        QCOMPARE(project.items.at(item).kind, std::string("spindle"));
+        settle();
+        QCOMPARE(state("deflection"), StepState::OutOfDate);
+        runAll();
+        QCOMPARE(state("proof"), StepState::Done);
+        QTRY_VERIFY_WITH_TIMEOUT(panel().isCurrent(), 60000);
+        session_->undoStack().undo();
+        session_->undoStack().undo();
+        QCOMPARE(session_->project().items.size(), std::size_t{1});
+        QVERIFY(session_->project().panels.at("deflection").inputs.count("spindle") == 0);
+    }
+
+    void stepsOpenTheirPanels()
+    {
+        QTest::mouseClick(strip().tile("program"), Qt::LeftButton);
+        QVERIFY(window_->activeDock() == dock("turning"));
+        QTest::mouseClick(strip().tile("proof"), Qt::LeftButton);
+        QVERIFY(window_->activeDock() == dock("chain"));
+        QTest::keyClick(strip().tile("program"), Qt::Key_Space);
+        QVERIFY(window_->activeDock() == dock("turning"));
+        // Every step has a panel in the table, in this workspace.
+        for (const chain_panel::StripStep& step : chain_panel::stripSteps()) {
+            const auto& table = panelTable();
+            const auto found = std::find_if(table.begin(), table.end(),
+                                            [&](const PanelFacts& facts) { return facts.id == step.panel; });
+            QVERIFY2(found != table.end() && isIn(*found, "copy"), step.panel);
+        }
+    }
+};
+
+}  // namespace lathelier
+
+QTEST_MAIN(lathelier::CopyChainTest)
+#include "copy_chain_test.moc"

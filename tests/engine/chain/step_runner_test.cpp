@@ -1,0 +1,213 @@
+// The runner of steps with verbs of the test: what is asked, what is taken over, what a look says.
+#include "engine/chain/step_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/chain/chain_codes.h"
+#include "engine/chain/dossier_read.h"
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+#include "engine/report/result_json.h"
+#include "tests/scratch_folder.h"
+
+namespace lathelier::chain {
+namespace {
+
+/// Verbs that copy their operands to their output, and refuse what says so.
+struct Workshop {
+    ScratchFolder scratch;
+    std::string folder = (scratch / "chain").string();
+    std::string scan = (scratch / "scan.txt").string();
+    std::vector<std::string> asked;
+    std::shared_ptr<const Dossier> earlier;
+
+    Workshop() { io::writeFile(scan, "1 2 3\n"); }
+
+    AskVerb asker()
+    {
+        return [this](const VerbQuestion& question, const Progress&) {
+            asked.push_back(question.verb);
+            std::string text;
+            VerbReply reply;
+            for (const std::string& operand : question.operands) {
+                const io::FileBytes bytes(operand);
+                text += bytes.view();
+                reply.inputs.push_back(
+                    {operand, static_cast<std::int64_t>(bytes.view().size()), io::sha256(bytes.view())});
+            }
+            Json result = {{"length_mm", static_cast<double>(text.size())}};
+            if (text.find("refuse") != std::string::npos)
+                reply.errors.emplace_back(errors::fileEmpty, Values{{"path", question.operands.front()}});
+            else if (question.outputs.count("--hard") > 0 && text.find("soft") != std::string::npos)
+                reply.errors.emplace_back(errors::chainInputMissing, Values{{"what", std::string("steel")}});
+            else
+                for (const auto& [option, path] : question.outputs) io::writeFile(path, question.verb + ": " + text);
+            reply.notes = {{notes::unitGuessed, {{"unit", "mm"}}}};
+            reply.result = std::make_shared<const Json>(std::move(result));
+            return reply;
+        };
+    }
+
+    /// Two steps in a row and one beside them.
+    Dossier run(RunMode mode, const std::string& wish = "as it is")
+    {
+        asked.clear();
+        StepRunner runner(folder, asker(), mode, earlier);
+        runner.run({"recognise", "read", {scan}, {}, {{"--out", "a.txt"}}}, {});
+        runner.run({"draw", "draw", {runner.path("a.txt")}, {{"wish", wish}}, {{"--out", "b.txt"}}}, {});
+        runner.run({"copy", "look", {scan}, {}, {{"--out", "c.txt"}}}, {});
+        Dossier dossier = std::move(runner.dossier());
+        if (mode != RunMode::Look) {
+            io::writeFile(folder + "/" + dossierFile, report::toText(wholeDossier(dossier, {}, {})));
+            earlier = std::make_shared<const Dossier>(dossier);
+        }
+        return dossier;
+    }
+    static std::vector<StepState> statesOf(const Dossier& dossier)
+    {
+        std::vector<StepState> states;
+        for (const ChainStep& step : dossier.steps) states.push_back(step.state);
+        return states;
+    }
+};
+
+using enum StepState;
+using States = std::vector<StepState>;
+using Names = std::vector<std::string>;
+
+TEST(StepRunner, ALookMakesNothing)
+{
+    Workshop shop;
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{NotReached, NotReached, NotReached}));
+    EXPECT_TRUE(shop.asked.empty());
+    EXPECT_FALSE(std::filesystem::exists(shop.folder));
+}
+
+TEST(StepRunner, WhatIsAsItWasIsTakenOver)
+{
+    Workshop shop;
+    const Dossier first = shop.run(RunMode::Everything);
+    EXPECT_EQ(shop.asked, (Names{"read", "draw", "look"}));
+    EXPECT_TRUE(checkDossier(shop.folder + "/" + dossierFile).faults.empty());
+    const Dossier second = shop.run(RunMode::OutOfDate);
+    EXPECT_TRUE(shop.asked.empty());
+    EXPECT_EQ(Workshop::statesOf(second), (States{Done, Done, Done}));
+    EXPECT_EQ(second.numbers.size(), first.numbers.size());
+    EXPECT_EQ(second.notes.size(), first.notes.size());
+    shop.run(RunMode::Everything);
+    EXPECT_EQ(shop.asked.size(), 3u);
+}
+
+TEST(StepRunner, ADossierFromTheDiskIsTakenOverToo)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    auto read = dossierIn(shop.folder);
+    ASSERT_TRUE(read);
+    shop.earlier = std::make_shared<const Dossier>(*std::move(read));
+    const Dossier again = shop.run(RunMode::OutOfDate);
+    EXPECT_TRUE(shop.asked.empty());
+    const Json json = wholeDossier(again, {}, {});
+    ASSERT_EQ(json["notes"].size(), 3u);  // as they were written, though this process has not run the steps
+    EXPECT_EQ(json["assumed"].size(), 3u);
+    EXPECT_EQ(json["steps"][0]["remarks"].size(), 1u);
+}
+
+TEST(StepRunner, AChangedQuestionRunsTheStepAndWhatFollowsFromIt)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look, "otherwise")), (States{Done, OutOfDate, Done}));
+    EXPECT_TRUE(shop.asked.empty());
+    shop.run(RunMode::OutOfDate, "otherwise");
+    EXPECT_EQ(shop.asked, Names{"draw"});
+}
+
+TEST(StepRunner, AChangedFileRunsAllThatTookIt)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    io::writeFile(shop.scan, "4 5 6 7\n");
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{OutOfDate, OutOfDate, OutOfDate}));
+    shop.run(RunMode::OutOfDate);
+    EXPECT_EQ(shop.asked, (Names{"read", "draw", "look"}));
+}
+
+TEST(StepRunner, AFileOfTheChainThatWasChangedIsMadeAnew)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    io::writeFile(shop.folder + "/b.txt", "by hand");
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{Done, OutOfDate, Done}));
+    shop.run(RunMode::OutOfDate);
+    EXPECT_EQ(shop.asked, Names{"draw"});
+    EXPECT_NE(io::fileSha256(shop.folder + "/b.txt"), io::sha256("by hand"));
+}
+
+TEST(StepRunner, ARefusalStopsTheChainAndWhatWasMadeStays)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    const std::string made = io::fileSha256(shop.folder + "/c.txt");
+    io::writeFile(shop.scan, "refuse\n");
+    const Dossier dossier = shop.run(RunMode::OutOfDate);
+    EXPECT_EQ(Workshop::statesOf(dossier), (States{Failed, NotReached, NotReached}));
+    ASSERT_TRUE(dossier.error());
+    EXPECT_EQ(std::string(dossier.error()->code().key), "file_empty");
+    EXPECT_EQ(io::fileSha256(shop.folder + "/c.txt"), made);
+    // A look says the same without asking; a run tries again.
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{Failed, NotReached, NotReached}));
+    EXPECT_TRUE(shop.asked.empty());
+    shop.run(RunMode::OutOfDate);
+    EXPECT_EQ(shop.asked, Names{"read"});
+}
+
+TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)
+{
+    Workshop shop;
+    io::writeFile(shop.scan, "soft\n");
+    StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
+    StepRequest step{"recognise", "read", {shop.scan}, {}, {{"--out", "a.txt"}}};
+    step.outputs_if_possible = {{"--hard", "hard.txt"}};
+    runner.run(step, {});
+    EXPECT_EQ(shop.asked.size(), 2u);
+    ASSERT_TRUE(runner.refusal());
+    EXPECT_TRUE(runner.isDone("recognise"));
+    EXPECT_TRUE(runner.canRead("a.txt"));
+    EXPECT_FALSE(runner.canRead("hard.txt"));
+}
+
+TEST(StepRunner, AStepThatIsNoVerbFollowsItsFiles)
+{
+    Workshop shop;
+    int made = 0;
+    const auto go = [&](RunMode mode) {
+        StepRunner runner(shop.folder, shop.asker(), mode, shop.earlier);
+        runner.write("in.txt", mode == RunMode::Look ? "new" : "old");
+        runner.make("proof", {"in.txt"},
+                    [&] {
+                        ++made;
+                        return MadeStep{std::make_shared<const Json>(Json{{"largest_normalized_error", 0.5}}), {}, {}};
+                    },
+                    {});
+        Dossier dossier = std::move(runner.dossier());
+        if (mode != RunMode::Look) shop.earlier = std::make_shared<const Dossier>(dossier);
+        return dossier.steps.front().state;
+    };
+    EXPECT_EQ(go(RunMode::Everything), Done);
+    EXPECT_EQ(go(RunMode::OutOfDate), Done);
+    EXPECT_EQ(made, 1);
+    EXPECT_EQ(go(RunMode::Look), OutOfDate);  // its file would be written anew
+    EXPECT_EQ(shop.earlier->numbers.size(), 1u);
+}
+
+TEST(StepRunner, AFolderThatCannotBeMadeIsRefused)
+{
+    Workshop shop;
+    EXPECT_THROW(StepRunner(shop.scan + "/chain", shop.asker(), RunMode::Everything, nullptr), Error);
+}
+
+}  // namespace
+}  // namespace lathelier::chain

@@ -1,0 +1,143 @@
+#include "widgets/chain/chain_landing.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/core/shaft_item.h"
+#include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/receptance/spindle_item.h"
+#include "widgets/chain/chain_memory.h"
+#include "widgets/core/form/input_column.h"
+
+namespace lathelier::chain_panel {
+namespace fs = std::filesystem;
+namespace {
+
+QString say(const char* english)
+{
+    return QCoreApplication::translate("lathelier::chain_panel::ChainLanding", english);
+}
+
+/// Puts inputs into panels that have none of their own there.
+class Giver {
+public:
+    explicit Giver(project::Project& project) : project_(project) {}
+
+    void file(const char* panel, const char* role, const std::string& path)
+    {
+        if (!path.empty() && isFree(panel, role))
+            project_.panels[panel].inputs[role] = newSource(QString::fromStdString(path));
+    }
+    void item(const char* panel, const char* role, const std::string& name)
+    {
+        if (!isFree(panel, role)) return;
+        project::Source source;
+        source.item = name;
+        project_.panels[panel].inputs[role] = source;
+    }
+
+private:
+    bool isFree(const char* panel, const char* role) const
+    {
+        const auto state = project_.panels.find(panel);
+        return state == project_.panels.end() || state->second.inputs.count(role) == 0;
+    }
+    project::Project& project_;
+};
+
+std::optional<Shaft> drawnShaft(const std::string& path)
+{
+    try {
+        Notes said;
+        const io::FileBytes bytes(path);
+        return io::readShaft(std::string(bytes.view()), said);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+project::Item itemOf(const project::Project& project, const char* kind, Values values)
+{
+    return {kind, std::move(values), originOf(project, chainKey, QCoreApplication::applicationVersion().toStdString())};
+}
+
+}  // namespace
+
+void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier)
+{
+    const auto isDone = [&](const char* id) {
+        const chain::ChainStep* const step = dossier.step(id);
+        return step && step->state == chain::StepState::Done;
+    };
+    const auto made = [&](const std::string& name) { return (fs::path(question.out) / name).string(); };
+    const std::optional<Shaft> drawing = isDone("draw") ? drawnShaft(made("drawing.json")) : std::nullopt;
+    const std::string stem = fs::path(question.scan.empty() ? question.drawing : question.scan).stem().string();
+    const std::string name = say("Drawing of %1").arg(QString::fromStdString(stem)).toStdString();
+    const std::string run = dossierDigest(question.out);
+
+    session.edit(say("Run the chain"), [&](project::Project& project) {
+        Values& settings = project.panels[chainKey].parameters;
+        set(settings, folderKey, question.out);
+        set(settings, runKey, run);
+        Giver give(project);
+        give.file("recognise", "scan", question.scan);
+        if (drawing) {
+            project.items[name] = itemOf(project, shaftItem, toValues(*drawing));
+            for (const char* panel : {"drawing", "turning"}) give.item(panel, "shaft", name);
+        }
+        give.file("turning", "job", question.job);
+        give.file("turning", "spindle", question.machine);
+        if (isDone("machine")) {
+            give.file("shaft", "shaft", made("held.json"));
+            give.file("shaft", "spindle", question.machine);
+            give.file("lobes", "frf", made("receptance.csv"));
+        }
+        if (isDone("deflection")) {
+            for (const InputFile& file : dossier.step("deflection")->inputs) {
+                const std::string stem_of = fs::path(file.path).stem().string();
+                if (stem_of.starts_with("program")) give.file("deflection", "program", made(file.path));
+                if (stem_of == "setup") give.file("deflection", "setup", made(file.path));
+            }
+            give.file("deflection", "setup", question.setup);
+        }
+        if (isDone("draw") && !question.copy.empty()) {
+            const auto compare = project.panels.find("compare");
+            if (compare == project.panels.end() || compare->second.inputs.empty()) {
+                give.file("compare", "reference", made("drawing.json"));
+                give.file("compare", "copy", question.copy);
+            }
+        }
+    });
+}
+
+void landFit(Session& session, const chain::MachineFit& fit, const std::string& folder)
+{
+    const fs::path given = fs::path(folder) / "given";
+    std::error_code ignored;
+    fs::create_directories(given, ignored);
+    const auto write = [&](const char* name, const std::string& text) {
+        std::string path = (given / (name + io::sha256(text).substr(0, 12) + ".json")).string();
+        io::writeFile(path, text);
+        return path;
+    };
+    const std::string path = write("fitted_setup_", fit.setup_text), whole = write("fitted_", fit.whole_text);
+    const deflection::TurningSetup& setup = fit.found.setup;
+    receptance::SpindleSprings springs;
+    springs.radial_N_mm = setup.chuck.radial_N_mm;
+    springs.tilt_N_mm_rad = setup.chuck.tilt_N_mm_rad;
+    const std::string name = say("Machine fitted to the copy").toStdString();
+    session.edit(say("Take the fit to the machine"), [&](project::Project& project) {
+        project.items[name] =
+            itemOf(project, receptance::spindleItem, receptance::toValues(receptance::SpindleReceptance{springs}));
+        project::PanelState& deflection = project.panels["deflection"];
+        project::Source source;
+        source.item = name;
+        deflection.inputs["spindle"] = source;
+        deflection.inputs["setup"] = newSource(QString::fromStdString(whole));
+        project.panels[chainKey].inputs[setupRole] = newSource(QString::fromStdString(path));
+    });
+}
+
+}  // namespace lathelier::chain_panel

@@ -1,0 +1,186 @@
+#include "widgets/chain/chain_panel.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/cad/step_kind.h"
+#include "engine/cam/job_file.h"
+#include "engine/chain/dossier_kind.h"
+#include "engine/core/shaft_item.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/io/file.h"
+#include "engine/io/image/image_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+#include "engine/report/result_json.h"
+#include "widgets/chain/chain_landing.h"
+#include "widgets/chain/chain_strip.h"
+#include "widgets/chain/chain_views.h"
+#include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
+#include "widgets/core/language.h"
+
+namespace lathelier::chain_panel {
+namespace {
+
+PanelInputs panelInputs()
+{
+    PanelInputs inputs;
+    inputs.roles = chainRoles();
+    for (FieldInfo& info : infos<ChainSettings>())
+        if (info.key != runKey) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(ChainSettings{});
+    inputs.invitation = LT_TEXT("Engine",
+                                "The strip above runs the chain from the scan of a worn part to the proof of its copy; "
+                                "drop its files here, or a dossier that was made before.");
+    return inputs;
+}
+
+bool wasRun(const project::PanelState& state)
+{
+    const Value* const folder = find(state.parameters, folderKey);
+    const Value* const run = find(state.parameters, runKey);
+    return folder && run && *folder != Value(std::string()) && *run != Value(std::string());
+}
+
+/// The role that a file fills: the first free one of its kind.
+const char* roleFor(const project::PanelState& state, const io::FileKind* kind)
+{
+    const auto is_free = [&](const char* role) { return state.inputs.count(role) == 0; };
+    if (kind == &io::scanFiles()) return is_free(scanRole) ? scanRole : copyRole;
+    if (kind == &io::imageFiles()) return is_free(beforeRole) ? beforeRole : afterRole;
+    if (kind == &cam::jobFiles()) return jobRole;
+    if (kind == &receptance::spindleFiles()) return machineRole;
+    if (kind == &deflection::setupFiles()) return setupRole;
+    return kind == &io::shaftFiles() || kind == &cad::stepFiles() ? drawingRole : nullptr;
+}
+
+}  // namespace
+
+Workspace workspace()
+{
+    return {"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50};
+}
+
+std::vector<std::string> panelsOfSteps()
+{
+    std::vector<std::string> ids;
+    for (const StripStep& step : stripSteps()) ids.emplace_back(step.panel);
+    return ids;
+}
+
+PanelFacts chainPanelFacts()
+{
+    PanelFacts facts;
+    facts.id = chainKey;
+    facts.title = LT_TEXT("Engine", "Proof of the copy");
+    facts.icon = "chain";
+    facts.workspaces = {workspace()};
+    facts.roles = panelInputs().roles;
+    facts.kinds = kindsOf(facts.roles);
+    facts.kinds.push_back(&chain::dossierFiles());
+    facts.part_inputs = {scanRole, drawingRole, copyRole, beforeRole, afterRole};
+    facts.item_inputs = {{shaftItem, drawingRole}, {receptance::spindleItem, machineRole}};
+    facts.missing = [](const project::PanelState& state) {
+        return wasRun(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "a run of the chain")};
+    };
+    facts.hasWork = wasRun;
+    facts.report = [](const project::PanelState& state, Stores& stores, const Language&, const Progress& progress) {
+        return reportOf(chainPicture(state, stores, progress));
+    };
+    facts.make = [](Session& session) -> PanelBase* { return new ChainPanel(session); };
+    return facts;
+}
+
+StripFacts chainStrip(chain::AskVerb ask)
+{
+    return {workspace().id,
+            [ask = std::move(ask)](Session& session) -> WorkspaceStrip* { return new ChainStrip(session, ask); }};
+}
+
+ChainPanel::ChainPanel(Session& owner, QWidget* parent)
+    : Panel(owner, chainPanelFacts(), panelInputs(), parent), views_(new ChainViews)
+{
+    setViews(views_, views_->heroes());
+    connect(views_, &ChainViews::fitWanted, this, &ChainPanel::takeFit);
+    connect(views_, &ChainViews::notWritten, this, &ChainPanel::sayNotWritten);
+}
+
+void ChainPanel::takeFit()
+{
+    const auto picture = result();
+    if (!picture || !picture->fit) return;
+    try {
+        landFit(session(), *picture->fit, picture->settings.folder);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
+}
+
+ChainPanel::Compute ChainPanel::compute(const project::PanelState& state) const
+{
+    fromValues<ChainSettings>(state.parameters);  // refuses now what is out of range
+    return [state, stores = session().sharedStores()](const Progress& progress) {
+        return chainPicture(state, *stores, progress);
+    };
+}
+
+/// The strip looks at the inputs.
+Worker::Job ChainPanel::makeReadingJob(const project::PanelState&) const
+{
+    return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };
+}
+
+void ChainPanel::showResult(const std::shared_ptr<const ChainPicture>& picture)
+{
+    views_->setPicture(picture);
+}
+
+void ChainPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
+    for (const FoundFile& file : files) {
+        const std::string name = std::filesystem::path(file.path).filename().string();
+        if (file.kind == &chain::dossierFiles() || name == chain::dossierFile) {
+            const std::string folder = std::filesystem::path(file.path).parent_path().string();
+            lathelier::set(state.parameters, folderKey, folder);
+            lathelier::set(state.parameters, runKey, dossierDigest(folder));
+        } else if (const char* const role = roleFor(state, file.kind)) {
+            state.inputs[role] = newSource(QString::fromStdString(file.path));
+        }
+    }
+}
+
+std::vector<PanelExport> ChainPanel::exports() const
+{
+    const auto picture = result();
+    if (!picture) return {};
+    std::vector<PanelExport> all{{tr("Dossier…"), tr("JSON (*.json)"), "json", [picture](const QString& path) {
+                                      const io::FileBytes bytes(picture->file.path);
+                                      io::writeFile(path.toStdString(), bytes.view());
+                                  }}};
+    if (picture->fit)
+        all.push_back({tr("Set-up as fitted…"), tr("JSON (*.json)"), "json", [picture](const QString& path) {
+                           io::writeFile(path.toStdString(), picture->fit->setup_text);
+                       }});
+    return all;
+}
+
+void ChainPanel::showPlace(const report::Place& place)
+{
+    if (place.z_mm) views_->showStretch(*place.z_mm);
+}
+
+void ChainPanel::setPresenting(bool presenting)
+{
+    Panel::setPresenting(presenting);
+    views_->setPresenting(presenting);
+}
+
+void ChainPanel::retranslate()
+{
+    views_->retranslate();
+}
+
+}  // namespace lathelier::chain_panel

@@ -1,0 +1,158 @@
+#include "widgets/chain/chain_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/chain/chain_codes.h"
+#include "engine/chain/dossier_report.h"
+#include "engine/core/texts.h"
+#include "engine/deflection/influences.h"
+#include "engine/io/file.h"
+#include "engine/io/io_codes.h"
+
+namespace lathelier::chain_panel {
+namespace {
+
+constexpr std::size_t mostFaults = 5;
+
+std::optional<chain::Proof> readProof(const std::string& folder, const chain::Dossier& dossier)
+{
+    const chain::ChainStep* const step = dossier.step("proof");
+    if (!step || step->state != chain::StepState::Done) return std::nullopt;
+    try {
+        const io::FileBytes bytes((std::filesystem::path(folder) / step->result).string());
+        return chain::proofFrom(Json::parse(bytes.view(), nullptr, false));
+    } catch (const Error&) {
+        return std::nullopt;  // the check of the dossier says that the file is gone
+    }
+}
+
+void addFit(ChainPicture& picture, const Progress& progress)
+{
+    try {
+        picture.fit = chain::fitMachine(picture.settings.folder, *picture.dossier, *picture.proof, picture.settings.fit,
+                                        progress);
+        if (picture.fit)
+            picture.notes.insert(picture.notes.end(), picture.fit->found.notes.begin(), picture.fit->found.notes.end());
+    } catch (const Error& error) {
+        picture.notes.push_back({notes::fitRefused, {{"reason", text(error)}}});
+    }
+}
+
+}  // namespace
+
+ChainPicture chainPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    ChainPicture picture;
+    picture.settings = fromValues<ChainSettings>(state.parameters);
+    const std::string& folder = picture.settings.folder;
+    picture.dossier = stores.of<ChainMemory>()->find(folder, progress.part(0, 0.1));
+    if (!picture.dossier)
+        throw Error(errors::chainInputMissing, {{"what", LT_TEXT("Engine", "a chain that was run in this folder")}});
+    const std::string path = (std::filesystem::path(folder) / chain::dossierFile).string();
+    std::error_code ignored;
+    picture.file = {path, static_cast<std::int64_t>(std::filesystem::file_size(path, ignored)),
+                    dossierDigest(folder, progress)};
+    picture.check = chain::checkDossier(path, progress.part(0.1, 0.5));
+    picture.notes = picture.dossier->notes;
+    picture.synthetic = contains(picture.notes, notes::syntheticData);
+    std::size_t said = 0;
+    for (const chain::DossierFault& fault : picture.check.faults)
+        if (fault.what != "number" && said++ < mostFaults)
+            picture.notes.push_back({notes::chainFileChanged,
+                                     {{"step", chain::titleOf(fault.step)},
+                                      {"path", std::filesystem::path(fault.path).filename().string()}}});
+    picture.proof = readProof(folder, *picture.dossier);
+    if (picture.proof) addFit(picture, progress.part(0.5, 1, LT_TEXT("Engine", "Fitting")));
+    return picture;
+}
+
+report::Answer answerOf(const ChainPicture& picture)
+{
+    if (!picture.proof || picture.proof->places.empty()) return chain::answer(*picture.dossier);
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Largest |E_n| of prediction and copy");
+    const auto size = [](const chain::ComparedError& place) { return std::abs(place.normalized_error); };
+    double largest = 0;
+    std::int64_t disagreeing = 0;
+    for (const chain::ComparedError& place : picture.proof->places) {
+        largest = std::max(largest, size(place));
+        if (size(place) <= 1) continue;
+        ++disagreeing;
+        if (answer.findings.size() < 3)
+            answer.findings.push_back(
+                {LT_TEXT("Engine", "Row {row}: measured {measured} µm, predicted {predicted} µm, E_n {error}"),
+                 {{"row", place.row},
+                  {"measured", fixed(place.measured_um, 1)},
+                  {"predicted", fixed(place.predicted_um, 1)},
+                  {"error", fixed(place.normalized_error, 2)}},
+                 Verdict::Fail,
+                 {Interval{place.z_start_mm, place.z_end_mm}, {}, {}, {}}});
+    }
+    answer.value = largest;
+    answer.decimals = 2;
+    answer.upper_limit = 1;
+    answer.verdict = disagreeing == 0 ? Verdict::Pass : Verdict::Fail;
+    answer.verdict_words = disagreeing == 0 ? LT_TEXT("Engine", "✓ prediction agrees with the copy")
+                                            : LT_TEXT("Engine", "✗ prediction disagrees with the copy");
+    answer.sentence = LT_TEXT("Engine", "{agreeing} of {rows} rows agree within both uncertainties.");
+    const auto rows = static_cast<std::int64_t>(picture.proof->places.size());
+    answer.values = {{"agreeing", rows - disagreeing}, {"rows", rows}};
+    return answer;
+}
+
+report::Table fitTable(const chain::MachineFit& fit)
+{
+    report::Table table{LT_TEXT("Engine", "Fitted to the copy"),
+                        {LT_TEXT("Engine", "Quantity"), LT_TEXT("Engine", "Factor"), LT_TEXT("Engine", "Value"),
+                         LT_TEXT("Engine", "Standard uncertainty [%]")},
+                        {},
+                        {0, 3, 0, 1}};
+    for (const deflection::IdentifiedFactor& factor : fit.found.factors)
+        table.rows.push_back({deflection::nameOf(factor.influence).name, factor.factor,
+                              factor.influence == deflection::Influence::Forces ? Value() : Value(factor.value),
+                              factor.uncertainty_percent});
+    table.rows.push_back({LT_TEXT("Engine", "RMS of the diameters before [µm]"), fit.found.rms_before_um, {}, {}});
+    table.rows.push_back({LT_TEXT("Engine", "RMS of the diameters after [µm]"), fit.found.rms_after_um, {}, {}});
+    return table;
+}
+
+report::Plot plotOf(const ChainPicture& picture)
+{
+    report::Plot plot = chain::proofPlot(*picture.proof);
+    if (!picture.fit) return plot;
+    report::Curve fitted;
+    fitted.name = LT_TEXT("Engine", "fitted to the copy");
+    fitted.colour = report::ColourRole::Limit;
+    std::vector<std::pair<double, double>> places;
+    for (const deflection::ComparedDiameter& place : picture.fit->found.diameters)
+        places.emplace_back(place.z_mm - picture.fit->zero_mm, place.after_um);
+    std::sort(places.begin(), places.end());
+    for (const auto& [z_mm, error_um] : places) {
+        fitted.x.push_back(z_mm);
+        fitted.y.push_back(error_um);
+    }
+    plot.curves.push_back(std::move(fitted));
+    return plot;
+}
+
+report::Document reportOf(const ChainPicture& picture)
+{
+    report::Document document = chain::dossierReport(*picture.dossier);
+    if (picture.fit)
+        document.sections.push_back(
+            {LT_TEXT("Engine", "Stiffness and forces from the copy"), {plotOf(picture), fitTable(*picture.fit)}});
+    document.inputs = {picture.file};
+    for (const chain::ChainStep& step : picture.dossier->steps)
+        for (const InputFile& file : step.inputs)
+            if (std::filesystem::path(file.path).is_absolute() &&
+                std::none_of(document.inputs.begin(), document.inputs.end(),
+                             [&](const InputFile& known) { return known.path == file.path; }))
+                document.inputs.push_back(file);
+    document.synthetic = picture.synthetic;
+    return document;
+}
+
+}  // namespace lathelier::chain_panel

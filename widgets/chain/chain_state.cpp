@@ -1,0 +1,226 @@
+#include "widgets/chain/chain_state.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "engine/cad/step_kind.h"
+#include "engine/cam/job_file.h"
+#include "engine/core/field_within.h"
+#include "engine/core/shaft_item.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/io/file.h"
+#include "engine/io/image/image_kind.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/io/shaft/shaft_kind.h"
+#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle_kind.h"
+
+namespace lathelier::chain_panel {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t shownDigits = 12;
+
+InputRole roleOf(const char* role, Text label, Text hint, io::FileKinds kinds, const char* item = "")
+{
+    InputRole made;
+    made.role = role;
+    made.label = label;
+    made.hint = hint;
+    made.required = false;
+    made.kinds = std::move(kinds);
+    made.item_kind = item;
+    return made;
+}
+
+/// Of a panel; null: it has none there.
+const project::Source* sourceAt(const project::Project& project, const char* panel, const char* role)
+{
+    const auto state = project.panels.find(panel);
+    if (state == project.panels.end()) return nullptr;
+    const auto source = state->second.inputs.find(role);
+    return source == state->second.inputs.end() ? nullptr : &source->second;
+}
+
+bool isOfTheChain(const project::Project& project, const project::Source& source)
+{
+    if (source.item.empty()) return false;
+    const auto item = project.items.find(source.item);
+    return item == project.items.end() || item->second.origin.panel == chainKey;
+}
+
+/// The first of these inputs that is there.
+const project::Source* firstOf(const project::Project& project,
+                               const std::vector<std::pair<const char*, const char*>>& places)
+{
+    for (const auto& [panel, role] : places)
+        if (const project::Source* const source = sourceAt(project, panel, role))
+            if (panel == std::string(chainKey) || !isOfTheChain(project, *source)) return source;
+    return nullptr;
+}
+
+/// Writes items and forms as files of the chain.
+class Inputs {
+public:
+    Inputs(const project::Project& project, std::string folder, AskedChain& asked)
+        : project_(project), folder_(std::move(folder)), asked_(asked)
+    {
+    }
+
+    std::string made(const std::string& name, const std::string& text)
+    {
+        const std::string file = name + "_" + io::sha256(text).substr(0, shownDigits) + ".json";
+        asked_.made.push_back({(fs::path(folder_) / "given" / file).string(), text});
+        return asked_.made.back().path;
+    }
+
+    /// The path of a source; an item is written as `name`.
+    std::string pathOf(const project::Source* source, const char* name)
+    {
+        if (!source) return {};
+        if (source->item.empty()) return source->path;
+        const auto item = project_.items.find(source->item);
+        if (item == project_.items.end()) return {};
+        if (item->second.kind == shaftItem)
+            if (const auto shaft = shaftOf(item->second.values)) return made(name, io::shaftText(*shaft));
+        if (item->second.kind == receptance::spindleItem)
+            if (const auto spindle = receptance::spindleOf(item->second.values))
+                return made(name, receptance::spindleText(*spindle));
+        return {};
+    }
+
+private:
+    const project::Project& project_;
+    std::string folder_;
+    AskedChain& asked_;
+};
+
+/// The job of the panel "Turning program", where its form was changed; empty: as its file has it.
+std::string changedJob(const project::Project& project)
+{
+    const auto turning = project.panels.find("turning");
+    if (turning == project.panels.end()) return {};
+    const Values& values = turning->second.parameters;
+    const Value* const tools = find(values, "tools");
+    const Value* const of = find(values, "job_of");
+    const auto* const rows = tools ? std::get_if<Rows>(tools) : nullptr;
+    const project::Source* const file = sourceAt(project, "turning", "job");
+    if (!rows || rows->rows.empty() || !file || !of || *of != Value(file->path)) return {};
+    try {
+        return cam::jobText(fromValues<cam::Job>(values));
+    } catch (const Error&) {
+        return {};  // the panel says what is wrong with it
+    }
+}
+
+}  // namespace
+
+ChainSettings::ChainSettings()
+{
+    fit.tailstock = false;
+    fit.chuck_tilt = true;
+    fit.forces = true;
+}
+
+const std::vector<Field<ChainSettings>>& fieldsOf(const ChainSettings*)
+{
+    using S = ChainSettings;
+    static const auto all = [] {
+        std::vector<Field<S>> fields{
+            field(folderKey, &S::folder,
+                  Label{LT_TEXT("Engine", "Folder"), LT_TEXT("Engine", "Where the files of the chain are.")}),
+            field("confirmed_by", &S::confirmed_by,
+                  Label{LT_TEXT("Engine", "Drawing confirmed by"), LT_TEXT("Engine", "Who answers for the drawing.")}),
+            field("tolerance_mm", &S::tolerance_mm, Range{0, 1e6},
+                  Label{LT_TEXT("Engine", "Tolerance of the copy"), LT_TEXT("Engine", "Of its surface, to both sides."),
+                        LT_TEXT("Engine", "mm")}),
+            field("tolerance_um", &S::tolerance_um, Range{0, 1e6},
+                  Label{LT_TEXT("Engine", "Tolerance of the predicted diameter"), LT_TEXT("Engine", "To both sides."),
+                        LT_TEXT("Engine", "µm")}),
+            field("photograph_z_mm", &S::photograph_z_mm, Range{0, 1e5},
+                  Label{LT_TEXT("Engine", "Place of the photographs"),
+                        LT_TEXT("Engine", "z from the free end: diameter and speed there turn marks into frequencies."),
+                        LT_TEXT("Engine", "mm"), true}),
+            field("photograph_mm_px", &S::photograph_mm_px, Range{1e-6, 1e3},
+                  Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."),
+                        LT_TEXT("Engine", "mm"), true})};
+        for (const Field<deflection::IdentificationParameters>& inner :
+             lathelier::fields<deflection::IdentificationParameters>())
+            fields.push_back(foldedWithin(&S::fit, inner.info.key));
+        fields.push_back(field(runKey, &S::run, Label{LT_TEXT("Engine", "Run"), {}}));
+        return fields;
+    }();
+    return all;
+}
+
+std::vector<InputRole> chainRoles()
+{
+    return {
+        roleOf(scanRole, LT_TEXT("Engine", "Scan of the worn part"),
+               LT_TEXT("Engine", "Else that of the panel Recognise"), {&io::scanFiles()}),
+        roleOf(drawingRole, LT_TEXT("Engine", "Drawing"),
+               LT_TEXT("Engine", "A confirmed one, in place of what is recognised; else that of the turning program"),
+               {&io::shaftFiles(), &cad::stepFiles()}, shaftItem),
+        roleOf(machineRole, LT_TEXT("Engine", "Machine"), LT_TEXT("Engine", "Else the spindle of the turning program"),
+               {&receptance::spindleFiles()}, receptance::spindleItem),
+        roleOf(jobRole, LT_TEXT("Engine", "Job"), LT_TEXT("Engine", "Else that of the turning program"),
+               {&cam::jobFiles()}),
+        roleOf(setupRole, LT_TEXT("Engine", "Set-up of deflection"), LT_TEXT("Engine", "Else that of Deflection"),
+               {&deflection::setupFiles()}),
+        roleOf(copyRole, LT_TEXT("Engine", "Scan of the copy"), LT_TEXT("Engine", "Else the copy of Compare"),
+               {&io::scanFiles()}),
+        roleOf(beforeRole, LT_TEXT("Engine", "Photograph before"), LT_TEXT("Engine", "Of the surface, taken alike"),
+               {&io::imageFiles()}),
+        roleOf(afterRole, LT_TEXT("Engine", "Photograph after"), LT_TEXT("Engine", "Of the surface, taken alike"),
+               {&io::imageFiles()})};
+}
+
+AskedChain askedChain(const project::Project& project)
+{
+    AskedChain asked;
+    chain::ChainQuestion& question = asked.question;
+    const auto own = project.panels.find(chainKey);
+    const auto settings = fromValues<ChainSettings>(own == project.panels.end() ? Values{} : own->second.parameters);
+    const auto pathAt = [&](const std::vector<std::pair<const char*, const char*>>& places) {
+        const project::Source* const source = firstOf(project, places);
+        return source ? source->path : std::string();
+    };
+    question.scan = pathAt({{chainKey, scanRole}, {"recognise", "scan"}});
+    question.job = pathAt({{chainKey, jobRole}, {"turning", "job"}});
+    question.setup = pathAt({{chainKey, setupRole}, {"deflection", "setup"}});
+    question.copy = pathAt({{chainKey, copyRole}, {"compare", "copy"}});
+    question.photograph_before = pathAt({{chainKey, beforeRole}});
+    question.photograph_after = pathAt({{chainKey, afterRole}});
+    question.out = settings.folder.empty() ? proposedFolder(question) : settings.folder;
+    Inputs inputs(project, question.out, asked);
+    question.drawing = inputs.pathOf(
+        firstOf(project, {{chainKey, drawingRole}, {"turning", "shaft"}, {"drawing", "shaft"}}), "drawing");
+    question.machine = inputs.pathOf(
+        firstOf(project, {{chainKey, machineRole}, {"turning", "spindle"}, {"shaft", "spindle"}}), "spindle");
+    if (!sourceAt(project, chainKey, jobRole))
+        if (const std::string text = changedJob(project); !text.empty()) question.job = inputs.made("job", text);
+    question.confirmed_by = settings.confirmed_by;
+    question.tolerance_mm = settings.tolerance_mm;
+    question.tolerance_um = settings.tolerance_um;
+    question.photograph_z_mm = settings.photograph_z_mm;
+    question.photograph_mm_px = settings.photograph_mm_px;
+    if (const auto turning = project.panels.find("turning"); turning != project.panels.end())
+        if (const Value* const post = find(turning->second.parameters, "post"))
+            if (const auto* const name = std::get_if<std::string>(post)) question.post = *name;
+    if (const auto recognise = project.panels.find("recognise"); recognise != project.panels.end())
+        for (const std::string& key : chain::recognitionKeys())
+            if (const Value* const given = find(recognise->second.parameters, key))
+                set(question.recognition, key, *given);
+    return asked;
+}
+
+std::string proposedFolder(const chain::ChainQuestion& question)
+{
+    const fs::path beside = !question.scan.empty() ? question.scan : question.job;
+    if (beside.empty()) return {};
+    return (beside.parent_path() / (beside.stem().string() + "_chain")).string();
+}
+
+}  // namespace lathelier::chain_panel

@@ -1,0 +1,408 @@
+#include "widgets/chain/chain_strip.h"
+
+#include <QDesktopServices>
+#include <QEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QMenu>
+#include <QUrl>
+#include <algorithm>
+#include <filesystem>
+
+#include "engine/chain/dossier_report.h"
+#include "engine/io/file.h"
+#include "engine/report/html.h"
+#include "widgets/chain/chain_landing.h"
+#include "widgets/chain/chain_memory.h"
+#include "widgets/chain/run_dialog.h"
+#include "widgets/core/icons.h"
+#include "widgets/core/language.h"
+#include "widgets/core/report/report_files.h"
+
+namespace lathelier::chain_panel {
+namespace {
+
+constexpr int settling_ms = 150;
+constexpr int watching_ms = 2000;
+constexpr std::size_t shownDigits = 12;
+constexpr int mostFiles = 12;
+
+const Text chainTitle = LT_TEXT("Engine", "Chain");
+
+/// Worse ones stand for the others.
+int weight(chain::StepState state)
+{
+    switch (state) {
+        case chain::StepState::Failed: return 4;
+        case chain::StepState::OutOfDate: return 3;
+        case chain::StepState::NotReached: return 2;
+        case chain::StepState::Missing: return 1;
+        case chain::StepState::Done: break;
+    }
+    return 0;
+}
+
+QString linesOf(const std::vector<InputFile>& files)
+{
+    QStringList lines;
+    for (const InputFile& file : files) {
+        if (lines.size() == mostFiles) {
+            lines << QStringLiteral("…");
+            break;
+        }
+        lines << QStringLiteral("  %1  %2")
+                     .arg(screenFileName(QString::fromStdString(file.path)),
+                          QString::fromStdString(file.sha256.substr(0, shownDigits)));
+    }
+    return lines.join("\n");
+}
+
+QString aboutOf(const StripStep& step, const chain::Dossier& dossier)
+{
+    QStringList parts;
+    for (const char* id : step.of_chain) {
+        const chain::ChainStep* const found = dossier.step(id);
+        if (!found) continue;
+        QString part = screenText(chain::titleOf(id)) + ": " + signOf(found->state) + " " + wordOf(found->state);
+        if (found->error)
+            part += "\n  " + screenText(*found->error);
+        else if (found->state == chain::StepState::Failed && !found->remarks.empty())
+            part += "\n  " + QString::fromStdString(found->remarks.back());
+        if (!found->inputs.empty()) part += "\n" + ChainStrip::tr("Takes (SHA-256):") + "\n" + linesOf(found->inputs);
+        if (!found->outputs.empty()) part += "\n" + ChainStrip::tr("Makes (SHA-256):") + "\n" + linesOf(found->outputs);
+        parts << part;
+    }
+    return parts.join("\n\n");
+}
+
+/// Tells an untouched folder from a changed one without reading its files.
+std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, const Progress& progress)
+{
+    std::string stamps = io::fileStamp((std::filesystem::path(folder) / chain::dossierFile).string());
+    for (const chain::ChainStep& step : dossier.steps)
+        for (const auto* files : {&step.inputs, &step.outputs})
+            for (const InputFile& file : *files) {
+                progress.check();
+                stamps += '\n';
+                stamps += io::fileStamp((std::filesystem::path(folder) / file.path).string());
+            }
+    return stamps;
+}
+
+struct Looked {
+    std::shared_ptr<const chain::Dossier> dossier;
+    std::string stamps;
+};
+
+void writeMade(const AskedChain& asked)
+{
+    for (const MadeInput& made : asked.made) {
+        std::error_code ignored;
+        std::filesystem::create_directories(std::filesystem::path(made.path).parent_path(), ignored);
+        io::writeFile(made.path, made.text);
+    }
+}
+
+}  // namespace
+
+const std::vector<StripStep>& stripSteps()
+{
+    static const std::vector<StripStep> all{{"scan", LT_TEXT("Engine", "Scan"), "recognise", {"recognise"}},
+                                            {"drawing", LT_TEXT("Engine", "Drawing"), "drawing", {"draw"}},
+                                            {"machine", LT_TEXT("Engine", "Machine"), "shaft", {"machine"}},
+                                            {"speeds", LT_TEXT("Engine", "Speeds"), "lobes", {"speeds"}},
+                                            {"program", LT_TEXT("Engine", "Program"), "turning", {"program"}},
+                                            {"deflection",
+                                             LT_TEXT("Engine", "Deflection"),
+                                             "deflection",
+                                             {"deflection", "deflection_2", "corrected_check"}},
+                                            {"copy", LT_TEXT("Engine", "Copy"), "compare", {"copy"}},
+                                            {"proof", LT_TEXT("Engine", "Proof"), chainKey, {"proof", "surface"}}};
+    return all;
+}
+
+chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier)
+{
+    const chain::ChainStep* const first = dossier.step(step.of_chain.front());
+    chain::StepState worst = first ? first->state : chain::StepState::Missing;
+    for (const char* id : step.of_chain) {
+        const chain::ChainStep* const further = dossier.step(id);
+        // What goes along with a step and is not given takes nothing from it.
+        if (further && further->state != chain::StepState::Missing && weight(further->state) > weight(worst))
+            worst = further->state;
+    }
+    return worst;
+}
+
+ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
+    : WorkspaceStrip(parent),
+      session_(session),
+      ask_(std::move(ask)),
+      stack_(new QStackedWidget),
+      start_(new QPushButton),
+      phase_(new QLabel),
+      bar_(new QProgressBar),
+      cancel_(new QPushButton),
+      more_(new QToolButton),
+      report_(new QAction(this)),
+      dossier_(new QAction(this)),
+      folder_(new QAction(this))
+{
+    setObjectName("chainStrip");
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 2, 4, 2);
+    row->setSpacing(4);
+    for (const StripStep& step : stripSteps()) {
+        auto* tile = new StepTile;
+        tile->setObjectName(QString("step_") + step.key);
+        connect(tile, &QAbstractButton::clicked, this, [this, id = std::string(step.panel)] { emit panelWanted(id); });
+        tiles_.push_back(tile);
+        row->addWidget(tile, 1);
+    }
+    start_->setObjectName("runChainWanted");
+    cancel_->setObjectName("cancelChain");
+    phase_->setObjectName("chainPhase");
+    phase_->setTextFormat(Qt::PlainText);
+    phase_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    bar_->setRange(0, 1000);
+    bar_->setTextVisible(false);
+    bar_->setMaximumHeight(fontMetrics().height() / 2);
+    auto* running = new QWidget;
+    auto* columns = new QHBoxLayout(running);
+    columns->setContentsMargins(0, 0, 0, 0);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(1);
+    words->addWidget(phase_);
+    words->addWidget(bar_);
+    columns->addLayout(words, 1);
+    columns->addWidget(cancel_);
+    stack_->addWidget(start_);
+    stack_->addWidget(running);
+    stack_->setFixedWidth(fontMetrics().averageCharWidth() * 32);
+    stack_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    start_->setFixedHeight(tiles_.front()->sizeHint().height());
+    row->addWidget(stack_);
+    more_->setObjectName("chainMore");
+    more_->setPopupMode(QToolButton::InstantPopup);
+    more_->setIcon(icon("export"));
+    auto* menu = new QMenu(more_);
+    for (QAction* action : {report_, dossier_, folder_}) menu->addAction(action);
+    more_->setMenu(menu);
+    row->addWidget(more_);
+    connect(start_, &QPushButton::clicked, this, &ChainStrip::askToRun);
+    connect(cancel_, &QPushButton::clicked, &run_, &Task::cancel);
+    connect(report_, &QAction::triggered, this, &ChainStrip::exportReport);
+    connect(dossier_, &QAction::triggered, this, &ChainStrip::exportDossier);
+    connect(folder_, &QAction::triggered, this, &ChainStrip::openFolder);
+    connect(&run_, &Task::progressed, this, &ChainStrip::showProgress);
+    due_.setSingleShot(true);
+    due_.setInterval(settling_ms);
+    connect(&due_, &QTimer::timeout, this, &ChainStrip::look);
+    connect(&session_, &Session::changed, this, &ChainStrip::lookSoon);
+    connect(&session_, &Session::filesTaken, this, &ChainStrip::lookSoon);
+    connect(&session_.watch(), &SourceWatch::changed, this, &ChainStrip::lookSoon);
+    turn_.setInterval(watching_ms);
+    connect(&turn_, &QTimer::timeout, this, &ChainStrip::watchFiles);
+    turn_.start();
+    retranslate();
+    lookSoon();
+}
+
+ChainStrip::~ChainStrip() = default;
+
+StepTile* ChainStrip::tile(const std::string& key) const
+{
+    return findChild<StepTile*>(QString::fromStdString("step_" + key));
+}
+
+void ChainStrip::look()
+{
+    if (!isVisible()) return;  // showEvent() asks again
+    try {
+        asked_ = askedChain(session_.project());
+    } catch (const Error& error) {  // a parameter of the project file is out of its range
+        emit messageRaised({error, chainTitle});
+        return;
+    }
+    look_.compute<Looked>(
+        [asked = asked_, ask = ask_, stores = session_.sharedStores()](const Progress& progress) {
+            io::InputFiles inputs;
+            auto earlier = stores->of<ChainMemory>()->find(asked.question.out, progress);
+            Looked looked;
+            looked.dossier = std::make_shared<const chain::Dossier>(
+                chain::remanufacture(asked.question, ask, chain::RunMode::Look, earlier, inputs, progress));
+            looked.stamps = stampsOf(*looked.dossier, asked.question.out, progress);
+            return looked;
+        },
+        [this](const Looked& looked) {
+            stamps_ = looked.stamps;
+            show(looked.dossier);
+        },
+        [this](const Error& error) {
+            emit messageRaised({error, chainTitle});
+        });
+}
+
+/// In a thread of its own, for a file system may hang.
+void ChainStrip::watchFiles()
+{
+    if (!isVisible() || !looked_ || isLooking() || isRunning() || watch_.isBusy()) return;
+    watch_.compute<std::string>([dossier = looked_, folder = asked_.question.out](
+                                    const Progress& progress) { return stampsOf(*dossier, folder, progress); },
+                                [this](const std::string& stamps) {
+                                    const bool has_changed = !stamps_.empty() && stamps != stamps_;
+                                    stamps_ = stamps;
+                                    if (has_changed) look();
+                                },
+                                [](const Error&) {});
+}
+
+void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
+{
+    looked_ = dossier;
+    for (std::size_t i = 0; i < tiles_.size(); ++i) {
+        const StripStep& step = stripSteps()[i];
+        tiles_[i]->say(screenText(step.title), stateOf(step, *dossier));
+        tiles_[i]->setToolTip(aboutOf(step, *dossier));
+    }
+    const auto waiting = stepsToRun(*dossier).size();
+    start_->setText(waiting > 0 ? tr("Run %n step(s)…", "", waiting) : tr("Up to date"));
+    start_->setEnabled(waiting > 0);
+    const bool has_dossier = !dossierDigest(asked_.question.out).empty();
+    for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(has_dossier);
+}
+
+void ChainStrip::askToRun()
+{
+    if (isRunning() || !looked_) return;
+    dialog_ = new RunDialog(*looked_, asked_, this);
+    dialog_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog_, &QDialog::accepted, this, [this] {
+        const std::string folder = QFileInfo(dialog_->folder()).absoluteFilePath().toStdString();
+        try {
+            // Another folder: what is written for the chain goes there too.
+            project::Project project = session_.project();
+            set(project.panels[chainKey].parameters, folderKey, folder);
+            run(askedChain(project));
+        } catch (const Error& error) {
+            emit messageRaised({error, chainTitle});
+        }
+    });
+    dialog_->open();
+}
+
+void ChainStrip::run(const AskedChain& asked)
+{
+    setRunning(true);
+    run_.start(
+        [asked, ask = ask_, stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+            writeMade(asked);
+            io::InputFiles inputs;
+            auto memory = stores->of<ChainMemory>();
+            auto earlier = memory->find(asked.question.out, progress);
+            auto dossier = std::make_shared<const chain::Dossier>(
+                chain::remanufacture(asked.question, ask, chain::RunMode::OutOfDate, earlier, inputs, progress));
+            chain::writeDossier(asked.question, *dossier, inputs.list(), toValues(asked.question));
+            memory->keep(asked.question.out, dossier);
+            return std::make_shared<const std::shared_ptr<const chain::Dossier>>(dossier);
+        },
+        [this, asked](const Worker::Outcome& outcome) {
+            setRunning(false);
+            if (const auto* value = std::get_if<std::shared_ptr<const void>>(&outcome))
+                landed(asked, *static_cast<const std::shared_ptr<const chain::Dossier>*>(value->get()));
+            else if (const auto* error = std::get_if<Error>(&outcome))
+                emit messageRaised({*error, chainTitle});
+            lookSoon();
+        });
+}
+
+void ChainStrip::landed(const AskedChain& asked, const std::shared_ptr<const chain::Dossier>& dossier)
+{
+    landRun(session_, asked.question, *dossier);
+    if (const auto error = dossier->error()) {
+        emit messageRaised({*error, chainTitle});
+        return;
+    }
+    const Phrase done{LT_TEXT("Engine", "The chain was run; its files are in {path}."), {{"path", asked.question.out}}};
+    emit messageRaised({done, chainTitle});
+}
+
+void ChainStrip::showProgress(const Worker::State& state)
+{
+    bar_->setValue(static_cast<int>(state.fraction * 1000));
+    const QString phase = state.stopping ? tr("Stopping…") : screenText(state.stage);
+    phase_->setText(phase);
+    phase_->setToolTip(phase);
+}
+
+void ChainStrip::setRunning(bool running)
+{
+    bar_->setValue(0);
+    phase_->clear();
+    stack_->setCurrentIndex(running ? 1 : 0);
+}
+
+void ChainStrip::exportReport()
+{
+    const auto dossier = session_.stores().of<ChainMemory>()->find(asked_.question.out, {});
+    const QString path = QFileDialog::getSaveFileName(this, tr("Write the report of the chain"), "chain.html",
+                                                      tr("HTML (*.html)") + ";;" + tr("PDF (*.pdf)"));
+    if (!dossier || path.isEmpty()) return;
+    try {
+        writeReport(path, chain::dossierReport(*dossier));
+    } catch (const Error& error) {
+        emit messageRaised({error, chainTitle});
+    }
+}
+
+void ChainStrip::exportDossier()
+{
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Write the dossier"), "dossier.json", tr("JSON (*.json)"));
+    if (path.isEmpty()) return;
+    try {
+        const io::FileBytes bytes((std::filesystem::path(asked_.question.out) / chain::dossierFile).string());
+        io::writeFile(path.toStdString(), bytes.view());
+    } catch (const Error& error) {
+        emit messageRaised({error, chainTitle});
+    }
+}
+
+void ChainStrip::openFolder()
+{
+    QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(asked_.question.out)));
+}
+
+void ChainStrip::showEvent(QShowEvent* event)
+{
+    WorkspaceStrip::showEvent(event);
+    lookSoon();
+}
+
+void ChainStrip::retranslate()
+{
+    setAccessibleName(tr("Chain from the scan to the proof of the copy"));
+    for (std::size_t i = 0; i < tiles_.size(); ++i)
+        tiles_[i]->say(screenText(stripSteps()[i].title), tiles_[i]->state());
+    start_->setText(tr("Run the chain…"));
+    start_->setToolTip(tr("Runs the steps that are not made yet or out of date, after a question"));
+    cancel_->setText(tr("Cancel"));
+    cancel_->setToolTip(tr("What was made before stays"));
+    more_->setToolTip(tr("Report and dossier of the chain"));
+    more_->setAccessibleName(more_->toolTip());
+    report_->setText(tr("&Report…"));
+    dossier_->setText(tr("&Dossier…"));
+    folder_->setText(tr("&Open the folder"));
+    if (looked_) show(looked_);
+}
+
+void ChainStrip::changeEvent(QEvent* event)
+{
+    WorkspaceStrip::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) retranslate();
+}
+
+}  // namespace lathelier::chain_panel

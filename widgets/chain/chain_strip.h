@@ -1,0 +1,93 @@
+// The chain as a strip over the panels of "Copy a part": scan · drawing · machine · speeds · program · deflection ·
+// copy · proof. Each step shows its state in words and by a sign, its files in the tooltip, and opens its panel. What
+// is missing or out of date is run when asked, never by itself.
+#pragma once
+
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QToolButton>
+#include <vector>
+
+#include "engine/chain/remanufacture.h"
+#include "widgets/chain/chain_state.h"
+#include "widgets/chain/step_tile.h"
+#include "widgets/core/panel/workspace_strip.h"
+#include "widgets/core/session.h"
+#include "widgets/core/task/task.h"
+
+namespace lathelier::chain_panel {
+
+class RunDialog;
+
+/// A step of the strip: one or more steps of the chain.
+struct StripStep {
+    const char* key;                    ///< of its tile
+    Text title;                         ///< what people read
+    const char* panel;                  ///< id of the panel that it opens
+    std::vector<const char*> of_chain;  ///< ids of the chain's steps; the first one has to be there
+};
+
+const std::vector<StripStep>& stripSteps();
+
+/// The state that stands for all of them: what failed, then what is out of date, not made, missing, done.
+chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier);
+
+class ChainStrip : public WorkspaceStrip {
+    Q_OBJECT
+
+public:
+    ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent = nullptr);
+    ~ChainStrip() override;
+
+    const std::shared_ptr<const chain::Dossier>& looked() const { return looked_; }  ///< null: not yet
+    bool isLooking() const { return due_.isActive() || look_.isBusy(); }
+    bool isRunning() const { return run_.isBusy(); }
+    StepTile* tile(const std::string& key) const;
+
+    void askToRun();  ///< what is missing or out of date, after a question
+    void look();      ///< again: a file may have changed
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void lookSoon() { due_.start(); }
+    void watchFiles();
+    void show(const std::shared_ptr<const chain::Dossier>& dossier);
+    void run(const AskedChain& asked);
+    void landed(const AskedChain& asked, const std::shared_ptr<const chain::Dossier>& dossier);
+    void showProgress(const Worker::State& state);
+    void setRunning(bool running);
+    void exportReport();
+    void exportDossier();
+    void openFolder();
+    void retranslate();
+
+    Session& session_;
+    chain::AskVerb ask_;
+    std::vector<StepTile*> tiles_;
+    QStackedWidget* stack_;
+    QPushButton* start_;
+    QLabel* phase_;
+    QProgressBar* bar_;
+    QPushButton* cancel_;
+    QToolButton* more_;
+    QAction* report_;
+    QAction* dossier_;
+    QAction* folder_;
+    RunDialog* dialog_ = nullptr;
+    std::shared_ptr<const chain::Dossier> looked_;
+    AskedChain asked_;  ///< of looked_
+    QTimer due_;
+    QTimer turn_;         ///< looks whether a file of the chain was changed
+    std::string stamps_;  ///< of the files when they were looked at last
+    Task watch_;
+    Task look_;
+    Task run_;
+};
+
+}  // namespace lathelier::chain_panel

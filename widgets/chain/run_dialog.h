@@ -1,0 +1,34 @@
+// The question before the chain runs: which steps, which files are missing, where its files go.
+#pragma once
+
+#include <QDialog>
+#include <QLineEdit>
+#include <QPushButton>
+#include <memory>
+
+#include "engine/chain/dossier.h"
+#include "widgets/chain/chain_state.h"
+
+namespace lathelier::chain_panel {
+
+class RunDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWidget* parent);
+
+    QString folder() const { return folder_->text().trimmed(); }
+
+private:
+    void chooseFolder();
+    void enableRun();
+
+    QLineEdit* folder_;
+    QPushButton* run_;
+    bool has_steps_ = false;
+};
+
+/// Titles of the steps that a run would make, one a line with its state.
+QStringList stepsToRun(const chain::Dossier& looked);
+
+}  // namespace lathelier::chain_panel

@@ -1,0 +1,125 @@
+#include "widgets/chain/step_tile.h"
+
+#include <QPainter>
+#include <QStyleOption>
+#include <algorithm>
+
+namespace lathelier::chain_panel {
+namespace {
+
+constexpr int margin_px = 6;
+constexpr int radius_px = 4;
+
+bool isDark(const QPalette& palette)
+{
+    return palette.window().color().lightness() < 128;
+}
+
+/// Told apart by lightness as well; the sign and the word say the same.
+QColor colourOf(chain::StepState state, const QPalette& palette)
+{
+    const bool dark = isDark(palette);
+    switch (state) {
+        case chain::StepState::Done: return dark ? QColor(0x56, 0xb4, 0x8c) : QColor(0x00, 0x6d, 0x4f);
+        case chain::StepState::OutOfDate: return dark ? QColor(0xf0, 0xb4, 0x40) : QColor(0x8a, 0x5a, 0x00);
+        case chain::StepState::Failed: return dark ? QColor(0xff, 0x80, 0x60) : QColor(0xb0, 0x2a, 0x00);
+        case chain::StepState::Missing:
+        case chain::StepState::NotReached: break;
+    }
+    return palette.color(QPalette::Disabled, QPalette::WindowText);
+}
+
+}  // namespace
+
+QString signOf(chain::StepState state)
+{
+    switch (state) {
+        case chain::StepState::Done: return QStringLiteral("✓");
+        case chain::StepState::OutOfDate: return QStringLiteral("!");
+        case chain::StepState::Failed: return QStringLiteral("✗");
+        case chain::StepState::NotReached: return QStringLiteral("○");
+        case chain::StepState::Missing: break;
+    }
+    return QStringLiteral("–");
+}
+
+QString wordOf(chain::StepState state)
+{
+    switch (state) {
+        case chain::StepState::Done: return StepTile::tr("done");
+        case chain::StepState::OutOfDate: return StepTile::tr("out of date");
+        case chain::StepState::Failed: return StepTile::tr("failed");
+        case chain::StepState::NotReached: return StepTile::tr("not made yet");
+        case chain::StepState::Missing: break;
+    }
+    return StepTile::tr("missing");
+}
+
+StepTile::StepTile(QWidget* parent) : QAbstractButton(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void StepTile::say(const QString& title, chain::StepState state)
+{
+    setText(title);
+    state_ = state;
+    setAccessibleName(title + ": " + wordOf(state));
+    updateGeometry();
+    update();
+}
+
+/// Wide enough for every state, so that nothing moves when it changes.
+QSize StepTile::sizeHint() const
+{
+    int width = fontMetrics().horizontalAdvance(text());
+    for (const auto state : {chain::StepState::Done, chain::StepState::OutOfDate, chain::StepState::Failed,
+                             chain::StepState::NotReached, chain::StepState::Missing})
+        width = std::max(width, fontMetrics().horizontalAdvance(signOf(state) + " " + wordOf(state)));
+    return {width + 2 * margin_px, 2 * fontMetrics().height() + 8};
+}
+
+QSize StepTile::minimumSizeHint() const
+{
+    return {std::min(sizeHint().width(), 9 * fontMetrics().averageCharWidth()), sizeHint().height()};
+}
+
+void StepTile::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor colour = colourOf(state_, palette());
+    const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
+    QColor fill = palette().color(QPalette::Base);
+    if (underMouse() || isDown()) fill = palette().color(QPalette::AlternateBase);
+    painter.setPen(
+        QPen(hasFocus() ? palette().color(QPalette::Highlight) : palette().color(QPalette::Mid), hasFocus() ? 2 : 1));
+    painter.setBrush(fill);
+    painter.drawRoundedRect(box, radius_px, radius_px);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRect(QRectF(box.left() + 1, box.bottom() - 3, box.width() - 2, 3));
+    const QRect inner = rect().adjusted(margin_px, 2, -margin_px, -5);
+    const QFontMetrics metrics = fontMetrics();
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, metrics.elidedText(text(), Qt::ElideRight, inner.width()));
+    painter.setPen(colour);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom,
+                     metrics.elidedText(signOf(state_) + " " + wordOf(state_), Qt::ElideRight, inner.width()));
+}
+
+void StepTile::enterEvent(QEvent* event)
+{
+    QAbstractButton::enterEvent(event);
+    update();
+}
+
+void StepTile::leaveEvent(QEvent* event)
+{
+    QAbstractButton::leaveEvent(event);
+    update();
+}
+
+}  // namespace lathelier::chain_panel

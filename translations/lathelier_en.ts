@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>lathelier::chain_panel::ChainStrip</name>
+    <message numerus="yes">
+        <source>Run %n step(s)…</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lathelier::training_panel::ExercisePane</name>
     <message numerus="yes">
         <source>%n answer(s)</source>

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 namespace lathelier::features {
@@ -140,8 +139,6 @@ std::vector<Wall> leadIn(const MeridianCloud& cloud, double border_mm, bool towa
         }
         slope = (n * szr - sz * sr) / (n * szz - sz * sz);
     }
-    for (const Wall& w : walls) std::fprintf(stderr, "lead z %.4f r %.4f n %.0f s %.4f\n", w.z_mm, w.r_mm, w.points, w.sigma_mm);
-    std::fprintf(stderr, "level %.4f slope %.4f\n", level_mm, slope);
     if (!(slope * sign > 0.1)) return {};
     if (!toward_end) std::reverse(walls.begin(), walls.end());
     return walls;

@@ -15,7 +15,7 @@ TEST(ProgramItem, ComesBackAsItWas)
     program.stock = Shaft{"bar", {{100, 40, 40, 0, {}, ""}}, std::nullopt};
     EXPECT_EQ(programOf(toValues(program)), program);
     program.stock.reset();
-    program.corrected_from = "ab12";
+    program.corrected_from = std::string(64, 'a');
     program.correction_z_mm = {0, 1, 2.5};
     program.correction_radius_mm = {0, -0.01, 0.02};
     EXPECT_EQ(programOf(toValues(program)), program);
@@ -26,7 +26,7 @@ TEST(ProgramItem, WholeNumbersOfAProjectFileAreNumbers)
     ProgramItem program;
     program.text = "M30\n";
     program.z_zero_mm = 1;
-    program.corrected_from = "ab";
+    program.corrected_from = std::string(64, 'a');
     Values values = toValues(program);
     set(values, "z_zero_mm", std::int64_t{1});
     set(values, "correction_z_mm", std::vector<std::int64_t>{0, 10});
@@ -41,7 +41,7 @@ TEST(ProgramItem, OtherValuesAreNone)
     EXPECT_FALSE(programOf({}));
     ProgramItem program;
     program.text = "M30\n";
-    program.corrected_from = "ab";
+    program.corrected_from = std::string(64, 'a');
     Values values = toValues(program);
     set(values, "correction_z_mm", std::vector<double>{1, 0});
     set(values, "correction_radius_mm", std::vector<double>{0, 0});

@@ -42,9 +42,9 @@
     <name>lathelier::chain_panel::ChainStrip</name>
     <message numerus="yes">
         <source>Run %n step(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Run %n step…</numerusform>
+            <numerusform>Run %n steps…</numerusform>
         </translation>
     </message>
 </context>

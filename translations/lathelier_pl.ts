@@ -2,6 +2,17 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl" sourcelanguage="en">
 <context>
+    <name>lathelier::chain_panel::StripTexts</name>
+    <message>
+        <source>Takes (SHA-256):</source>
+        <translation>Pobiera (SHA-256):</translation>
+    </message>
+    <message>
+        <source>Makes (SHA-256):</source>
+        <translation>Wykonuje (SHA-256):</translation>
+    </message>
+</context>
+<context>
     <name>Engine</name>
     <message>
         <source>The option {option} is not known.</source>
@@ -12993,487 +13004,487 @@
     </message>
     <message>
         <source>a thread is cut into its finished row</source>
-        <translation type="unfinished"></translation>
+        <translation>gwint nacina się w jego wykończonym wierszu</translation>
     </message>
     <message>
         <source>At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} mm, with the force of the work material.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy {speed_rpm} obr/min na z = {z_start_mm} … {z_end_mm} mm stabilne byłyby głębokości do {stable_depth_mm:3} mm, przy sile skrawania materiału przedmiotu.</translation>
     </message>
     <message>
         <source>{step}: {path} is no longer what it was when the chain was run.</source>
-        <translation type="unfinished"></translation>
+        <translation>{step}: plik {path} zmienił się od wykonania łańcucha.</translation>
     </message>
     <message>
         <source>Stiffness and forces cannot be fitted to the copy: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sztywności i sił nie można dopasować do kopii: {reason}</translation>
     </message>
     <message>
         <source>Photograph before</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie przed</translation>
     </message>
     <message>
         <source>Of the turned surface before the speeds were chosen anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toczonej powierzchni, sprzed ponownego doboru prędkości.</translation>
     </message>
     <message>
         <source>Photograph after</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie po</translation>
     </message>
     <message>
         <source>Of the same surface on the copy, taken alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tej samej powierzchni na kopii, wykonane w tych samych warunkach.</translation>
     </message>
     <message>
         <source>Place of the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsce zdjęć</translation>
     </message>
     <message>
         <source>z from the free end: diameter and speed there turn marks into frequencies.</source>
-        <translation type="unfinished"></translation>
+        <translation>z od wolnego końca: z tamtejszej średnicy i prędkości ślady przelicza się na częstotliwości.</translation>
     </message>
     <message>
         <source>Scale of the photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Skala zdjęć</translation>
     </message>
     <message>
         <source>Width of a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Szerokość piksela.</translation>
     </message>
     <message>
         <source>Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontynuuj</translation>
     </message>
     <message>
         <source>Take over the steps in the folder whose files and questions are as they were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przejmij z folderu kroki, których pliki i pytania się nie zmieniły.</translation>
     </message>
     <message>
         <source>the scan of the worn part, or a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>skan zużytej części lub rysunek</translation>
     </message>
     <message>
         <source>a drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>rysunek</translation>
     </message>
     <message>
         <source>the machine (--machine)</source>
-        <translation type="unfinished"></translation>
+        <translation>maszyna (--machine)</translation>
     </message>
     <message>
         <source>the job (--job)</source>
-        <translation type="unfinished"></translation>
+        <translation>zadanie (--job)</translation>
     </message>
     <message>
         <source>photographs before and after (--photograph-before, --photograph-after)</source>
-        <translation type="unfinished"></translation>
+        <translation>zdjęcia przed i po (--photograph-before, --photograph-after)</translation>
     </message>
     <message>
         <source>the scan of the worn part</source>
-        <translation type="unfinished"></translation>
+        <translation>skan zużytej części</translation>
     </message>
     <message>
         <source>a cylinder that the second clamping can grip</source>
-        <translation type="unfinished"></translation>
+        <translation>walec, za który można chwycić w drugim zamocowaniu</translation>
     </message>
     <message>
         <source>Proof</source>
-        <translation type="unfinished"></translation>
+        <translation>Weryfikacja</translation>
     </message>
     <message>
         <source>Photographs</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcia</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>nieaktualne</translation>
     </message>
     <message>
         <source>done, missing, failed or not_reached</source>
-        <translation type="unfinished"></translation>
+        <translation>done, missing, failed lub not_reached</translation>
     </message>
     <message>
         <source>Largest deviation of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Największa odchyłka kopii</translation>
     </message>
     <message>
         <source>Taken over from an earlier run</source>
-        <translation type="unfinished"></translation>
+        <translation>Przejęte z wcześniejszego przebiegu</translation>
     </message>
     <message>
         <source>Deflection, second clamping</source>
-        <translation type="unfinished"></translation>
+        <translation>Ugięcie, drugie zamocowanie</translation>
     </message>
     <message>
         <source>Photographs of the surface</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcia powierzchni</translation>
     </message>
     <message>
         <source>copy along z, ± U</source>
-        <translation type="unfinished"></translation>
+        <translation>kopia wzdłuż z, ± U</translation>
     </message>
     <message>
         <source>From z [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Od z [mm]</translation>
     </message>
     <message>
         <source>To z [mm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Do z [mm]</translation>
     </message>
     <message>
         <source>Predicted [µm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Przewidywany [µm]</translation>
     </message>
     <message>
         <source>U [µm]</source>
-        <translation type="unfinished"></translation>
+        <translation>U [µm]</translation>
     </message>
     <message>
         <source>Measured [µm]</source>
-        <translation type="unfinished"></translation>
+        <translation>Zmierzony [µm]</translation>
     </message>
     <message>
         <source>Agreement</source>
-        <translation type="unfinished"></translation>
+        <translation>Zgodność</translation>
     </message>
     <message>
         <source>✓ agrees</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ zgodne</translation>
     </message>
     <message>
         <source>✗ disagrees</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ niezgodne</translation>
     </message>
     <message>
         <source>Of the diameter, where its limits are not stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Średnicy, gdy nie podano jej wymiarów granicznych.</translation>
     </message>
     <message>
         <source>marks {frequency} Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>ślady {frequency} Hz</translation>
     </message>
     <message>
         <source>Your marks say {marks} ± {uncertainty} Hz, your model says {model} Hz: {percent} % apart. Frequency response, diameter, speed or number of waves may be wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady wskazują {marks} ± {uncertainty} Hz, model {model} Hz: różnica {percent} %. Błędna może być charakterystyka częstotliwościowa, średnica, prędkość lub liczba fal.</translation>
     </message>
     <message>
         <source>Your marks say {marks} ± {uncertainty} Hz, your model says {model} Hz; the nearest other reading is {other} Hz away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady wskazują {marks} ± {uncertainty} Hz, model {model} Hz; najbliższy inny odczyt jest oddalony o {other} Hz.</translation>
     </message>
     <message>
         <source>Your marks say {marks} ± {uncertainty} Hz, your model says {model} Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady wskazują {marks} ± {uncertainty} Hz, model {model} Hz.</translation>
     </message>
     <message>
         <source>Before and after</source>
-        <translation type="unfinished">Przed i po</translation>
+        <translation>Przed i po</translation>
     </message>
     <message>
         <source>Lines over the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Prążki ponad szumem</translation>
     </message>
     <message>
         <source>Lines in a length</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość przestrzenna</translation>
     </message>
     <message>
         <source>Power over the noise, S</source>
-        <translation type="unfinished"></translation>
+        <translation>Moc względem szumu, S</translation>
     </message>
     <message>
         <source>strongest line</source>
-        <translation type="unfinished"></translation>
+        <translation>najsilniejszy prążek</translation>
     </message>
     <message>
         <source>threshold, T</source>
-        <translation type="unfinished"></translation>
+        <translation>próg, T</translation>
     </message>
     <message>
         <source>Before and after, in one scale, direction and grey</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed i po, w tej samej skali, kierunku i szarości</translation>
     </message>
     <message>
         <source>Before, {rpm} rpm: no periodic marks found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed, {rpm} obr/min: nie znaleziono śladów okresowych.</translation>
     </message>
     <message>
         <source>After, {rpm} rpm: no periodic marks found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po, {rpm} obr/min: nie znaleziono śladów okresowych.</translation>
     </message>
     <message>
         <source>Before, {rpm} rpm: no chatter marks above {limit} % of the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed, {rpm} obr/min: brak śladów drgań powyżej {limit} % śladów posuwu.</translation>
     </message>
     <message>
         <source>After, {rpm} rpm: no chatter marks above {limit} % of the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po, {rpm} obr/min: brak śladów drgań powyżej {limit} % śladów posuwu.</translation>
     </message>
     <message>
         <source>Before, {rpm} rpm: chatter marks, {relative} times as strong as the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed, {rpm} obr/min: ślady drgań, {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>After, {rpm} rpm: chatter marks, {relative} times as strong as the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po, {rpm} obr/min: ślady drgań, {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>Before, {rpm} rpm: marks of {frequency} ± {uncertainty} Hz (m = {m}, ε {phase}°), {relative} times as strong as the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed, {rpm} obr/min: ślady {frequency} ± {uncertainty} Hz (m = {m}, ε {phase}°), {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>After, {rpm} rpm: marks of {frequency} ± {uncertainty} Hz (m = {m}, ε {phase}°), {relative} times as strong as the feed marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po, {rpm} obr/min: ślady {frequency} ± {uncertainty} Hz (m = {m}, ε {phase}°), {relative} razy silniejsze niż ślady posuwu.</translation>
     </message>
     <message>
         <source>By the rule N = 60 f/k chatter is worst at ν = 0 (bands along the axis), by the exact relation near ν = -¼ (steep bands, axial period 4 f). Here ν = {nu}, axial period {feeds} f: these marks speak for the exact relation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Według reguły N = 60 f/k drgania są najsilniejsze przy ν = 0 (pasma wzdłuż osi), według zależności dokładnej blisko ν = -¼ (strome pasma, okres osiowy 4 f). Tu ν = {nu}, okres osiowy {feeds} f: te ślady przemawiają za zależnością dokładną.</translation>
     </message>
     <message>
         <source>By the rule N = 60 f/k chatter is worst at ν = 0 (bands along the axis), by the exact relation near ν = -¼ (steep bands, axial period 4 f). Here ν = {nu}: as the rule says, or a forced vibration.</source>
-        <translation type="unfinished"></translation>
+        <translation>Według reguły N = 60 f/k drgania są najsilniejsze przy ν = 0 (pasma wzdłuż osi), według zależności dokładnej blisko ν = -¼ (strome pasma, okres osiowy 4 f). Tu ν = {nu}: zgodnie z regułą albo drgania wymuszone.</translation>
     </message>
     <message>
         <source>By the rule N = 60 f/k chatter is worst at ν = 0 (bands along the axis), by the exact relation near ν = -¼ (steep bands, axial period 4 f). Here ν = {nu}: this picture decides for neither.</source>
-        <translation type="unfinished"></translation>
+        <translation>Według reguły N = 60 f/k drgania są najsilniejsze przy ν = 0 (pasma wzdłuż osi), według zależności dokładnej blisko ν = -¼ (strome pasma, okres osiowy 4 f). Tu ν = {nu}: ten obraz nie rozstrzyga na korzyść żadnej z nich.</translation>
     </message>
     <message>
         <source>Forced or regenerative? ν = {nu}: a whole number of waves in a revolution, or more, speaks for a forced vibration (out-of-round stock, jaws, bearings, gears).</source>
-        <translation type="unfinished"></translation>
+        <translation>Wymuszone czy regeneracyjne? ν = {nu}: całkowita liczba fal na obrót lub większa wskazuje na drgania wymuszone (nieokrągły półfabrykat, szczęki, łożyska, koła zębate).</translation>
     </message>
     <message>
         <source>Regenerative: ε = {phase}° lies between 180° and 360°, as chatter that feeds itself does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Regeneracyjne: ε = {phase}° leży między 180° a 360°, jak przy drganiach samowzbudnych.</translation>
     </message>
     <message>
         <source>Forced or regenerative? ν = {nu}; its sign is open until the directions of feed and cut are given.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wymuszone czy regeneracyjne? ν = {nu}; znak pozostaje nieustalony, dopóki nie podano kierunków posuwu i skrawania.</translation>
     </message>
     <message>
         <source>{waves} waves lie in the picture: it decides m = {m} by itself (measured {measured}).</source>
-        <translation type="unfinished"></translation>
+        <translation>Liczba fal w obrazie: {waves}; obraz sam rozstrzyga m = {m} (zmierzono {measured}).</translation>
     </message>
     <message>
         <source>Only {waves} waves lie in the picture: ν is sure, m = {m} is not (measured {measured}). Candidates: {all} Hz. Photograph the whole width of the part, or let a model choose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liczba fal w obrazie to tylko {waves}: ν jest pewne, m = {m} nie (zmierzono {measured}). Kandydaci: {all} Hz. Sfotografuj całą szerokość części albo pozwól wybrać modelowi.</translation>
     </message>
     <message>
         <source>A picture cannot tell heights: no roughness and no amplitude in µm are made from it, for its contrast depends on the light far more than on the surface. Strengths are compared only between pictures taken alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z obrazu nie da się odczytać wysokości: nie wyznacza się z niego chropowatości ani amplitudy w µm, bo jego kontrast zależy od oświetlenia znacznie bardziej niż od powierzchni. Siłę śladów porównuje się tylko między obrazami wykonanymi w tych samych warunkach.</translation>
     </message>
     <message>
         <source>One surface in both pictures (response {response} of phase correlation).</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta sama powierzchnia na obu obrazach (odpowiedź korelacji fazowej {response}).</translation>
     </message>
     <message>
         <source>Different surfaces (response {response}): aligned by scale and direction only, not registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Różne powierzchnie (odpowiedź {response}): wyrównane tylko skalą i kierunkiem, nie nałożone na siebie.</translation>
     </message>
     <message>
         <source>Different surfaces (response {response}), scale not known: aligned by direction only, not registered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Różne powierzchnie (odpowiedź {response}), skala nieznana: wyrównane tylko kierunkiem, nie nałożone na siebie.</translation>
     </message>
     <message>
         <source>Speeds with whole waves in a revolution, N = 60 f_c / k</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkości z całkowitą liczbą fal na obrót, N = 60 f_c / k</translation>
     </message>
     <message>
         <source>Waves, k</source>
-        <translation type="unfinished"></translation>
+        <translation>Fale, k</translation>
     </message>
     <message>
         <source>What is seen</source>
-        <translation type="unfinished"></translation>
+        <translation>Co widać</translation>
     </message>
     <message>
         <source>Which vibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Jakie to drgania</translation>
     </message>
     <message>
         <source>What a picture cannot say</source>
-        <translation type="unfinished"></translation>
+        <translation>Czego obraz nie powie</translation>
     </message>
     <message>
         <source>The strip above runs the chain from the scan of a worn part to the proof of its copy; drop its files here, or a dossier that was made before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasek powyżej prowadzi łańcuch od skanu zużytej części do weryfikacji jej kopii; upuść tu jego pliki albo dokumentację wykonaną wcześniej.</translation>
     </message>
     <message>
         <source>Proof of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Weryfikacja kopii</translation>
     </message>
     <message>
         <source>a run of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>przebieg łańcucha</translation>
     </message>
     <message>
         <source>a chain that was run in this folder</source>
-        <translation type="unfinished"></translation>
+        <translation>łańcuch wykonany w tym folderze</translation>
     </message>
     <message>
         <source>Largest |E_n| of prediction and copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Największa wartość |E_n| przewidywania i kopii</translation>
     </message>
     <message>
         <source>Row {row}: measured {measured} µm, predicted {predicted} µm, E_n {error}</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz {row}: zmierzono {measured} µm, przewidziano {predicted} µm, E_n {error}</translation>
     </message>
     <message>
         <source>✓ prediction agrees with the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ przewidywanie zgodne z kopią</translation>
     </message>
     <message>
         <source>✗ prediction disagrees with the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>✗ przewidywanie niezgodne z kopią</translation>
     </message>
     <message>
         <source>{agreeing} of {rows} rows agree within both uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersze zgodne w granicach obu niepewności: {agreeing} z {rows}.</translation>
     </message>
     <message>
         <source>Fitted to the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopasowano do kopii</translation>
     </message>
     <message>
         <source>Standard uncertainty [%]</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepewność standardowa [%]</translation>
     </message>
     <message>
         <source>RMS of the diameters before [µm]</source>
-        <translation type="unfinished"></translation>
+        <translation>RMS średnic przed [µm]</translation>
     </message>
     <message>
         <source>RMS of the diameters after [µm]</source>
-        <translation type="unfinished"></translation>
+        <translation>RMS średnic po [µm]</translation>
     </message>
     <message>
         <source>fitted to the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>dopasowane do kopii</translation>
     </message>
     <message>
         <source>Stiffness and forces from the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Sztywność i siły z kopii</translation>
     </message>
     <message>
         <source>Where the files of the chain are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdzie są pliki łańcucha.</translation>
     </message>
     <message>
         <source>Drawing confirmed by</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysunek potwierdził</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Przebieg</translation>
     </message>
     <message>
         <source>Scan of the worn part</source>
-        <translation type="unfinished"></translation>
+        <translation>Skan zużytej części</translation>
     </message>
     <message>
         <source>Else that of the panel Recognise</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaczej z panelu Rozpoznawanie</translation>
     </message>
     <message>
         <source>A confirmed one, in place of what is recognised; else that of the turning program</source>
-        <translation type="unfinished"></translation>
+        <translation>Zatwierdzony, zamiast rozpoznanego; inaczej z panelu Program tokarski</translation>
     </message>
     <message>
         <source>Else the spindle of the turning program</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaczej wrzeciono z panelu Program tokarski</translation>
     </message>
     <message>
         <source>Else that of the turning program</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaczej z panelu Program tokarski</translation>
     </message>
     <message>
         <source>Else that of Deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaczej z panelu Ugięcie</translation>
     </message>
     <message>
         <source>Scan of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Skan kopii</translation>
     </message>
     <message>
         <source>Else the copy of Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Inaczej kopia z panelu Porównanie</translation>
     </message>
     <message>
         <source>Of the surface, taken alike</source>
-        <translation type="unfinished"></translation>
+        <translation>Powierzchni, oba wykonane w tych samych warunkach</translation>
     </message>
     <message>
         <source>Chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Łańcuch</translation>
     </message>
     <message>
         <source>The chain was run; its files are in {path}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Łańcuch wykonano; jego pliki są w {path}.</translation>
     </message>
     <message>
         <source>Read off a photograph by the panel Surface. They may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odczytane ze zdjęcia przez panel Powierzchnia. Można pominąć.</translation>
     </message>
     <message>
         <source>Let the model choose among the candidates: near {model} Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>Niech wśród kandydatów wybierze model: blisko {model} Hz</translation>
     </message>
     <message>
         <source>The picture was made with {frequency} Hz: m = {m}, ν = {nu}</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz wytworzono z drganiami {frequency} Hz: m = {m}, ν = {nu}</translation>
     </message>
     <message>
         <source>The picture was made without vibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz wytworzono bez drgań</translation>
     </message>
     <message>
         <source>Picture (before)</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz (przed)</translation>
     </message>
     <message>
         <source>Photograph of a turned surface: PNG, JPEG or TIFF</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie toczonej powierzchni: PNG, JPEG lub TIFF</translation>
     </message>
     <message>
         <source>Picture after</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz po</translation>
     </message>
     <message>
         <source>The same surface after the speed was corrected, taken alike. It may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ta sama powierzchnia po korekcie prędkości, sfotografowana w tych samych warunkach. Można pominąć.</translation>
     </message>
     <message>
         <source>A model to compare the marks with: UFF, CSV or MAT. It may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Model do porównania ze śladami: UFF, CSV lub MAT. Można pominąć.</translation>
     </message>
     <message>
         <source>Drop one or two photographs of a turned surface here, or let one be made (Make a picture).</source>
-        <translation type="unfinished"></translation>
+        <translation>Upuść tu jedno lub dwa zdjęcia toczonej powierzchni albo zleć wytworzenie obrazu (Wytwórz obraz).</translation>
     </message>
     <message>
         <source>Making the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Wytwarzanie obrazu</translation>
     </message>
     <message>
         <source>That the first surface was cut with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z którą skrawano pierwszą powierzchnię.</translation>
     </message>
     <message>
         <source>Speed after</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość po</translation>
     </message>
     <message>
         <source>That the second surface was cut with; none: as the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Z którą skrawano drugą powierzchnię; brak: jak pierwszą.</translation>
     </message>
     <message>
         <source>Make a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Wytwórz obraz</translation>
     </message>
     <message>
         <source>For training: a picture is made from physics, with sliders, in place of the files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Do szkolenia: zamiast plików obraz powstaje z praw fizyki, ustawiany suwakami.</translation>
     </message>
     <message>
         <source>Picture that is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wytwarzany obraz</translation>
     </message>
 </context>
 <context>
@@ -14435,211 +14446,203 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <name>lathelier::chain_panel::ChainPanel</name>
     <message>
         <source>Dossier…</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokumentacja…</translation>
     </message>
     <message>
         <source>JSON (*.json)</source>
-        <translation type="unfinished">JSON (*.json)</translation>
+        <translation>JSON (*.json)</translation>
     </message>
     <message>
         <source>Set-up as fitted…</source>
-        <translation type="unfinished"></translation>
+        <translation>Ustawienie dopasowane do kopii…</translation>
     </message>
 </context>
 <context>
     <name>lathelier::chain_panel::ChainStrip</name>
-    <message>
-        <source>Takes (SHA-256):</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Makes (SHA-256):</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message numerus="yes">
         <source>Run %n step(s)…</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Wykonaj %n krok…</numerusform>
+            <numerusform>Wykonaj %n kroki…</numerusform>
+            <numerusform>Wykonaj %n kroków…</numerusform>
         </translation>
     </message>
     <message>
         <source>Up to date</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktualne</translation>
     </message>
     <message>
         <source>Stopping…</source>
-        <translation type="unfinished">Przerywanie…</translation>
+        <translation>Przerywanie…</translation>
     </message>
     <message>
         <source>Write the report of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz raport łańcucha</translation>
     </message>
     <message>
         <source>HTML (*.html)</source>
-        <translation type="unfinished">HTML (*.html)</translation>
+        <translation>HTML (*.html)</translation>
     </message>
     <message>
         <source>PDF (*.pdf)</source>
-        <translation type="unfinished">PDF (*.pdf)</translation>
+        <translation>PDF (*.pdf)</translation>
     </message>
     <message>
         <source>Write the dossier</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisz dokumentację</translation>
     </message>
     <message>
         <source>JSON (*.json)</source>
-        <translation type="unfinished">JSON (*.json)</translation>
+        <translation>JSON (*.json)</translation>
     </message>
     <message>
         <source>Chain from the scan to the proof of the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Łańcuch od skanu do weryfikacji kopii</translation>
     </message>
     <message>
         <source>Run the chain…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonaj łańcuch…</translation>
     </message>
     <message>
         <source>Runs the steps that are not made yet or out of date, after a question</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonuje, po zapytaniu, kroki jeszcze niewykonane lub nieaktualne</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Anuluj</translation>
+        <translation>Anuluj</translation>
     </message>
     <message>
         <source>What was made before stays</source>
-        <translation type="unfinished"></translation>
+        <translation>To, co już wykonano, zostaje</translation>
     </message>
     <message>
         <source>Report and dossier of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Raport i dokumentacja łańcucha</translation>
     </message>
     <message>
         <source>&amp;Report…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Raport…</translation>
     </message>
     <message>
         <source>&amp;Dossier…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dokumentacja…</translation>
     </message>
     <message>
         <source>&amp;Open the folder</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Otwórz folder</translation>
     </message>
 </context>
 <context>
     <name>lathelier::chain_panel::ChainViews</name>
     <message>
         <source>Predicted and measured</source>
-        <translation type="unfinished">Przewidywane i zmierzone</translation>
+        <translation>Przewidywane i zmierzone</translation>
     </message>
     <message>
         <source>Rows</source>
-        <translation type="unfinished">Wiersze</translation>
+        <translation>Wiersze</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopasowanie</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished">Kroki</translation>
+        <translation>Kroki</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished">Pliki</translation>
+        <translation>Pliki</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished">Liczby</translation>
+        <translation>Liczby</translation>
     </message>
     <message>
         <source>Rows with their normalized errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersze i ich błędy znormalizowane</translation>
     </message>
     <message>
         <source>Stiffness and forces fitted to the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Sztywność i siły dopasowane do kopii</translation>
     </message>
     <message>
         <source>Steps of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kroki łańcucha</translation>
     </message>
     <message>
         <source>Files of the chain</source>
-        <translation type="unfinished">Pliki łańcucha</translation>
+        <translation>Pliki łańcucha</translation>
     </message>
     <message>
         <source>Numbers and where they stand</source>
-        <translation type="unfinished">Liczby i ich położenie</translation>
+        <translation>Liczby i ich położenie</translation>
     </message>
     <message>
         <source>Take the fit to the machine</source>
-        <translation type="unfinished"></translation>
+        <translation>Przenieś dopasowanie do maszyny</translation>
     </message>
     <message>
         <source>Stiffness and forces as fitted to the copy become a machine of the project; Deflection and the chain take them from then on. One undo step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sztywność i siły dopasowane do kopii stają się maszyną projektu; Ugięcie i łańcuch biorą je odtąd. Można to cofnąć jednym krokiem.</translation>
     </message>
 </context>
 <context>
     <name>lathelier::chain_panel::RunDialog</name>
     <message>
         <source>Run the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonanie łańcucha</translation>
     </message>
     <message>
         <source>These steps will run; all others stay as they are:</source>
-        <translation type="unfinished"></translation>
+        <translation>Te kroki zostaną wykonane; pozostałe zostaną bez zmian:</translation>
     </message>
     <message>
         <source>Every step that has its files is done and up to date.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wszystkie kroki, które mają swoje pliki, są wykonane i aktualne.</translation>
     </message>
     <message>
         <source>These lack a file and are left out:</source>
-        <translation type="unfinished"></translation>
+        <translation>Tym brakuje pliku i są pomijane:</translation>
     </message>
     <message>
         <source>&amp;Folder of the chain:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Folder łańcucha:</translation>
     </message>
     <message>
         <source>Choose…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz…</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Wykonaj</translation>
     </message>
     <message>
         <source>Folder of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Folder łańcucha</translation>
     </message>
 </context>
 <context>
     <name>lathelier::chain_panel::StepTile</name>
     <message>
         <source>done</source>
-        <translation type="unfinished">gotowe</translation>
+        <translation>gotowe</translation>
     </message>
     <message>
         <source>out of date</source>
-        <translation type="unfinished"></translation>
+        <translation>nieaktualne</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">niepowodzenie</translation>
+        <translation>niepowodzenie</translation>
     </message>
     <message>
         <source>not made yet</source>
-        <translation type="unfinished"></translation>
+        <translation>jeszcze niewykonane</translation>
     </message>
     <message>
         <source>missing</source>
-        <translation type="unfinished">brak</translation>
+        <translation>brak</translation>
     </message>
 </context>
 <context>
@@ -16530,340 +16533,340 @@ Wszystkie inne widoki działają.</translation>
     <name>lathelier::surface_panel::ComparisonView</name>
     <message>
         <source>Side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Obok siebie</translation>
     </message>
     <message>
         <source>Both pictures; zoom and place are the same in both</source>
-        <translation type="unfinished"></translation>
+        <translation>Oba obrazy; powiększenie i miejsce są w obu takie same</translation>
     </message>
     <message>
         <source>Slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Suwak</translation>
     </message>
     <message>
         <source>One picture over the other, parted where the slider stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeden obraz na drugim, rozdzielone w miejscu suwaka</translation>
     </message>
     <message>
         <source>Where before ends and after begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdzie kończy się „przed”, a zaczyna „po”</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished">Przed</translation>
+        <translation>Przed</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished">Po</translation>
+        <translation>Po</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::GeneratorPane</name>
     <message>
         <source>f_c / n = %1 Hz / %2 Hz = m + ν = %3 %4 %5</source>
-        <translation type="unfinished"></translation>
+        <translation>f_c / n = %1 Hz / %2 Hz = m + ν = %3 %4 %5</translation>
     </message>
     <message>
         <source>ε = %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>ε = %1°</translation>
     </message>
     <message>
         <source>Bands along the axis every f / |ν| = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pasma wzdłuż osi co f / |ν| = %1</translation>
     </message>
     <message>
         <source>Waves round the part every πD / m = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Fale na obwodzie części co πD / m = %1</translation>
     </message>
     <message>
         <source>Crests to the axis: %1°</source>
-        <translation type="unfinished"></translation>
+        <translation>Grzbiety względem osi: %1°</translation>
     </message>
     <message>
         <source>Depth of a feed mark f² / 8r = %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Głębokość śladu posuwu f² / 8r = %1</translation>
     </message>
     <message>
         <source>Picture that is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Wytwarzany obraz</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::Overlays</name>
     <message>
         <source>feed marks, %1 apart</source>
-        <translation type="unfinished"></translation>
+        <translation>ślady posuwu co %1</translation>
     </message>
     <message>
         <source>chatter marks, along the axis every %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ślady drgań, wzdłuż osi co %1</translation>
     </message>
     <message>
         <source>chatter marks</source>
-        <translation type="unfinished">ślady drgań</translation>
+        <translation>ślady drgań</translation>
     </message>
     <message>
         <source>line %1 of the spectrum</source>
-        <translation type="unfinished"></translation>
+        <translation>prążek %1 widma</translation>
     </message>
     <message>
         <source>found: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>znaleziono: %1</translation>
     </message>
     <message>
         <source>feed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>posuw: %1</translation>
     </message>
     <message>
         <source>The evaluation says: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wynik oceny: %1</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::PhotographView</name>
     <message>
         <source>%1 px are</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 px to</translation>
     </message>
     <message>
         <source>%1: set the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: ustaw skalę</translation>
     </message>
     <message>
         <source>Ø %1 between the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Ø %1 między krawędziami</translation>
     </message>
     <message>
         <source>Drag over the part that is to be evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Zaznacz przeciągnięciem oceniany fragment</translation>
     </message>
     <message>
         <source>Click both ends of a scale bar, or both edges of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>Kliknij oba końce paska skali albo obie krawędzie części</translation>
     </message>
     <message>
         <source>Drag an arrow the way the tool was fed</source>
-        <translation type="unfinished"></translation>
+        <translation>Przeciągnij strzałkę w kierunku posuwu narzędzia</translation>
     </message>
     <message>
         <source>Look</source>
-        <translation type="unfinished"></translation>
+        <translation>Oglądanie</translation>
     </message>
     <message>
         <source>Region</source>
-        <translation type="unfinished">Obszar</translation>
+        <translation>Obszar</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished">Podziałka</translation>
+        <translation>Skala</translation>
     </message>
     <message>
         <source>Direction of feed</source>
-        <translation type="unfinished">Kierunek posuwu</translation>
+        <translation>Kierunek posuwu</translation>
     </message>
     <message>
         <source>Wheel zooms, drag moves, double click shows all</source>
-        <translation type="unfinished"></translation>
+        <translation>Kółko powiększa, przeciąganie przesuwa, podwójne kliknięcie pokazuje całość</translation>
     </message>
     <message>
         <source>Choose the part of the picture that is evaluated</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz oceniany fragment obrazu</translation>
     </message>
     <message>
         <source>State a length by two clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Podaj długość dwoma kliknięciami</translation>
     </message>
     <message>
         <source>State the direction of feed by an arrow</source>
-        <translation type="unfinished"></translation>
+        <translation>Podaj kierunek posuwu strzałką</translation>
     </message>
     <message>
         <source>Whole picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Cały obraz</translation>
     </message>
     <message>
         <source>Length between the two clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość między dwoma kliknięciami</translation>
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::PictureView</name>
     <message>
         <source>%1: zoom in to see them</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: powiększ, aby je zobaczyć</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::SurfaceBar</name>
     <message>
         <source>Send %1 to the lobe chart</source>
-        <translation type="unfinished"></translation>
+        <translation>Przekaż %1 do wykresu krzywych workowych</translation>
     </message>
     <message>
         <source>The reading that is used</source>
-        <translation type="unfinished"></translation>
+        <translation>Używany odczyt</translation>
     </message>
     <message>
         <source>Use this reading of the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyj tego odczytu śladów</translation>
     </message>
     <message>
         <source>Before</source>
-        <translation type="unfinished">Przed</translation>
+        <translation>Przed</translation>
     </message>
     <message>
         <source>After</source>
-        <translation type="unfinished">Po</translation>
+        <translation>Po</translation>
     </message>
     <message>
         <source>The panel Lobes marks the speed, and the frequency over it</source>
-        <translation type="unfinished"></translation>
+        <translation>Panel Krzywe workowe zaznacza prędkość, a nad nią częstotliwość</translation>
     </message>
     <message>
         <source>Synthetic data</source>
-        <translation type="unfinished">Dane syntetyczne</translation>
+        <translation>Dane syntetyczne</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::SurfacePanel</name>
     <message>
         <source>Choose a region</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz obszar</translation>
     </message>
     <message>
         <source>Take the whole picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Weź cały obraz</translation>
     </message>
     <message>
         <source>Set the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Ustaw skalę</translation>
     </message>
     <message>
         <source>Set the direction of feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Ustaw kierunek posuwu</translation>
     </message>
     <message>
         <source>Choose a reading of the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Wybierz odczyt śladów</translation>
     </message>
     <message>
         <source>Change the picture that is made</source>
-        <translation type="unfinished"></translation>
+        <translation>Zmień wytwarzany obraz</translation>
     </message>
     <message>
         <source>Marks of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ślady z %1</translation>
     </message>
     <message>
         <source>%1 × %2 px, %3 bit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 px, %3 bitów</translation>
     </message>
     <message>
         <source>Picture (*.svg)</source>
-        <translation type="unfinished">Obraz (*.svg)</translation>
+        <translation>Obraz (*.svg)</translation>
     </message>
     <message>
         <source>Picture that was made (PNG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Wytworzony obraz (PNG)…</translation>
     </message>
     <message>
         <source>Picture (*.png)</source>
-        <translation type="unfinished">Obraz (*.png)</translation>
+        <translation>Obraz (*.png)</translation>
     </message>
     <message>
         <source>Picture with its marks (SVG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz ze śladami (SVG)…</translation>
     </message>
     <message>
         <source>Picture after with its marks (SVG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz po ze śladami (SVG)…</translation>
     </message>
     <message>
         <source>Before and after (SVG)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Przed i po (SVG)…</translation>
     </message>
 </context>
 <context>
     <name>lathelier::surface_panel::SurfaceViews</name>
     <message>
         <source>Marks</source>
-        <translation type="unfinished">Ślady</translation>
+        <translation>Ślady</translation>
     </message>
     <message>
         <source>Spectrum</source>
-        <translation type="unfinished">Widmo</translation>
+        <translation>Widmo</translation>
     </message>
     <message>
         <source>Before and after</source>
-        <translation type="unfinished">Przed i po</translation>
+        <translation>Przed i po</translation>
     </message>
     <message>
         <source>Photograph</source>
-        <translation type="unfinished"></translation>
+        <translation>Zdjęcie</translation>
     </message>
     <message>
         <source>Unrolled</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozwinięcie</translation>
     </message>
     <message>
         <source>What the picture says</source>
-        <translation type="unfinished"></translation>
+        <translation>Co mówi obraz</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Model</translation>
     </message>
     <message>
         <source>Tables</source>
-        <translation type="unfinished">Tabele</translation>
+        <translation>Tabele</translation>
     </message>
     <message>
         <source>Feed marks</source>
-        <translation type="unfinished">Ślady posuwu</translation>
+        <translation>Ślady posuwu</translation>
     </message>
     <message>
         <source>Draw the crests of the feed marks over the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysuj na obrazie grzbiety śladów posuwu</translation>
     </message>
     <message>
         <source>Chatter marks</source>
-        <translation type="unfinished">Ślady drgań</translation>
+        <translation>Ślady drgań</translation>
     </message>
     <message>
         <source>Draw the crests of the chatter marks over the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Rysuj na obrazie grzbiety śladów drgań</translation>
     </message>
     <message>
         <source>Picture without its uneven light, with its marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz bez nierównomiernego oświetlenia, ze śladami</translation>
     </message>
     <message>
         <source>Picture with the circumference laid flat</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz z rozwiniętym obwodem</translation>
     </message>
     <message>
         <source>A click on a ring draws its stripes over the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Kliknięcie pierścienia rysuje na obrazie jego pasy</translation>
     </message>
     <message>
         <source>Lines over the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Prążki ponad szumem</translation>
     </message>
     <message>
         <source>Chatter frequency of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość drgań z modelu</translation>
     </message>
     <message>
         <source>Numbers</source>
-        <translation type="unfinished">Liczby</translation>
+        <translation>Liczby</translation>
     </message>
     <message>
         <source>What speed next</source>
-        <translation type="unfinished"></translation>
+        <translation>Jaka prędkość dalej</translation>
     </message>
 </context>
 <context>

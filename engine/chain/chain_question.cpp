@@ -17,6 +17,14 @@ Label labelled(Text label, Text help, bool required = false)
 
 }  // namespace
 
+const std::vector<FieldChoice>& cutsInPicture()
+{
+    static const std::vector<FieldChoice> all{{"unknown", LT_TEXT("Engine", "not known")},
+                                              {"down", LT_TEXT("Engine", "down")},
+                                              {"up", LT_TEXT("Engine", "up")}};
+    return all;
+}
+
 const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
 {
     using Q = ChainQuestion;
@@ -64,6 +72,13 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
         field("photograph_mm_px", &Q::photograph_mm_px, Range{1e-6, 1e3},
               Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."),
                     LT_TEXT("Engine", "mm")}),
+        field("photograph_feed_deg", &Q::photograph_feed_deg, Range{-360, 360},
+              Label{LT_TEXT("Engine", "Direction of feed in the photographs"),
+                    LT_TEXT("Engine", "From right toward down; without it both signs of the marks stay open."),
+                    LT_TEXT("Engine", "°")}),
+        field("photograph_cut", &Q::photograph_cut, cutsInPicture(),
+              labelled(LT_TEXT("Engine", "Direction of cut in the photographs"),
+                       LT_TEXT("Engine", "Of later points of a track, the feed pointing right."))),
         field(
             "resume", &Q::resume,
             Label{LT_TEXT("Engine", "Go on"),

@@ -40,7 +40,7 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
 }  // namespace
 
 struct ChainSteps::Results {
-    Json drawn, planned, deflected, second, compared;
+    Json drawn, speeds, planned, deflected, second, compared;
 };
 
 ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs,
@@ -122,20 +122,23 @@ void ChainSteps::planSpeeds()
                                                      : Text{};
     try {
         if (!runner_.hasFailed()) readJob();  // what the job says wrong is said here, first
-        if (!missing.empty()) {
-            for (const char* id : {"machine", "speeds"}) runner_.miss(id, missing);
-            return;
-        }
-        if (runner_.canRead(drawingFile)) {
+    } catch (Error& error) {
+        runner_.fail("machine", error.with("path", question_.job));
+    }
+    if (!missing.empty() && !runner_.dossier().step("machine")) {
+        for (const char* id : {"machine", "speeds"}) runner_.miss(id, missing);
+        return;
+    }
+    if (!runner_.hasFailed() && runner_.canRead(drawingFile)) {
+        try {
             const Shaft part = readPart();
             part_length_mm_ = part.length_mm();
             takeFiles();
             runner_.alsoTakes(std::string(drawingFile));
             runner_.write(heldFile, io::shaftText(cam::heldPart(part, job_)));
+        } catch (const Error& error) {  // of the part on this job's bar
+            runner_.fail("machine", error);
         }
-    } catch (const Error& error) {
-        Error named = error;
-        runner_.fail("machine", named.with("path", question_.job));
     }
     const std::string held = runner_.path(heldFile);
     if (!runner_.hasFailed() || !runner_.dossier().step("machine")) {
@@ -143,8 +146,8 @@ void ChainSteps::planSpeeds()
         machine.outputs = {{"--csv", "receptance.csv"}};
         runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
     }
-    runner_.run(asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}}),
-                share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
+    results_->speeds = runner_.run(asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}}),
+                                   share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 
 /// The program's, by its control.
@@ -315,20 +318,61 @@ std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double
     return std::nullopt;
 }
 
+/// Of the least stable depth at this speed; none: the chart does not reach there.
+std::optional<double> ChainSteps::modelFrequency_hz(double speed_rpm) const
+{
+    const Json& limit = results_->speeds.contains("limit") ? results_->speeds["limit"] : Json::object();
+    if (!limit.contains("speed_rpm") || !limit.contains("frequency_hz")) return std::nullopt;
+    const Json &speeds = limit["speed_rpm"], &frequencies = limit["frequency_hz"];
+    for (std::size_t i = 0; i + 1 < std::min(speeds.size(), frequencies.size()); ++i) {
+        if (!speeds[i].is_number() || !speeds[i + 1].is_number()) continue;
+        const double from = speeds[i], to = speeds[i + 1];
+        if (!(from <= speed_rpm && speed_rpm <= to && from < to)) continue;
+        const Json& nearest = frequencies[speed_rpm - from < to - speed_rpm ? i : i + 1];
+        return nearest.is_number() ? std::optional(nearest.get<double>()) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 void ChainSteps::comparePhotographs()
 {
     if (question_.photograph_before.empty() || question_.photograph_after.empty())
         return runner_.miss("surface", noPhotographs);
     StepRequest step = asked("surface", "surface", {question_.photograph_before, question_.photograph_after});
     setIfGiven(step.given, "mm_per_px", question_.photograph_mm_px);
+    setIfGiven(step.given, "feed_direction_deg", question_.photograph_feed_deg);
+    if (question_.photograph_cut != CutInPicture::Unknown)
+        set(step.given, "cut_direction",
+            std::string(cutsInPicture()[static_cast<std::size_t>(question_.photograph_cut)].key));
     if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
-    if (const auto cut = cutAt(question_.photograph_z_mm)) {
+    const auto cut = cutAt(question_.photograph_z_mm);
+    const auto model_hz = cut ? modelFrequency_hz(cut->before_rpm) : std::nullopt;
+    setIfGiven(step.given, "expect_hz", model_hz);
+    if (cut) {
         set(step.given, "diameter_mm", cut->diameter_mm);
         Rows speeds;
         for (const double rpm : {cut->before_rpm, cut->after_rpm}) speeds.rows.push_back(Row{Values{{"rpm", rpm}}});
         set(step.given, "speed_rpm", std::move(speeds));
     }
-    runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
+    const Json found = runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
+    if (cut) runner_.remark({notes::speedBeforeAssumed, {{"speed_rpm", cut->before_rpm}}});
+    if (model_hz) compareMarks(found, *model_hz);
+}
+
+/// What the photograph before says of the machine's model.
+void ChainSteps::compareMarks(const Json& found, double model_hz)
+{
+    constexpr double most_percent = 5;
+    const Json::json_pointer marks("/images/0/chatter_marks");
+    if (!found.contains(marks) || !found[marks].is_object()) return;
+    const Json &frequency = found[marks]["frequency_hz"], &uncertainty = found[marks]["frequency_uncertainty_hz"];
+    if (!frequency.is_number() || !uncertainty.is_number()) return;
+    const double percent = 100 * (frequency.get<double>() / model_hz - 1);
+    runner_.remark({std::abs(percent) <= most_percent ? notes::marksAndModel : notes::marksDisagree,
+                    {{"frequency_hz", frequency.get<double>()},
+                     {"uncertainty_hz", 2 * uncertainty.get<double>()},
+                     {"model_hz", model_hz},
+                     {"difference_percent", percent}}});
 }
 
 }  // namespace lathelier::chain

@@ -44,6 +44,8 @@ private:
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
     std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;
+    std::optional<double> modelFrequency_hz(double speed_rpm) const;
+    void compareMarks(const Json& found, double model_hz);
 
     const ChainQuestion& question_;
     StepRunner& runner_;

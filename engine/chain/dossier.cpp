@@ -53,6 +53,7 @@ Json toJson(const TracedNumber& number)
         {"file", number.file},
         {"pointer", number.pointer},
         {"uncertainty", lathelier::number(number.uncertainty)},
+        {"coverage_factor", number.uncertainty ? Json(number.coverage_factor) : Json(nullptr)},
         {"uncertainty_pointer", number.uncertainty_pointer.empty() ? Json(nullptr) : Json(number.uncertainty_pointer)}};
 }
 
@@ -140,22 +141,27 @@ std::string stringAt(const io::JsonCursor& object, const char* name)
     return object.at(name, LT_TEXT("Engine", "a text")).string();
 }
 
-/// Digests of one step, and that what it took of the chain is what an earlier step made.
+/// Digests of one step, and that what it took of the chain is what an earlier step made, or what prepared it.
 void checkStep(const io::JsonCursor& step, FilesOnDisk& disk, std::map<std::string, std::string>& made,
                DossierCheck& check)
 {
     const std::string id = stringAt(step, "step");
     const auto compare = [&](const io::JsonCursor& file, const char* what) {
         const std::string path = stringAt(file, "path"), stated = stringAt(file, "sha256");
-        const auto earlier = made.find(path);
-        if (std::string(what) == "input" && earlier != made.end() && earlier->second != stated)
-            check.faults.push_back({id, what, path, {}, false});
         const std::string& found = disk.sha256(path);
         if (found != stated) check.faults.push_back({id, what, path, {}, found.empty()});
         return std::pair{path, stated};
     };
-    eachOf(step, "inputs", [&](const io::JsonCursor& file) { compare(file, "input"); });
-    eachOf(step, "outputs", [&](const io::JsonCursor& file) { made.insert(compare(file, "output")); });
+    std::map<std::string, std::string> taken, own;
+    eachOf(step, "inputs", [&](const io::JsonCursor& file) { taken.insert(compare(file, "input")); });
+    eachOf(step, "outputs", [&](const io::JsonCursor& file) { own.insert(compare(file, "output")); });
+    for (const auto& [path, stated] : taken) {
+        if (std::filesystem::path(path).has_parent_path()) continue;  // from outside: only steps write into the folder
+        const auto earlier = made.find(path), same = own.find(path);
+        const bool is_known = earlier != made.end() ? earlier->second == stated : same != own.end();
+        if (!is_known) check.faults.push_back({id, "input", path, {}, false});
+    }
+    made.insert(own.begin(), own.end());
 }
 
 void checkNumber(const io::JsonCursor& number, FilesOnDisk& disk, const std::map<std::string, std::string>& made,

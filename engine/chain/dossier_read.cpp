@@ -63,6 +63,7 @@ TracedNumber numberOf(const io::JsonCursor& item)
     number.file = wordAt(item, "file");
     number.pointer = wordAt(item, "pointer");
     if (const auto uncertainty = item.member("uncertainty")) number.uncertainty = uncertainty->number();
+    if (const auto factor = item.member("coverage_factor")) number.coverage_factor = factor->integer();
     number.uncertainty_pointer = wordAt(item, "uncertainty_pointer");
     return number;
 }
@@ -90,10 +91,9 @@ void addAsWritten(const Json& root, Dossier& dossier)
 
 }  // namespace
 
-Dossier readDossier(const std::string& path, const Progress& progress)
+Dossier dossierFrom(std::string text)
 {
-    const io::FileBytes bytes(path, progress);
-    io::JsonDocument document{std::string(bytes.view())};
+    io::JsonDocument document{std::move(text)};
     const io::JsonCursor root = document.root();
     const Text schema = LT_TEXT("Engine", "the schema of a dossier");
     if (root.at("schema", schema).string() != dossierSchema) root.at("schema", schema).reject(schema);
@@ -106,6 +106,12 @@ Dossier readDossier(const std::string& path, const Progress& progress)
         if (wordAt(root, "verdict") == key(verdict)) dossier.verdict = verdict;
     addAsWritten(document.json(), dossier);
     return dossier;
+}
+
+Dossier readDossier(const std::string& path, const Progress& progress)
+{
+    const io::FileBytes bytes(path, progress);
+    return dossierFrom(std::string(bytes.view()));
 }
 
 std::optional<Dossier> dossierIn(const std::string& folder, const Progress& progress)

@@ -13,6 +13,9 @@ namespace lathelier::chain {
 /// (a step of no known state), those of FileBytes. Throws Cancelled.
 Dossier readDossier(const std::string& path, const Progress& progress = {});
 
+/// The same from the text of the file.
+Dossier dossierFrom(std::string text);
+
 /// The dossier in the folder of a chain; none: there is none, or it cannot be read.
 std::optional<Dossier> dossierIn(const std::string& folder, const Progress& progress = {});
 

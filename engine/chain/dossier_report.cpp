@@ -15,23 +15,48 @@ std::int64_t countOf(const Dossier& dossier, StepState state)
                          [state](const ChainStep& step) { return step.state == state; });
 }
 
-/// The worst deviation of the copy against its tolerance, where both are there.
-void addCopy(const Dossier& dossier, report::Answer& answer)
+std::optional<double> toleranceOf(const Dossier& dossier)
 {
     const ChainStep* const copy = dossier.step("copy");
     const Value* const stated = copy ? find(copy->parameters, "tolerance_mm") : nullptr;
     const auto* const tolerance_mm = stated ? std::get_if<double>(stated) : nullptr;
-    for (const TracedNumber& number : dossier.numbers) {
-        if (number.pointer != "/worst/deviation_mm" || number.step != "copy") continue;
-        answer.quantity = LT_TEXT("Engine", "Largest deviation of the copy");
-        answer.value = number.value;
-        answer.expanded_uncertainty = number.uncertainty;
-        answer.unit = millimetre;
-        answer.is_signed = true;
-        if (!tolerance_mm) continue;
+    return tolerance_mm ? std::optional(*tolerance_mm) : std::nullopt;
+}
+
+/// The worst deviation of the copy; null: there is no copy.
+const TracedNumber* worstOf(const Dossier& dossier)
+{
+    for (const TracedNumber& number : dossier.numbers)
+        if (number.pointer == "/worst/deviation_mm" && number.step == "copy") return &number;
+    return nullptr;
+}
+
+/// The worst deviation of the copy against its tolerance, where both are there.
+void addCopy(const Dossier& dossier, report::Answer& answer)
+{
+    const TracedNumber* const worst = worstOf(dossier);
+    if (!worst) return;
+    answer.quantity = LT_TEXT("Engine", "Largest deviation of the copy");
+    answer.value = worst->value;
+    answer.expanded_uncertainty = worst->uncertainty;
+    answer.unit = millimetre;
+    answer.is_signed = true;
+    if (const auto tolerance_mm = toleranceOf(dossier)) {
         answer.lower_limit = -*tolerance_mm;
         answer.upper_limit = *tolerance_mm;
     }
+}
+
+/// Unit of a number by its key, or by the last part of its place.
+Text unitOf(const std::string& key)
+{
+    static const std::vector<std::pair<const char*, Text>> units{
+        {"_mm3", LT_TEXT("Engine", "mm³")},   {"_mm", millimetre},
+        {"_um", LT_TEXT("Engine", "µm")},     {"_hz", LT_TEXT("Engine", "Hz")},
+        {"_rpm", LT_TEXT("Engine", "1/min")}, {"_s", LT_TEXT("Engine", "s")}};
+    for (const auto& [ending, unit] : units)
+        if (key.ends_with(ending)) return unit;
+    return {};
 }
 
 /// Of a step that another run has made.
@@ -93,14 +118,19 @@ report::Table filesTable(const Dossier& dossier)
 
 report::Table numbersTable(const Dossier& dossier)
 {
-    report::Table table{LT_TEXT("Engine", "Numbers and where they stand"),
-                        {LT_TEXT("Engine", "File"), LT_TEXT("Engine", "Place"), LT_TEXT("Engine", "Value"),
-                         LT_TEXT("Engine", "U (k = 2)"), LT_TEXT("Engine", "Place of U")},
-                        {},
-                        {0, 0, 4, 4, 0}};
-    for (const TracedNumber& number : dossier.numbers)
-        table.rows.push_back({number.file, number.pointer, number.value,
-                              number.uncertainty ? Value(*number.uncertainty) : Value(), number.uncertainty_pointer});
+    report::Table table{
+        LT_TEXT("Engine", "Numbers and where they stand"),
+        {LT_TEXT("Engine", "File"), LT_TEXT("Engine", "Place"), LT_TEXT("Engine", "Value"), LT_TEXT("Engine", "Unit"),
+         LT_TEXT("Engine", "U"), LT_TEXT("Engine", "Unit"), LT_TEXT("Engine", "k"), LT_TEXT("Engine", "Place of U")},
+        {},
+        {0, 0, 4, 0, 4, 0, 0, 0}};
+    for (const TracedNumber& number : dossier.numbers) {
+        const bool is_stated = number.uncertainty.has_value();
+        table.rows.push_back({number.file, number.pointer, number.value, unitOf(number.key),
+                              is_stated ? Value(*number.uncertainty) : Value(),
+                              is_stated ? Value(unitOf(number.uncertainty_pointer)) : Value(),
+                              is_stated ? Value(number.coverage_factor) : Value(), number.uncertainty_pointer});
+    }
     return table;
 }
 
@@ -115,6 +145,7 @@ report::Answer answer(const Dossier& dossier)
                      {"steps", static_cast<std::int64_t>(dossier.steps.size())},
                      {"missing", countOf(dossier, StepState::Missing)},
                      {"failed", countOf(dossier, StepState::Failed) + countOf(dossier, StepState::NotReached)}};
+    if (const auto finding = copyFinding(dossier); finding && !finding->verdict) answer.findings.push_back(*finding);
     for (const ChainStep& step : dossier.steps)
         if (step.state == StepState::Failed && (step.error || !step.remarks.empty()))
             answer.findings.push_back(
@@ -123,6 +154,23 @@ report::Answer answer(const Dossier& dossier)
                  std::nullopt,
                  {}});
     return answer;
+}
+
+std::optional<report::Finding> copyFinding(const Dossier& dossier)
+{
+    const TracedNumber* const worst = worstOf(dossier);
+    if (!worst) return std::nullopt;
+    report::Finding finding;
+    finding.values = {{"worst", worst->value}};
+    if (const auto tolerance_mm = toleranceOf(dossier)) {
+        finding.pattern = LT_TEXT("Engine", "The copy: largest deviation {worst:3} mm, limit ± {tolerance:3} mm");
+        finding.values.emplace_back("tolerance", *tolerance_mm);
+        finding.verdict = dossier.verdict;
+    } else {
+        finding.pattern =
+            LT_TEXT("Engine", "The copy: largest deviation {worst:3} mm; no limit is given, so it is not judged");
+    }
+    return finding;
 }
 
 report::Document dossierReport(const Dossier& dossier)

@@ -2,6 +2,8 @@
 // what.
 #pragma once
 
+#include <optional>
+
 #include "engine/chain/dossier.h"
 #include "engine/report/document.h"
 
@@ -13,6 +15,9 @@ report::Table numbersTable(const Dossier& dossier);  ///< value, U, file and pla
 
 /// The verdict of the copy with its worst deviation against the tolerance, and how far the chain came.
 report::Answer answer(const Dossier& dossier);
+
+/// The worst deviation of the copy, judged against its limit where one is given; nullopt: there is no copy.
+std::optional<report::Finding> copyFinding(const Dossier& dossier);
 
 /// What people read of a step of this id.
 Text titleOf(const std::string& step);

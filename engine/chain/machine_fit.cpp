@@ -8,6 +8,7 @@
 #include "engine/deflection/turning_job.h"
 #include "engine/io/file.h"
 #include "engine/io/input_files.h"
+#include "engine/receptance/spindle_file.h"
 
 namespace lathelier::chain {
 namespace fs = std::filesystem;
@@ -28,6 +29,19 @@ std::string programOf(const std::string& folder, const ChainStep& step)
     for (const InputFile& file : step.inputs)
         if (fs::path(file.path).stem().string().starts_with("program")) return (fs::path(folder) / file.path).string();
     return {};
+}
+
+/// Springs of the machine that the chain's receptance was made of.
+std::optional<receptance::SpindleSprings> springsOf(const std::string& folder, const Dossier& dossier)
+{
+    const ChainStep* const step = dossier.step("machine");
+    const Value* const stated = step ? find(step->parameters, "spindle") : nullptr;
+    const auto* const name = stated ? std::get_if<std::string>(stated) : nullptr;
+    if (!name) return std::nullopt;
+    Notes said;  // by the step
+    const io::FileBytes bytes(takenFile(folder, *step, *name));
+    const receptance::SpindleReceptance machine = receptance::readSpindle(std::string(bytes.view()), said);
+    return machine.springs() ? std::optional(*machine.springs()) : std::nullopt;
 }
 
 double valueAt(const std::vector<double>& z_mm, const std::vector<double>& values, double at_mm)
@@ -76,6 +90,7 @@ std::optional<MachineFit> fitMachine(const std::string& folder, const Dossier& d
         deflection::turningJob(std::move(program), std::move(moves), std::move(*setup.stock), setup.setup);
     MachineFit fit;
     fit.zero_mm = setup.setup.z_zero_mm;
+    fit.springs = springsOf(folder, dossier);
     const deflection::DeflectionResult before = predictJob(job, progress.part(0, 0.2));
     fit.found = identify(job.stock, job.runs, job.setup, fittedDiameters(before.final, proof, fit.zero_mm), parameters,
                          progress.part(0.2, 1));

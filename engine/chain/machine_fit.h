@@ -9,6 +9,7 @@
 #include "engine/chain/dossier.h"
 #include "engine/chain/proof.h"
 #include "engine/deflection/identification.h"
+#include "engine/receptance/spindle_receptance.h"
 
 namespace lathelier::chain {
 
@@ -16,7 +17,8 @@ struct MachineFit {
     deflection::IdentificationResult found;  ///< factors, set-up, what was predicted before and after
     std::string setup_text;                  ///< SETUP.json with what was found; the chain lays the bar into it anew
     std::string whole_text;                  ///< the same with the stock that was used, by its full path
-    double zero_mm = 0;                      ///< z of its stock less z of the part
+    std::optional<receptance::SpindleSprings> springs;  ///< of the machine of the chain; none: it is a table
+    double zero_mm = 0;                                 ///< z of its stock less z of the part
 };
 
 /// Which places are fitted, and in what z of the stock. Diameters are those that the program left without bending, plus

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 namespace lathelier::chain {
@@ -20,6 +21,13 @@ std::vector<double> numbersAt(const Json& json, const char* list, const char* na
 double numberAt(const Json& json, const char* name)
 {
     return json.contains(name) && json[name].is_number() ? json[name].get<double>() : std::nan("");
+}
+
+/// From 1; none: it is no whole number.
+std::optional<std::int64_t> rowAt(const Json& json)
+{
+    if (!json.contains("row") || !json["row"].is_number_integer()) return std::nullopt;
+    return json["row"].get<std::int64_t>();
 }
 
 void append(PredictedErrors& all, const PredictedErrors& more, std::size_t i, bool has_band)
@@ -121,18 +129,29 @@ std::optional<Proof> proofFrom(const Json& json)
 {
     if (!json.is_object() || !json.contains("places") || !json.contains("predicted")) return std::nullopt;
     Proof proof;
-    proof.predicted = {numbersAt(json, "predicted", "z_mm"), numbersAt(json, "predicted", "error_um"),
-                       numbersAt(json, "predicted", "low_um"), numbersAt(json, "predicted", "high_um")};
-    for (const Json& place : json["places"])
-        proof.places.push_back({static_cast<std::int64_t>(numberAt(place, "row")), numberAt(place, "z_start_mm"),
-                                numberAt(place, "z_end_mm"), numberAt(place, "predicted_um"),
-                                numberAt(place, "predicted_uncertainty_um"), numberAt(place, "measured_um"),
-                                numberAt(place, "measured_uncertainty_um"), numberAt(place, "normalized_error")});
-    if (json.contains("along"))
-        for (const Json& place : json["along"])
-            proof.along.push_back({numberAt(place, "z_mm"), numberAt(place, "measured_um"),
-                                   numberAt(place, "measured_uncertainty_um"),
-                                   static_cast<std::int64_t>(numberAt(place, "row"))});
+    PredictedErrors& predicted = proof.predicted;
+    predicted = {numbersAt(json, "predicted", "z_mm"), numbersAt(json, "predicted", "error_um"),
+                 numbersAt(json, "predicted", "low_um"), numbersAt(json, "predicted", "high_um")};
+    const std::size_t count = predicted.z_mm.size();
+    const auto fits = [count](const std::vector<double>& band) { return band.empty() || band.size() == count; };
+    if (predicted.error_um.size() != count || !fits(predicted.low_um) || !fits(predicted.high_um) ||
+        predicted.low_um.size() != predicted.high_um.size())
+        return std::nullopt;
+    for (const Json& place : json["places"]) {
+        const auto row = rowAt(place);
+        if (!row) return std::nullopt;
+        proof.places.push_back({*row, numberAt(place, "z_start_mm"), numberAt(place, "z_end_mm"),
+                                numberAt(place, "predicted_um"), numberAt(place, "predicted_uncertainty_um"),
+                                numberAt(place, "measured_um"), numberAt(place, "measured_uncertainty_um"),
+                                numberAt(place, "normalized_error")});
+    }
+    if (!json.contains("along")) return proof;
+    for (const Json& place : json["along"]) {
+        const auto row = rowAt(place);
+        if (!row) return std::nullopt;
+        proof.along.push_back({numberAt(place, "z_mm"), numberAt(place, "measured_um"),
+                               numberAt(place, "measured_uncertainty_um"), *row});
+    }
     return proof;
 }
 

@@ -9,6 +9,18 @@
 #include "engine/report/result_json.h"
 
 namespace lathelier::chain {
+namespace {
+
+/// What stopped the chain is said, not what this meets.
+void keepDossier(const std::string& path, const Json& dossier)
+{
+    try {
+        io::writeFile(path, report::toText(dossier));
+    } catch (const Error&) {
+    }
+}
+
+}  // namespace
 
 Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode mode,
                       std::shared_ptr<const Dossier> earlier, io::InputFiles& inputs, const Progress& progress)
@@ -25,11 +37,10 @@ Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode
         steps.compareCopy();
         steps.prove();
         steps.comparePhotographs();
-    } catch (const Cancelled&) {
+    } catch (...) {  // a stop, a disk that is full: the dossier says what is there
         if (mode != RunMode::Look) {
             runner.keepRest();
-            io::writeFile(runner.path(dossierFile),
-                          report::toText(wholeDossier(runner.dossier(), {}, toValues(question))));
+            keepDossier(runner.path(dossierFile), wholeDossier(runner.dossier(), {}, toValues(question)));
         }
         throw;
     }

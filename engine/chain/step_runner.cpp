@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/chain/chain_codes.h"
+#include "engine/chain/earlier_files.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
@@ -23,12 +24,6 @@ Json readJson(const std::string& path)
     const io::FileBytes bytes(path);
     Json json = Json::parse(bytes.view(), nullptr, false);
     return json.is_object() ? json : Json::object();
-}
-
-void removeFile(const std::string& path)
-{
-    std::error_code ignored;
-    fs::remove(path, ignored);
 }
 
 }  // namespace
@@ -51,13 +46,14 @@ std::string StepRunner::path(const std::string& name) const
 
 InputFile StepRunner::named(InputFile file) const
 {
-    // A file in the folder itself is one of the chain's, wherever the folder is moved to.
-    const fs::path path(file.path);
+    // A file below the folder is named from there, wherever the folder is moved to.
     std::error_code ignored;
-    if (fs::equivalent(path.has_parent_path() ? path.parent_path() : fs::path("."), folder_, ignored))
-        file.path = path.filename().string();
-    else if (path.is_relative())
-        file.path = fs::absolute(path, ignored).lexically_normal().string();
+    const fs::path whole = fs::weakly_canonical(fs::absolute(file.path, ignored), ignored);
+    const fs::path below = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder_, ignored), ignored));
+    if (!below.empty() && *below.begin() != "..")
+        file.path = below.string();
+    else if (fs::path(file.path).is_relative())
+        file.path = fs::absolute(file.path, ignored).lexically_normal().string();
     return file;
 }
 
@@ -194,11 +190,12 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     VerbQuestion question{wanted.verb, wanted.operands, wanted.given, {}};
     for (const auto* outputs : {&wanted.outputs, &wanted.outputs_if_possible})
         for (const auto& [option, name] : *outputs) question.outputs[option] = path(name);
+    // What is there afterwards is this run's; a stop brings the earlier files back.
+    EarlierFiles aside(folder_);
     for (const std::string& name : namesOf(wanted)) {
-        // What is there afterwards is this run's.
         digests_.erase(name);
         if (std::find(further_outputs_.begin(), further_outputs_.end(), name) == further_outputs_.end())
-            removeFile(path(name));
+            aside.setAside(name);
     }
     const bool may_refuse = !wanted.outputs_if_possible.empty();
     VerbReply reply = ask_(question, progress.part(0, may_refuse ? 0.5 : 1));
@@ -209,6 +206,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     }
     step.result = resultOf(wanted.id);
     io::writeFile(path(step.result), report::toText(*reply.result));
+    aside.forget();
     for (const InputFile& file : reply.inputs) step.inputs.push_back(named(file));
     step.inputs.insert(step.inputs.end(), further_inputs_.begin(), further_inputs_.end());
     std::error_code ignored;

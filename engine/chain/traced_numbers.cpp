@@ -10,6 +10,7 @@ struct Pattern {
     const char* step;
     const char* value;
     const char* uncertainty = nullptr;  // with the same items; nullptr: none is stated
+    std::int64_t coverage_factor = 2;
 };
 
 constexpr Pattern patterns[] = {
@@ -56,7 +57,7 @@ constexpr Pattern patterns[] = {
     {"proof", "/largest_normalized_error"},
     {"proof", "/along/*/measured_um", "/along/*/measured_uncertainty_um"},
     {"surface", "/images/*/feed_marks/pitch_mm"},
-    {"surface", "/images/*/chatter_marks/frequency_hz"},
+    {"surface", "/images/*/chatter_marks/frequency_hz", "/images/*/chatter_marks/frequency_uncertainty_hz", 1},
     {"surface", "/comparison/relative_to_feed/*"},
 };
 
@@ -107,7 +108,7 @@ std::vector<TracedNumber> numbersOf(const std::string& step, const Json& result,
             std::string last = pointer.substr(pointer.rfind('/') + 1);
             if (last.find_first_not_of("0123456789") == std::string::npos)  // an item of a plain list has the list's
                 last = pointer.substr(0, pointer.rfind('/')).substr(pointer.rfind('/', pointer.rfind('/') - 1) + 1);
-            TracedNumber number{step, last, value->get<double>(), file, pointer, {}, {}};
+            TracedNumber number{step, last, value->get<double>(), file, pointer, {}, pattern.coverage_factor, {}};
             if (pattern.uncertainty) {
                 const std::string place = filled(pattern.uncertainty, items);
                 const Json* const uncertainty = valueAt(result, place);

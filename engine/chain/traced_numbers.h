@@ -1,6 +1,7 @@
 // Which numbers of a step's result belong in the dossier, and where in the result they stand.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ struct TracedNumber {
     double value = 0;                   ///< as written
     std::string file;                   ///< result of the step
     std::string pointer;                ///< RFC 6901: "/segments/0/start_diameter_mm"
-    std::optional<double> uncertainty;  ///< expanded (k = 2); none: not stated
+    std::optional<double> uncertainty;  ///< none: not stated
+    std::int64_t coverage_factor = 2;   ///< k of the uncertainty; 1: a standard uncertainty
     std::string uncertainty_pointer;    ///< where that is written; its last part has its unit
 };
 

@@ -29,6 +29,14 @@ bool isDeferred(const std::shared_future<std::string>& sha256)
 
 std::string_view InputFiles::open(const std::string& path, const Progress& progress)
 {
+    if (const auto given = given_.find(path); given != given_.end()) {
+        const std::string& text = given->second;
+        std::promise<std::string> digest;
+        digest.set_value(io::sha256(text, progress.quiet()));
+        entries_.push_back({path, static_cast<std::int64_t>(text.size()), nullptr,
+                            std::make_shared<std::atomic<std::size_t>>(text.size()), digest.get_future().share()});
+        return text;
+    }
     auto bytes = std::make_shared<FileBytes>(path, progress);
     const std::string_view view = bytes->view();
     auto hashed = std::make_shared<std::atomic<std::size_t>>(0);

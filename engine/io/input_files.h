@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <future>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ public:
     /// throws Cancelled.
     std::string_view open(const std::string& path, const Progress& progress = {});
 
+    /// A text that stands for the file at `path`, which need not be there: open() gives it. It stays until the end of
+    /// this.
+    void give(const std::string& path, std::string text) { given_[path] = std::move(text); }
+
     /// Gives the memory of the first `count` bytes of the file at `path` back, once the digest has passed them.
     void release(const std::string& path, std::size_t count);
 
@@ -44,6 +49,7 @@ private:
         std::shared_future<std::string> sha256;            ///< digest of the content, lower-case hexadecimal
     };
     std::deque<Entry> entries_;
+    std::map<std::string, std::string> given_;  ///< by path
     bool beside_;
 };
 

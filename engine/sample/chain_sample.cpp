@@ -83,7 +83,7 @@ deflection::TurningSetup setup()
     deflection::TurningSetup made;
     made.material.cutting = {1748, 99, 600, 80};
     made.tool = {-3, 0.4};
-    made.chuck = {45000, 0, 198.3e6, 0};
+    made.chuck = {14850, 0, 198.3e6, 0};  // the springs of spindle.json: one machine
     return made;
 }
 
@@ -150,6 +150,7 @@ std::string photograph(double speed_rpm, double amplitude_um, std::uint64_t seed
     made.amplitude_um = amplitude_um;
     made.width = 600;
     made.height = 420;
+    made.stamped = true;
     made.seed = static_cast<int>(seed);
     return surface::syntheticPng(surface::syntheticPicture(made));
 }
@@ -187,6 +188,8 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
                                .parameters = {{"tolerance_mm", 0.1},
                                               {"confirmed_by", std::string("nobody: a sample")},
                                               {"photograph_z_mm", 49.0},
+                                              {"photograph_feed_deg", 0.0},
+                                              {"photograph_cut", std::string("down")},
                                               {"photograph_mm_px", 0.006}}};
     return content;
 }

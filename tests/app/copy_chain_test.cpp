@@ -12,6 +12,7 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle_item.h"
 #include "engine/sample/chain_sample.h"
 #include "tests/app/window_fixture.h"
 #include "tests/widgets/core/drop_files.h"
@@ -242,6 +243,13 @@ private slots:
         QCOMPARE(project.items.size(), std::size_t{2});
         const std::string item = project.panels.at("deflection").inputs.at("spindle").item;
         QCOMPARE(project.items.at(item).kind, std::string("spindle"));
+        const auto machine = receptance::spindleOf(project.items.at(item).values);
+        QVERIFY(machine && machine->springs());
+        const deflection::TurningSetup& fitted = panel().result()->fit->found.setup;
+        QCOMPARE(machine->springs()->radial_N_mm, fitted.chuck.radial_N_mm);
+        QCOMPARE(machine->springs()->tilt_N_mm_rad, fitted.chuck.tilt_N_mm_rad);
+        QCOMPARE(machine->springs()->loss_factor, panel().result()->fit->springs->loss_factor);
+        QCOMPARE(project.panels.at("chain").inputs.at("spindle").item, item);
         settle();
         QCOMPARE(state("deflection"), StepState::OutOfDate);
         runAll();

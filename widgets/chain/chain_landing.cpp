@@ -58,14 +58,49 @@ std::optional<Shaft> drawnShaft(const std::string& path)
     }
 }
 
+/// `wanted`, or with a number where an item of that name is the user's.
+std::string freeName(const project::Project& project, const std::string& wanted)
+{
+    for (int number = 1;; ++number) {
+        const std::string name = number == 1 ? wanted : wanted + " (" + std::to_string(number) + ")";
+        const auto item = project.items.find(name);
+        if (item == project.items.end() || item->second.origin.panel == chainKey) return name;
+    }
+}
+
+const Value* parameterOf(const chain::Dossier& dossier, const char* step, const char* key)
+{
+    const chain::ChainStep* const found = dossier.step(step);
+    return found ? find(found->parameters, key) : nullptr;
+}
+
 project::Item itemOf(const project::Project& project, const char* kind, Values values)
 {
     return {kind, std::move(values), originOf(project, chainKey, QCoreApplication::applicationVersion().toStdString())};
 }
 
+/// The panel "Surface" evaluates them as the chain did, where it has none of its own.
+void givePhotographs(project::Project& project, const chain::ChainQuestion& question, const chain::Dossier& dossier)
+{
+    project::PanelState& surface = project.panels["surface"];
+    if (!surface.inputs.empty()) return;
+    surface.inputs[beforeRole] = newSource(QString::fromStdString(question.photograph_before));
+    surface.inputs[afterRole] = newSource(QString::fromStdString(question.photograph_after));
+    for (const char* key :
+         {"feed_mm_rev", "diameter_mm", "mm_per_px", "feed_direction_deg", "cut_direction", "expect_hz"})
+        if (const Value* const value = parameterOf(dossier, "surface", key)) set(surface.parameters, key, *value);
+    const Value* const speeds = parameterOf(dossier, "surface", "speed_rpm");
+    const auto* const rows = speeds ? std::get_if<Rows>(speeds) : nullptr;
+    if (!rows || rows->rows.size() != 2) return;
+    const char* const keys[] = {"speed_before_rpm", "speed_after_rpm"};
+    for (std::size_t i = 0; i < 2; ++i)
+        if (const Value* const rpm = find(rows->rows[i].cells, "rpm")) set(surface.parameters, keys[i], *rpm);
+}
+
 }  // namespace
 
-void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier)
+void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier,
+             const std::string& sha256)
 {
     const auto isDone = [&](const char* id) {
         const chain::ChainStep* const step = dossier.step(id);
@@ -74,13 +109,13 @@ void landRun(Session& session, const chain::ChainQuestion& question, const chain
     const auto made = [&](const std::string& name) { return (fs::path(question.out) / name).string(); };
     const std::optional<Shaft> drawing = isDone("draw") ? drawnShaft(made("drawing.json")) : std::nullopt;
     const std::string stem = fs::path(question.scan.empty() ? question.drawing : question.scan).stem().string();
-    const std::string name = say("Drawing of %1").arg(QString::fromStdString(stem)).toStdString();
-    const std::string run = dossierDigest(question.out);
+    const std::string name =
+        freeName(session.project(), say("Drawing of %1").arg(QString::fromStdString(stem)).toStdString());
 
     session.edit(say("Run the chain"), [&](project::Project& project) {
         Values& settings = project.panels[chainKey].parameters;
         set(settings, folderKey, question.out);
-        set(settings, runKey, run);
+        set(settings, runKey, sha256);
         Giver give(project);
         give.file("recognise", "scan", question.scan);
         if (drawing) {
@@ -102,6 +137,7 @@ void landRun(Session& session, const chain::ChainQuestion& question, const chain
             }
             give.file("deflection", "setup", question.setup);
         }
+        if (isDone("surface")) givePhotographs(project, question, dossier);
         if (isDone("draw") && !question.copy.empty()) {
             const auto compare = project.panels.find("compare");
             if (compare == project.panels.end() || compare->second.inputs.empty()) {
@@ -124,10 +160,10 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
     };
     const std::string path = write("fitted_setup_", fit.setup_text), whole = write("fitted_", fit.whole_text);
     const deflection::TurningSetup& setup = fit.found.setup;
-    receptance::SpindleSprings springs;
+    receptance::SpindleSprings springs = fit.springs.value_or(receptance::SpindleSprings{});  // its damping stays
     springs.radial_N_mm = setup.chuck.radial_N_mm;
     springs.tilt_N_mm_rad = setup.chuck.tilt_N_mm_rad;
-    const std::string name = say("Machine fitted to the copy").toStdString();
+    const std::string name = freeName(session.project(), say("Machine fitted to the copy").toStdString());
     session.edit(say("Take the fit to the machine"), [&](project::Project& project) {
         project.items[name] =
             itemOf(project, receptance::spindleItem, receptance::toValues(receptance::SpindleReceptance{springs}));
@@ -137,6 +173,8 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
         deflection.inputs["spindle"] = source;
         deflection.inputs["setup"] = newSource(QString::fromStdString(whole));
         project.panels[chainKey].inputs[setupRole] = newSource(QString::fromStdString(path));
+        // A machine that is a table of measured receptances is not one of springs.
+        if (fit.springs) project.panels[chainKey].inputs[machineRole] = source;
     });
 }
 

@@ -10,10 +10,12 @@ namespace lathelier::chain_panel {
 
 /// The drawing becomes an item; panels of the steps without inputs take what the chain has used and made. What the user
 /// gave to a panel stays.
-void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier);
+/// `sha256`: of the dossier's file.
+void landRun(Session& session, const chain::ChainQuestion& question, const chain::Dossier& dossier,
+             const std::string& sha256);
 
-/// The fitted machine becomes an item that Deflection takes, the fitted set-up the one of the chain. Error
-/// fileNotWritable for the latter.
+/// The fitted machine becomes an item that Deflection takes, and the chain where its machine is one of springs; the
+/// fitted set-up becomes the one of the chain. Error fileNotWritable for the latter.
 void landFit(Session& session, const chain::MachineFit& fit, const std::string& folder);
 
 }  // namespace lathelier::chain_panel

@@ -41,6 +41,47 @@ void addFit(ChainPicture& picture, const Progress& progress)
     }
 }
 
+/// Prediction against the copy; a copy out of its limit is no proof, however well it was predicted.
+report::Answer proofAnswer(const chain::Proof& proof, const std::optional<report::Finding>& copy)
+{
+    constexpr std::size_t most_rows = 3;
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Largest |E_n| of prediction and copy");
+    std::vector<chain::ComparedError> places = proof.places;
+    const auto size = [](const chain::ComparedError& place) { return std::abs(place.normalized_error); };
+    std::stable_sort(places.begin(), places.end(),
+                     [&](const chain::ComparedError& a, const chain::ComparedError& b) { return size(a) > size(b); });
+    if (copy) answer.findings.push_back(*copy);
+    std::int64_t disagreeing = 0;
+    for (const chain::ComparedError& place : places) {
+        if (!(size(place) > 1)) continue;
+        if (++disagreeing > static_cast<std::int64_t>(most_rows)) continue;
+        answer.findings.push_back(
+            {LT_TEXT("Engine", "Row {row}: measured {measured:1} µm, predicted {predicted:1} µm, E_n {error:2}"),
+             {{"row", place.row},
+              {"measured", place.measured_um},
+              {"predicted", place.predicted_um},
+              {"error", place.normalized_error}},
+             Verdict::Fail,
+             {Interval{place.z_start_mm, place.z_end_mm}, {}, {}, {}}});
+    }
+    answer.value = size(places.front());
+    answer.decimals = 2;
+    answer.upper_limit = 1;
+    const bool is_out = copy && copy->verdict == Verdict::Fail;
+    answer.verdict = disagreeing == 0 && !is_out ? Verdict::Pass : Verdict::Fail;
+    if (disagreeing == 0 && !is_out && copy && copy->verdict == Verdict::Undecided) answer.verdict = Verdict::Undecided;
+    answer.verdict_words = disagreeing > 0 ? LT_TEXT("Engine", "✗ prediction disagrees with the copy")
+                           : is_out        ? LT_TEXT("Engine", "✗ predicted well, but the copy is out of its limit")
+                           : answer.verdict == Verdict::Undecided
+                               ? LT_TEXT("Engine", "? predicted well; the copy's limit is not decided")
+                               : LT_TEXT("Engine", "✓ prediction agrees with the copy");
+    answer.sentence = LT_TEXT("Engine", "{agreeing} of {rows} rows agree within both uncertainties.");
+    const auto rows = static_cast<std::int64_t>(places.size());
+    answer.values = {{"agreeing", rows - disagreeing}, {"rows", rows}};
+    return answer;
+}
+
 }  // namespace
 
 ChainPicture chainPicture(const project::PanelState& state, Stores& stores, const Progress& progress)
@@ -58,12 +99,16 @@ ChainPicture chainPicture(const project::PanelState& state, Stores& stores, cons
     picture.check = chain::checkDossier(path, progress.part(0.1, 0.5));
     picture.notes = picture.dossier->notes;
     picture.synthetic = contains(picture.notes, notes::syntheticData);
-    std::size_t said = 0;
-    for (const chain::DossierFault& fault : picture.check.faults)
-        if (fault.what != "number" && said++ < mostFaults)
-            picture.notes.push_back({notes::chainFileChanged,
-                                     {{"step", chain::titleOf(fault.step)},
-                                      {"path", std::filesystem::path(fault.path).filename().string()}}});
+    for (const chain::DossierFault& fault : picture.check.faults) {
+        if (picture.notes.size() - picture.dossier->notes.size() == mostFaults) break;
+        const std::string name = std::filesystem::path(fault.path).filename().string();
+        Note note{notes::chainFileChanged, {{"step", chain::titleOf(fault.step)}, {"path", name}}};
+        if (fault.what == "number") {
+            note.code = notes::chainNumberChanged;
+            set(note.values, "place", fault.place);
+        }
+        picture.notes.push_back(std::move(note));
+    }
     picture.proof = readProof(folder, *picture.dossier);
     if (picture.proof) addFit(picture, progress.part(0.5, 1, LT_TEXT("Engine", "Fitting")));
     return picture;
@@ -71,35 +116,20 @@ ChainPicture chainPicture(const project::PanelState& state, Stores& stores, cons
 
 report::Answer answerOf(const ChainPicture& picture)
 {
-    if (!picture.proof || picture.proof->places.empty()) return chain::answer(*picture.dossier);
     report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Largest |E_n| of prediction and copy");
-    const auto size = [](const chain::ComparedError& place) { return std::abs(place.normalized_error); };
-    double largest = 0;
-    std::int64_t disagreeing = 0;
-    for (const chain::ComparedError& place : picture.proof->places) {
-        largest = std::max(largest, size(place));
-        if (size(place) <= 1) continue;
-        ++disagreeing;
-        if (answer.findings.size() < 3)
-            answer.findings.push_back(
-                {LT_TEXT("Engine", "Row {row}: measured {measured} µm, predicted {predicted} µm, E_n {error}"),
-                 {{"row", place.row},
-                  {"measured", fixed(place.measured_um, 1)},
-                  {"predicted", fixed(place.predicted_um, 1)},
-                  {"error", fixed(place.normalized_error, 2)}},
-                 Verdict::Fail,
-                 {Interval{place.z_start_mm, place.z_end_mm}, {}, {}, {}}});
-    }
-    answer.value = largest;
-    answer.decimals = 2;
-    answer.upper_limit = 1;
-    answer.verdict = disagreeing == 0 ? Verdict::Pass : Verdict::Fail;
-    answer.verdict_words = disagreeing == 0 ? LT_TEXT("Engine", "✓ prediction agrees with the copy")
-                                            : LT_TEXT("Engine", "✗ prediction disagrees with the copy");
-    answer.sentence = LT_TEXT("Engine", "{agreeing} of {rows} rows agree within both uncertainties.");
-    const auto rows = static_cast<std::int64_t>(picture.proof->places.size());
-    answer.values = {{"agreeing", rows - disagreeing}, {"rows", rows}};
+    if (picture.proof && !picture.proof->places.empty())
+        answer = proofAnswer(*picture.proof, chain::copyFinding(*picture.dossier));
+    else
+        answer = chain::answer(*picture.dossier);
+    if (picture.check.faults.empty()) return answer;
+    // A number whose source is another by now proves nothing.
+    answer.verdict = Verdict::Undecided;
+    answer.verdict_words = LT_TEXT("Engine", "? the files are not those of the dossier");
+    answer.findings.insert(answer.findings.begin(),
+                           {LT_TEXT("Engine", "Files or numbers that differ from the dossier: {count}"),
+                            {{"count", static_cast<std::int64_t>(picture.check.faults.size())}},
+                            Verdict::Undecided,
+                            {}});
     return answer;
 }
 

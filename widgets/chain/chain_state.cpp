@@ -69,10 +69,9 @@ public:
     {
     }
 
-    std::string made(const std::string& name, const std::string& text)
+    std::string made(const char* name, std::string text)
     {
-        const std::string file = name + "_" + io::sha256(text).substr(0, shownDigits) + ".json";
-        asked_.made.push_back({(fs::path(folder_) / "given" / file).string(), text});
+        asked_.made.push_back(madeInput(folder_, name, std::move(text)));
         return asked_.made.back().path;
     }
 
@@ -115,6 +114,31 @@ std::string changedJob(const project::Project& project)
     }
 }
 
+std::optional<project::PanelState> stateOf(const project::Project& project, const char* panel)
+{
+    const auto found = project.panels.find(panel);
+    return found == project.panels.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Scale and directions as the panel "Surface" has them, where its photographs are taken and the chain states none.
+void takePictureFacts(const project::Project& project, chain::ChainQuestion& question)
+{
+    const auto surface = stateOf(project, "surface");
+    if (!surface || sourceAt(project, chainKey, beforeRole)) return;
+    const auto number = [&](const char* key) -> std::optional<double> {
+        const Value* const value = find(surface->parameters, key);
+        const auto* const found = value ? std::get_if<double>(value) : nullptr;
+        return found ? std::optional(*found) : std::nullopt;
+    };
+    if (!question.photograph_mm_px) question.photograph_mm_px = number("mm_per_px");
+    if (!question.photograph_feed_deg) question.photograph_feed_deg = number("feed_direction_deg");
+    const Value* const cut = find(surface->parameters, "cut_direction");
+    const auto* const word = cut ? std::get_if<std::string>(cut) : nullptr;
+    const std::vector<FieldChoice>& cuts = chain::cutsInPicture();
+    for (std::size_t i = 0; word && question.photograph_cut == chain::CutInPicture::Unknown && i < cuts.size(); ++i)
+        if (cuts[i].key == *word) question.photograph_cut = static_cast<chain::CutInPicture>(i);
+}
+
 }  // namespace
 
 ChainSettings::ChainSettings()
@@ -145,7 +169,16 @@ const std::vector<Field<ChainSettings>>& fieldsOf(const ChainSettings*)
                         LT_TEXT("Engine", "mm"), true}),
             field("photograph_mm_px", &S::photograph_mm_px, Range{1e-6, 1e3},
                   Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."),
-                        LT_TEXT("Engine", "mm"), true})};
+                        LT_TEXT("Engine", "mm"), true}),
+            field("photograph_feed_deg", &S::photograph_feed_deg, Range{-360, 360},
+                  Label{LT_TEXT("Engine", "Direction of feed in the photographs"),
+                        LT_TEXT("Engine", "From right toward down; without it both signs of the marks stay open."),
+                        LT_TEXT("Engine", "°"), true}),
+            field("photograph_cut", &S::photograph_cut, chain::cutsInPicture(),
+                  Label{LT_TEXT("Engine", "Direction of cut in the photographs"),
+                        LT_TEXT("Engine", "Of later points of a track, the feed pointing right."),
+                        {},
+                        true})};
         for (const Field<deflection::IdentificationParameters>& inner :
              lathelier::fields<deflection::IdentificationParameters>())
             fields.push_back(foldedWithin(&S::fit, inner.info.key));
@@ -171,10 +204,16 @@ std::vector<InputRole> chainRoles()
                {&deflection::setupFiles()}),
         roleOf(copyRole, LT_TEXT("Engine", "Scan of the copy"), LT_TEXT("Engine", "Else the copy of Compare"),
                {&io::scanFiles()}),
-        roleOf(beforeRole, LT_TEXT("Engine", "Photograph before"), LT_TEXT("Engine", "Of the surface, taken alike"),
+        roleOf(beforeRole, LT_TEXT("Engine", "Photograph before"), LT_TEXT("Engine", "Else that of Surface"),
                {&io::imageFiles()}),
-        roleOf(afterRole, LT_TEXT("Engine", "Photograph after"), LT_TEXT("Engine", "Of the surface, taken alike"),
+        roleOf(afterRole, LT_TEXT("Engine", "Photograph after"), LT_TEXT("Engine", "Else that of Surface"),
                {&io::imageFiles()})};
+}
+
+MadeInput madeInput(const std::string& folder, const char* name, std::string text)
+{
+    const std::string file = name + ("_" + io::sha256(text).substr(0, shownDigits)) + ".json";
+    return {(fs::path(folder) / "given" / file).string(), std::move(text)};
 }
 
 AskedChain askedChain(const project::Project& project)
@@ -191,8 +230,10 @@ AskedChain askedChain(const project::Project& project)
     question.job = pathAt({{chainKey, jobRole}, {"turning", "job"}});
     question.setup = pathAt({{chainKey, setupRole}, {"deflection", "setup"}});
     question.copy = pathAt({{chainKey, copyRole}, {"compare", "copy"}});
-    question.photograph_before = pathAt({{chainKey, beforeRole}});
-    question.photograph_after = pathAt({{chainKey, afterRole}});
+    question.photograph_before = pathAt({{chainKey, beforeRole}, {"surface", beforeRole}});
+    question.photograph_after = pathAt({{chainKey, afterRole}, {"surface", afterRole}});
+    if (!sourceAt(project, chainKey, setupRole) && !question.setup.empty())
+        asked.deflection = stateOf(project, "deflection");
     question.out = settings.folder.empty() ? proposedFolder(question) : settings.folder;
     Inputs inputs(project, question.out, asked);
     question.drawing = inputs.pathOf(
@@ -206,6 +247,9 @@ AskedChain askedChain(const project::Project& project)
     question.tolerance_um = settings.tolerance_um;
     question.photograph_z_mm = settings.photograph_z_mm;
     question.photograph_mm_px = settings.photograph_mm_px;
+    question.photograph_feed_deg = settings.photograph_feed_deg;
+    question.photograph_cut = settings.photograph_cut;
+    takePictureFacts(project, question);
     if (const auto turning = project.panels.find("turning"); turning != project.panels.end())
         if (const Value* const post = find(turning->second.parameters, "post"))
             if (const auto* const name = std::get_if<std::string>(post)) question.post = *name;

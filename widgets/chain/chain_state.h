@@ -28,14 +28,16 @@ inline constexpr const char* folderKey = "folder";
 inline constexpr const char* runKey = "run";  ///< of the settings; no form
 
 struct ChainSettings {
-    std::string folder;                        ///< of the chain; empty: none was run
-    std::string confirmed_by;                  ///< who answers for the drawing
-    std::optional<double> tolerance_mm;        ///< of the copy's surface
-    std::optional<double> tolerance_um;        ///< of the predicted diameter error
-    std::optional<double> photograph_z_mm;     ///< place of the photographs
-    std::optional<double> photograph_mm_px;    ///< their scale
-    deflection::IdentificationParameters fit;  ///< what is fitted to the copy
-    std::string run;                           ///< SHA-256 of the dossier that was made last
+    std::string folder;                                                 ///< of the chain; empty: none was run
+    std::string confirmed_by;                                           ///< who answers for the drawing
+    std::optional<double> tolerance_mm;                                 ///< of the copy's surface
+    std::optional<double> tolerance_um;                                 ///< of the predicted diameter error
+    std::optional<double> photograph_z_mm;                              ///< place of the photographs
+    std::optional<double> photograph_mm_px;                             ///< their scale
+    std::optional<double> photograph_feed_deg;                          ///< direction of feed in them
+    chain::CutInPicture photograph_cut = chain::CutInPicture::Unknown;  ///< direction of cut in them
+    deflection::IdentificationParameters fit;                           ///< what is fitted to the copy
+    std::string run;                                                    ///< SHA-256 of the dossier that was made last
 
     ChainSettings();
 };
@@ -52,8 +54,12 @@ struct MadeInput {
 
 struct AskedChain {
     chain::ChainQuestion question;
-    std::vector<MadeInput> made;  ///< to be written first
+    std::vector<MadeInput> made;                    ///< to be written first
+    std::optional<project::PanelState> deflection;  ///< of the panel whose set-up is taken; none: that of the chain
 };
+
+/// Named by its content.
+MadeInput madeInput(const std::string& folder, const char* name, std::string text);
 
 /// What would be run now. An input of its own rules over that of a panel; what the chain itself has put into a panel is
 /// none.

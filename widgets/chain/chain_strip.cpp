@@ -17,6 +17,7 @@
 #include "widgets/chain/chain_landing.h"
 #include "widgets/chain/chain_memory.h"
 #include "widgets/chain/run_dialog.h"
+#include "widgets/chain/settled_chain.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report/report_files.h"
@@ -26,56 +27,8 @@ namespace {
 
 constexpr int settling_ms = 150;
 constexpr int watching_ms = 2000;
-constexpr std::size_t shownDigits = 12;
-constexpr int mostFiles = 12;
 
 const Text chainTitle = LT_TEXT("Engine", "Chain");
-
-/// Worse ones stand for the others.
-int weight(chain::StepState state)
-{
-    switch (state) {
-        case chain::StepState::Failed: return 4;
-        case chain::StepState::OutOfDate: return 3;
-        case chain::StepState::NotReached: return 2;
-        case chain::StepState::Missing: return 1;
-        case chain::StepState::Done: break;
-    }
-    return 0;
-}
-
-QString linesOf(const std::vector<InputFile>& files)
-{
-    QStringList lines;
-    for (const InputFile& file : files) {
-        if (lines.size() == mostFiles) {
-            lines << QStringLiteral("…");
-            break;
-        }
-        lines << QStringLiteral("  %1  %2")
-                     .arg(screenFileName(QString::fromStdString(file.path)),
-                          QString::fromStdString(file.sha256.substr(0, shownDigits)));
-    }
-    return lines.join("\n");
-}
-
-QString aboutOf(const StripStep& step, const chain::Dossier& dossier)
-{
-    QStringList parts;
-    for (const char* id : step.of_chain) {
-        const chain::ChainStep* const found = dossier.step(id);
-        if (!found) continue;
-        QString part = screenText(chain::titleOf(id)) + ": " + signOf(found->state) + " " + wordOf(found->state);
-        if (found->error)
-            part += "\n  " + screenText(*found->error);
-        else if (found->state == chain::StepState::Failed && !found->remarks.empty())
-            part += "\n  " + QString::fromStdString(found->remarks.back());
-        if (!found->inputs.empty()) part += "\n" + ChainStrip::tr("Takes (SHA-256):") + "\n" + linesOf(found->inputs);
-        if (!found->outputs.empty()) part += "\n" + ChainStrip::tr("Makes (SHA-256):") + "\n" + linesOf(found->outputs);
-        parts << part;
-    }
-    return parts.join("\n\n");
-}
 
 /// Tells an untouched folder from a changed one without reading its files.
 std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, const Progress& progress)
@@ -94,6 +47,13 @@ std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, c
 struct Looked {
     std::shared_ptr<const chain::Dossier> dossier;
     std::string stamps;
+    bool has_dossier = false;
+};
+
+struct Ran {
+    chain::ChainQuestion question;
+    std::shared_ptr<const chain::Dossier> dossier;
+    std::string sha256;  // of its file
 };
 
 void writeMade(const AskedChain& asked)
@@ -106,35 +66,6 @@ void writeMade(const AskedChain& asked)
 }
 
 }  // namespace
-
-const std::vector<StripStep>& stripSteps()
-{
-    static const std::vector<StripStep> all{{"scan", LT_TEXT("Engine", "Scan"), "recognise", {"recognise"}},
-                                            {"drawing", LT_TEXT("Engine", "Drawing"), "drawing", {"draw"}},
-                                            {"machine", LT_TEXT("Engine", "Machine"), "shaft", {"machine"}},
-                                            {"speeds", LT_TEXT("Engine", "Speeds"), "lobes", {"speeds"}},
-                                            {"program", LT_TEXT("Engine", "Program"), "turning", {"program"}},
-                                            {"deflection",
-                                             LT_TEXT("Engine", "Deflection"),
-                                             "deflection",
-                                             {"deflection", "deflection_2", "corrected_check"}},
-                                            {"copy", LT_TEXT("Engine", "Copy"), "compare", {"copy"}},
-                                            {"proof", LT_TEXT("Engine", "Proof"), chainKey, {"proof", "surface"}}};
-    return all;
-}
-
-chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier)
-{
-    const chain::ChainStep* const first = dossier.step(step.of_chain.front());
-    chain::StepState worst = first ? first->state : chain::StepState::Missing;
-    for (const char* id : step.of_chain) {
-        const chain::ChainStep* const further = dossier.step(id);
-        // What goes along with a step and is not given takes nothing from it.
-        if (further && further->state != chain::StepState::Missing && weight(further->state) > weight(worst))
-            worst = further->state;
-    }
-    return worst;
-}
 
 ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
     : WorkspaceStrip(parent),
@@ -201,7 +132,7 @@ ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
     due_.setSingleShot(true);
     due_.setInterval(settling_ms);
     connect(&due_, &QTimer::timeout, this, &ChainStrip::look);
-    connect(&session_, &Session::changed, this, &ChainStrip::lookSoon);
+    connect(&session_, &Session::changed, this, &ChainStrip::followProject);
     connect(&session_, &Session::filesTaken, this, &ChainStrip::lookSoon);
     connect(&session_.watch(), &SourceWatch::changed, this, &ChainStrip::lookSoon);
     turn_.setInterval(watching_ms);
@@ -228,17 +159,21 @@ void ChainStrip::look()
         return;
     }
     look_.compute<Looked>(
-        [asked = asked_, ask = ask_, stores = session_.sharedStores()](const Progress& progress) {
+        [unsettled = asked_, ask = ask_, stores = session_.sharedStores()](const Progress& progress) {
+            const AskedChain asked = settled(unsettled, *stores, progress);
             io::InputFiles inputs;
+            for (const MadeInput& made : asked.made) inputs.give(made.path, made.text);
             auto earlier = stores->of<ChainMemory>()->find(asked.question.out, progress);
             Looked looked;
             looked.dossier = std::make_shared<const chain::Dossier>(
                 chain::remanufacture(asked.question, ask, chain::RunMode::Look, earlier, inputs, progress));
             looked.stamps = stampsOf(*looked.dossier, asked.question.out, progress);
+            looked.has_dossier = !dossierDigest(asked.question.out, progress).empty();
             return looked;
         },
         [this](const Looked& looked) {
             stamps_ = looked.stamps;
+            has_dossier_ = looked.has_dossier;
             show(looked.dossier);
         },
         [this](const Error& error) {
@@ -271,13 +206,12 @@ void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
     const auto waiting = stepsToRun(*dossier).size();
     start_->setText(waiting > 0 ? tr("Run %n step(s)…", "", waiting) : tr("Up to date"));
     start_->setEnabled(waiting > 0);
-    const bool has_dossier = !dossierDigest(asked_.question.out).empty();
-    for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(has_dossier);
+    for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(has_dossier_);
 }
 
 void ChainStrip::askToRun()
 {
-    if (isRunning() || !looked_) return;
+    if (isRunning() || !looked_ || dialog_) return;
     dialog_ = new RunDialog(*looked_, asked_, this);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &QDialog::accepted, this, [this] {
@@ -294,11 +228,13 @@ void ChainStrip::askToRun()
     dialog_->open();
 }
 
-void ChainStrip::run(const AskedChain& asked)
+void ChainStrip::run(const AskedChain& unsettled)
 {
     setRunning(true);
     run_.start(
-        [asked, ask = ask_, stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+        [unsettled, ask = ask_,
+         stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+            const AskedChain asked = settled(unsettled, *stores, progress);
             writeMade(asked);
             io::InputFiles inputs;
             auto memory = stores->of<ChainMemory>();
@@ -307,27 +243,40 @@ void ChainStrip::run(const AskedChain& asked)
                 chain::remanufacture(asked.question, ask, chain::RunMode::OutOfDate, earlier, inputs, progress));
             chain::writeDossier(asked.question, *dossier, inputs.list(), toValues(asked.question));
             memory->keep(asked.question.out, dossier);
-            return std::make_shared<const std::shared_ptr<const chain::Dossier>>(dossier);
+            return std::make_shared<const Ran>(Ran{asked.question, dossier, dossierDigest(asked.question.out)});
         },
-        [this, asked](const Worker::Outcome& outcome) {
+        [this, opened = session_.projectsOpened()](const Worker::Outcome& outcome) {
             setRunning(false);
-            if (const auto* value = std::get_if<std::shared_ptr<const void>>(&outcome))
-                landed(asked, *static_cast<const std::shared_ptr<const chain::Dossier>*>(value->get()));
-            else if (const auto* error = std::get_if<Error>(&outcome))
+            // What was run for a project that was closed meanwhile stays on the disk and lands nowhere.
+            if (opened != session_.projectsOpened()) return lookSoon();
+            if (const auto* value = std::get_if<std::shared_ptr<const void>>(&outcome)) {
+                const auto& ran = *static_cast<const Ran*>(value->get());
+                landRun(session_, ran.question, *ran.dossier, ran.sha256);
+                sayRan(ran.question, *ran.dossier);
+            } else if (const auto* error = std::get_if<Error>(&outcome)) {
                 emit messageRaised({*error, chainTitle});
+            }
             lookSoon();
         });
 }
 
-void ChainStrip::landed(const AskedChain& asked, const std::shared_ptr<const chain::Dossier>& dossier)
+void ChainStrip::sayRan(const chain::ChainQuestion& question, const chain::Dossier& dossier)
 {
-    landRun(session_, asked.question, *dossier);
-    if (const auto error = dossier->error()) {
+    if (const auto error = dossier.error()) {
         emit messageRaised({*error, chainTitle});
         return;
     }
-    const Phrase done{LT_TEXT("Engine", "The chain was run; its files are in {path}."), {{"path", asked.question.out}}};
+    const Phrase done{LT_TEXT("Engine", "The chain was run; its files are in {path}."), {{"path", question.out}}};
     emit messageRaised({done, chainTitle});
+}
+
+void ChainStrip::followProject()
+{
+    if (opened_ != session_.projectsOpened()) {
+        opened_ = session_.projectsOpened();
+        if (isRunning()) run_.cancel();
+    }
+    lookSoon();
 }
 
 void ChainStrip::showProgress(const Worker::State& state)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QPointer>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -14,6 +15,7 @@
 #include "engine/chain/remanufacture.h"
 #include "widgets/chain/chain_state.h"
 #include "widgets/chain/step_tile.h"
+#include "widgets/chain/strip_steps.h"
 #include "widgets/core/panel/workspace_strip.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/task.h"
@@ -21,19 +23,6 @@
 namespace lathelier::chain_panel {
 
 class RunDialog;
-
-/// A step of the strip: one or more steps of the chain.
-struct StripStep {
-    const char* key;                    ///< of its tile
-    Text title;                         ///< what people read
-    const char* panel;                  ///< id of the panel that it opens
-    std::vector<const char*> of_chain;  ///< ids of the chain's steps; the first one has to be there
-};
-
-const std::vector<StripStep>& stripSteps();
-
-/// The state that stands for all of them: what failed, then what is out of date, not made, missing, done.
-chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier);
 
 class ChainStrip : public WorkspaceStrip {
     Q_OBJECT
@@ -59,7 +48,8 @@ private:
     void watchFiles();
     void show(const std::shared_ptr<const chain::Dossier>& dossier);
     void run(const AskedChain& asked);
-    void landed(const AskedChain& asked, const std::shared_ptr<const chain::Dossier>& dossier);
+    void sayRan(const chain::ChainQuestion& question, const chain::Dossier& dossier);
+    void followProject();
     void showProgress(const Worker::State& state);
     void setRunning(bool running);
     void exportReport();
@@ -79,9 +69,11 @@ private:
     QAction* report_;
     QAction* dossier_;
     QAction* folder_;
-    RunDialog* dialog_ = nullptr;
+    QPointer<RunDialog> dialog_;
     std::shared_ptr<const chain::Dossier> looked_;
-    AskedChain asked_;  ///< of looked_
+    AskedChain asked_;          ///< of looked_
+    bool has_dossier_ = false;  ///< in the folder of asked_, when it was looked at
+    int opened_ = 0;            ///< projectsOpened() of the project that is shown
     QTimer due_;
     QTimer turn_;         ///< looks whether a file of the chain was changed
     std::string stamps_;  ///< of the files when they were looked at last

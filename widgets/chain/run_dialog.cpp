@@ -48,7 +48,11 @@ QStringList stepsToRun(const chain::Dossier& looked)
 }
 
 RunDialog::RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWidget* parent)
-    : QDialog(parent), folder_(new QLineEdit(QString::fromStdString(asked.question.out))), run_(nullptr)
+    : QDialog(parent),
+      folder_(new QLineEdit(QString::fromStdString(asked.question.out))),
+      elsewhere_(paragraph(tr("In another folder every step runs that has its files."))),
+      run_(nullptr),
+      looked_folder_(folder_->text().trimmed())
 {
     setObjectName("runChain");
     setWindowTitle(tr("Run the chain"));
@@ -72,6 +76,8 @@ RunDialog::RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWid
     row->addWidget(folder_, 1);
     row->addWidget(choose);
     layout->addLayout(row);
+    elsewhere_->setObjectName("chainElsewhere");
+    layout->addWidget(elsewhere_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     run_ = buttons->addButton(tr("Run"), QDialogButtonBox::AcceptRole);
     run_->setObjectName("runChainNow");
@@ -92,7 +98,9 @@ void RunDialog::chooseFolder()
 
 void RunDialog::enableRun()
 {
-    run_->setEnabled(has_steps_ && !folder().isEmpty());
+    const bool is_elsewhere = folder() != looked_folder_;
+    elsewhere_->setVisible(is_elsewhere);
+    run_->setEnabled((has_steps_ || is_elsewhere) && !folder().isEmpty());
 }
 
 }  // namespace lathelier::chain_panel

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <memory>
@@ -24,7 +25,9 @@ private:
     void enableRun();
 
     QLineEdit* folder_;
+    QLabel* elsewhere_;
     QPushButton* run_;
+    QString looked_folder_;
     bool has_steps_ = false;
 };
 

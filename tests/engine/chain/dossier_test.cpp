@@ -117,6 +117,18 @@ TEST(Dossier, AChangedFileIsNamedWhereItWasMadeAndTaken)
     EXPECT_FALSE(check.faults[1].is_gone);
 }
 
+TEST(Dossier, AFileOfTheChainThatNoStepMadeIsFound)
+{
+    SmallChain chain;
+    io::writeFile(chain.folder + "/by_hand.json", "{}\n");
+    chain.dossier.steps[1].inputs.push_back(fileAt(chain.folder, "by_hand.json"));
+    chain.write();
+    const DossierCheck check = chain.check();
+    ASSERT_EQ(check.faults.size(), 1u);
+    EXPECT_EQ(check.faults[0].step, "draw");
+    EXPECT_EQ(check.faults[0].path, "by_hand.json");
+}
+
 TEST(Dossier, AMissingScanIsGone)
 {
     const SmallChain chain;

@@ -89,6 +89,24 @@ TEST(Proof, ItsFileIsReadBack)
     EXPECT_FALSE(proofFrom(Json::array()));
 }
 
+TEST(Proof, ADamagedFileIsNone)
+{
+    const PredictedErrors predicted = predictedErrors(deflected(), 1);
+    const Json whole = proofJson(predicted, compareErrors(predicted, {{1, 0, 20, 25, 2}}), {{7, 20, 2, 1}});
+    ASSERT_TRUE(proofFrom(whole));
+    for (const char* list : {"error_um", "low_um", "high_um"}) {
+        Json shorter = whole;
+        shorter["predicted"][list].erase(0);
+        EXPECT_FALSE(proofFrom(shorter)) << list;
+    }
+    for (const char* list : {"places", "along"})
+        for (const Json& row : {Json(nullptr), Json("1"), Json(1e300)}) {
+            Json other = whole;
+            other[list][0]["row"] = row;
+            EXPECT_FALSE(proofFrom(other)) << list << row;
+        }
+}
+
 ShaftSegment row(double length_mm, double diameter_mm)
 {
     ShaftSegment made;

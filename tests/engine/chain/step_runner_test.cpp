@@ -37,6 +37,10 @@ struct Workshop {
                 reply.inputs.push_back(
                     {operand, static_cast<std::int64_t>(bytes.view().size()), io::sha256(bytes.view())});
             }
+            if (text.find("stop") != std::string::npos) {
+                for (const auto& [option, path] : question.outputs) io::writeFile(path, "half of it");
+                throw Cancelled{};
+            }
             Json result = {{"length_mm", static_cast<double>(text.size())}};
             if (text.find("refuse") != std::string::npos)
                 reply.errors.emplace_back(errors::fileEmpty, Values{{"path", question.operands.front()}});
@@ -162,6 +166,37 @@ TEST(StepRunner, ARefusalStopsTheChainAndWhatWasMadeStays)
     EXPECT_TRUE(shop.asked.empty());
     shop.run(RunMode::OutOfDate);
     EXPECT_EQ(shop.asked, Names{"read"});
+}
+
+TEST(StepRunner, AStopBringsBackWhatTheStepHadMade)
+{
+    Workshop shop;
+    shop.run(RunMode::Everything);
+    const std::string made = io::fileSha256(shop.folder + "/a.txt"),
+                      told = io::fileSha256(shop.folder + "/recognise.json");
+    io::writeFile(shop.scan, "stop\n");
+    EXPECT_THROW(shop.run(RunMode::OutOfDate), Cancelled);
+    EXPECT_EQ(io::fileSha256(shop.folder + "/a.txt"), made);
+    EXPECT_EQ(io::fileSha256(shop.folder + "/recognise.json"), told);
+    EXPECT_FALSE(std::filesystem::exists(shop.folder + "/.earlier"));
+}
+
+TEST(StepRunner, FilesBelowTheFolderAreNamedFromThere)
+{
+    Workshop shop;
+    const std::string given = shop.folder + "/given/job.txt";
+    std::filesystem::create_directories(shop.folder + "/given");
+    io::writeFile(given, "job\n");
+    StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
+    runner.run({"recognise", "read", {given}, {}, {{"--out", "a.txt"}}}, {});
+    EXPECT_EQ(runner.dossier().steps.front().inputs.front().path, "given/job.txt");
+    const std::string path = shop.folder + "/" + dossierFile;
+    io::writeFile(path, report::toText(wholeDossier(runner.dossier(), {}, {})));
+    EXPECT_TRUE(checkDossier(path).faults.empty());
+    // The folder may be moved.
+    const std::string elsewhere = (shop.scratch / "elsewhere").string();
+    std::filesystem::rename(shop.folder, elsewhere);
+    EXPECT_TRUE(checkDossier(elsewhere + "/" + dossierFile).faults.empty());
 }
 
 TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)

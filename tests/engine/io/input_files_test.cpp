@@ -34,5 +34,18 @@ TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
 
 INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, testing::Bool());
 
+TEST(InputFiles, AGivenTextStandsForAFileThatIsNotThere)
+{
+    InputFiles files;
+    files.give("/nowhere/job.json", "{}");
+    EXPECT_EQ(files.open("/nowhere/job.json"), "{}");
+    files.drop();
+    const std::vector<InputFile> list = files.list();
+    ASSERT_EQ(list.size(), 1u);
+    EXPECT_EQ(list[0].path, "/nowhere/job.json");
+    EXPECT_EQ(list[0].bytes, 2);
+    EXPECT_EQ(list[0].sha256, sha256("{}"));
+}
+
 }  // namespace
 }  // namespace lathelier

@@ -50,7 +50,7 @@ TEST(MarksItem, SaysWhatToDoubtBeyondFivePercent)
     const SurfaceMarks marks{"", 2800, 223, 1.1, 46.7};
     EXPECT_EQ(report::findingText(modelFinding(marks, {221, 0.9, true})),
               "Your marks say 223.0 ± 2.2 Hz, your model says 221.0 Hz; the nearest other reading is 46.7 Hz away.");
-    EXPECT_NE(report::findingText(modelFinding(marks, {240, -7.1, false})).find("7.1 % apart"), std::string::npos);
+    EXPECT_NE(report::findingText(modelFinding(marks, {240, -7.1, false})).find("7.1\u00a0% apart"), std::string::npos);
 }
 
 TEST(MarksItem, IsDrawnAsLineAndDot)

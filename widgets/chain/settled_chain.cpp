@@ -1,0 +1,50 @@
+#include "widgets/chain/settled_chain.h"
+
+#include <filesystem>
+
+#include "engine/deflection/setup_file.h"
+#include "widgets/chatter_common/taken_input.h"
+#include "widgets/deflection_common/deflection_question.h"
+#include "widgets/deflection_common/turning_files.h"
+
+namespace lathelier::chain_panel {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As the panel has it; empty: as the file has it.
+std::string changedSetup(const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    const project::Source& source = state.inputs.at(deflection_common::setupRole);
+    const auto loaded = stores.of<deflection_common::SetupStore>()->load(source, progress);
+    deflection::TurningSetup stated = loaded->file.setup;
+    if (!stated.stock.empty())
+        stated.stock = fs::absolute(fs::path(source.path).parent_path() / stated.stock).lexically_normal().string();
+    deflection::TurningSetup setup = stated;
+    if (const auto spindle = chatter_common::takeSpindle(state, stores, progress))
+        if (const receptance::SpindleSprings* const springs = spindle->value.springs()) {
+            setup.chuck.radial_N_mm = springs->radial_N_mm;
+            setup.chuck.tilt_N_mm_rad = springs->tilt_N_mm_rad;
+        }
+    const auto question = fromValues<deflection_common::DeflectionQuestion>(state.parameters);
+    Notes said;  // by the panel
+    const std::string text = deflection::setupText(changed(std::move(setup), question.changes, said));
+    return text == deflection::setupText(stated) ? std::string() : text;
+}
+
+}  // namespace
+
+AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress)
+{
+    if (!asked.deflection || asked.deflection->inputs.count(deflection_common::setupRole) == 0) return asked;
+    try {
+        if (std::string text = changedSetup(*asked.deflection, stores, progress); !text.empty()) {
+            asked.made.push_back(madeInput(asked.question.out, "setup", std::move(text)));
+            asked.question.setup = asked.made.back().path;
+        }
+    } catch (const Error&) {  // the panel and the step say it
+    }
+    return asked;
+}
+
+}  // namespace lathelier::chain_panel

@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl" sourcelanguage="en">
 <context>
-    <name>lathelier::chain_panel::StripTexts</name>
-    <message>
-        <source>Takes (SHA-256):</source>
-        <translation>Pobiera (SHA-256):</translation>
-    </message>
-    <message>
-        <source>Makes (SHA-256):</source>
-        <translation>Wykonuje (SHA-256):</translation>
-    </message>
-</context>
-<context>
     <name>Engine</name>
     <message>
         <source>The option {option} is not known.</source>
@@ -13323,10 +13312,6 @@
         <translation>Największa wartość |E_n| przewidywania i kopii</translation>
     </message>
     <message>
-        <source>Row {row}: measured {measured} µm, predicted {predicted} µm, E_n {error}</source>
-        <translation>Wiersz {row}: zmierzono {measured} µm, przewidziano {predicted} µm, E_n {error}</translation>
-    </message>
-    <message>
         <source>✓ prediction agrees with the copy</source>
         <translation>✓ przewidywanie zgodne z kopią</translation>
     </message>
@@ -13407,10 +13392,6 @@
         <translation>Inaczej kopia z panelu Porównanie</translation>
     </message>
     <message>
-        <source>Of the surface, taken alike</source>
-        <translation>Powierzchni, oba wykonane w tych samych warunkach</translation>
-    </message>
-    <message>
         <source>Chain</source>
         <translation>Łańcuch</translation>
     </message>
@@ -13485,6 +13466,70 @@
     <message>
         <source>Picture that is made</source>
         <translation>Wytwarzany obraz</translation>
+    </message>
+    <message>
+        <source>{step}: a number of the dossier does not stand at {place} in {path}.</source>
+        <translation>{step}: liczby z dokumentacji nie ma w miejscu {place} pliku {path}.</translation>
+    </message>
+    <message>
+        <source>The photograph before is taken as cut at {speed_rpm} 1/min, the cutting speed of the job.</source>
+        <translation>Przyjęto, że powierzchnię na zdjęciu przed toczono przy {speed_rpm} 1/min, prędkości skrawania z zadania.</translation>
+    </message>
+    <message>
+        <source>The marks before are of {frequency_hz} ± {uncertainty_hz} Hz, the model&apos;s chatter there of {model_hz} Hz: {difference_percent} % apart.</source>
+        <translation>Ślady przed mają {frequency_hz} ± {uncertainty_hz} Hz, drgania modelu w tym miejscu {model_hz} Hz: różnica {difference_percent} %.</translation>
+    </message>
+    <message>
+        <source>The marks before are of {frequency_hz} ± {uncertainty_hz} Hz, the model&apos;s chatter there of {model_hz} Hz: {difference_percent} % apart. Machine, diameter, speed or number of waves may be wrong.</source>
+        <translation>Ślady przed mają {frequency_hz} ± {uncertainty_hz} Hz, drgania modelu w tym miejscu {model_hz} Hz: różnica {difference_percent} %. Błędne mogą być maszyna, średnica, prędkość albo liczba fal.</translation>
+    </message>
+    <message>
+        <source>Direction of feed in the photographs</source>
+        <translation>Kierunek posuwu na zdjęciach</translation>
+    </message>
+    <message>
+        <source>From right toward down; without it both signs of the marks stay open.</source>
+        <translation>Od prawej ku dołowi; bez niego oba znaki śladów pozostają możliwe.</translation>
+    </message>
+    <message>
+        <source>Direction of cut in the photographs</source>
+        <translation>Kierunek skrawania na zdjęciach</translation>
+    </message>
+    <message>
+        <source>Of later points of a track, the feed pointing right.</source>
+        <translation>Późniejszych punktów śladu, przy posuwie skierowanym w prawo.</translation>
+    </message>
+    <message>
+        <source>The copy: largest deviation {worst:3} mm, limit ± {tolerance:3} mm</source>
+        <translation>Kopia: największa odchyłka {worst:3} mm, granica ± {tolerance:3} mm</translation>
+    </message>
+    <message>
+        <source>The copy: largest deviation {worst:3} mm; no limit is given, so it is not judged</source>
+        <translation>Kopia: największa odchyłka {worst:3} mm; nie podano granicy, więc nie jest oceniana</translation>
+    </message>
+    <message>
+        <source>Row {row}: measured {measured:1} µm, predicted {predicted:1} µm, E_n {error:2}</source>
+        <translation>Wiersz {row}: zmierzono {measured:1} µm, przewidziano {predicted:1} µm, E_n {error:2}</translation>
+    </message>
+    <message>
+        <source>✗ predicted well, but the copy is out of its limit</source>
+        <translation>✗ dobrze przewidziana, ale kopia jest poza granicą</translation>
+    </message>
+    <message>
+        <source>? predicted well; the copy&apos;s limit is not decided</source>
+        <translation>? dobrze przewidziana; granica kopii nierozstrzygnięta</translation>
+    </message>
+    <message>
+        <source>? the files are not those of the dossier</source>
+        <translation>? pliki nie są plikami z dokumentacji</translation>
+    </message>
+    <message>
+        <source>Files or numbers that differ from the dossier: {count}</source>
+        <translation>Pliki lub liczby inne niż w dokumentacji: {count}</translation>
+    </message>
+    <message>
+        <source>Else that of Surface</source>
+        <translation>Inaczej z panelu Powierzchnia</translation>
     </message>
 </context>
 <context>
@@ -14621,6 +14666,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Folder of the chain</source>
         <translation>Folder łańcucha</translation>
     </message>
+    <message>
+        <source>In another folder every step runs that has its files.</source>
+        <translation>W innym katalogu zostaną wykonane wszystkie kroki, które mają swoje pliki.</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::chain_panel::StepTile</name>
@@ -14643,6 +14692,17 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>missing</source>
         <translation>brak</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::chain_panel::StripTexts</name>
+    <message>
+        <source>Takes (SHA-256):</source>
+        <translation>Pobiera (SHA-256):</translation>
+    </message>
+    <message>
+        <source>Makes (SHA-256):</source>
+        <translation>Wykonuje (SHA-256):</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/post/post.h"
+#include "engine/cam/setup_plan.h"
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/proof.h"
 #include "engine/core/texts.h"
@@ -113,6 +114,16 @@ Shaft ChainSteps::readPart()
     return io::readShaft(std::string(bytes.view()), said);
 }
 
+/// From half the slowest speed that the job's cutting data ask for on its bar, up to the fastest of the machine.
+Interval ChainSteps::usedSpeeds_rpm() const
+{
+    const double slowest_m_min =
+        std::min(job_.cutting.rough.cutting_speed_m_min, job_.cutting.finish.cutting_speed_m_min);
+    const double fastest = job_.max_rpm.value_or(cam::assumedLimit_rpm);
+    const double slowest = 1000 * slowest_m_min / (std::numbers::pi * job_.stock.diameter_mm);
+    return {std::min(slowest, fastest) / 2, fastest};
+}
+
 void ChainSteps::planSpeeds()
 {
     const bool has_drawing = runner_.hasFailed() || runner_.dossier().step("draw")->state != StepState::Missing;
@@ -146,8 +157,9 @@ void ChainSteps::planSpeeds()
         machine.outputs = {{"--csv", "receptance.csv"}};
         runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
     }
-    results_->speeds = runner_.run(asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}}),
-                                   share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
+    StepRequest speeds = asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}});
+    if (!runner_.hasFailed()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds_rpm()});
+    results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 
 /// The program's, by its control.

@@ -41,6 +41,7 @@ private:
     void takeFiles();
     std::string extension() const;
     Shaft readPart();
+    Interval usedSpeeds_rpm() const;
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
     std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;

@@ -60,7 +60,8 @@ Json toJson(const TracedNumber& number)
 /// A note that somebody has to confirm: what was not stated and had to be assumed.
 bool saysAssumed(const Json& note)
 {
-    const std::string code = note.value("code", "");
+    if (!note.is_object() || !note.contains("code") || !note["code"].is_string()) return false;
+    const std::string code = note["code"];
     return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos;
 }
 

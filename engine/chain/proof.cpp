@@ -76,14 +76,17 @@ std::vector<MeasuredError> measuredErrors(const Json& drawn, const Json& compare
 {
     std::vector<MeasuredError> measured;
     if (!compared.contains("rows") || !drawn.contains("segments")) return measured;
+    const Json& segments = drawn["segments"];
     for (const Json& row : compared["rows"]) {
-        if (row.value("quantity", "") != "diameter" || !row["bore"].is_null()) continue;
-        if (!row["deviation_mm"].is_number() || !row["uncertainty_mm"].is_number()) continue;
-        const auto number = row["row"].get<std::int64_t>();
-        if (number < 1 || number > static_cast<std::int64_t>(drawn["segments"].size())) continue;
-        const Json& segment = drawn["segments"].at(static_cast<std::size_t>(number - 1));
-        measured.push_back({number, segment["z_start_mm"], segment["z_end_mm"],
-                            1000 * row["deviation_mm"].get<double>(), 1000 * row["uncertainty_mm"].get<double>()});
+        const bool is_diameter = row.contains("quantity") && row["quantity"] == "diameter";
+        if (!is_diameter || !row.contains("bore") || !row["bore"].is_null()) continue;
+        const double deviation_mm = numberAt(row, "deviation_mm"), uncertainty_mm = numberAt(row, "uncertainty_mm");
+        const auto number = rowAt(row);
+        if (!std::isfinite(deviation_mm + uncertainty_mm) || !number) continue;
+        if (*number < 1 || *number > static_cast<std::int64_t>(segments.size())) continue;
+        const Json& segment = segments.at(static_cast<std::size_t>(*number - 1));
+        measured.push_back({*number, numberAt(segment, "z_start_mm"), numberAt(segment, "z_end_mm"),
+                            1000 * deviation_mm, 1000 * uncertainty_mm});
     }
     return measured;
 }

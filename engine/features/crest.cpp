@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -29,8 +30,29 @@ Histogram histogramOf(const std::vector<float>& radii, double from_mm, double to
     return histogram;
 }
 
+double normal(double u)
+{
+    return std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+double below(double u)
+{
+    return 0.5 * std::erfc(-u / std::numbers::sqrt2);
+}
+
+/// φ, its integral and the integral of that at u, each as the mean over u ± half.
+std::array<double, 3> densities(double u, double half)
+{
+    // Integrals of Φ: u Φ + φ, then ((u² + 1) Φ + u φ) / 2.
+    const auto once = [](double x) { return x * below(x) + normal(x); };
+    const auto twice = [](double x) { return ((x * x + 1) * below(x) + x * normal(x)) / 2; };
+    if (!(half > 0.05)) return {normal(u), below(u), once(u)};
+    const auto mean = [&](const auto& integral) { return (integral(u + half) - integral(u - half)) / (2 * half); };
+    return {mean(below), mean(once), mean(twice)};
+}
+
 /// Misfit of the density with the crest at c; parts that came out negative are left out.
-double misfitAt(const Histogram& histogram, double c, double sigma)
+double misfitAt(const Histogram& histogram, double c, double sigma, double blur)
 {
     const auto n = static_cast<Eigen::Index>(histogram.counts.size());
     Eigen::MatrixXd parts(n, 3);
@@ -38,10 +60,9 @@ double misfitAt(const Histogram& histogram, double c, double sigma)
     for (Eigen::Index i = 0; i < n; ++i) {
         const double count = histogram.counts[static_cast<std::size_t>(i)];
         const double u = (c - histogram.from_mm - (static_cast<double>(i) + 0.5) * histogram.step_mm) / sigma;
-        const double density = std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
-        const double below = 0.5 * std::erfc(-u / std::numbers::sqrt2);
         const double weight = 1 / std::sqrt(count + 1);
-        parts.row(i) << weight * density, weight * below, weight * (u * below + density);
+        const auto [crest, plateau, ramp] = densities(u, blur / (2 * sigma));
+        parts.row(i) << weight * crest, weight * plateau, weight * ramp;
         seen[i] = weight * count;
     }
     double best = seen.squaredNorm();
@@ -73,23 +94,24 @@ double densest(std::vector<float> radii, double sigma)
 
 }  // namespace
 
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm)
+std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm)
 {
     if (radii.size() < 60 || !(sigma_mm > 0)) return std::nullopt;
     const double start = densest(radii, sigma_mm);
     const Histogram histogram =
         histogramOf(radii, start - kBelow * sigma_mm, start + kAbove * sigma_mm, sigma_mm / kBins);
-    double place = start, step = 0.25 * sigma_mm, least = misfitAt(histogram, start, sigma_mm);
+    double place = start, step = 0.25 * sigma_mm, least = misfitAt(histogram, start, sigma_mm, blur_mm);
     for (int round = 0; round < 5; ++round, step /= 4) {
         const double around = place;
         for (int k = -8; k <= 8; ++k)
-            if (const double trial = misfitAt(histogram, around + k * step, sigma_mm); trial < least) {
+            if (const double trial = misfitAt(histogram, around + k * step, sigma_mm, blur_mm); trial < least) {
                 least = trial;
                 place = around + k * step;
             }
     }
     const double h = 0.1 * sigma_mm;
-    const double bend = misfitAt(histogram, place + h, sigma_mm) + misfitAt(histogram, place - h, sigma_mm) - 2 * least;
+    const double bend = misfitAt(histogram, place + h, sigma_mm, blur_mm) +
+                        misfitAt(histogram, place - h, sigma_mm, blur_mm) - 2 * least;
     return Crest{place, bend > 0 ? std::min(sigma_mm, h * std::sqrt(2 / bend)) : sigma_mm};
 }
 
@@ -116,7 +138,7 @@ std::vector<Wall> leadIn(const MeridianCloud& cloud, double border_mm, bool towa
             std::vector<float> radii;
             radii.reserve(bins[b].size());
             for (const auto& [at, r] : bins[b]) radii.push_back(static_cast<float>(r - slope * (at - z)));
-            const std::optional<Crest> crest = crestOf(std::move(radii), scatter);
+            const std::optional<Crest> crest = crestOf(std::move(radii), sigma_mm, std::abs(slope) * kSpot_mm);
             if (!crest || crest->radius_mm > level_mm - kReached_mm) break;
             Wall wall;
             wall.z_mm = z;

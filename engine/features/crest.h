@@ -17,8 +17,9 @@ struct Crest {
     double sigma_mm = 0;   ///< standard uncertainty
 };
 
-/// nullopt with fewer than 60 radii or without noise.
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm);
+/// nullopt with fewer than 60 radii or without noise. `blur_mm`: width of an even spread that the radii have besides
+/// their noise.
+std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm = 0);
 
 /// A cone that leads into a rough zone, seen between its grooves only: walls over its crests in bins of 0.1 mm, in
 /// order of z, from the border of the zone to where they reach the radius `level_mm`. Fewer than three: none.

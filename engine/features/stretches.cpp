@@ -7,27 +7,32 @@
 
 #include "engine/features/crest.h"
 #include "engine/features/selection.h"
-#include "engine/features/wear.h"
 
 namespace lathelier::features {
 namespace {
 
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
-constexpr double kRough = 1.7;              // times the scatter that noise and slope explain
+constexpr double kRough = 1.3;              // times the scatter that noise and slope explain, beyond chance
+constexpr double kLongestLead_mm = 4;       // of the cone that leads into a rough zone
 constexpr double kLeastScatter_mm = 0.001;  // of exact data: what is smoother is no thread or knurl
 constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur may have made
 
-/// Walls that scatter more than noise and slope explain, over 2.5 mm or more.
+/// Walls that scatter more than noise and slope explain, over 2.5 mm or more, with those beside them that scatter more
+/// than chance makes them: where grooves run out into a cone.
 std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
 {
-    std::vector<char> rough(walls.size(), 0);
+    constexpr std::size_t kMostCalm = 2;
+    std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         // Noise along the normal of a slope is more along the radius.
         const double slope = slopeAt(walls, i), square = slope * slope,
                      spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
-        rough[i] = walls[i].sigma_mm > kRough * std::sqrt(sigma_mm * sigma_mm * (1 + square) +
-                                                          kLeastScatter_mm * kLeastScatter_mm + spread);
+        const double explained =
+            std::sqrt(sigma_mm * sigma_mm * (1 + square) + kLeastScatter_mm * kLeastScatter_mm + spread);
+        const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
+        rough[i] = walls[i].sigma_mm > (kRough + 3 * chance) * explained;
+        uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
     }
     std::vector<std::pair<std::size_t, std::size_t>> stretches;
     for (std::size_t i = 0; i < walls.size();) {
@@ -40,8 +45,18 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
             calm = rough[j] ? 0 : calm + 1;
             if (rough[j]) last = j;
         }
-        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) stretches.emplace_back(i, last + 1);
-        i = last + 1;
+        const std::size_t next = last + 1;
+        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) {
+            std::size_t from = i, to = next;
+            const std::size_t least = stretches.empty() ? 0 : stretches.back().second;
+            const double reach = std::min(kLongestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
+            for (std::size_t j = i; j-- > least && i - j <= kMostCalm + (i - from);)
+                if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
+            for (std::size_t j = next; j < walls.size() && j - to <= kMostCalm; ++j)
+                if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
+            stretches.emplace_back(from, to);
+        }
+        i = std::max(next, stretches.empty() ? next : stretches.back().second);
     }
     return stretches;
 }
@@ -65,8 +80,22 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
     if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
         pieces.erase(pieces.begin());
     if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
-    mergeWear(pieces, walls, form_mm, merged);
+    std::vector<Wear> worn;
+    mergeWear(pieces, walls, form_mm, merged, worn);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
+    const std::size_t merged_parts = worn.size();
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const Piece& was = pieces[k];
+        const double from = walls[was.begin].z_mm, to = walls[was.end - 1].z_mm;
+        const auto covers = [&](const Wear& wear) { return wear.from_mm < to && wear.to_mm > from; };
+        const auto parts = worn.begin() + static_cast<std::ptrdiff_t>(merged_parts);
+        if (elements[k].arc || std::any_of(worn.begin(), parts, covers)) continue;
+        if (!was.arc && (!elements[k].cylinder || std::abs(was.slope) < 4 * was.slope_error)) continue;
+        Piece now = was;
+        now.arc = false;
+        now.slope = elements[k].slope;
+        worn.push_back({from, to, was, now});
+    }
     Stretch stretch;
     stretch.from_mm = walls.front().z_mm;
     stretch.nodes_mm = {walls.front().z_mm};
@@ -87,6 +116,8 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
             if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
         for (const Wall& one : crests)
             if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.crests.push_back(one);
+        for (const Wear& wear : worn)
+            if (wear.to_mm > stretch.from_mm && wear.from_mm < z) stretch.worn.push_back(wear);
         stretches.push_back(stretch);
         stretch = {};
         stretch.from_mm = z;
@@ -151,7 +182,6 @@ struct RoughStretch {
 
 RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, std::size_t from, std::size_t to)
 {
-    constexpr double kLongestLead_mm = 4;
     RoughStretch rough;
     Stretch& stretch = rough.stretch;
     const double half = input.coarse.bin_mm / 2;

@@ -20,7 +20,7 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
     for (const Chain& chain : input.fine.chains)
         for (const Wall& wall : chain.walls) {
             if (wall.z_mm < stretch.from_mm - 0.5 || wall.z_mm > stretch.to_mm + 0.5) continue;
-            const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm; };
+            const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm / 2; };
             if (std::any_of(stretch.crests.begin(), stretch.crests.end(), over)) continue;
             const auto next = std::lower_bound(stretch.coarse.begin(), stretch.coarse.end(), wall.z_mm,
                                                [](const Wall& one, double z) { return one.z_mm < z; });

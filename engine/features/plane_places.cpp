@@ -113,6 +113,49 @@ void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run
     plane.sigma_mm = place->sigma_mm;
 }
 
+/// Where a thread or a knurl ends beside a wall that its grooves nearly reach: how likely a radius is on it is seen from
+/// the radii of all of its points.
+void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
+{
+    constexpr double kMostReach_mm = 1.5, kLongestWord = 4.6, kFar = 5, kBeside_mm = 0.5;
+    const bool first_rough = a.elements.back().rough;
+    const Run& rough = first_rough ? a : b;
+    const Element& wall = first_rough ? b.elements.front() : a.elements.back();
+    const double sigma = model.sigma_mm;
+    if (wall.arc || wall.rough || std::abs(wall.slope) > 0.1 || !(sigma > 0)) return;
+    Plane& plane = model.planes[p];
+    const double own = first_rough ? b.nodes_mm[1] - b.nodes_mm.front()
+                                   : a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2];
+    const double length = rough.nodes_mm.back() - rough.nodes_mm.front();
+    const double reach = std::min({kMostReach_mm, 0.4 * own, 0.3 * length});
+    const double low = std::min(wall.level_mm, rough.elements.front().root_mm) - kFar * sigma,
+                 high = std::max(wall.level_mm, rough.elements.front().level_mm) + kFar * sigma, step = sigma / 2;
+    std::vector<double> counts(static_cast<std::size_t>((high - low) / step) + 1, 0.5);
+    double all = 0;
+    std::vector<std::pair<double, double>> near;
+    for (std::size_t i = 0; i < input.cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(input.cloud.z_mm[i]), r = static_cast<double>(input.cloud.r_mm[i]);
+        if (!(r > low && r < high)) continue;
+        if (std::abs(z - plane.z_mm) < reach) near.emplace_back(z, r);
+        if (z < rough.nodes_mm.front() + kBeside_mm || z > rough.nodes_mm.back() - kBeside_mm) continue;
+        counts[static_cast<std::size_t>((r - low) / step)] += 1;
+        all += 1;
+    }
+    if (all < 200) return;
+    std::vector<Said> points;
+    for (const auto& [z, r] : near) {
+        const double u = (r - wall.radiusAt_mm(z)) / sigma;
+        const double on_wall = -u * u / 2 - std::log(sigma * std::sqrt(2 * std::numbers::pi));
+        const double on_rough = std::log(counts[static_cast<std::size_t>((r - low) / step)] / (all * step));
+        const double word = std::clamp(on_wall - on_rough, -kLongestWord, kLongestWord);
+        points.push_back({z, first_rough ? word : -word});
+    }
+    const auto place = placeFrom(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
+    if (!place) return;
+    plane.z_mm = plane.seen_mm = place->z_mm;
+    plane.sigma_mm = place->sigma_mm;
+}
+
 }  // namespace
 
 void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<Border>& borders,
@@ -154,7 +197,17 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         plane.lean = lean * std::abs(start - end);
         plane.low_side = rises ? -1 : 1;
         plane.is_clear = false;
-        if (borders[a.right] == Border::Rough && std::abs(start - end) < 4 * model.sigma_mm) continue;
+        if (is_rough) {  // a cone that reaches the crests ends where it does so
+            const bool before_rough = a.elements.back().rough;
+            const Element& wall = before_rough ? b.elements.front() : a.elements.back();
+            const double crest = (before_rough ? a.elements.back() : b.elements.front()).level_mm;
+            const double off = std::abs(wall.radiusAt_mm(plane.z_mm) - crest);
+            if (!wall.arc && !wall.rough && std::abs(wall.slope) > 0.2 && off < 0.3) continue;
+        }
+        if (is_rough && std::abs(start - end) < kLeastShoulder * model.sigma_mm) {
+            placeRoughEnd(input, model, a.right, a, b);
+            continue;
+        }
         ++sought;
         if (const auto face = seenFace(input.cloud, plane.z_mm, std::min(start, end), std::max(start, end),
                                        model.sigma_mm, density)) {

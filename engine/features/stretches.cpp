@@ -20,9 +20,14 @@ constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur 
 
 /// Walls that scatter more than noise and slope explain, over 2.5 mm or more, with those beside them that scatter more
 /// than chance makes them: where grooves run out into a cone.
-std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
+struct RoughWalls {
+    std::size_t from = 0, to = 0;              ///< the rough ones
+    std::size_t wide_from = 0, wide_to = 0;    ///< with those that a groove may reach
+};
+
+std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
 {
-    constexpr std::size_t kMostCalm = 2;
+    constexpr std::size_t kMostCalm = 2, kBeyond = 3;
     std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         // Noise along the normal of a slope is more along the radius.
@@ -34,7 +39,7 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
         rough[i] = walls[i].sigma_mm > (kRough + 3 * chance) * explained;
         uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
     }
-    std::vector<std::pair<std::size_t, std::size_t>> stretches;
+    std::vector<RoughWalls> stretches;
     for (std::size_t i = 0; i < walls.size();) {
         if (!rough[i]) {
             ++i;
@@ -48,15 +53,16 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
         const std::size_t next = last + 1;
         if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) {
             std::size_t from = i, to = next;
-            const std::size_t least = stretches.empty() ? 0 : stretches.back().second;
+            const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
             const double reach = std::min(kLongestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
             for (std::size_t j = i; j-- > least && i - j <= kMostCalm + (i - from);)
                 if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
             for (std::size_t j = next; j < walls.size() && j - to <= kMostCalm; ++j)
                 if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
-            stretches.emplace_back(from, to);
+            from = std::max(least, from - std::min(from, kBeyond));
+            stretches.push_back({i, next, from, std::min(walls.size(), to + kBeyond)});
         }
-        i = std::max(next, stretches.empty() ? next : stretches.back().second);
+        i = next;
     }
     return stretches;
 }
@@ -180,8 +186,9 @@ struct RoughStretch {
     std::vector<Wall> lead_in, lead_out;  ///< in order of z
 };
 
-RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, std::size_t from, std::size_t to)
+RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, RoughWalls& rough_walls)
 {
+    const auto [from, to, wide_from, wide_to] = rough_walls;
     RoughStretch rough;
     Stretch& stretch = rough.stretch;
     const double half = input.coarse.bin_mm / 2;
@@ -205,10 +212,17 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
         const auto lead = [&](double border, bool toward_end) {
             return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
         };
-        rough.lead_in = lead(stretch.from_mm - half, true);
-        rough.lead_out = lead(stretch.to_mm + half, false);
-        if (!rough.lead_in.empty()) stretch.from_mm = rough.lead_in.back().z_mm + half;
-        if (!rough.lead_out.empty()) stretch.to_mm = rough.lead_out.front().z_mm - half;
+        const Lead in = lead(walls[wide_from].z_mm - half, true), out = lead(walls[wide_to - 1].z_mm + half, false);
+        rough.lead_in = in.walls;
+        rough.lead_out = out.walls;
+        if (!in.walls.empty()) {
+            stretch.from_mm = in.reached_mm;
+            rough_walls.from = wide_from;
+        }
+        if (!out.walls.empty()) {
+            stretch.to_mm = out.reached_mm;
+            rough_walls.to = wide_to;
+        }
     }
     cylinder.at_mm = (stretch.from_mm + stretch.to_mm) / 2;
     stretch.elements = {cylinder};
@@ -275,8 +289,9 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
                          trim && lead_in.empty(), input.form_mm, border, outline.merged, progress);
             return true;
         };
-        for (const auto& [from, to] : roughStretches(walls, input.coarse.sigma_mm)) {
-            RoughStretch rough = roughStretch(input, walls, from, to);
+        for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm)) {
+            RoughStretch rough = roughStretch(input, walls, rough_walls);
+            const auto [from, to, wide_from, wide_to] = rough_walls;
             addQuiet(at, from, rough.lead_in, Border::Rough, true);
             rough.stretch.after = to < walls.size() || !rough.lead_out.empty() ? Border::Rough : after;
             outline.rough.push_back({rough.stretch.from_mm, rough.stretch.to_mm, rough.eccentric_mm});

@@ -62,7 +62,7 @@ Binned binned(const MeridianCloud& cloud, double bin_mm)
 std::vector<std::uint32_t> withoutMarks(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points,
                                         double sigma_mm)
 {
-    constexpr std::size_t most = 48, least = 12, in_sector = 6;
+    constexpr std::size_t most = 48, least = 9, in_sector = 5;
     const std::size_t count = std::min(most, points.size() / in_sector);
     if (count < least) return points;
     std::vector<std::vector<float>> radii(count);

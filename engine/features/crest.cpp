@@ -2,7 +2,9 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lathelier::features {
@@ -29,27 +31,56 @@ Histogram histogramOf(const std::vector<float>& radii, double from_mm, double to
     return histogram;
 }
 
-/// Misfit of the density with the crest at c; parts that came out negative are left out.
-double misfitAt(const Histogram& histogram, double c, double sigma)
+double normal(double u)
 {
+    return std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
+}
+
+double below(double u)
+{
+    return 0.5 * std::erfc(-u / std::numbers::sqrt2);
+}
+
+/// φ, its integral and the integral of that at u, each as the mean over u ± half.
+std::array<double, 3> densities(double u, double half)
+{
+    // Integrals of Φ: u Φ + φ, then ((u² + 1) Φ + u φ) / 2.
+    const auto once = [](double x) { return x * below(x) + normal(x); };
+    const auto twice = [](double x) { return ((x * x + 1) * below(x) + x * normal(x)) / 2; };
+    if (!(half > 0.05)) return {normal(u), below(u), once(u)};
+    const auto mean = [&](const auto& integral) { return (integral(u + half) - integral(u - half)) / (2 * half); };
+    return {mean(below), mean(once), mean(twice)};
+}
+
+/// Deviance of the counts, which are Poisson's, from the density with the crest at c, and 2 for each part that is used.
+/// The parts' weights by repeated weighted least squares; parts that came out negative are left out.
+double misfitAt(const Histogram& histogram, double c, double sigma, double blur)
+{
+    constexpr int kRounds = 4;
+    constexpr double kLeast = 0.02;
     const auto n = static_cast<Eigen::Index>(histogram.counts.size());
     Eigen::MatrixXd parts(n, 3);
     Eigen::VectorXd seen(n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const double count = histogram.counts[static_cast<std::size_t>(i)];
         const double u = (c - histogram.from_mm - (static_cast<double>(i) + 0.5) * histogram.step_mm) / sigma;
-        const double density = std::exp(-u * u / 2) / std::sqrt(2 * std::numbers::pi);
-        const double below = 0.5 * std::erfc(-u / std::numbers::sqrt2);
-        const double weight = 1 / std::sqrt(count + 1);
-        parts.row(i) << weight * density, weight * below, weight * (u * below + density);
-        seen[i] = weight * count;
+        const auto [crest, plateau, ramp] = densities(u, blur / (2 * sigma));
+        parts.row(i) << crest, plateau, ramp;
+        seen[i] = histogram.counts[static_cast<std::size_t>(i)];
     }
-    double best = seen.squaredNorm();
+    double best = std::numeric_limits<double>::infinity();
     for (const Eigen::Index used : {1, 2, 3}) {
         const Eigen::MatrixXd own = parts.leftCols(used);
-        const Eigen::VectorXd found = own.colPivHouseholderQr().solve(seen);
-        if (found.head(std::min<Eigen::Index>(used, 2)).minCoeff() < 0) continue;
-        best = std::min(best, (seen - own * found).squaredNorm());
+        Eigen::VectorXd expected = seen.array() + 1, found;
+        for (int round = 0; round < kRounds; ++round) {
+            const Eigen::MatrixXd weighted = expected.cwiseInverse().asDiagonal() * own;
+            found = (own.transpose() * weighted).ldlt().solve(weighted.transpose() * seen);
+            expected = (own * found).cwiseMax(kLeast);
+        }
+        if (!found.allFinite() || found.head(std::min<Eigen::Index>(used, 2)).minCoeff() < 0) continue;
+        double sum = 2 * static_cast<double>(used);
+        for (Eigen::Index i = 0; i < n; ++i)
+            sum += 2 * (expected[i] - seen[i] + (seen[i] > 0 ? seen[i] * std::log(seen[i] / expected[i]) : 0));
+        best = std::min(best, sum);
     }
     return best;
 }
@@ -73,75 +104,106 @@ double densest(std::vector<float> radii, double sigma)
 
 }  // namespace
 
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm)
+std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm)
 {
     if (radii.size() < 60 || !(sigma_mm > 0)) return std::nullopt;
-    const double start = densest(radii, sigma_mm);
-    const Histogram histogram =
-        histogramOf(radii, start - kBelow * sigma_mm, start + kAbove * sigma_mm, sigma_mm / kBins);
-    double place = start, step = 0.25 * sigma_mm, least = misfitAt(histogram, start, sigma_mm);
+    const double start = densest(radii, std::hypot(sigma_mm, blur_mm / std::sqrt(12.0)));
+    const Histogram histogram = histogramOf(radii, start - kBelow * sigma_mm - blur_mm,
+                                            start + kAbove * sigma_mm + blur_mm / 2, sigma_mm / kBins);
+    double place = start, step = 0.25 * sigma_mm, least = misfitAt(histogram, start, sigma_mm, blur_mm);
     for (int round = 0; round < 5; ++round, step /= 4) {
         const double around = place;
         for (int k = -8; k <= 8; ++k)
-            if (const double trial = misfitAt(histogram, around + k * step, sigma_mm); trial < least) {
+            if (const double trial = misfitAt(histogram, around + k * step, sigma_mm, blur_mm); trial < least) {
                 least = trial;
                 place = around + k * step;
             }
     }
     const double h = 0.1 * sigma_mm;
-    const double bend = misfitAt(histogram, place + h, sigma_mm) + misfitAt(histogram, place - h, sigma_mm) - 2 * least;
+    const double bend = misfitAt(histogram, place + h, sigma_mm, blur_mm) +
+                        misfitAt(histogram, place - h, sigma_mm, blur_mm) - 2 * least;
     return Crest{place, bend > 0 ? std::min(sigma_mm, h * std::sqrt(2 / bend)) : sigma_mm};
 }
 
-std::vector<Wall> leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm,
+Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm,
                          double level_mm, double sigma_mm)
 {
-    constexpr double kStep_mm = 0.1, kReached_mm = 0.03, kSpot_mm = 0.12;
+    constexpr double kStep_mm = 0.1, kReached_mm = 0.03, kBefore_mm = 0.15, kSpot_mm = 0.15, kGroup_mm = 0.6, kLeast_mm = 0.2;
+    constexpr int kRounds = 4;
     const double sign = toward_end ? 1 : -1;
-    const auto count = static_cast<std::size_t>(std::max(0.0, longest_mm / kStep_mm));
-    std::vector<std::vector<std::pair<float, float>>> bins(count);
+    std::vector<std::pair<double, double>> points;  // how far inside the border, radius
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
-        const double place = (static_cast<double>(cloud.z_mm[i]) - border_mm) * sign / kStep_mm;
+        const double place = (static_cast<double>(cloud.z_mm[i]) - border_mm) * sign;
         const double r = static_cast<double>(cloud.r_mm[i]);
-        if (place >= 0 && place < static_cast<double>(count) && r > 0.5 * level_mm && r < level_mm + 1)
-            bins[static_cast<std::size_t>(place)].emplace_back(cloud.z_mm[i], cloud.r_mm[i]);
+        if (place >= 0 && place < longest_mm && r > 0.5 * level_mm && r < level_mm + 1) points.emplace_back(place, r);
     }
-    double slope = 0;
-    std::vector<Wall> walls;
-    for (int round = 0; round < 2; ++round) {
-        walls.clear();
-        const double scatter = std::hypot(sigma_mm, slope * kSpot_mm / std::sqrt(12.0));
-        for (std::size_t b = 0; b < count; ++b) {
-            const double z = border_mm + sign * (static_cast<double>(b) + 0.5) * kStep_mm;
-            std::vector<float> radii;
-            radii.reserve(bins[b].size());
-            for (const auto& [at, r] : bins[b]) radii.push_back(static_cast<float>(r - slope * (at - z)));
-            const std::optional<Crest> crest = crestOf(std::move(radii), scatter);
-            if (!crest || crest->radius_mm > level_mm - kReached_mm) break;
+    std::sort(points.begin(), points.end());
+    // Crest of what lies between two places, moved along the slope to the middle between them.
+    const auto crestAt = [&](double from, double to, double slope) {
+        const auto at = [](const std::pair<double, double>& point, double place) { return point.first < place; };
+        const auto first = std::lower_bound(points.begin(), points.end(), from, at);
+        const auto last = std::lower_bound(first, points.end(), to, at);
+        std::vector<float> radii;
+        radii.reserve(static_cast<std::size_t>(last - first));
+        for (auto point = first; point != last; ++point)
+            radii.push_back(static_cast<float>(point->second - slope * (point->first - (from + to) / 2)));
+        return std::pair(crestOf(std::move(radii), sigma_mm, std::abs(slope) * kSpot_mm), last - first);
+    };
+    // First bin by bin; the median of all slopes between two of them bears bins whose crest was mistaken.
+    std::vector<std::pair<double, double>> crests;
+    for (double from = 0; from + kStep_mm <= longest_mm; from += kStep_mm) {
+        const auto crest = crestAt(from, from + kStep_mm, 0).first;
+        if (!crest || crest->radius_mm > level_mm - kReached_mm) break;
+        crests.emplace_back(from + kStep_mm / 2, crest->radius_mm);
+    }
+    if (crests.size() < 3) return {};
+    const auto middleOf = [](std::vector<double> values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    };
+    std::vector<double> slopes, levels;
+    for (std::size_t i = 0; i < crests.size(); ++i)
+        for (std::size_t j = i + 1; j < crests.size(); ++j)
+            slopes.push_back((crests[j].second - crests[i].second) / (crests[j].first - crests[i].first));
+    double slope = middleOf(slopes);
+    for (const auto& [place, r] : crests) levels.push_back(r - slope * place);
+    double level = middleOf(levels);
+    // Then over more points at once, which the slope brings together.
+    Lead lead;
+    for (int round = 0; round < kRounds; ++round) {
+        if (!(slope > 0.1)) return {};
+        const double length = std::min(longest_mm, (level_mm - level) / slope - kBefore_mm);
+        if (!(length >= kLeast_mm)) return {};
+        const int groups = std::max(3, static_cast<int>(length / kGroup_mm));
+        const double scatter = std::hypot(sigma_mm, slope * kSpot_mm / std::sqrt(12.0)), step = length / groups;
+        lead.walls.clear();
+        lead.reached_mm = border_mm + sign * (length + kBefore_mm);
+        double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+        for (int g = 0; g < groups; ++g) {
+            const auto [crest, count] = crestAt(g * step, (g + 1) * step, slope);
+            if (!crest) return {};
+            const double error = std::max(crest->sigma_mm, 2 * scatter / std::sqrt(static_cast<double>(count)));
+            const double x = (g + 0.5) * step, w = 1 / (error * error);
             Wall wall;
-            wall.z_mm = z;
+            wall.z_mm = border_mm + sign * x;
             wall.r_mm = crest->radius_mm;
             wall.sigma_mm = scatter;
-            wall.points = std::max(1.0, std::pow(scatter / crest->sigma_mm, 2));
-            wall.width_mm = kStep_mm;
+            wall.points = std::max(1.0, std::pow(scatter / error, 2));
+            wall.width_mm = step;
             wall.coverage = 1;
-            walls.push_back(wall);
+            lead.walls.push_back(wall);
+            s += w;
+            sx += w * x;
+            sy += w * crest->radius_mm;
+            sxx += w * x * x;
+            sxy += w * x * crest->radius_mm;
         }
-        if (walls.size() < 3) return {};
-        double sz = 0, sr = 0, szz = 0, szr = 0;
-        const auto n = static_cast<double>(walls.size());
-        for (const Wall& wall : walls) {
-            const double z = wall.z_mm - border_mm;
-            sz += z;
-            sr += wall.r_mm;
-            szz += z * z;
-            szr += z * wall.r_mm;
-        }
-        slope = (n * szr - sz * sr) / (n * szz - sz * sz);
+        slope = (s * sxy - sx * sy) / (s * sxx - sx * sx);
+        level = (sy - slope * sx) / s;
     }
-    if (!(slope * sign > 0.1)) return {};
-    if (!toward_end) std::reverse(walls.begin(), walls.end());
-    return walls;
+    if (!toward_end) std::reverse(lead.walls.begin(), lead.walls.end());
+    return lead;
 }
 
 }  // namespace lathelier::features

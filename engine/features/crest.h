@@ -2,7 +2,7 @@
 //
 // Of all points some lie on the crest, the others below it; all have the scanner's noise. The density of the radii near
 // the crest c is w φ(r - c) + a Φ(c - r) + b ∫Φ: a plateau, and a depth whose density changes linearly. w, a and b
-// follow from c by weighted linear least squares over a histogram; c is the place of the least misfit.
+// follow from c by weighted linear least squares over a histogram; c is the place of the least deviance.
 #pragma once
 
 #include <optional>
@@ -17,12 +17,19 @@ struct Crest {
     double sigma_mm = 0;   ///< standard uncertainty
 };
 
-/// nullopt with fewer than 60 radii or without noise.
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm);
+/// nullopt with fewer than 60 radii or without noise. `blur_mm`: width of an even spread that the radii have besides
+/// their noise.
+std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm = 0);
 
-/// A cone that leads into a rough zone, seen between its grooves only: walls over its crests in bins of 0.1 mm, in
-/// order of z, from the border of the zone to where they reach the radius `level_mm`. Fewer than three: none.
-std::vector<Wall> leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm,
-                         double level_mm, double sigma_mm);
+/// A cone that leads into a rough zone, seen between its grooves only.
+struct Lead {
+    std::vector<Wall> walls;  ///< over its crests, three or more, in order of z; none: no such cone
+    double reached_mm = 0;    ///< along the axis: here it reaches the crests of the zone
+};
+
+/// `border_mm`: where the zone begins; `toward_end`: it goes on to larger z. The cone is at most `longest_mm` long and
+/// ends at the radius `level_mm`.
+Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm, double level_mm,
+            double sigma_mm);
 
 }  // namespace lathelier::features

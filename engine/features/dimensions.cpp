@@ -112,7 +112,7 @@ void addForm(const Outline& outline, const Run& run, std::size_t k, RecognizedRo
     std::vector<std::array<double, 3>> left;
     for (const Wall& wall : run.walls) {
         if (wall.z_mm < from || wall.z_mm > to || !counts(outline.model, run, wall)) continue;
-        const double off = wall.r_mm - predicted_mm(outline.model, run, wall), x = (wall.z_mm - middle) / half,
+        const double off = wall.r_mm + wall.form_mm - predicted_mm(outline.model, run, wall), x = (wall.z_mm - middle) / half,
                      w = wall.points;
         left.push_back({x, off, w});
         n += 1;
@@ -197,13 +197,14 @@ void addMeridian(const Outline& outline, double zero_mm, bool bore, std::int32_t
             if (wall.z_mm < run.nodes_mm.front() || wall.z_mm > run.nodes_mm.back()) continue;
             MeridianPoint point;
             point.z_mm = wall.z_mm - zero_mm;
-            point.radius_mm = wall.r_mm;
+            point.radius_mm = wall.r_mm + wall.form_mm;
             point.sigma_mm = sigmaOf(outline.model, wall);
             point.bore = bore;
             const auto node = std::upper_bound(run.nodes_mm.begin() + 1, run.nodes_mm.end() - 1, wall.z_mm);
             point.row = before + static_cast<std::int32_t>(node - run.nodes_mm.begin()) - 1;
-            point.residual_mm = counts(outline.model, run, wall) ? wall.r_mm - predicted_mm(outline.model, run, wall)
-                                                                 : std::numeric_limits<double>::quiet_NaN();
+            point.residual_mm = counts(outline.model, run, wall)
+                                    ? point.radius_mm - predicted_mm(outline.model, run, wall)
+                                    : std::numeric_limits<double>::quiet_NaN();
             points.push_back(point);
         }
         before += static_cast<std::int32_t>(run.elements.size());

@@ -162,27 +162,42 @@ double radiusAt_mm(const Run& run, double z_mm)
 double predicted_mm(const Model& model, const Run& run, const Wall& wall)
 {
     const double reach = (model.spot_mm + wall.width_mm) / 2;
+    const double half = model.spot_mm / 2;
     const std::size_t low = elementAt(run, wall.z_mm - reach), high = elementAt(run, wall.z_mm + reach);
-    if (low == high && !run.elements[low].arc) return run.elements[low].radiusAt_mm(wall.z_mm);
+    const Plane& left = model.planes[run.left];
+    const Plane& right = model.planes[run.right];
+    const bool cut_left = left.is_clear && wall.z_mm - reach < left.z_mm,
+               cut_right = right.is_clear && wall.z_mm + reach > right.z_mm;
+    if (low == high && !run.elements[low].arc && (run.elements[low].slope == 0 || (!cut_left && !cut_right)))
+        return run.elements[low].radiusAt_mm(wall.z_mm);
     constexpr std::array<double, 3> weight{5.0 / 18, 8.0 / 18, 5.0 / 18};
     const double step = std::sqrt(0.6) / 2;
     const double first = run.nodes_mm.front(), last = run.nodes_mm.back();
     double sum = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-            const double z = wall.z_mm + step * ((static_cast<double>(i) - 1) * model.spot_mm +
-                                                 (static_cast<double>(j) - 1) * wall.width_mm);
+    for (std::size_t j = 0; j < 3; ++j) {
+        const double ray = wall.z_mm + step * (static_cast<double>(j) - 1) * wall.width_mm;
+        const double from = cut_left ? std::clamp(left.z_mm - ray, -half, half) : -half;
+        const double to = cut_right ? std::clamp(right.z_mm - ray, -half, half) : half;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double z = ray + (from + to) / 2 + step * (static_cast<double>(i) - 1) * (to - from);
             sum += weight[i] * weight[j] * radiusAt_mm(run, std::clamp(z, first, last));
         }
+    }
     return sum;
 }
 
 bool counts(const Model& model, const Run& run, const Wall& wall)
 {
-    const double reach = (model.spot_mm + wall.width_mm) / 2 + model.edge_mm;
+    constexpr double least_mm = 0.01;
+    const auto reach = [&](const Plane& plane, int side) {
+        const double blurred = (model.spot_mm + wall.width_mm) / 2 + model.edge_mm;
+        const double lean = plane.low_side == -side ? 0 : plane.lean;
+        if (!plane.is_clear || model.spot_mm <= 0) return blurred + lean;
+        return std::min(blurred, wall.width_mm / 2 + std::max(least_mm, 3 * plane.sigma_mm)) + lean;
+    };
     const Plane& left = model.planes[run.left];
     const Plane& right = model.planes[run.right];
-    if (wall.z_mm < left.z_mm + reach + left.lean || wall.z_mm > right.z_mm - reach - right.lean) return false;
+    if (wall.z_mm < left.z_mm + reach(left, 1) || wall.z_mm > right.z_mm - reach(right, -1)) return false;
     if (model.corner_mm > 0)
         for (std::size_t k = 0; k + 1 < run.elements.size(); ++k) {
             const double node = run.nodes_mm[k + 1];

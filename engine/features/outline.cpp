@@ -17,10 +17,10 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
 {
     std::vector<Wall> walls;
     if (stretch.coarse.empty() || stretch.elements.front().rough) return walls;
-    for (const Chain* chain : chainsOf(input.fine, input.bore))
-        for (const Wall& wall : chain->walls) {
+    for (const Chain& chain : input.fine.chains)
+        for (const Wall& wall : chain.walls) {
             if (wall.z_mm < stretch.from_mm - 0.5 || wall.z_mm > stretch.to_mm + 0.5) continue;
-            const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm; };
+            const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm / 2; };
             if (std::any_of(stretch.crests.begin(), stretch.crests.end(), over)) continue;
             const auto next = std::lower_bound(stretch.coarse.begin(), stretch.coarse.end(), wall.z_mm,
                                                [](const Wall& one, double z) { return one.z_mm < z; });
@@ -28,7 +28,7 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
             const auto index = static_cast<std::size_t>(near - stretch.coarse.begin());
             const double slope = std::abs(slopeAt(stretch.coarse, index));
             if (std::abs(wall.r_mm - near->r_mm) < 0.3 + 2 * slope * std::abs(wall.z_mm - near->z_mm) + slope * 0.2)
-                walls.push_back(wall);
+                takeOff(stretch.worn, walls.emplace_back(wall));
         }
     walls.insert(walls.end(), stretch.crests.begin(), stretch.crests.end());
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.z_mm < b.z_mm; });
@@ -77,15 +77,37 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
     for (Run& run : model.runs) resolve(model, run);
 }
 
-/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them.
-void meetCones(Model& model, const std::vector<Border>& borders)
+/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them. What is known
+/// of that place follows from the cone and the crests, z = at + (crest - level)/slope.
+void meetCones(Outline& outline, const std::vector<Border>& borders)
 {
     constexpr double reach_mm = 3;
+    Model& model = outline.model;
+    JointFit& fit = outline.fit;
+    const auto slotOf = [&](Slot::Of of, std::size_t run, std::size_t element) {
+        const auto slot = std::find_if(fit.slots.begin(), fit.slots.end(), [&](const Slot& one) {
+            return one.of == of && one.run == run && (of == Slot::Of::Plane || one.element == element);
+        });
+        return static_cast<Eigen::Index>(slot - fit.slots.begin());
+    };
+    const auto put = [&](Eigen::Index slot, const Eigen::RowVectorXd& row, double variance) {
+        fit.covariance.row(slot) = row;
+        fit.covariance.col(slot) = row.transpose();
+        fit.covariance(slot, slot) = variance;
+    };
+    for (std::size_t r = 0; r < model.runs.size(); ++r) {
+        const Element& crest = model.runs[r].elements.front();
+        if (!crest.rough) continue;
+        const Eigen::Index level = slotOf(Slot::Of::Level, r, 0);
+        const auto nothing = Eigen::RowVectorXd::Zero(fit.covariance.cols());
+        put(level, nothing, crest.level_sigma_mm * crest.level_sigma_mm);
+    }
     for (std::size_t r = 0; r + 1 < model.runs.size(); ++r) {
         Run &a = model.runs[r], &b = model.runs[r + 1];
         if (a.right != b.left || borders[a.right] != Border::Rough) continue;
         const bool first_rough = a.elements.back().rough;
-        const Element& cone = first_rough ? b.elements.front() : a.elements.back();
+        const std::size_t own = first_rough ? r + 1 : r, k = first_rough ? 0 : a.elements.size() - 1;
+        const Element& cone = model.runs[own].elements[k];
         const double crest = first_rough ? a.elements.back().level_mm : b.elements.front().level_mm;
         if (cone.arc || std::abs(cone.slope) < 0.2) continue;
         const double z = cone.at_mm + (crest - cone.level_mm) / cone.slope;
@@ -93,7 +115,14 @@ void meetCones(Model& model, const std::vector<Border>& borders)
         const bool inside = z > a.nodes_mm[a.nodes_mm.size() - 2] && z < b.nodes_mm[1];
         if (std::abs(z - plane.z_mm) > reach_mm || !inside) continue;
         plane.z_mm = plane.seen_mm = z;
-        plane.sigma_mm = 0.02;
+        const Eigen::MatrixXd& known = fit.covariance;
+        const Eigen::Index slope = slotOf(Slot::Of::Slope, own, k), level = slotOf(Slot::Of::Level, own, k);
+        const Eigen::Index high = slotOf(Slot::Of::Level, first_rough ? r : r + 1, 0);
+        const Eigen::RowVectorXd row =
+            (known.row(high) - known.row(level) - (z - cone.at_mm) * known.row(slope)) / cone.slope;
+        const double variance = (row[high] - row[level] - (z - cone.at_mm) * row[slope]) / cone.slope;
+        plane.sigma_mm = std::sqrt(std::max(1e-6, variance));
+        put(slotOf(Slot::Of::Plane, a.right, 0), row, plane.sigma_mm * plane.sigma_mm);
         resolve(model, a);
         resolve(model, b);
     }
@@ -128,7 +157,7 @@ std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& 
     fitAll(model, 8, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, 25, progress);
-    meetCones(model, borders);
+    meetCones(outline, borders);
     progress.report(1);
     return outline;
 }

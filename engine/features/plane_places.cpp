@@ -23,8 +23,72 @@ std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
     return {low, high};
 }
 
-/// A small step of the radius: the place that parts the points of the two levels best. A point's word for one of them
-/// is the logarithm of the ratio of its likelihoods, held to 100 : 1, for some points are spurious.
+/// The place where one wall becomes the other, from what each point says: the logarithm of the ratio of its likelihoods
+/// to lie on the wall behind and on the wall before, `word`. A ray at z is read somewhere within its spot, so that it
+/// shows the wall behind with the probability P = clamp((z - z_e)/s + ½, 0, 1); the likelihood of z_e is the product of
+/// P·exp(word) + 1 - P. Mean and standard deviation over z_e, all places of the stretch as likely beforehand: the best
+/// estimate of a change point in the square mean (Ibragimov and Has'minskii 1981, VII).
+struct Said {
+    double z_mm, word;
+};
+
+std::optional<PlanePlace> placeFrom(std::vector<Said> points, double from_mm, double to_mm, double spot_mm)
+{
+    constexpr double kCoarse_mm = 0.01, kFar = 12;
+    constexpr int kFine = 240;
+    if (points.size() < 40 || !(to_mm > from_mm)) return std::nullopt;
+    std::sort(points.begin(), points.end(), [](const Said& a, const Said& b) { return a.z_mm < b.z_mm; });
+    std::vector<double> behind(points.size() + 1, 0), ratio(points.size());
+    for (std::size_t i = points.size(); i-- > 0;) {
+        behind[i] = behind[i + 1] + points[i].word;
+        ratio[i] = std::expm1(points[i].word);
+    }
+    const double spot = std::max(spot_mm, 1e-3);
+    const auto likelihood = [&](double place) {
+        const auto at = [](const Said& one, double z) { return one.z_mm < z; };
+        const auto low = std::lower_bound(points.begin(), points.end(), place - spot / 2, at);
+        auto point = low;
+        double sum = 0;
+        for (; point != points.end() && point->z_mm < place + spot / 2; ++point)
+            sum += std::log1p(((point->z_mm - place) / spot + 0.5) *
+                              ratio[static_cast<std::size_t>(point - points.begin())]);
+        return sum + behind[static_cast<std::size_t>(point - points.begin())];
+    };
+    // Where it matters at all, then finely there.
+    std::vector<double> places, values;
+    for (double z = from_mm; z <= to_mm; z += kCoarse_mm) {
+        places.push_back(z);
+        values.push_back(likelihood(z));
+    }
+    const double most = *std::max_element(values.begin(), values.end());
+    double low = to_mm, high = from_mm;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (values[i] < most - kFar) continue;
+        low = std::min(low, places[i]);
+        high = std::max(high, places[i]);
+    }
+    low = std::max(from_mm, low - kCoarse_mm);
+    high = std::min(to_mm, high + kCoarse_mm);
+    double sum = 0, first = 0, second = 0, best = most;
+    std::vector<double> fine(kFine + 1);
+    for (int k = 0; k <= kFine; ++k) {
+        fine[static_cast<std::size_t>(k)] = likelihood(low + (high - low) * k / kFine);
+        best = std::max(best, fine[static_cast<std::size_t>(k)]);
+    }
+    for (int k = 0; k <= kFine; ++k) {
+        const double z = low + (high - low) * k / kFine, weight = std::exp(fine[static_cast<std::size_t>(k)] - best);
+        sum += weight;
+        first += weight * (z - low);
+        second += weight * (z - low) * (z - low);
+    }
+    PlanePlace found;
+    found.z_mm = low + first / sum;
+    found.sigma_mm = std::sqrt(std::max(0.0, second / sum - first * first / (sum * sum)) + 1e-6);
+    found.spot_mm = spot_mm;
+    return found;
+}
+
+/// A small step of the radius. The word of a single point is held to 100 : 1, for some points are spurious.
 void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
 {
     constexpr double kMostReach_mm = 3, kLongestWord = 4.6, kFar = 5;
@@ -33,36 +97,63 @@ void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run
     const double jump = startRadius_mm(b) - endRadius_mm(a), sigma = model.sigma_mm;
     const double reach = std::min({kMostReach_mm, 0.4 * (a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2]),
                                    0.4 * (b.nodes_mm[1] - b.nodes_mm.front())});
-    std::vector<std::pair<double, double>> points;
+    if (jump == 0 || !(sigma > 0)) return;
+    std::vector<Said> points;
     for (std::size_t i = 0; i < input.cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(input.cloud.z_mm[i]);
         if (std::abs(z - plane.z_mm) > reach) continue;
         const double low = before.radiusAt_mm(z), high = after.radiusAt_mm(z);
         const double off = static_cast<double>(input.cloud.r_mm[i]) - (low + high) / 2;
         if (std::abs(off) > std::abs(high - low) / 2 + kFar * sigma) continue;
-        points.emplace_back(z, std::clamp(off * (high - low) / (sigma * sigma), -kLongestWord, kLongestWord));
+        points.push_back({z, std::clamp(off * (high - low) / (sigma * sigma), -kLongestWord, kLongestWord)});
     }
-    if (points.size() < 40 || jump == 0 || !(sigma > 0)) return;
-    std::sort(points.begin(), points.end());
-    double sum = 0, best = 0, place = plane.z_mm;
-    std::size_t at = 0;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        sum -= points[i].second;
-        if (sum > best) {
-            best = sum;
-            place = (points[i].first + points[i + 1].first) / 2;
-            at = i;
-        }
+    const auto place = placeFrom(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
+    if (!place) return;
+    plane.z_mm = plane.seen_mm = place->z_mm;
+    plane.sigma_mm = place->sigma_mm;
+}
+
+/// Where a thread or a knurl ends beside a wall that its grooves nearly reach: how likely a radius is on it is seen from
+/// the radii of all of its points.
+void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
+{
+    constexpr double kMostReach_mm = 1.5, kLongestWord = 4.6, kFar = 5, kBeside_mm = 0.5;
+    const bool first_rough = a.elements.back().rough;
+    const Run& rough = first_rough ? a : b;
+    const Element& wall = first_rough ? b.elements.front() : a.elements.back();
+    const double sigma = model.sigma_mm;
+    if (wall.arc || wall.rough || std::abs(wall.slope) > 0.1 || !(sigma > 0)) return;
+    Plane& plane = model.planes[p];
+    const double own = first_rough ? b.nodes_mm[1] - b.nodes_mm.front()
+                                   : a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2];
+    const double length = rough.nodes_mm.back() - rough.nodes_mm.front();
+    const double reach = std::min({kMostReach_mm, 0.4 * own, 0.3 * length});
+    const double low = std::min(wall.level_mm, rough.elements.front().root_mm) - kFar * sigma,
+                 high = std::max(wall.level_mm, rough.elements.front().level_mm) + kFar * sigma, step = sigma / 2;
+    std::vector<double> counts(static_cast<std::size_t>((high - low) / step) + 1, 0.5);
+    double all = 0;
+    std::vector<std::pair<double, double>> near;
+    for (std::size_t i = 0; i < input.cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(input.cloud.z_mm[i]), r = static_cast<double>(input.cloud.r_mm[i]);
+        if (!(r > low && r < high)) continue;
+        if (std::abs(z - plane.z_mm) < reach) near.emplace_back(z, r);
+        if (z < rough.nodes_mm.front() + kBeside_mm || z > rough.nodes_mm.back() - kBeside_mm) continue;
+        counts[static_cast<std::size_t>((r - low) / step)] += 1;
+        all += 1;
     }
-    double gap = 0;
-    for (std::size_t i = at < 8 ? 0 : at - 8; i + 1 < points.size() && i < at + 8; ++i)
-        gap = std::max(gap, points[i + 1].first - points[i].first);
-    const double density = static_cast<double>(points.size()) / (2 * reach);
-    plane.z_mm = plane.seen_mm = place;
-    // Spread of the likeliest change point of a mean: about 5 σ²/(Δ²·density) (Hinkley 1970); of an edge that the spot
-    // blurs and rows meet: as of edges.h.
-    const double change = 5 * sigma * sigma / (jump * jump * density);
-    plane.sigma_mm = std::sqrt(change * change + model.spot_mm / (6 * density) + gap * gap / 12 + 1e-6);
+    if (all < 200) return;
+    std::vector<Said> points;
+    for (const auto& [z, r] : near) {
+        const double u = (r - wall.radiusAt_mm(z)) / sigma;
+        const double on_wall = -u * u / 2 - std::log(sigma * std::sqrt(2 * std::numbers::pi));
+        const double on_rough = std::log(counts[static_cast<std::size_t>((r - low) / step)] / (all * step));
+        const double word = std::clamp(on_wall - on_rough, -kLongestWord, kLongestWord);
+        points.push_back({z, first_rough ? word : -word});
+    }
+    const auto place = placeFrom(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
+    if (!place) return;
+    plane.z_mm = plane.seen_mm = place->z_mm;
+    plane.sigma_mm = place->sigma_mm;
 }
 
 }  // namespace
@@ -104,7 +195,19 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         const double start = b_rough ? b.elements.front().root_mm : startRadius_mm(b);
         const bool rises = start > end;
         plane.lean = lean * std::abs(start - end);
-        if (borders[a.right] == Border::Rough && std::abs(start - end) < 4 * model.sigma_mm) continue;
+        plane.low_side = rises ? -1 : 1;
+        plane.is_clear = false;
+        if (is_rough) {  // a cone that reaches the crests ends where it does so
+            const bool before_rough = a.elements.back().rough;
+            const Element& wall = before_rough ? b.elements.front() : a.elements.back();
+            const double crest = (before_rough ? a.elements.back() : b.elements.front()).level_mm;
+            const double off = std::abs(wall.radiusAt_mm(plane.z_mm) - crest);
+            if (!wall.arc && !wall.rough && std::abs(wall.slope) > 0.2 && off < 0.3) continue;
+        }
+        if (is_rough && std::abs(start - end) < kLeastShoulder * model.sigma_mm) {
+            placeRoughEnd(input, model, a.right, a, b);
+            continue;
+        }
         ++sought;
         if (const auto face = seenFace(input.cloud, plane.z_mm, std::min(start, end), std::max(start, end),
                                        model.sigma_mm, density)) {
@@ -125,6 +228,8 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         edges.push_back(edge);
         plane_of.push_back(a.right);
     }
+    // Clusters of points are parted at gaps of 6 σ or 0.3 mm; noise fills 3.5 σ on each side.
+    const double clear = std::max(6 * model.sigma_mm, 0.3) + 7 * model.sigma_mm;
     if (!edges.empty() && !input.bore) {
         std::vector<double> spots;
         const auto rays = registration::findEdgeRays(input.points_mm, input.fit, edges, progress);
@@ -133,6 +238,7 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
                 Plane& plane = model.planes[plane_of[e]];
                 plane.z_mm = plane.seen_mm = place->z_mm;
                 plane.sigma_mm = place->sigma_mm;
+                plane.is_clear = std::abs(edges[e].after_mm - edges[e].before_mm) > clear;
                 spots.push_back(place->spot_mm);
             }
         if (!spots.empty()) {

@@ -241,6 +241,21 @@ std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<cons
     return elements;
 }
 
+namespace {
+
+/// A cone from which a thread or a knurl begins: between its grooves too little of it is seen to tell it from an arc.
+bool leadsIntoRough(const Model& model, std::size_t r, std::size_t k)
+{
+    const Run& run = model.runs[r];
+    const bool before = k == 0 && r > 0 && model.runs[r - 1].right == run.left &&
+                        model.runs[r - 1].elements.back().rough;
+    const bool behind = k + 1 == run.elements.size() && r + 1 < model.runs.size() &&
+                        model.runs[r + 1].left == run.right && model.runs[r + 1].elements.front().rough;
+    return before || behind;
+}
+
+}  // namespace
+
 int selectKinds(Model& model, const Progress& progress)
 {
     int changed = 0;
@@ -250,6 +265,7 @@ int selectKinds(Model& model, const Progress& progress)
             const Element& e = model.runs[r].elements[k];
             const double length = model.runs[r].nodes_mm[k + 1] - model.runs[r].nodes_mm[k];
             if (e.rough || (!e.arc && (e.cylinder || length > kShortCone_mm))) continue;
+            if (!e.arc && leadsIntoRough(model, r, k)) continue;
             changed += selectKind(model, r, k) ? 1 : 0;
         }
     return changed;

@@ -7,29 +7,39 @@
 
 #include "engine/features/crest.h"
 #include "engine/features/selection.h"
-#include "engine/features/wear.h"
 
 namespace lathelier::features {
 namespace {
 
 constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
-constexpr double kRough = 1.7;              // times the scatter that noise and slope explain
+constexpr double kRough = 1.3;              // times the scatter that noise and slope explain, beyond chance
+constexpr double kLongestLead_mm = 4;       // of the cone that leads into a rough zone
 constexpr double kLeastScatter_mm = 0.001;  // of exact data: what is smoother is no thread or knurl
 constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur may have made
 
-/// Walls that scatter more than noise and slope explain, over 2.5 mm or more.
-std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
+/// Walls that scatter more than noise and slope explain, over 2.5 mm or more, with those beside them that scatter more
+/// than chance makes them: where grooves run out into a cone.
+struct RoughWalls {
+    std::size_t from = 0, to = 0;              ///< the rough ones
+    std::size_t wide_from = 0, wide_to = 0;    ///< with those that a groove may reach
+};
+
+std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
 {
-    std::vector<char> rough(walls.size(), 0);
+    constexpr std::size_t kMostCalm = 2, kBeyond = 3;
+    std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         // Noise along the normal of a slope is more along the radius.
         const double slope = slopeAt(walls, i), square = slope * slope,
                      spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
-        rough[i] = walls[i].sigma_mm > kRough * std::sqrt(sigma_mm * sigma_mm * (1 + square) +
-                                                          kLeastScatter_mm * kLeastScatter_mm + spread);
+        const double explained =
+            std::sqrt(sigma_mm * sigma_mm * (1 + square) + kLeastScatter_mm * kLeastScatter_mm + spread);
+        const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
+        rough[i] = walls[i].sigma_mm > (kRough + 3 * chance) * explained;
+        uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
     }
-    std::vector<std::pair<std::size_t, std::size_t>> stretches;
+    std::vector<RoughWalls> stretches;
     for (std::size_t i = 0; i < walls.size();) {
         if (!rough[i]) {
             ++i;
@@ -40,8 +50,19 @@ std::vector<std::pair<std::size_t, std::size_t>> roughStretches(const std::vecto
             calm = rough[j] ? 0 : calm + 1;
             if (rough[j]) last = j;
         }
-        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) stretches.emplace_back(i, last + 1);
-        i = last + 1;
+        const std::size_t next = last + 1;
+        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) {
+            std::size_t from = i, to = next;
+            const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
+            const double reach = std::min(kLongestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
+            for (std::size_t j = i; j-- > least && i - j <= kMostCalm + (i - from);)
+                if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
+            for (std::size_t j = next; j < walls.size() && j - to <= kMostCalm; ++j)
+                if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
+            from = std::max(least, from - std::min(from, kBeyond));
+            stretches.push_back({i, next, from, std::min(walls.size(), to + kBeyond)});
+        }
+        i = next;
     }
     return stretches;
 }
@@ -65,8 +86,22 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
     if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
         pieces.erase(pieces.begin());
     if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
-    mergeWear(pieces, walls, form_mm, merged);
+    std::vector<Wear> worn;
+    mergeWear(pieces, walls, form_mm, merged, worn);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
+    const std::size_t merged_parts = worn.size();
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const Piece& was = pieces[k];
+        const double from = walls[was.begin].z_mm, to = walls[was.end - 1].z_mm;
+        const auto covers = [&](const Wear& wear) { return wear.from_mm < to && wear.to_mm > from; };
+        const auto parts = worn.begin() + static_cast<std::ptrdiff_t>(merged_parts);
+        if (elements[k].arc || std::any_of(worn.begin(), parts, covers)) continue;
+        if (!was.arc && (!elements[k].cylinder || std::abs(was.slope) < 4 * was.slope_error)) continue;
+        Piece now = was;
+        now.arc = false;
+        now.slope = elements[k].slope;
+        worn.push_back({from, to, was, now});
+    }
     Stretch stretch;
     stretch.from_mm = walls.front().z_mm;
     stretch.nodes_mm = {walls.front().z_mm};
@@ -87,6 +122,8 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
             if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
         for (const Wall& one : crests)
             if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.crests.push_back(one);
+        for (const Wear& wear : worn)
+            if (wear.to_mm > stretch.from_mm && wear.from_mm < z) stretch.worn.push_back(wear);
         stretches.push_back(stretch);
         stretch = {};
         stretch.from_mm = z;
@@ -149,9 +186,9 @@ struct RoughStretch {
     std::vector<Wall> lead_in, lead_out;  ///< in order of z
 };
 
-RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, std::size_t from, std::size_t to)
+RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, RoughWalls& rough_walls)
 {
-    constexpr double kLongestLead_mm = 4;
+    const auto [from, to, wide_from, wide_to] = rough_walls;
     RoughStretch rough;
     Stretch& stretch = rough.stretch;
     const double half = input.coarse.bin_mm / 2;
@@ -175,10 +212,17 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
         const auto lead = [&](double border, bool toward_end) {
             return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
         };
-        rough.lead_in = lead(stretch.from_mm - half, true);
-        rough.lead_out = lead(stretch.to_mm + half, false);
-        if (!rough.lead_in.empty()) stretch.from_mm = rough.lead_in.back().z_mm + half;
-        if (!rough.lead_out.empty()) stretch.to_mm = rough.lead_out.front().z_mm - half;
+        const Lead in = lead(walls[wide_from].z_mm - half, true), out = lead(walls[wide_to - 1].z_mm + half, false);
+        rough.lead_in = in.walls;
+        rough.lead_out = out.walls;
+        if (!in.walls.empty()) {
+            stretch.from_mm = in.reached_mm;
+            rough_walls.from = wide_from;
+        }
+        if (!out.walls.empty()) {
+            stretch.to_mm = out.reached_mm;
+            rough_walls.to = wide_to;
+        }
     }
     cylinder.at_mm = (stretch.from_mm + stretch.to_mm) / 2;
     stretch.elements = {cylinder};
@@ -245,8 +289,9 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
                          trim && lead_in.empty(), input.form_mm, border, outline.merged, progress);
             return true;
         };
-        for (const auto& [from, to] : roughStretches(walls, input.coarse.sigma_mm)) {
-            RoughStretch rough = roughStretch(input, walls, from, to);
+        for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm)) {
+            RoughStretch rough = roughStretch(input, walls, rough_walls);
+            const auto [from, to, wide_from, wide_to] = rough_walls;
             addQuiet(at, from, rough.lead_in, Border::Rough, true);
             rough.stretch.after = to < walls.size() || !rough.lead_out.empty() ? Border::Rough : after;
             outline.rough.push_back({rough.stretch.from_mm, rough.stretch.to_mm, rough.eccentric_mm});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/features/outline.h"
+#include "engine/features/wear.h"
 
 namespace lathelier::features {
 
@@ -18,6 +19,7 @@ struct Stretch {
     Border after = Border::End;     ///< toward larger z
     std::vector<Wall> coarse;       ///< walls that it was made from
     std::vector<Wall> crests;       ///< of these, those over the crests of a rough zone
+    std::vector<Wear> worn;         ///< what rows of its elements do not describe
 };
 
 /// Chains of one side, those dropped that lie beside a longer one.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "engine/core/parallel.h"
@@ -56,21 +57,74 @@ Binned binned(const MeridianCloud& cloud, double bin_mm)
     return result;
 }
 
+/// Where a flat or a slot cuts into the wall its points lie low, those near its rim by less than noise shows: sectors
+/// whose median is not that of the most are left out, with the sectors beside them. Nothing when less than half agree.
+std::vector<std::uint32_t> withoutMarks(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points,
+                                        double sigma_mm)
+{
+    constexpr std::size_t most = 48, least = 9, in_sector = 5;
+    const std::size_t count = std::min(most, points.size() / in_sector);
+    if (count < least) return points;
+    std::vector<std::vector<float>> radii(count);
+    const auto sectorOf = [&](std::uint32_t i) {
+        return std::min(count - 1, static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(count)));
+    };
+    for (const std::uint32_t i : points) radii[sectorOf(i)].push_back(cloud.r_mm[i]);
+    std::vector<float> medians(count, std::numeric_limits<float>::quiet_NaN()), there;
+    for (std::size_t s = 0; s < count; ++s)
+        if (radii[s].size() >= 3) there.push_back(medians[s] = static_cast<float>(medianOf(radii[s])));
+    if (there.size() < least) return points;
+    const auto agrees = [&](std::size_t s, double level) {
+        const double error = 1.25 * sigma_mm / std::sqrt(static_cast<double>(radii[s].size()));
+        return std::abs(static_cast<double>(medians[s]) - level) < 3 * error;
+    };
+    // The level that most sectors agree with: that of the wall, though a mark may take nearly half of them.
+    std::sort(there.begin(), there.end());
+    std::size_t agreed = 0;
+    double level = 0;
+    for (const float candidate : there) {
+        std::size_t number = 0;
+        for (std::size_t s = 0; s < count; ++s)
+            if (!std::isnan(medians[s]) && agrees(s, static_cast<double>(candidate))) ++number;
+        if (number <= agreed) continue;
+        agreed = number;
+        level = static_cast<double>(candidate);
+    }
+    if (2 * agreed < there.size() || agreed + 2 >= there.size()) return points;
+    std::vector<char> good(count, 0);
+    for (std::size_t s = 0; s < count; ++s) good[s] = std::isnan(medians[s]) || agrees(s, level) ? 1 : 0;
+    std::vector<std::uint32_t> kept;
+    for (const std::uint32_t i : points) {
+        const std::size_t s = sectorOf(i);
+        if (good[s] && good[(s + 1) % count] && good[(s + count - 1) % count]) kept.push_back(i);
+    }
+    return kept.size() >= points.size() / 4 ? kept : points;
+}
+
 /// A wall from points of one bin; the mean of what lies within 4 robust standard deviations of the median.
-Cluster clusterOf(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points, double sigma_mm, double bin_mm)
+Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points, double sigma_mm, double bin_mm)
 {
     std::vector<float> radii, offs;
-    radii.reserve(points.size());
-    for (const std::uint32_t i : points) radii.push_back(cloud.r_mm[i]);
-    const double median = medianOf(radii);
-    for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
-    const double sigma = std::max(kRobust * medianOf(offs), 0.3 * sigma_mm);
-    Cluster cluster;
     const auto at = [&](double share) {
         const auto place = radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size() - 1));
         std::nth_element(radii.begin(), place, radii.end());
         return static_cast<double>(*place);
     };
+    const auto takeRadii = [&] {
+        radii.clear();
+        radii.reserve(points.size());
+        for (const std::uint32_t i : points) radii.push_back(cloud.r_mm[i]);
+        return medianOf(radii);
+    };
+    double median = takeRadii();
+    const double below = median - at(0.08), above = at(0.92) - median;
+    if (below - above > sigma_mm) {
+        points = withoutMarks(cloud, points, sigma_mm);
+        median = takeRadii();
+    }
+    for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
+    const double sigma = std::max(kRobust * medianOf(offs), 0.3 * sigma_mm);
+    Cluster cluster;
     cluster.wall.compact = at(0.92) - at(0.08) <= 4.2 * sigma_mm + 1.2 * bin_mm + 0.15;
     double n = 0, sz = 0, szz = 0, sr = 0, srr = 0;
     cluster.low_mm = 1e300;

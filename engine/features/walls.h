@@ -28,6 +28,7 @@ struct Wall {
     double points = 0;    ///< number of points
     double coverage = 0;  ///< share of the circle that its points see, 0…1
     bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
+    double form_mm = 0;   ///< of a worn seat: what was taken off r_mm, the wear that its row does not describe
 };
 
 /// Walls that follow each other along z.

@@ -15,7 +15,7 @@ double deviationFrom(const Run& run, double from_mm, double to_mm, double level,
     std::vector<double> offs;
     for (const Wall& wall : run.walls)
         if (wall.z_mm >= from_mm + 0.1 && wall.z_mm <= to_mm - 0.1)
-            offs.push_back(wall.r_mm - level - slope * (wall.z_mm - at));
+            offs.push_back(wall.r_mm + wall.form_mm - level - slope * (wall.z_mm - at));
     double largest = 0;
     const auto mean = [&](std::size_t first) {
         double sum = 0;
@@ -58,8 +58,24 @@ double slopeOf(const Piece& piece, double z)
 
 }  // namespace
 
+double Wear::at_mm(double z_mm) const
+{
+    return radiusOf(was, z_mm) - radiusOf(now, z_mm);
+}
+
+void takeOff(const std::vector<Wear>& worn, Wall& wall)
+{
+    for (const Wear& wear : worn) {
+        if (wall.z_mm < wear.from_mm || wall.z_mm > wear.to_mm) continue;
+        const double off = wear.at_mm(wall.z_mm);
+        wall.r_mm -= off;
+        wall.form_mm += off;
+        return;
+    }
+}
+
 void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, double form_mm,
-               std::vector<MergedJunction>& merged)
+               std::vector<MergedJunction>& merged, std::vector<Wear>& worn)
 {
     if (!(form_mm > 0)) return;
     const auto joins = [&](std::size_t k) {
@@ -108,6 +124,12 @@ void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, doubl
             }
             if (!fits) continue;
             for (std::size_t k = i; k < j; ++k) merged.push_back(joins(k));
+            for (std::size_t k = i; k <= j; ++k) {
+                const auto border = [&](std::size_t part) {
+                    return (walls[pieces[part].end - 1].z_mm + walls[pieces[part + 1].begin].z_mm) / 2;
+                };
+                worn.push_back({k == i ? from : border(k - 1), k == j ? to : border(k), pieces[k], one});
+            }
             pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                          pieces.begin() + static_cast<std::ptrdiff_t>(j) + 1);
             pieces[i] = one;
@@ -144,9 +166,9 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
                     if (wall.z_mm < from + 0.1 || wall.z_mm > to - 0.1) continue;
                     n += wall.points;
                     sz += wall.points * wall.z_mm;
-                    sr += wall.points * wall.r_mm;
+                    sr += wall.points * (wall.r_mm + wall.form_mm);
                     szz += wall.points * wall.z_mm * wall.z_mm;
-                    szr += wall.points * wall.z_mm * wall.r_mm;
+                    szr += wall.points * wall.z_mm * (wall.r_mm + wall.form_mm);
                 }
                 if (!(n > 0) || to - from < 1) continue;
                 Element one;
@@ -166,6 +188,12 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
                         std::atan(run.elements[k + 1].slopeAt(z)) - std::atan(run.elements[k].slopeAt(z));
                     merged.push_back({z, 1e3 * (run.elements[k + 1].radiusAt_mm(z) - run.elements[k].radiusAt_mm(z)),
                                       bend * 180 / std::numbers::pi});
+                }
+                for (Wall& wall : run.walls) {
+                    if (wall.z_mm < from || wall.z_mm > to) continue;
+                    const double off = radiusAt_mm(run, wall.z_mm) - one.radiusAt_mm(wall.z_mm);
+                    wall.r_mm -= off;
+                    wall.form_mm += off;
                 }
                 run.elements.erase(run.elements.begin() + static_cast<std::ptrdiff_t>(i),
                                    run.elements.begin() + static_cast<std::ptrdiff_t>(j));

@@ -7,11 +7,8 @@
 #include "app/cli/shafts.h"
 #include "app/cli/verbs.h"
 #include "engine/cam/job_file.h"
-#include "engine/cam/plan_codes.h"
+#include "engine/cam/plan_files.h"
 #include "engine/cam/plan_report.h"
-#include "engine/core/core_codes.h"
-#include "engine/io/file.h"
-#include "engine/io/io_codes.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/plain_text.h"
@@ -98,23 +95,6 @@ TurnRead readAll(const Request& request, io::InputFiles& inputs, const Progress&
     return read;
 }
 
-/// "p.nc" of the second of two clampings is "p_2.nc".
-std::string pathOf(const std::string& stated, std::size_t index, std::size_t count)
-{
-    if (count < 2) return stated;
-    const std::filesystem::path path(stated);
-    return (path.parent_path() / (path.stem().string() + "_" + std::to_string(index + 1) + path.extension().string()))
-        .string();
-}
-
-void refuseInputs(const std::string& path, io::InputFiles& inputs)
-{
-    std::error_code ignored;
-    for (const InputFile& input : inputs.list())
-        if (std::filesystem::equivalent(input.path, path, ignored))
-            throw Error(errors::outputIsInput, {{"parameter", programOption}, {"file", input.path}});
-}
-
 void runTurn(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)
 {
     const TurnRead read = readAll(request, inputs, progress.part(0, 0.05), answer);
@@ -125,17 +105,17 @@ void runTurn(const Request& request, io::InputFiles& inputs, const Progress& pro
         answer.notes.insert(answer.notes.end(), plan->notes.begin(), plan->notes.end());
         cam::throwIfRefused(*plan);
     }
-    if (const auto output = request.outputs.find(programOption); output != request.outputs.end())
-        for (std::size_t i = 0; i < plan->setups.size(); ++i) {
-            plan->setups[i].program = pathOf(output->second, i, plan->setups.size());
-            refuseInputs(plan->setups[i].program, inputs);
-        }
+    std::vector<std::string> paths;
+    if (const auto output = request.outputs.find(programOption); output != request.outputs.end()) {
+        paths = cam::programPaths(output->second, plan->setups.size());
+        cam::refuseInputs(paths, inputs.list(), programOption);
+        for (std::size_t i = 0; i < paths.size(); ++i) plan->setups[i].program = paths[i];
+    }
     answerWith(
         answer, plan, [](const auto& found) { return cam::toJson(found); },
         [](const auto& found) { return cam::planReport(found); },
         [](const auto& found) { return report::toPlainText(cam::planSummary(found)); });
-    for (const cam::SetupPlan& setup : plan->setups)
-        if (!setup.program.empty()) io::writeFile(setup.program, setup.text);
+    if (!paths.empty()) cam::writePrograms(*plan, paths);
 }
 
 }  // namespace

@@ -22,7 +22,12 @@ double diameterAt(const ShaftSegment& row, double along_mm)
 
 }  // namespace
 
-BrokenEdges brokenEdges(const Shaft& part, double leg_mm)
+bool breaksEnd(const Job& job, bool is_second)
+{
+    return is_second || (job.part_off && !job.setup.tailstock);
+}
+
+BrokenEdges brokenEdges(const Shaft& part, double leg_mm, bool breaks_end)
 {
     BrokenEdges broken;
     broken.part = part;
@@ -32,7 +37,9 @@ BrokenEdges brokenEdges(const Shaft& part, double leg_mm)
     for (std::size_t i = 0; i < count; ++i) {
         ShaftSegment row = part.segments[i];
         const double before = i == 0 ? 0 : part.segments[i - 1].end_diameter_mm;
-        const double after = i + 1 < count ? part.segments[i + 1].start_diameter_mm : row.end_diameter_mm;
+        const double after = i + 1 < count ? part.segments[i + 1].start_diameter_mm
+                             : breaks_end  ? 0
+                                           : row.end_diameter_mm;
         const auto chamfer = [&](double start, double end) {
             ShaftSegment edge;
             edge.length_mm = leg_mm;

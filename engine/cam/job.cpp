@@ -118,18 +118,24 @@ const std::vector<Field<JobTailstock>>& fieldsOf(const JobTailstock*)
 const std::vector<Field<JobSetup>>& fieldsOf(const JobSetup*)
 {
     using S = JobSetup;
-    static const auto all =
-        described<S>(field("chuck_face_z_mm", &S::chuck_face_z_mm, place,
-                           required(LT_TEXT("Engine", "z of the chuck face"),
-                                    LT_TEXT("Engine", "From the free end of the finished part."), mm)),
-                     field("jaw_diameter_mm", &S::jaw_diameter_mm, someSize,
-                           Label{LT_TEXT("Engine", "Jaws ⌀"),
-                                 LT_TEXT("Engine", "Empty: everything beyond the chuck face is the chuck."), mm}),
-                     field("grip_length_mm", &S::grip_length_mm, size,
-                           Label{LT_TEXT("Engine", "Length of the grip"),
-                                 LT_TEXT("Engine", "The least length to be held; empty: not looked at."), mm}),
-                     group("tailstock", &S::tailstock,
-                           Label{LT_TEXT("Engine", "Tailstock"), LT_TEXT("Engine", "At the free end; none: free.")}));
+    static const auto all = described<S>(
+        field("chuck_face_z_mm", &S::chuck_face_z_mm, place,
+              required(LT_TEXT("Engine", "z of the chuck face"),
+                       LT_TEXT("Engine", "From the free end of the finished part."), mm)),
+        field("jaw_diameter_mm", &S::jaw_diameter_mm, someSize,
+              Label{LT_TEXT("Engine", "Jaws ⌀"),
+                    LT_TEXT("Engine", "Empty: everything beyond the chuck face is the chuck."), mm}),
+        field("grip_length_mm", &S::grip_length_mm, size,
+              Label{LT_TEXT("Engine", "Length of the grip"),
+                    LT_TEXT("Engine", "The least length to be held; empty: not looked at."), mm}),
+        group("tailstock", &S::tailstock,
+              Label{LT_TEXT("Engine", "Tailstock"), LT_TEXT("Engine", "At the free end; none: free.")}),
+        field("power_kW", &S::power_kW, {0.01, 1e4},
+              Label{LT_TEXT("Engine", "Power of the motor"),
+                    LT_TEXT("Engine", "Cuts that need more than 80 % of it are remarked; empty: not looked at."),
+                    LT_TEXT("Engine", "kW")}),
+        field("efficiency", &S::efficiency, {0.1, 1},
+              Label{LT_TEXT("Engine", "Efficiency"), LT_TEXT("Engine", "Of the way from the motor to the cut.")}));
     return all;
 }
 

@@ -41,6 +41,8 @@ struct JobSetup {
     std::optional<double> jaw_diameter_mm;  ///< none: everything beyond the face is the chuck
     std::optional<double> grip_length_mm;   ///< the least length to be held; none: not looked at
     std::optional<JobTailstock> tailstock;  ///< none: free end
+    std::optional<double> power_kW;         ///< of the motor; none: not looked at
+    double efficiency = 0.8;                ///< from the motor to the cut; 0.8 is assumed
     friend bool operator==(const JobSetup&, const JobSetup&) = default;
 };
 

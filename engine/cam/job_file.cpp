@@ -37,7 +37,8 @@ Job readJob(const std::string& json, Notes& notes)
     cutting.at("finish", LT_TEXT("Engine", "the data of finishing"));
     auto job = io::readFields<Job>(root, notes, {"shaft"});
     if (const auto shaft = root.member("shaft")) job.shaft = io::readShaft(*shaft, notes);
-    return withLibrary(std::move(job));
+    withLibrary(job);  // refuses what the library has not
+    return job;
 }
 
 std::string jobText(const Job& job)

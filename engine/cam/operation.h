@@ -40,6 +40,8 @@ struct CutMove {
     bool clockwise = false;                            ///< of an arc: G2, seen with Z to the right and X upward
     double feed_mm_rev = 0;                            ///< of feed moves; the lead of a thread
     std::optional<double> speed_rpm{};                 ///< from this move on, where it changes
+    /// From this move on constant; a control that has none keeps `speed_rpm`.
+    std::optional<double> cutting_speed_m_min{};
 };
 
 struct Operation {

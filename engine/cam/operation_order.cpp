@@ -28,6 +28,11 @@ std::optional<Text> reasonToFollow(OperationKind later, OperationKind earlier)
         case Kind::Finish:
             if (later == Kind::Thread) return LT_TEXT("Engine", "a thread is cut into its finished row");
             return std::nullopt;
+        case Kind::FinishBack:
+        case Kind::Groove:
+            if (later == Kind::Thread)
+                return LT_TEXT("Engine", "a thread runs out into the groove that is cut before it");
+            return std::nullopt;
         default: return std::nullopt;
     }
 }

@@ -1,8 +1,8 @@
 // In which order the operations of a clamping run, and which orders cannot be.
 //
 // A step is all operations of one kind with one tool. Faces, centre holes, roughing, semi-finishing and finishing build
-// on each other; what the opposite hand and blades take off may come before or after the finish; threads come after it;
-// the part is cut off last.
+// on each other; what the opposite hand and blades take off may come before or after the finish; threads come after
+// all of these; the part is cut off last.
 #pragma once
 
 #include <optional>

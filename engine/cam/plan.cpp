@@ -9,7 +9,9 @@
 #include "engine/cam/job_rules.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_head.h"
+#include "engine/cam/plan_outcome.h"
 #include "engine/cam/post/program_writer.h"
+#include "engine/cam/speed_words.h"
 #include "engine/cam/tool_library.h"
 #include "engine/cam/work_frame.h"
 #include "engine/gcode/program_time.h"
@@ -17,9 +19,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kUmPerMm = 1000;
 constexpr double kMm3PerCm3 = 1000;
-constexpr double kFace_mm = 0.02;  ///< of the end face, along z
 
 class Planner {
 public:
@@ -35,12 +35,13 @@ public:
         plan.part = part_;
         plan.job = job_;
         plan.post = inputs_.post.name;
-        if (!job_.max_rpm) plan.notes.push_back({notes::speedLimitAssumed, {{"max_rpm", assumedLimit_rpm}}});
+        if (!job_.max_rpm) plan.planning.push_back({notes::speedLimitAssumed, {{"max_rpm", assumedLimit_rpm}}});
         std::optional<WorkStock> left;
         const double share = 1.0 / static_cast<double>(clampings.size());
         for (std::size_t i = 0; i < clampings.size(); ++i)
             planClamping(clampings[i], i, clampings.size(), left, plan,
                          progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
+        noteAssumed(plan.planning);
         conclude(plan);
         return plan;
     }
@@ -55,7 +56,7 @@ private:
         SetupPlan setup;
         setup.clamping = clamping;
         const std::vector<SectionSpeed> sections =
-            speeds(clamping, planned, begin, plan.notes, progress.part(0.4, 0.6, LT_TEXT("Engine", "Speeds")));
+            speeds(clamping, planned, begin, plan.planning, progress.part(0.4, 0.6, LT_TEXT("Engine", "Speeds")));
         ProgramHead head;
         head.title = job_.title.empty() ? part_.name : job_.title;
         head.number = 100 + static_cast<int>(index);
@@ -64,9 +65,11 @@ private:
         head.comments =
             headComments({clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
         WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
-        setup.check =
-            checked(written.text, clamping, count, plan.setups.empty() ? std::string() : plan.setups.front().text,
-                    progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
+        const GivenProgram program{index, written.text, {}, true, true};
+        const GivenProgram first{0, clamping.is_mirrored ? plan.setups.front().text : std::string(), {}, true, true};
+        setup.check = checkProgram(part_, job_, program, clamping.is_mirrored ? &first : nullptr,
+                                   checkParametersOf(clamping, count, inputs_), inputs_.post,
+                                   progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
         // The same number of lines, with the outcome in the head.
         head.comments = headComments(
             {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, checkLine(setup.check)},
@@ -74,7 +77,7 @@ private:
         setup.text = writeProgram(inputs_.post, head, planned.operations).text;
         setup.predicted = planned.rest;
         setup.refused = planned.refused;
-        describe(planned, written, setup);
+        describe(planned, written, setup, plan.planning);
         setup.moves = std::move(planned.operations);
         for (SectionSpeed section : sections) {
             section.setup = static_cast<int>(index) + 1;
@@ -85,8 +88,7 @@ private:
             }
             plan.sections.push_back(section);
         }
-        plan.notes.insert(plan.notes.end(), planned.notes.begin(), planned.notes.end());
-        plan.notes.insert(plan.notes.end(), setup.check.notes.begin(), setup.check.notes.end());
+        plan.planning.insert(plan.planning.end(), planned.notes.begin(), planned.notes.end());
         plan.setups.push_back(std::move(setup));
         left = std::move(planned.after);
         progress.report(1);
@@ -121,40 +123,40 @@ private:
             if (operation.kind == OperationKind::Finish) {
                 sections = finishSections(clamping, request, work, notes, progress.part(0.5, 1));
                 setFinishSpeeds(operation, sections, clamping.part);
-                break;
             }
+            if (operation.kind == OperationKind::FinishBack)
+                setBackSpeed(operation, clamping, request, work, notes, progress.part(0.5, 1));
             if (request.spindle) work.run(operation);
         }
         return sections;
     }
 
-    CheckResult checked(const std::string& text, const Clamping& clamping, std::size_t count, const std::string& before,
-                        const Progress& progress) const
+    /// Where the motor gives most of what it has.
+    void notePower(const PlannedOperation& operation, Notes& notes) const
     {
-        CheckParameters parameters;
-        parameters.program.dialect = inputs_.post.dialect.value_or(gcode::Dialect::Auto);
-        parameters.keeps_outlines = inputs_.keeps_outlines;
-        CheckInputs inputs;
-        if (clamping.is_mirrored) {
-            parameters.setup = 2;
-            inputs.before = before;
-            parameters.chuck_face_z_mm = clamping.job.setup.chuck_face_z_mm;
-        } else if (count > 1) {
-            parameters.finished_to_mm = clamping.finished_to_mm;
+        const JobSetup& machine = job_.setup;
+        if (!machine.power_kW || !operation.power_max_kW) return;
+        const double motor = *operation.power_max_kW / machine.efficiency, share = motor / *machine.power_kW;
+        if (share <= mostPowerShare) return;
+        for (Note& note : notes) {  // the worst of an operation
+            if (!(note.code == notes::powerNearLimit)) continue;
+            if (!(*find(note.values, "operation") == Value(nameOf(operation.kind)))) continue;
+            if (std::get<double>(*find(note.values, "power_kW")) >= motor) return;
+            set(note.values, "tool", std::int64_t{operation.tool});
+            set(note.values, "power_kW", motor);
+            set(note.values, "share_percent", 100 * share);
+            return;
         }
-        const bool b = isSystemB(text);
-        if (b && inputs.before) inputs.before = asSystemA(*inputs.before);
-        return checkTurning(b ? asSystemA(text) : text, part_, job_, parameters, inputs, progress);
+        notes.push_back({notes::powerNearLimit,
+                         {{"operation", nameOf(operation.kind)},
+                          {"tool", std::int64_t{operation.tool}},
+                          {"power_kW", motor},
+                          {"share_percent", 100 * share},
+                          {"machine_kW", *machine.power_kW},
+                          {"efficiency", machine.efficiency}}});
     }
 
-    /// A post that names no dialect may write for a control that is recognized but not read.
-    bool isSystemB(const std::string& text) const
-    {
-        if (inputs_.post.dialect) return inputs_.post.is_system_b;
-        return gcode::detectDialect(text).not_read == "Fanuc (G code system B)";
-    }
-
-    void describe(const SetupOperations& planned, const WrittenProgram& written, SetupPlan& setup) const
+    void describe(const SetupOperations& planned, const WrittenProgram& written, SetupPlan& setup, Notes& notes) const
     {
         const LibraryEntry<WorkMaterial>* material = workMaterial(job_.cutting.material);
         const std::vector<gcode::Move>& moves = setup.check.path.moves;
@@ -178,6 +180,7 @@ private:
             described.feed_length_mm = times.all.feed_length_mm;
             described.time_s = times.all.time_s();
             if (material) described.power_max_kW = powerOf(*material, operation, planned.depth_mm[i]);
+            notePower(described, notes);
             setup.time_s += described.time_s + (operation.tool != tool ? parameters_.tool_change_s : 0);
             tool = operation.tool;
             setup.operations.push_back(described);
@@ -193,67 +196,16 @@ private:
         return cuttingPower(material.value, depth, feed, angle, speed);
     }
 
-    void conclude(TurningPlan& plan) const
+    void noteAssumed(Notes& notes) const
     {
         if (const auto* material = workMaterial(job_.cutting.material))
-            plan.notes.push_back({notes::cuttingDataAssumed,
-                                  {{"source", material->source},
-                                   {"k_c11_N_mm2", material->value.k_c11_N_mm2},
-                                   {"m_c", material->value.m_c}}});
+            notes.push_back({notes::cuttingDataAssumed,
+                             {{"source", material->source},
+                              {"k_c11_N_mm2", material->value.k_c11_N_mm2},
+                              {"m_c", material->value.m_c}}});
         else
-            plan.notes.push_back({notes::materialForPowerMissing, {}});
-        if (!part_.bores.empty()) plan.notes.push_back({notes::boresNotPlanned, {}});
-        // The last clamping's check has seen the cuts of both.
-        const SetupPlan& last = plan.setups.back();
-        for (RestInterval rest : last.check.rest) {
-            if (last.clamping.is_mirrored) {
-                const double from = rest.z_start_mm;
-                rest.z_start_mm = part_.length_mm() - rest.z_end_mm;
-                rest.z_end_mm = part_.length_mm() - from;
-            }
-            explain(rest, plan);
-            plan.rest.push_back(rest);
-        }
-        std::stable_sort(plan.rest.begin(), plan.rest.end(),
-                         [](const RestInterval& a, const RestInterval& b) { return a.z_start_mm < b.z_start_mm; });
-        for (const RestInterval& rest : plan.rest) plan.left_max_mm = std::max(plan.left_max_mm, rest.left_mm);
-        bool is_unstable = false;
-        for (const Note& note : plan.notes) is_unstable = is_unstable || note.code == notes::noStableSpeedHere;
-        for (const SetupPlan& setup : plan.setups)
-            plan.is_refused = plan.is_refused || setup.check.path.has_errors || !setup.check.findings.empty() ||
-                              setup.check.gouge_um > kUmPerMm * gougeLimit_mm;
-        plan.verdict = plan.is_refused || is_unstable || !plan.rest.empty() ? Verdict::Fail : Verdict::Pass;
-    }
-
-    /// The curves know why a place is not reached; a rest that a refused operation was for has that one's reason.
-    void explain(RestInterval& rest, const TurningPlan& plan) const
-    {
-        const auto meets = [&](const SetupPlan& setup, const Unreached& unreached) {
-            double from = unreached.z_start_mm, to = unreached.z_end_mm;
-            if (setup.clamping.is_mirrored) {
-                from = part_.length_mm() - unreached.z_end_mm;
-                to = part_.length_mm() - unreached.z_start_mm;
-            }
-            return rest.z_start_mm <= to && rest.z_end_mm >= from;
-        };
-        for (const SetupPlan& setup : plan.setups) {
-            for (const Unreached& unreached : setup.predicted) {
-                if (meets(setup, unreached) && unreached.cause == RestCause::Tailstock &&
-                    rest.cause == RestCause::Uncut)
-                    rest.cause = RestCause::Tailstock;  // no more can be left than the bar has
-                if (!meets(setup, unreached) || std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
-                rest.cause = unreached.cause;
-                rest.tool = unreached.tool;
-                rest.nose_radius_mm.reset();
-                if (unreached.cause == RestCause::NoseRadius) rest.nose_radius_mm = unreached.tool_radius_mm;
-                rest.corner_radius_mm = unreached.fillet_radius_mm;
-            }
-            for (const RefusedOperation& refused : setup.refused)
-                if (meets(setup, refused.rest)) rest.cause = refused.cause;
-            const bool is_face = rest.z_start_mm < kFace_mm && rest.z_end_mm < kFace_mm;
-            if (is_face && rest.cause == RestCause::Uncut && setup.clamping.job.setup.tailstock)
-                rest.cause = RestCause::Tailstock;
-        }
+            notes.push_back({notes::materialForPowerMissing, {}});
+        if (!part_.bores.empty()) notes.push_back({notes::boresNotPlanned, {}});
     }
 
     const Shaft& part_;
@@ -284,9 +236,10 @@ void checkFeeds(const Job& job)
     }
 }
 
-/// Of a part and a job that keep the rules.
-TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inputs, const TurningParameters& parameters,
-                    const Progress& progress)
+/// Of a part and a job that keep the rules; `both_ends`: the part as two clampings turn it, with the edge of its other
+/// end broken.
+TurningPlan planned(const Shaft& part, const Shaft& both_ends, const Job& job, const TurningInputs& inputs,
+                    const TurningParameters& parameters, const Progress& progress)
 {
     Planner planner(part, job, inputs, parameters);
     std::optional<TurningPlan> one;
@@ -301,9 +254,9 @@ TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inpu
         }
         if (one && (parameters.setups == SetupChoice::One || isOnlyCorners(*one))) return *std::move(one);
     }
-    const std::optional<double> split = splitOf(part);
+    const std::optional<double> split = splitOf(both_ends);
     double missing = 0;
-    const std::optional<Grip> grip = split ? gripBefore(part, job, *split, missing) : std::nullopt;
+    const std::optional<Grip> grip = split ? gripBefore(both_ends, job, *split, missing) : std::nullopt;
     if (!grip) {
         if (one) return *std::move(one);
         if (refusal) throw Error(*refusal);
@@ -312,16 +265,17 @@ TurningPlan planned(const Shaft& part, const Job& job, const TurningInputs& inpu
                      {"missing_mm", missing}});
     }
     try {
-        TurningPlan two = planner.plan(twoClampings(part, job, *split, *grip), progress.part(0.4, 1));
-        two.notes.push_back({notes::secondClampingAssumed,
-                             {{"grip_start_mm", grip->from_mm},
-                              {"grip_end_mm", grip->to_mm},
-                              {"chuck_face_z_mm", part.length_mm() - grip->to_mm},
-                              {"face_allowance_mm", job.stock.face_allowance_mm}}});
-        if (grip->has_tolerance) two.notes.push_back({notes::softJaws, {}});
+        Planner second(both_ends, job, inputs, parameters);
+        TurningPlan two = second.plan(twoClampings(both_ends, job, *split, *grip), progress.part(0.4, 1));
+        two.planning.push_back({notes::secondClampingAssumed,
+                                {{"grip_start_mm", grip->from_mm},
+                                 {"grip_end_mm", grip->to_mm},
+                                 {"chuck_face_z_mm", part.length_mm() - grip->to_mm},
+                                 {"face_allowance_mm", job.stock.face_allowance_mm}}});
+        if (grip->has_tolerance) two.planning.push_back({notes::softJaws, {}});
         if (!one || (!two.is_refused && (one->is_refused || two.left_max_mm < one->left_max_mm - leastRest_mm)))
             return two;
-        one->notes.push_back(
+        one->planning.push_back(
             {notes::twoClampingsNoBetter, {{"left_mm", two.left_max_mm}, {"left_one_mm", one->left_max_mm}}});
     } catch (const Error& error) {
         if (!one || !(error.code() == errors::noSetupPossible)) throw;
@@ -349,12 +303,18 @@ TurningPlan planTurning(const Shaft& part, const Job& stated, const TurningInput
     checkTools(job);
     checkUses(job);
     checkFeeds(job);
-    const BrokenEdges edges = brokenEdges(part, job.edge_break_mm);
-    TurningPlan plan = planned(edges.part, job, inputs, parameters, progress);
-    noteRanges(job, plan.notes);
+    const BrokenEdges one = brokenEdges(part, job.edge_break_mm, breaksEnd(job, false)),
+                      two = brokenEdges(part, job.edge_break_mm, true);
+    TurningPlan plan = planned(one.part, two.part, job, inputs, parameters, progress);
+    const BrokenEdges& edges = plan.setups.size() > 1 ? two : one;
+    plan.stated = stated;
+    noteLibrary(stated, plan.planning);
+    noteRanges(job, plan.planning);
+    noteFits(job, plan.planning);
     if (job.edge_break_mm > 0)
-        plan.notes.push_back(
+        plan.planning.push_back(
             {notes::edgesBroken, {{"edge_break_mm", job.edge_break_mm}, {"count", edges.count}, {"left", edges.left}}});
+    conclude(plan);
     return plan;
 }
 

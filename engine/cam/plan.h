@@ -17,6 +17,8 @@
 
 namespace lathelier::cam {
 
+inline constexpr double mostPowerShare = 0.8;  ///< of the machine's power, before it is remarked
+
 enum class SetupChoice : std::uint8_t {
     Auto,  ///< two where one leaves more than rounded corners and two leave less
     One,   ///< as the job states it
@@ -71,7 +73,8 @@ struct SetupPlan {
 struct TurningPlan {
     TurningParameters parameters;        ///< as asked
     Shaft part;                          ///< as drawn
-    Job job;                             ///< as stated
+    Job job;                             ///< with what its tools take from the library
+    Job stated;                          ///< as it was asked
     std::string post;                    ///< name
     std::vector<SetupPlan> setups;       ///< one or two
     std::vector<RestInterval> rest;      ///< measured from the texts, z from the drawn free end
@@ -79,7 +82,8 @@ struct TurningPlan {
     double left_max_mm = 0;              ///< largest of `rest`, or what is left anywhere
     bool is_refused = false;             ///< a check found a gouge or a collision
     std::optional<Verdict> verdict;      ///< fail: something is left, found, or without a stable speed
-    Notes notes;
+    Notes planning;                      ///< remarks of the planning alone
+    Notes notes;                         ///< those, and those of the checks
 
     /// The worst check of both.
     const CheckResult& worstCheck() const;

@@ -38,6 +38,17 @@ inline constexpr ErrorCode workMaterialUnknown{
     "work_material_unknown", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The material “{found}” is not in the library; expected one of: {expected}.")};
 
+inline constexpr ErrorCode nothingReplaced{
+    "nothing_replaced", ErrorKind::OutputFailed,
+    LT_TEXT("Engine", "Nothing was written: what is there was not to be replaced.")};
+
+inline constexpr ErrorCode cutsNotChecked{
+    "cuts_not_checked", ErrorKind::NoAnswer,
+    LT_TEXT(
+        "Engine",
+        "The program of clamping {clamping} calls tool {tool}, which is not in the job: what it cuts is not checked. "
+        "Add the tool to the job.")};
+
 inline constexpr ErrorCode checkVoid{
     "check_void", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The program of clamping {clamping} was changed after its check; check it again first.")};
@@ -66,6 +77,11 @@ inline constexpr NoteCode correctedFromOther{
     "corrected_from_other", Severity::Warning,
     LT_TEXT("Engine",
             "“{item}” was corrected from another program than the one that is planned now: correct that one again.")};
+
+inline constexpr NoteCode programNotUsed{
+    "program_not_used", Severity::Warning,
+    LT_TEXT("Engine",
+            "“{item}” is a program of clamping {clamping}; there is no such clamping here, so it is not used.")};
 
 inline constexpr NoteCode programGiven{
     "program_given", Severity::Info,
@@ -96,6 +112,23 @@ inline constexpr NoteCode stableDepthHere{
     LT_TEXT("Engine",
             "At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} "
             "mm, with the force of the work material.")};
+
+inline constexpr NoteCode backSpeed{
+    "back_speed", Severity::Info,
+    LT_TEXT("Engine",
+            "Tool {tool} turns z = {z_start_mm} … {z_end_mm} mm at {speed_rpm} 1/min (f_m {frequency_hz:1} Hz, lobe "
+            "{lobe}).")};
+
+inline constexpr NoteCode powerNearLimit{
+    "power_near_limit", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "{operation} with tool {tool} takes about {power_kW:2} kW of the motor, {share_percent:0} % of the machine's "
+        "{machine_kW} kW (efficiency {efficiency}; ± 25 %).")};
+
+inline constexpr NoteCode toolFromLibrary{
+    "tool_from_library", Severity::Info,
+    LT_TEXT("Engine", "Tool {tool}: {what} of {code} from the library ({standing}): {source}.")};
 
 inline constexpr NoteCode feedForRoughness{
     "feed_for_roughness", Severity::Info,
@@ -144,6 +177,12 @@ inline constexpr NoteCode threadCut{
 inline constexpr NoteCode edgesBroken{
     "edges_broken", Severity::Info,
     LT_TEXT("Engine", "Edges broken by {edge_break_mm} mm as the job asks: {count}; left sharp: {left}.")};
+
+inline constexpr NoteCode insertNotOfHolder{
+    "insert_not_of_holder", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "Tool {tool}: the insert {insert} does not fit the holder {holder} (shape, clearance or length of the edge).")};
 
 inline constexpr NoteCode outsideRange{
     "tool_outside_range", Severity::Info,

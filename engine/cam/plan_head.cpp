@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/cam/cutting_data.h"
+#include "engine/cam/speed_words.h"
+#include "engine/cam/tool_library.h"
 
 namespace lathelier::cam {
 namespace {
@@ -44,7 +48,8 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
         if (section.stable_depth_mm)
             lines.push_back(fmt::format("  there depths up to {:.3f} mm are stable", *section.stable_depth_mm));
     }
-    if (!facts.sections.empty() && facts.sections.front().speed_rpm)
+    if (std::any_of(facts.sections.begin(), facts.sections.end(),
+                    [](const SectionSpeed& section) { return section.speed_rpm.has_value(); }))
         lines.push_back(fmt::format("assumed: spindle ramp {:g} rpm/s", spindleRamp_rpm_s));
     if (facts.rest.empty()) lines.emplace_back("not reachable: nothing");
     for (std::size_t i = 0; i < std::min(facts.rest.size(), kMostRest); ++i)
@@ -52,6 +57,9 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
                                     facts.rest[i].z_end_mm, facts.rest[i].left_mm, key(facts.rest[i].cause)));
     if (facts.rest.size() > kMostRest) lines.push_back(fmt::format("and {} more", facts.rest.size() - kMostRest));
     if (!job.max_rpm) lines.emplace_back("assumed: speed limit");
+    for (const JobTool& tool : job.tools)
+        if (isHolderAssumed(tool))
+            lines.push_back(fmt::format("assumed: T{} outline of {}", tool.number, tool.holder_name));
     if (const auto* material = workMaterial(job.cutting.material))
         lines.push_back(fmt::format("assumed: {} k_c1.1 {:g}, m_c {:g}", material->value.name,
                                     material->value.k_c11_N_mm2, material->value.m_c));

@@ -23,8 +23,8 @@ constexpr double kBodyPiece_mm = 1;
 constexpr double kLongPass_mm = 10;
 constexpr std::size_t kMostRoughSpeeds = 12;
 constexpr double kSame_mm = 1e-6;
-constexpr double kLeastLeft_mm = 0.1;  // of a cylinder, at the speed before
-constexpr double kLift_mm = 0.5;
+constexpr double kLongTaper_mm = 3;  // shorter cones and arcs belong to the cylinder that they lead to
+constexpr double kBackPass_mm = 3;
 
 /// The speed at one place of a body.
 struct Chosen {
@@ -106,21 +106,31 @@ Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, dou
     return chosen;
 }
 
-/// A row of the part that is one cylinder; faces, chamfers and fillets belong to what they lead to.
-struct Cylinder {
+/// Rows of the finish with one speed: a cylinder, or cones and arcs in a row.
+struct SpeedStretch {
     double from_mm = 0, to_mm = 0, diameter_mm = 0;
+    bool is_cylinder = false;
+    double Rz_um = 0;  // that the drawing allows; 0: nothing is stated
 };
 
-std::vector<Cylinder> cylindersOf(const Shaft& part)
+/// Short cones and arcs belong to what they lead to, the last ones to what is before them.
+std::vector<SpeedStretch> stretchesOf(const Shaft& part)
 {
-    std::vector<Cylinder> found;
+    std::vector<SpeedStretch> found;
     double begin = 0;
     for (const ShaftSegment& row : part.segments) {
         const double end = begin + row.length_mm;
-        if (row.arc_radius_mm.value_or(0) == 0 && row.start_diameter_mm == row.end_diameter_mm)
-            found.push_back({begin, end, row.start_diameter_mm});
+        const bool is_cylinder = row.arc_radius_mm.value_or(0) == 0 && row.start_diameter_mm == row.end_diameter_mm;
+        const double largest = std::max(row.start_diameter_mm, row.end_diameter_mm);
+        if (is_cylinder || found.empty() || found.back().is_cylinder)
+            found.push_back({begin, end, largest, is_cylinder, row.Rz_um.value_or(0)});
+        else
+            found.back() = {found.back().from_mm, end, std::max(found.back().diameter_mm, largest), false, 0};
         begin = end;
     }
+    std::erase_if(found, [](const SpeedStretch& stretch) {
+        return !stretch.is_cylinder && stretch.to_mm - stretch.from_mm < kLongTaper_mm;
+    });
     return found;
 }
 
@@ -142,92 +152,6 @@ double rzOf(const Clamping& clamping, double from_mm, double to_mm)
 double cuttingSpeed(double rpm, double diameter_mm)
 {
     return rpm * std::acos(-1.0) * diameter_mm / 1000;
-}
-
-/// A move along a cylinder toward the chuck.
-bool isAlong(const CutMove& move, const Vector2d& start)
-{
-    return move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < kSame_mm &&
-           move.to.x() > start.x() + kSame_mm;
-}
-
-/// Does the drawing state limits or roughness of the row at z, or what is cut on it?
-bool isParticular(const Shaft& part, double z_mm)
-{
-    double end = 0;
-    for (const ShaftSegment& row : part.segments) {
-        end += row.length_mm;
-        if (z_mm <= end) return isToleranced(row) || row.Rz_um.has_value();
-    }
-    return false;
-}
-
-/// The place of a boundary in a path: moves from `first` on lead beyond it; those up to `end` are faces, chamfers and
-/// fillets before the next cylinder.
-struct Crossing {
-    std::size_t first = 0, end = 0;
-    double length_mm = 0;  // of these moves
-};
-
-std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
-{
-    for (std::size_t k = 1; k < moves.size(); ++k) {
-        const Vector2d start = moves[k - 1].to;
-        if (moves[k].kind == CutKind::Rapid) continue;
-        if (!(moves[k].to.x() > z + kSame_mm || (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm))) continue;
-        if (isAlong(moves[k], start) && start.x() < z - kSame_mm) {  // the boundary lies within a cylinder
-            CutMove before = moves[k];
-            before.to.x() = z;
-            moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(k), before);
-            ++k;
-        }
-        Crossing crossing{k, k, 0};
-        while (crossing.end < moves.size() && moves[crossing.end].kind != CutKind::Rapid &&
-               !isAlong(moves[crossing.end], moves[crossing.end - 1].to)) {
-            crossing.length_mm += (moves[crossing.end].to - moves[crossing.end - 1].to).norm();
-            ++crossing.end;
-        }
-        return crossing;
-    }
-    return {};
-}
-
-void changeSpeed(std::vector<CutMove>& moves, double from_rpm, double to_rpm, double z, const Shaft& part)
-{
-    const std::optional<Crossing> crossing = crossingOf(moves, z);
-    if (!crossing) return;
-    const std::size_t k = crossing->first;
-    const double ramp =
-        moves[k].feed_mm_rev * (from_rpm + to_rpm) / 120 * std::abs(to_rpm - from_rpm) / spindleRamp_rpm_s;
-    const double missing = ramp - crossing->length_mm;
-    const auto at = [&moves](std::size_t i) { return moves.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (missing <= 0 || crossing->end == moves.size()) {
-        moves[k].speed_rpm = to_rpm;
-        return;
-    }
-    CutMove& before = moves[k - 1];
-    const bool is_cylinder = k >= 2 && isAlong(before, moves[k - 2].to);
-    if (is_cylinder && before.to.x() - moves[k - 2].to.x() > missing + kLeastLeft_mm && !isParticular(part, z)) {
-        CutMove first = before;
-        first.to.x() -= missing;
-        before.speed_rpm = to_rpm;
-        moves.insert(at(k - 1), first);
-        return;
-    }
-    // Where the way between both cylinders is highest nothing stands above the tool.
-    const bool is_end = crossing->end > k && moves[crossing->end - 1].to.y() > before.to.y();
-    const std::size_t place = is_end ? crossing->end : k;
-    CutMove down = moves[place - 1];
-    down.kind = CutKind::Line;
-    down.feed_mm_rev = moves[k].feed_mm_rev;
-    down.speed_rpm.reset();
-    CutMove up = down;
-    up.to.y() += std::max(kLift_mm, missing / 2);
-    if (is_end)
-        moves[k].speed_rpm = to_rpm;
-    else
-        up.speed_rpm = to_rpm;
-    moves.insert(at(place), {up, down});
 }
 
 std::vector<SectionSpeed> statedSections(const Clamping& clamping)
@@ -254,6 +178,29 @@ std::vector<SectionSpeed> statedSections(const Clamping& clamping)
     return sections;
 }
 
+/// A cylinder's speed from the dynamics of the work.
+void setSpeedOf(SectionSpeed& section, const SpeedStretch& cylinder, const Clamping& clamping,
+                const SpeedRequest& request, const WorkStock& before_finish, Notes& notes, const Progress& progress)
+{
+    const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
+    const std::optional<double> coefficient = coefficientOf(
+        request.material, finishFeed(clamping.job, tool, cylinder.Rz_um), tool.entering_angle_deg.value_or(90));
+    const Shaft body = request.model == PartModel::Finished
+                           ? request.whole
+                           : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
+    const Chosen chosen = chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm,
+                                    section.constant_m_min, coefficient, request, progress);
+    section.speed_rpm = chosen.speed_rpm;
+    section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
+    section.frequency_hz = chosen.frequency_hz;
+    section.lobe = chosen.lobe;
+    section.receptance = chosen.receptance;
+    section.stable_depth_mm = chosen.stable_depth_mm;
+    section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
+                                      : LT_TEXT("Engine", "no stable speed, that of the job is kept");
+    if (!chosen.is_stable) noteUnstable(notes, section.z_start_mm, section.z_end_mm, chosen);
+}
+
 }  // namespace
 
 std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRequest& request,
@@ -261,58 +208,68 @@ std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRe
 {
     if (!clamping.job.sections.empty()) return statedSections(clamping);
     const double speed = clamping.job.cutting.finish.cutting_speed_m_min, length = clamping.part.length_mm();
-    std::vector<Cylinder> cylinders = request.spindle ? cylindersOf(clamping.part) : std::vector<Cylinder>{};
-    std::vector<SectionSpeed> sections;
-    if (cylinders.empty()) {
-        SectionSpeed section;
-        section.z_end_mm = length;
+    std::vector<SpeedStretch> stretches = request.spindle ? stretchesOf(clamping.part) : std::vector<SpeedStretch>{};
+    const auto is_cylinder = [](const SpeedStretch& stretch) { return stretch.is_cylinder; };
+    if (std::none_of(stretches.begin(), stretches.end(), is_cylinder)) {
+        double largest = 0;
         for (const ShaftSegment& row : clamping.part.segments)
-            section.diameter_mm = std::max({section.diameter_mm, row.start_diameter_mm, row.end_diameter_mm});
-        section.cutting_speed_m_min = speed;
-        section.reason = LT_TEXT("Engine", "constant cutting speed of the job");
-        section.Rz_um = rzOf(clamping, 0, length);
-        return {section};
+            largest = std::max({largest, row.start_diameter_mm, row.end_diameter_mm});
+        stretches = {{0, length, largest, false, 0}};
     }
-    const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
-    const std::optional<double> coefficient =
-        coefficientOf(request.material, finishFeed(clamping.job, tool), tool.entering_angle_deg.value_or(90));
+    std::vector<SectionSpeed> sections;
     double begin = 0;
-    for (std::size_t i = 0; i < cylinders.size(); ++i) {
-        const Cylinder& cylinder = cylinders[i];
-        const Shaft body = request.model == PartModel::Finished
-                               ? request.whole
-                               : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
-        const double share = 1.0 / static_cast<double>(cylinders.size());
-        const Chosen chosen =
-            chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm, speed, coefficient, request,
-                      progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+        const SpeedStretch& stretch = stretches[i];
+        const double share = 1.0 / static_cast<double>(stretches.size());
         SectionSpeed section;
         section.z_start_mm = begin;
-        section.z_end_mm = i + 1 == cylinders.size() ? length : cylinder.to_mm;
-        section.diameter_mm = cylinder.diameter_mm;
-        section.speed_rpm = chosen.speed_rpm;
-        section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
-        section.frequency_hz = chosen.frequency_hz;
-        section.lobe = chosen.lobe;
-        section.receptance = chosen.receptance;
+        section.z_end_mm = i + 1 == stretches.size() ? length : stretch.to_mm;
+        section.diameter_mm = stretch.diameter_mm;
+        section.cutting_speed_m_min = section.constant_m_min = speed;
+        section.max_rpm = request.max_rpm;
         section.Rz_um = rzOf(clamping, section.z_start_mm, section.z_end_mm);
-        section.stable_depth_mm = chosen.stable_depth_mm;
-        section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
-                                          : LT_TEXT("Engine", "no stable speed, that of the job is kept");
-        if (!chosen.is_stable) noteUnstable(notes, section.z_start_mm, section.z_end_mm, chosen);
+        section.reason = LT_TEXT("Engine", "constant cutting speed of the job");
+        if (stretch.is_cylinder)
+            setSpeedOf(section, stretch, clamping, request, before_finish, notes,
+                       progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
         begin = section.z_end_mm;
         sections.push_back(section);
     }
     return sections;
 }
 
-void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections, const Shaft& part)
+void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest& request, const WorkStock& before,
+                  Notes& notes, const Progress& progress)
 {
-    if (sections.empty() || !sections.front().speed_rpm) return;
-    finish.speed_rpm = sections.front().speed_rpm;
-    for (std::size_t i = 0; i + 1 < sections.size(); ++i)
-        if (*sections[i].speed_rpm != *sections[i + 1].speed_rpm)
-            changeSpeed(finish.moves, *sections[i].speed_rpm, *sections[i + 1].speed_rpm, sections[i].z_end_mm, part);
+    if (!request.spindle) return;
+    const JobTool* tool = clamping.job.tool(back.tool);
+    double longest = kBackPass_mm, free_z = 0, chuck_z = 0, radius = 0;
+    for (std::size_t k = 1; tool && k < back.moves.size(); ++k) {
+        const Vector2d start = back.moves[k - 1].to, end = back.moves[k].to;
+        if (back.moves[k].kind != CutKind::Line || std::abs(end.y() - start.y()) > kSame_mm || end.y() < 1) continue;
+        if (start.x() - end.x() < longest) continue;
+        longest = start.x() - end.x();
+        free_z = end.x();
+        chuck_z = start.x();
+        radius = end.y();
+    }
+    if (radius == 0) return;
+    const std::optional<double> coefficient =
+        coefficientOf(request.material, finishFeed(clamping.job, *tool), tool->entering_angle_deg.value_or(90));
+    const Shaft body = request.model == PartModel::Finished
+                           ? request.whole
+                           : before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
+    const Chosen chosen = chosenFor(body, clamping.part.material, std::max(0.0, free_z), 2 * radius,
+                                    back.cutting_speed_m_min, coefficient, request, progress);
+    back.speed_rpm = chosen.speed_rpm;
+    if (!chosen.is_stable) return noteUnstable(notes, std::max(0.0, free_z), chuck_z, chosen);
+    notes.push_back({notes::backSpeed,
+                     {{"z_start_mm", std::max(0.0, free_z)},
+                      {"z_end_mm", chuck_z},
+                      {"tool", std::int64_t{back.tool}},
+                      {"speed_rpm", chosen.speed_rpm},
+                      {"frequency_hz", chosen.frequency_hz ? Value(*chosen.frequency_hz) : Value()},
+                      {"lobe", std::int64_t{chosen.lobe}}}});
 }
 
 void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedRequest& request, WorkStock before,

@@ -3,13 +3,8 @@
 // The work is a beam from its free end to the chuck's face, joined to the spindle there (engine/receptance); the speed
 // is that of engine/stability/speed_choice.h for the cutting speed that is selected. Finish passes over a cylinder get
 // one speed each, for the section's side toward the free end, where it is most compliant. Roughing passes over the
-// whole length get one each as well, for the body that they leave. Faces and tapers keep constant cutting speed.
-//
-// A new speed does not act at once: with N₁ and N₂ in 1/min, an acceleration α in 1/min/s and a feed f in mm/rev the
-// tool travels L = f (N₁ + N₂)/120 |N₂ - N₁|/α meanwhile. The word stands where the cylinder before ends, if faces,
-// chamfers and fillets up to the next one are as long as L; what is missing is taken from the end of the cylinder
-// before, unless the drawing states its limits or its roughness: then the tool lifts off where nothing stands above it,
-// and comes back to the same place at the new speed.
+// whole length get one each as well, for the body that they leave. Faces, and cones and
+// arcs of 3 mm and more, keep constant cutting speed.
 #pragma once
 
 #include <optional>
@@ -31,8 +26,6 @@ enum class PartModel : std::uint8_t {
     Finished,  ///< the whole part as drawn, with the bar behind it up to the chuck
     Moment     ///< the work as it is when the section begins
 };
-
-inline constexpr double spindleRamp_rpm_s = 1000;  ///< α, assumed
 
 struct SpeedRequest {
     std::optional<receptance::SpindleReceptance> spindle;                     ///< none: no dynamics
@@ -56,6 +49,8 @@ struct SectionSpeed {
     double Rz_um = 0;                       ///< ideal, the worst of its rows
     std::optional<double> stable_depth_mm;  ///< where no speed is stable: the depth that would be, at the one kept
     int setup = 1;                          ///< clamping
+    double constant_m_min = 0;              ///< v_c that is kept where no speed is fixed; 0: the job states all speeds
+    double max_rpm = 0;                     ///< limit of the spindle for it
     FrfPtr receptance;                      ///< of the work at that moment, where it is cut; null: no dynamics
 };
 
@@ -64,8 +59,10 @@ struct SectionSpeed {
 std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRequest& request,
                                          const WorkStock& before_finish, Notes& notes, const Progress& progress = {});
 
-/// Lays the sections' speeds into the finish of this part.
-void setFinishSpeeds(Operation& finish, const std::vector<SectionSpeed>& sections, const Shaft& part);
+/// One fixed speed for a pass of the opposite hand, for the longest cylinder that it turns. Notes: backSpeed,
+/// noStableSpeedHere.
+void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest& request, const WorkStock& before,
+                  Notes& notes, const Progress& progress = {});
 
 /// Fixed speeds for the long passes of roughing, from the work as each leaves it; `before`: the work when it begins.
 void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedRequest& request, WorkStock before,

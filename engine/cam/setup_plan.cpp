@@ -34,8 +34,6 @@ public:
     {
         const JobTool& rough = *job_.toolFor(ToolUse::Rough);
         const JobTool& finish = *job_.toolFor(ToolUse::Finish);
-        reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
-        if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
         noteRoughness(finish);
         const std::vector<OperationStep> steps = inOrder(usualSteps(rough, finish), order_);
         if (const auto fault = faultOf(steps))
@@ -82,7 +80,12 @@ private:
         const JobTool &rough = *job_.toolFor(ToolUse::Rough), &finish = *job_.toolFor(ToolUse::Finish);
         const double depth = job_.cutting.rough.depth_mm;
         switch (step.kind) {
-            case OperationKind::Face: faceTheEnd(rough, depth); break;
+            case OperationKind::Face:
+                faceTheEnd(rough, depth);
+                // The tailstock stands from here on.
+                reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
+                if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
+                break;
             case OperationKind::CentreDrill: break;  // follows the face at once
             case OperationKind::Rough: {
                 WorkStock laid = result_.after;
@@ -172,6 +175,7 @@ private:
         bool used = false;
         for (const Unreached& interval : worthwhile(frame_, rest, reaches_, reach)) {
             progress_.check();
+            if (isCornerBeyondPart(interval)) continue;
             std::optional<Operation> operation = tool.isBlade()
                                                      ? grooving(frame_, tool, reach, interval, result_.after)
                                                      : backTurning(frame_, tool, reach, interval, result_.after);
@@ -200,6 +204,13 @@ private:
         }
     }
 
+    /// The corner between the end of the part and what is turned beyond it for parting off is not drawn.
+    bool isCornerBeyondPart(const Unreached& rest) const
+    {
+        return clamping_.parts_off && rest.cause == RestCause::NoseRadius &&
+               rest.z_end_mm > frame_.contour.length_mm - restSpacing_mm;
+    }
+
     static ToolUse use(const JobTool& tool) { return tool.use; }
 
     void refuseFor(const JobTool& tool, const Unreached& interval, const Refusal& met)
@@ -208,7 +219,7 @@ private:
             case stock::FindingKind::Chuck:
                 return refuse(tool, interval, RestCause::Chuck, LT_TEXT("Engine", "it would meet the chuck"));
             case stock::FindingKind::Tailstock:
-                return refuse(tool, interval, RestCause::Chuck, LT_TEXT("Engine", "it would meet the tailstock"));
+                return refuse(tool, interval, RestCause::Tailstock, LT_TEXT("Engine", "it would meet the tailstock"));
             case stock::FindingKind::HolderInStock:
                 return refuse(tool, interval, RestCause::Holder, LT_TEXT("Engine", "its holder would meet the stock"));
             case stock::FindingKind::RapidThroughStock:

@@ -18,7 +18,7 @@ inline constexpr double assumedLimit_rpm = 3000;  ///< of the spindle, where the
 struct RefusedOperation {
     int tool = 0;                         ///< number
     Unreached rest;                       ///< what it was for
-    RestCause cause = RestCause::Holder;  ///< holder or chuck
+    RestCause cause = RestCause::Holder;  ///< holder, chuck or tailstock
     Text reason;                          ///< in words
 };
 

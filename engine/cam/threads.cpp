@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kDepthOverPitch = 0.6134;  // ISO 724, with a rounded root of P/8
+constexpr double kLeastDepthOverPitch = 0.45, kMostDepthOverPitch = 0.8;
+constexpr double kDiameterOverPitch = 0.3;  // between drawn and named diameter
 constexpr double kFirstPass_mm = 0.2;
 constexpr int kLeastPasses = 4, kMostPasses = 30;
 constexpr double kRunInPitches = 3;
@@ -76,6 +78,7 @@ DrawnThread threadNamed(const std::string& designation)
     std::size_t at = 1;
     const std::optional<double> diameter = numberAt(text, at);
     if (!diameter) return thread;
+    thread.major_mm = diameter;
     if (at < text.size() && (text[at] == 'x' || text[at] == '*'))
         thread.pitch_mm = numberAt(text, ++at);
     else
@@ -157,6 +160,8 @@ std::vector<DrawnThread> threadsOf(const Shaft& part)
         if (mark.kind != "thread") continue;
         DrawnThread thread = threadNamed(mark.designation);
         if (mark.pitch_mm) thread.pitch_mm = mark.pitch_mm;
+        if (mark.major_mm) thread.major_mm = mark.major_mm;
+        thread.minor_mm = mark.minor_mm;
         thread.is_plain = thread.is_plain && mark.hand.value_or(1) > 0 && mark.starts.value_or(1) <= 1;
         if (!mark.z_start_mm || !mark.z_end_mm) thread.pitch_mm.reset();
         thread.z_start_mm = mark.z_start_mm.value_or(0);
@@ -183,9 +188,14 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
 {
     if (!thread.pitch_mm) return without(LT_TEXT("Engine", "its pitch or its place is not understood"));
     if (!thread.is_plain) return without(LT_TEXT("Engine", "it is left-handed or has several starts"));
-    const double pitch = *thread.pitch_mm, depth = kDepthOverPitch * pitch;
+    const double pitch = *thread.pitch_mm;
     const double from = thread.z_start_mm, to = std::min(thread.z_end_mm, frame.contour.length_mm);
-    const double crest = highest_mm(frame.contour, from + kSame_mm, to - kSame_mm), root = crest - depth;
+    const double crest = highest_mm(frame.contour, from + kSame_mm, to - kSame_mm);
+    if (thread.major_mm && std::abs(*thread.major_mm - 2 * crest) > kDiameterOverPitch * pitch)
+        return without(LT_TEXT("Engine", "its row has another diameter"));
+    const double depth = thread.minor_mm ? crest - *thread.minor_mm / 2 : kDepthOverPitch * pitch, root = crest - depth;
+    if (depth < kLeastDepthOverPitch * pitch || depth > kMostDepthOverPitch * pitch)
+        return without(LT_TEXT("Engine", "its root does not fit its pitch"));
     if (!(root > 0) || std::abs(lowestRadius_mm(frame.contour, from + kSame_mm, to - kSame_mm) - crest) > kSame_mm)
         return without(LT_TEXT("Engine", "its row is no cylinder that could carry it"));
     const double run_in = from - kRunInPitches * pitch, side = depth * kTan30 + kBeforeShoulder_mm;

@@ -1,7 +1,8 @@
 // External threads of a part, and the passes that cut them: G32 or G33 as the post has it, explicit moves throughout,
 // so that every control makes the same ones.
 //
-// ISO 68-1, ISO 724: the depth of an external thread is 0.6134 P from the drawn diameter, that of its crest. Pass i of
+// ISO 68-1, ISO 724: the depth of an external thread is 0.6134 P from the drawn diameter, that of its crest, unless the
+// drawing states the diameter of its root. Pass i of
 // n stands at depth √(i/n) of it, so all take off the same area; the last one is run twice. The tool is straight to the
 // axis; what it takes off is not looked at.
 #pragma once
@@ -19,6 +20,8 @@ namespace lathelier::cam {
 struct DrawnThread {
     std::string designation;         ///< "M16x1.5"
     std::optional<double> pitch_mm;  ///< P; none: not understood
+    std::optional<double> major_mm;  ///< D, over the crests; none: not stated
+    std::optional<double> minor_mm;  ///< at the root; none: by the standard
     double z_start_mm = 0;           ///< from the free end
     double z_end_mm = 0;             ///< end toward the chuck
     bool is_plain = true;            ///< right-handed, with one start
@@ -41,7 +44,8 @@ struct Threading {
 };
 
 /// Runs in by three pitches over what is no higher than the thread; runs out into what is lower than its root, or ends
-/// before what is higher, so far that the insert's flank does not meet it.
+/// before what is higher, so far that the insert's flank does not meet it. Not cut where the diameter of its row is not
+/// the thread's by more than 0.3 P, or its stated root is not 0.45 to 0.8 P deep.
 Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThread& thread, double max_rpm);
 
 }  // namespace lathelier::cam

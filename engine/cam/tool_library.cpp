@@ -62,6 +62,24 @@ void fill(std::optional<double>& stated, const std::optional<double>& found)
 }
 
 template <class T>
+const LibraryEntry<T>* entryNamed(const std::vector<LibraryEntry<T>>& library, const std::string& code)
+{
+    for (const LibraryEntry<T>& entry : library)
+        if (plainName(entry.key) == plainName(code)) return &entry;
+    return nullptr;
+}
+
+const LibraryEntry<LibraryInsert>* listedInsert(const std::string& code)
+{
+    return entryNamed(libraryInserts(), code);
+}
+
+const LibraryEntry<LibraryHolder>* listedHolder(const std::string& code)
+{
+    return entryNamed(libraryHolders(), code);
+}
+
+template <class T>
 std::string keysOf(const std::vector<LibraryEntry<T>>& library)
 {
     std::string all;
@@ -128,16 +146,14 @@ const std::vector<LibraryEntry<LibraryHolder>>& libraryHolders()
 
 std::optional<LibraryInsert> insertNamed(const std::string& code)
 {
-    for (const LibraryEntry<LibraryInsert>& entry : libraryInserts())
-        if (plainName(entry.key) == plainName(code)) return entry.value;
+    if (const LibraryEntry<LibraryInsert>* entry = listedInsert(code)) return entry->value;
     return insertOfCode(code);
 }
 
 const LibraryHolder* holderNamed(const std::string& code)
 {
-    for (const LibraryEntry<LibraryHolder>& entry : libraryHolders())
-        if (plainName(entry.key) == plainName(code)) return &entry.value;
-    return nullptr;
+    const LibraryEntry<LibraryHolder>* entry = listedHolder(code);
+    return entry ? &entry->value : nullptr;
 }
 
 Job withLibrary(Job job)
@@ -160,11 +176,61 @@ Job withLibrary(Job job)
     return job;
 }
 
+bool fitsHolder(const std::string& insert, const std::string& holder)
+{
+    // "cnmg120408", and "pclnl2525m12" or "sclcl2020k09": clamping, shape, style, clearance, hand, shank, length, edge.
+    const std::string of = plainName(insert), to = plainName(holder);
+    constexpr std::size_t kLetters = 4, kHead = 5;
+    const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
+    if (of.size() < kLetters + 2 || to.size() < kHead + 2 || !isDigit(of[kLetters]) || !isDigit(to[kHead])) return true;
+    if (of[0] != to[1] || of[1] != to[3]) return false;
+    if (!isDigit(to[to.size() - 1]) || !isDigit(to[to.size() - 2])) return true;
+    return of.compare(kLetters, 2, to, to.size() - 2, 2) == 0;
+}
+
+void noteFits(const Job& job, Notes& notes)
+{
+    for (const JobTool& tool : job.tools)
+        if (!tool.insert.empty() && !tool.holder_name.empty() && !fitsHolder(tool.insert, tool.holder_name))
+            notes.push_back(
+                {notes::insertNotOfHolder,
+                 {{"tool", std::int64_t{tool.number}}, {"insert", tool.insert}, {"holder", tool.holder_name}}});
+}
+
+void noteLibrary(const Job& stated, Notes& notes)
+{
+    const auto add = [&](const JobTool& tool, Text what, const std::string& code, const std::string& standing,
+                         const std::string& source) {
+        notes.push_back({notes::toolFromLibrary,
+                         {{"tool", std::int64_t{tool.number}},
+                          {"what", what},
+                          {"code", code},
+                          {"standing", standing},
+                          {"source", source}}});
+    };
+    for (const JobTool& tool : stated.tools) {
+        if (!tool.insert.empty() && !(tool.nose_radius_mm && tool.tip_angle_deg && tool.edge_length_mm)) {
+            const LibraryEntry<LibraryInsert>* entry = listedInsert(tool.insert);
+            add(tool, LT_TEXT("Engine", "the geometry"), tool.insert, entry ? entry->value.standing : "given",
+                entry ? entry->source : "ISO 1832");
+        }
+        const LibraryEntry<LibraryHolder>* holder = listedHolder(tool.holder_name);
+        if (holder && (tool.holder.empty() || !tool.entering_angle_deg))
+            add(tool, LT_TEXT("Engine", "the outline"), tool.holder_name, holder->value.standing, holder->source);
+    }
+}
+
+bool isHolderAssumed(const JobTool& tool)
+{
+    const LibraryEntry<LibraryHolder>* holder = listedHolder(tool.holder_name);
+    return holder && holder->value.standing == "assumed" && tool.holder == holder->value.holder;
+}
+
 void noteRanges(const Job& job, Notes& notes)
 {
     for (const JobTool& tool : job.tools) {
         const bool rough = tool.use == ToolUse::Rough;
-        if (tool.insert.empty() || (!rough && tool.use != ToolUse::Finish)) continue;
+        if (tool.insert.empty() || !tool.isProfile()) continue;
         const std::optional<LibraryInsert> insert = insertNamed(tool.insert);
         if (!insert) continue;
         const auto look = [&](Text quantity, double found, const std::optional<double>& low,
@@ -185,7 +251,10 @@ void noteRanges(const Job& job, Notes& notes)
         look(LT_TEXT("Engine", "a cutting speed"),
              rough ? cutting.cutting_speed_m_min : job.cutting.finish.cutting_speed_m_min, insert->speed_low_m_min,
              insert->speed_high_m_min);
-        if (rough) look(LT_TEXT("Engine", "a depth"), cutting.depth_mm, {}, insert->depth_high_mm);
+        if (rough)
+            look(LT_TEXT("Engine", "a depth"), cutting.depth_mm, {}, insert->depth_high_mm);
+        else
+            look(LT_TEXT("Engine", "an allowance"), cutting.allowance_mm, insert->depth_low_mm, insert->depth_high_mm);
     }
 }
 

@@ -52,7 +52,20 @@ const LibraryHolder* holderNamed(const std::string& code);
 /// cuts from the chuck makes the tool do so. Error toolNotInLibrary.
 Job withLibrary(Job job);
 
+/// What the tools of a job take from the library, with its source and standing. Notes: toolFromLibrary.
+void noteLibrary(const Job& stated, Notes& notes);
+
+/// Does the outline of this tool's holder come from the library, where it is assumed?
+bool isHolderAssumed(const JobTool& tool);
+
 /// Depths and feeds outside the ranges of the named inserts. Notes: outsideRange.
 void noteRanges(const Job& job, Notes& notes);
+
+/// Does an insert fit a holder, by their codes: shape, clearance, and length of the edge (ISO 1832, ISO 5608)? Yes
+/// where a code does not tell.
+bool fitsHolder(const std::string& insert, const std::string& holder);
+
+/// Notes: insertNotOfHolder.
+void noteFits(const Job& job, Notes& notes);
 
 }  // namespace lathelier::cam

@@ -34,7 +34,7 @@ struct WorkFrame {
 /// Errors noSetupPossible where a tool would have to work within the chuck, or the bar is held too short.
 WorkFrame frameOf(const Job& job, const Shaft& part);
 
-inline constexpr double leastFeed_mm_rev = 0.02;  ///< of a finish, however smooth the drawing wants it
+inline constexpr double leastFeed_mm_rev = 0.02;  ///< of a finish, whatever roughness the drawing allows
 
 /// The feed of a finishing tool as stated; and where the drawing allows an Rz: a smaller one if the ideal Rz would be
 /// more, on whole 0.001 mm and no less than leastFeed_mm_rev.

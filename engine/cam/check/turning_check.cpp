@@ -17,7 +17,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr std::int32_t mostBlamed = 8;  ///< strokes between those on both sides of a rest
+constexpr std::int32_t mostBetween = 8;  ///< strokes between those on both sides of a rest
 
 struct Named {
     const char* key;
@@ -73,15 +73,24 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
     return read;
 }
 
+/// Does a block have a word of the address X?
+bool namesX(const gcode::Program& program, std::int64_t line)
+{
+    if (line < 1 || line > static_cast<std::int64_t>(program.blocks.size())) return false;
+    const gcode::Block& block = program.blocks[static_cast<std::size_t>(line - 1)];
+    const auto first = program.words.begin() + block.first_word;
+    return std::any_of(first, first + block.word_count, [](const gcode::Word& word) { return word.letter == 'X'; });
+}
+
 /// LinuxCNC counts from its zero before a program has named both axes. Where the tool really stands is unknown: a first
 /// rapid move along Z alone does not lead along the axis.
-std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, gcode::Dialect dialect)
+std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, const gcode::Program& program)
 {
-    if (dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
+    if (program.dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
     gcode::Move& first = moves.front();
     const gcode::Move& next = moves[1];
     if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
-        next.x_mm != 0 && first.z_mm == next.z_mm)
+        next.x_mm != 0 && first.z_mm == next.z_mm && !namesX(program, first.line))
         first.x_mm = gcode::none;
     return moves;
 }
@@ -116,7 +125,8 @@ public:
         checkBodies(clamping);
         sortFindings();
         const bool is_clean = result_.findings.empty() && result_.rest.empty();
-        result_.verdict = is_clean ? Verdict::Pass : Verdict::Fail;
+        const bool is_blind = contains(result_.notes, notes::toolNotInJob);
+        result_.verdict = !is_clean ? Verdict::Fail : is_blind ? Verdict::Undecided : Verdict::Pass;
         progress_.report(1);
         return std::move(result_);
     }
@@ -154,6 +164,7 @@ private:
         if (inputs_.before) {
             CheckParameters first = parameters_;
             first.z_zero_mm = 0;
+            if (inputs_.before_dialect) first.program.dialect = *inputs_.before_dialect;
             const ReadProgram read = readText(*inputs_.before, job_, first, result_.notes, progress_.part(0.1, 0.15));
             if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
             stock::StockParameters bodies = stockParameters(job_);
@@ -201,7 +212,7 @@ private:
         result_.left_max_mm = found.left_max_mm;
         for (const LeftStretch& stretch : found.left) {
             addRest(stretch, drawing, all);
-            if (result_.rest.back().cause == RestCause::Uncut) blame(stretch, found.clearances, all);
+            if (result_.rest.back().cause == RestCause::Uncut) nameBlock(stretch, found.clearances, all);
         }
         for (const InsertBelow& below :
              insertsBelow(result_.path.moves, job_, drawing, parameters_.z_zero_mm, progress_.part(0.5, 0.6)))
@@ -228,22 +239,23 @@ private:
         result_.rest.push_back(rest);
     }
 
-    /// Where nothing hinders the tool, the block at fault stands between those that cut on both sides of the rest.
-    void blame(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
+    /// Where nothing hinders the tool, the block that should have cut stands between those that cut on both sides of
+    /// the rest.
+    void nameBlock(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
     {
         if (stretch.first == 0 || stretch.last + 1 >= clearances.size()) return;
         const std::int32_t before = clearances[stretch.first - 1].own, after = clearances[stretch.last + 1].own;
-        if (before < 0 || after < before || after - before > mostBlamed) return;
+        if (before < 0 || after < before || after - before > mostBetween) return;
         // Without one between them it is one of both.
-        const auto fault = static_cast<std::size_t>(std::min(before + 1, after));
-        result_.rest.back().line = all.strokes[fault].line;
-        result_.rest.back().tool = all.strokes[fault].tool;
+        const CutterStroke& block = all.strokes[static_cast<std::size_t>(std::min(before + 1, after))];
+        result_.rest.back().line = block.line;
+        result_.rest.back().tool = block.tool;
     }
 
     void checkBodies(Clamping& clamping)
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
-        const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program.dialect);
+        const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program);
         clamping.bodies.tailstock_from_move = tailstockComes(moves);
         result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
                                      : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);
@@ -365,7 +377,7 @@ CheckResult checkTurning(std::string text, const Shaft& part, const Job& stated,
     checkPart(part);
     checkStock(job, part);
     checkTools(job);
-    const Shaft drawn = brokenEdges(part, job.edge_break_mm).part;
+    const Shaft drawn = brokenEdges(part, job.edge_break_mm, breaksEnd(job, parameters.setup == 2)).part;
     return Check(drawn, job, parameters, inputs, progress).run(std::move(text));
 }
 

@@ -40,8 +40,9 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*);
 
 /// What goes with the program besides part and job.
 struct CheckInputs {
-    StatedCorrection correction;        ///< of the program; none: it follows the drawing
-    std::optional<std::string> before;  ///< program of the first clamping, for the second one
+    StatedCorrection correction;                   ///< of the program; none: it follows the drawing
+    std::optional<std::string> before;             ///< program of the first clamping, for the second one
+    std::optional<gcode::Dialect> before_dialect;  ///< of `before`; none: that of the program
 };
 
 enum class CheckKind : std::uint8_t { RapidThroughStock, HolderInStock, InsertBelowDrawing, Chuck, Tailstock };
@@ -87,7 +88,8 @@ struct CheckResult {
     std::int64_t findings_not_listed = 0;     ///< beyond stock::mostFindings
     std::optional<stock::StockResult> stock;  ///< its z counts from the raw end
     double stock_zero_mm = 0;                 ///< z of the stock less z of the part
-    std::optional<Verdict> verdict;           ///< fail: a finding, a gouge, or a rest; none: the program has errors
+    std::optional<Verdict> verdict;           ///< fail: a finding, a gouge, or a rest; none: the program has errors;
+                                              ///< undecided: a tool is not in the job, nothing else fails
     Notes notes;
 };
 

@@ -117,7 +117,11 @@ private:
         motion_.clear();
         feed_units_ = -1;
         for (const CutMove& move : operation.moves) {
-            if (move.speed_rpm && move.speed_rpm != rpm_) {
+            if (move.cutting_speed_m_min && post_.css) {
+                vc_ = *move.cutting_speed_m_min;
+                rpm_.reset();
+                lines(post_.spindle_css, true);
+            } else if (move.speed_rpm && move.speed_rpm != rpm_) {
                 rpm_ = move.speed_rpm;
                 lines(post_.speed_change, true);
                 if (post_.feed_per_min) feed_units_ = -1;

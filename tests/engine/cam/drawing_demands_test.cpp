@@ -8,6 +8,7 @@
 #include "engine/cam/edges.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/speed_words.h"
 #include "engine/cam/threads.h"
 #include "tests/engine/cam/plan_checks.h"
 
@@ -81,10 +82,19 @@ TEST(DrawingDemands, GripAvoidsACylinderWithLimits)
     std::optional<Grip> grip = gripBefore(*job.shaft, job, split, missing);
     ASSERT_TRUE(grip);
     EXPECT_FALSE(grip->has_tolerance);
+    // The only one there is.
     job.shaft->segments[0].tolerance_um = 13;
     grip = gripBefore(*job.shaft, job, split, missing);
     ASSERT_TRUE(grip);
     EXPECT_TRUE(grip->has_tolerance);
+    // With a choice the shorter one without limits.
+    Shaft part;
+    part.segments = {row(60, 24, 24), row(30, 30, 30), row(40, 37, 37), row(30, 20, 20)};
+    part.segments[0].tolerance_um = 13;
+    grip = gripBefore(part, job, *splitOf(part), missing);
+    ASSERT_TRUE(grip);
+    EXPECT_FALSE(grip->has_tolerance);
+    EXPECT_NEAR(grip->from_mm, 60, 1e-9);
 }
 
 Operation stepped(double z, double low, double high)
@@ -137,7 +147,7 @@ TEST(SpeedRamps, StandBeforeTheSection)
     setFinishSpeeds(high, sectionsAt(50, 2154, 1750), part);
     EXPECT_EQ(high.moves.size(), 5U);
     EXPECT_EQ(high.moves[2].speed_rpm, 1750);
-    // One of 1 mm is not: what is missing lies on the cylinder before, which nothing speaks against.
+    // One of 1 mm is not: what is missing lies on the cylinder before, which carries no limits.
     Operation low = stepped(50, 15, 16);
     setFinishSpeeds(low, sectionsAt(50, 2154, 1750), part);
     EXPECT_NEAR(wayBefore(low, 1750, 16), ramp, 1e-9);
@@ -187,6 +197,44 @@ TEST(Edges, AreBrokenWhereAFaceMeetsARow)
     EXPECT_EQ(brokenEdges(part, 0).part, part);
     part.segments[1].length_mm = 1;
     EXPECT_EQ(brokenEdges(part, 0.5).left, 2);
+}
+
+TEST(Edges, TheOtherEndIsBrokenByTheSecondClamping)
+{
+    Job job = paperJob({roughC80(), finishC80()});
+    job.shaft->segments = {row(60, 30, 30), row(30, 37, 37), row(60, 33.8, 33.8)};
+    job.edge_break_mm = 0.3;
+    EXPECT_EQ(brokenEdges(*job.shaft, 0.3, true).count, brokenEdges(*job.shaft, 0.3).count + 1);
+    const TurningPlan plan = planned(job, "linuxcnc", SetupChoice::Two);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    expectSound(plan, "both ends");
+    EXPECT_NEAR(plan.part.segments.back().end_diameter_mm, 33.2, 1e-9);
+    for (const RestInterval& rest : plan.rest) EXPECT_LT(rest.z_end_mm, 149);
+    // The check of the second program knows of it; the drawing with sharp edges is cut into.
+    CheckParameters second = plan.setups[1].check.parameters;
+    CheckInputs inputs;
+    inputs.before = plan.setups[0].text;
+    EXPECT_LE(checkTurning(plan.setups[1].text, *job.shaft, job, second, inputs).gouge_um, 1.5);
+    job.edge_break_mm = 0;
+    EXPECT_NEAR(checkTurning(plan.setups[1].text, *job.shaft, job, second, inputs).gouge_um, 300 / std::sqrt(2.0), 3);
+}
+
+TEST(Edges, TheEndIsBrokenBeforeItIsCutOff)
+{
+    Job job = jobWith({row(40, 30, 30), row(20, 37, 37)}, 40, 90,
+                      {roughC80(), finishC80(), blade(8, ToolUse::PartOff, 3, 0.2, 25)});
+    job.part_off = true;
+    job.edge_break_mm = 0.5;
+    const TurningPlan plan = planned(job, "fanuc_a");
+    expectSound(plan, "cut off");
+    EXPECT_NEAR(plan.part.segments.back().end_diameter_mm, 36, 1e-9);
+    for (const RestInterval& rest : plan.rest)
+        if (rest.z_end_mm > 59) {
+            EXPECT_LT(rest.left_mm, 0.05);
+        }
+    EXPECT_EQ(plan.setups[0].operations.back().kind, OperationKind::PartOff);
+    job.edge_break_mm = 0;
+    EXPECT_NEAR(checkTurning(plan.setups[0].text, *job.shaft, job).gouge_um, 500 / std::sqrt(2.0), 3);
 }
 
 TEST(Edges, ProgramBreaksThem)
@@ -246,6 +294,33 @@ TEST(Threads, AreCutByAllPostsButGrbl)
         EXPECT_NEAR(deepest, 12 - 0.6134 * 2, 0.001) << post;
         EXPECT_NE(noteOf(plan.notes, notes::threadCut), nullptr) << post;
     }
+}
+
+TEST(Threads, DiametersHaveToFitTheRow)
+{
+    Job job = threadedJob();
+    job.shaft->segments[1].thread = "M16x2";  // on a row of 24 mm
+    EXPECT_NE(noteOf(planned(job, "haas").notes, notes::threadNotPlanned), nullptr);
+    job.shaft->segments[1].thread.clear();
+    ShaftMark mark;
+    mark.kind = "thread";
+    mark.designation = "special";
+    mark.z_start_mm = 2;
+    mark.z_end_mm = 27;
+    mark.pitch_mm = 2;
+    mark.major_mm = 24;
+    mark.minor_mm = 21.4;
+    job.shaft->marks = {mark};
+    const TurningPlan plan = planned(job, "haas");
+    expectSound(plan, "root as drawn");
+    const Note* cut = noteOf(plan.notes, notes::threadCut);
+    ASSERT_NE(cut, nullptr);
+    EXPECT_NEAR(std::get<double>(*find(cut->values, "depth_mm")), 1.3, 1e-9);
+    job.shaft->marks[0].minor_mm = 23;  // no thread of this pitch
+    EXPECT_NE(noteOf(planned(job, "haas").notes, notes::threadNotPlanned), nullptr);
+    job.shaft->marks[0].minor_mm.reset();
+    job.shaft->marks[0].major_mm = 22;
+    EXPECT_NE(noteOf(planned(job, "haas").notes, notes::threadNotPlanned), nullptr);
 }
 
 TEST(Threads, WithoutAToolAreNoted)

@@ -58,6 +58,10 @@ TEST(OperationOrder, WhatBuildsOnAnotherRunsAfterIt)
     EXPECT_TRUE(faultOf(steps({{Kind::Finish, 2}, {Kind::SemiFinish, 1}})));
     EXPECT_TRUE(faultOf(steps({{Kind::Groove, 8}, {Kind::Rough, 1}})));
     EXPECT_FALSE(faultOf(steps({{Kind::Groove, 8}, {Kind::FinishBack, 6}, {Kind::Finish, 2}})));
+    // A thread runs out into its relief.
+    EXPECT_TRUE(faultOf(steps({{Kind::Thread, 11}, {Kind::Groove, 8}})));
+    EXPECT_TRUE(faultOf(steps({{Kind::Thread, 11}, {Kind::FinishBack, 6}})));
+    EXPECT_FALSE(faultOf(steps({{Kind::Groove, 8}, {Kind::Thread, 11}})));
 }
 
 TEST(OperationOrder, StepsOfAnotherClampingAreApart)

@@ -87,6 +87,108 @@ TEST(SectionSpeeds, WithoutAStableSpeedTheDepthThatWouldBe)
     EXPECT_FALSE(contains(unknown.notes, notes::stableDepthHere));
 }
 
+TEST(SectionSpeeds, FacesAndTapersKeepTheirCuttingSpeed)
+{
+    const Job job = jobWith({row(1, 18, 20), row(30, 20, 20), row(20, 20, 30), row(30, 30, 30), row(15, 36, 36)}, 40,
+                            200, {roughC80(), finishC80()});
+    TurningInputs inputs;
+    inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};
+    TurningParameters parameters;
+    parameters.setups = SetupChoice::One;
+    for (const std::string& post : postNames()) {
+        inputs.post = postNamed(post);
+        const TurningPlan plan = planTurning(*job.shaft, job, inputs, parameters);
+        EXPECT_FALSE(plan.is_refused) << post;
+        EXPECT_LE(plan.setups[0].check.gouge_um, 1.5) << post;
+        ASSERT_EQ(plan.sections.size(), 4U) << post;
+        EXPECT_TRUE(plan.sections[0].speed_rpm && plan.sections[2].speed_rpm && plan.sections[3].speed_rpm) << post;
+        EXPECT_FALSE(plan.sections[1].speed_rpm) << post;
+        EXPECT_NEAR(plan.sections[1].z_start_mm, 31, 1e-9);
+        EXPECT_NEAR(plan.sections[1].z_end_mm, 51, 1e-9);
+        const std::int64_t finish =
+            std::find_if(plan.setups[0].operations.begin(), plan.setups[0].operations.end(),
+                         [](const PlannedOperation& each) { return each.kind == OperationKind::Finish; })
+                ->first_line;
+        if (!inputs.post.css) continue;
+        for (const gcode::Move& move : plan.setups[0].check.path.moves) {
+            if (move.line < finish || move.kind == gcode::MoveKind::Rapid || !gcode::isKnown(move.x_mm)) continue;
+            if (std::abs(move.z_mm) < 1e-6 && move.x_mm < 8) {  // up the face
+                EXPECT_TRUE(gcode::isKnown(move.cutting_speed_m_min)) << post;
+                EXPECT_GT(move.speed_limit_rpm, 0) << post;
+            }
+            const auto inside = [&](double from, double to) { return -move.z_mm > from && -move.z_mm < to; };
+            if (inside(1.5, 30.5) || inside(52, 80) || inside(82, 95)) {
+                EXPECT_TRUE(gcode::isKnown(move.speed_rpm)) << post << ' ' << move.line;
+            }
+            if (inside(31.5, 49)) {
+                EXPECT_TRUE(gcode::isKnown(move.cutting_speed_m_min)) << post << ' ' << move.line;
+            }
+        }
+    }
+}
+
+TEST(SectionSpeeds, ThePassOfTheOppositeHandHasItsOwn)
+{
+    const Job job =
+        jobWith({row(60, 30, 30), row(20, 37, 37), row(60, 30, 30)}, 40, 200, {roughC80(), finishC80(), backV35()});
+    TurningInputs inputs;
+    inputs.post = postNamed("fanuc_a");
+    inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};
+    TurningParameters parameters;
+    parameters.setups = SetupChoice::One;
+    const TurningPlan plan = planTurning(*job.shaft, job, inputs, parameters);
+    EXPECT_FALSE(plan.is_refused);
+    const auto note = std::find_if(plan.notes.begin(), plan.notes.end(),
+                                   [](const Note& each) { return each.code == notes::backSpeed; });
+    ASSERT_NE(note, plan.notes.end());
+    const double speed = std::get<double>(*find(note->values, "speed_rpm"));
+    EXPECT_NE(plan.setups[0].text.find("G97 S" + std::to_string(std::llround(speed)) + " M3",
+                                       plan.setups[0].text.find("(FINISH BACK)")),
+              std::string::npos);
+}
+
+TEST(MachinePower, MoreThanFourFifthsIsRemarked)
+{
+    Job job = jobWith({row(60, 30, 30), row(20, 37, 37)}, 40, 200, {roughC80(), finishC80()});
+    job.cutting.material = "C45";
+    EXPECT_FALSE(contains(planned(job).notes, notes::powerNearLimit));
+    double most = 0;
+    for (const PlannedOperation& operation : planned(job).setups[0].operations)
+        most = std::max(most, operation.power_max_kW.value_or(0));
+    ASSERT_GT(most, 0.5);
+    job.setup.efficiency = 0.8;
+    job.setup.power_kW = most / 0.8 / 0.79;
+    EXPECT_FALSE(contains(planned(job).notes, notes::powerNearLimit));
+    job.setup.power_kW = most / 0.8 / 0.81;
+    const TurningPlan plan = planned(job);
+    const auto note = std::find_if(plan.notes.begin(), plan.notes.end(),
+                                   [](const Note& each) { return each.code == notes::powerNearLimit; });
+    ASSERT_NE(note, plan.notes.end());
+    EXPECT_NEAR(std::get<double>(*find(note->values, "share_percent")), 81, 1e-6);
+    EXPECT_NEAR(std::get<double>(*find(note->values, "power_kW")), most / 0.8, 1e-9);
+}
+
+TEST(SectionSpeeds, StableDepthIsThatOfTheFeedOfItsRow)
+{
+    Job job = jobWith({row(98, 30, 30), row(10, 37, 37)}, 40, 200, {roughC80(), finishC80()});
+    job.cutting.material = "C45";
+    job.max_rpm = 2000;
+    TurningInputs inputs;
+    inputs.post = postNamed("fanuc_a");
+    inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};
+    TurningParameters parameters;
+    parameters.setups = SetupChoice::One;
+    const auto depth = [&] { return planTurning(*job.shaft, job, inputs, parameters).sections[0].stable_depth_mm; };
+    const auto usual = depth();
+    job.shaft->segments[0].Rz_um = 1;
+    const auto smooth = depth();
+    ASSERT_TRUE(usual && smooth);
+    // k_c goes with h^-0.14, so the depth with f^0.14.
+    const double feed = feedForRz(1, 0.4, 5, 0.1);
+    EXPECT_LT(feed, 0.07);
+    EXPECT_NEAR(*smooth / *usual, std::pow(std::floor(1000 * feed) / 100, 0.14), 1e-3);
+}
+
 TEST(SectionSpeeds, StatedSectionsStandInTheProgram)
 {
     Job job = jobWith({row(98, 30, 30), row(6, 37, 37)}, 40, 130, {roughC80(), finishC80()});

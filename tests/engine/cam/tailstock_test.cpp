@@ -107,6 +107,45 @@ TEST(Tailstock, CheckFindsAMoveIntoItOnlyAfterItCame)
     EXPECT_TRUE(checkTurning(text, *job.shaft, job).findings.empty());
 }
 
+TEST(Tailstock, WhatItKeepsAToolFromIsPredictedWithItsCause)
+{
+    // The holder meets the tailstock's body before the tip is over the first rows.
+    Job job = tailstockJob();
+    job.shaft->segments = {row(39, 28, 28), row(40, 34, 34), row(60, 42, 42)};
+    job.tools = {roughD55(), finishD55(), centreDrill(9)};
+    for (JobTool& tool : job.tools)
+        if (!tool.isDrill()) tool.holder = {{-7, 14}, {-14, 8}, {-32, 22}, {-32, 150}, {-7, 150}};
+    job.setup.tailstock->keep_out = {{-1, 4}, {-8, 9}, {-8.5, 26}, {-60, 26}};
+    const TurningPlan plan = planned(job, "fanuc_a");
+    expectSound(plan, "body of the tailstock");
+    const auto& predicted = plan.setups[0].predicted;
+    const auto beside = [](double from, double to) { return from < 5 && to > 0.1; };
+    EXPECT_TRUE(std::any_of(predicted.begin(), predicted.end(), [&](const Unreached& rest) {
+        return rest.cause == RestCause::Tailstock && beside(rest.z_start_mm, rest.z_end_mm);
+    }));
+    bool is_left = false;
+    for (const RestInterval& rest : plan.rest) {
+        if (!beside(rest.z_start_mm, rest.z_end_mm)) continue;
+        is_left = true;
+        EXPECT_EQ(rest.cause, RestCause::Tailstock) << rest.z_start_mm << ' ' << rest.z_end_mm << ' ' << rest.left_mm;
+    }
+    EXPECT_TRUE(is_left);
+}
+
+TEST(Tailstock, WithTwoClampingsTheRingOnTheFirstFaceIsStillListed)
+{
+    Job job = tailstockJob();
+    job.tools.pop_back();  // no drill: it stands from the start
+    job.shaft->segments = {row(40, 28, 28), row(40, 42, 42), row(50, 34, 34)};
+    const TurningPlan plan = planned(job, "fanuc_a", SetupChoice::Two);
+    ASSERT_EQ(plan.setups.size(), 2U);
+    ASSERT_FALSE(plan.rest.empty());
+    EXPECT_LT(plan.rest.front().z_end_mm, 0.02);
+    EXPECT_EQ(plan.rest.front().cause, RestCause::Tailstock);
+    EXPECT_GT(plan.left_max_mm, 0.5);
+    EXPECT_EQ(plan.verdict, Verdict::Fail);
+}
+
 TEST(Tailstock, PartingOffIsLeftOut)
 {
     Job job = tailstockJob();

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/job_bodies.h"
+#include "engine/cam/job_file.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/stock/turning_insert.h"
 #include "tests/engine/cam/plan_checks.h"
@@ -60,6 +63,49 @@ TEST(ToolLibrary, NamedToolsAreFilledAndTypedValuesRule)
     }
 }
 
+TEST(ToolLibrary, WhatWasStatedStaysApartFromWhatIsFilledIn)
+{
+    Job job = jobWith({row(30, 20, 20), row(20, 30, 30)}, 34, 90, {});
+    JobTool rough, finish;
+    rough.number = 1;
+    rough.insert = "CNMG 120408";
+    rough.holder_name = "PCLNL 2525M12";
+    finish.number = 2;
+    finish.use = ToolUse::Finish;
+    finish.insert = "CNMG 120408";
+    finish.holder_name = "PCLNL 2525M12";
+    job.tools = {rough, finish};
+    Notes notes;
+    EXPECT_EQ(readJob(jobText(job), notes), job);
+    const TurningPlan plan = planned(job, "fanuc_a");
+    EXPECT_EQ(plan.stated, job);
+    EXPECT_EQ(plan.job.tools[1].nose_radius_mm, 0.8);
+    // Another insert in what was stated is another tool.
+    Job other = plan.stated;
+    other.tools[1].insert = "DNMG 150604";
+    other.tools[1].holder_name = "PDJNL 2525M15";
+    const TurningPlan changed = planned(other, "fanuc_a");
+    EXPECT_EQ(changed.job.tools[1].nose_radius_mm, 0.4);
+    EXPECT_EQ(changed.job.tools[1].tip_angle_deg, 55.0);
+    EXPECT_EQ(changed.job.tools[1].entering_angle_deg, 93.0);
+}
+
+TEST(ToolLibrary, AnInsertThatDoesNotFitItsHolderIsNoted)
+{
+    EXPECT_TRUE(fitsHolder("CNMG 120408", "PCLNL 2525M12"));
+    EXPECT_TRUE(fitsHolder("CCMT 09T304", "SCLCL2020K09"));
+    EXPECT_FALSE(fitsHolder("CNMG 120408", "PDJNL 2525M15"));  // shape
+    EXPECT_FALSE(fitsHolder("CNMG 160612", "PCLNL 2525M12"));  // size
+    EXPECT_FALSE(fitsHolder("CCMT 120408", "PCLNL 2525M12"));  // clearance
+    EXPECT_TRUE(fitsHolder("CNMG 120408", "my holder"));
+    EXPECT_TRUE(fitsHolder("", ""));
+    Job job = jobWith({row(30, 20, 20), row(20, 30, 30)}, 34, 90, {roughC80(), finishC80()});
+    EXPECT_FALSE(contains(planned(job).notes, notes::insertNotOfHolder));
+    job.tools[1].insert = "CNMG 120404";
+    job.tools[1].holder_name = "PDJNL 2525M15";
+    EXPECT_TRUE(contains(planned(job).notes, notes::insertNotOfHolder));
+}
+
 TEST(ToolLibrary, PlansWithHoldersOfTheLibrary)
 {
     Job job = jobWith({row(1, 18, 20), row(30, 20, 20), row(25, 30, 30), row(20, 38, 38)}, 42, 100, {});
@@ -74,8 +120,18 @@ TEST(ToolLibrary, PlansWithHoldersOfTheLibrary)
     job.tools = {rough, finish};
     const TurningPlan plan = planned(job, "fanuc_a");
     expectSound(plan, "library");
+    // What is assumed is said, in the head of the program too.
+    EXPECT_EQ(std::count_if(plan.notes.begin(), plan.notes.end(),
+                            [](const Note& note) { return note.code == notes::toolFromLibrary; }),
+              4);
+    EXPECT_NE(plan.setups[0].text.find("ASSUMED: T1 OUTLINE OF PCLNL 2525M12"), std::string::npos);
     EXPECT_EQ(plan.job.tools[1].nose_radius_mm, 0.4);
     job.cutting.finish.feed_mm_rev = 0.5;
+    EXPECT_TRUE(contains(planned(job, "fanuc_a").notes, notes::outsideRange));
+    // An allowance that is less than the insert's least depth.
+    job.cutting.finish.feed_mm_rev = 0.1;
+    ASSERT_FALSE(contains(planned(job, "fanuc_a").notes, notes::outsideRange));
+    job.cutting.rough.allowance_mm = 0.05;
     EXPECT_TRUE(contains(planned(job, "fanuc_a").notes, notes::outsideRange));
 }
 

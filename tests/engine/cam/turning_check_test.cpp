@@ -191,6 +191,34 @@ TEST(TurningCheck, SecondClampingStandsOnWhatTheFirstLeft)
     EXPECT_EQ(rapid.findings.front().kind, CheckKind::RapidThroughStock);
 }
 
+TEST(TurningCheck, AStatedXZeroIsAPlaceAndAnUnstatedOneIsNot)
+{
+    const Job job = jobOf("small");
+    const auto found = [&](const std::string& start) {
+        CheckParameters parameters;
+        parameters.program.dialect = gcode::Dialect::LinuxCnc;
+        const CheckResult result =
+            checked("G21 G18 G40 G90 G7 G95\nT1 M6\nG97 S500 M3\n" + start + "\nG0 X60.\nM2\n", job, parameters);
+        return result.findings.size();
+    };
+    EXPECT_EQ(found("G0 Z-10."), 0U);      // X is not known before it is named
+    EXPECT_GT(found("G0 X0. Z-10."), 0U);  // into the bar
+}
+
+TEST(TurningCheck, WhatAnUnknownToolCutsLeavesNoVerdict)
+{
+    const std::string text = textOf("small.nc");
+    const std::size_t end = text.find("M30");
+    ASSERT_NE(end, std::string::npos);
+    std::string more = text;
+    more.insert(text.rfind('\n', end) + 1, "T7777\nG97 S500 M3\nG0 X60. Z5.\nG1 X50. F0.1\nG0 X60.\n");
+    const Job job = jobOf("small");
+    ASSERT_EQ(checked(text, job).verdict, Verdict::Pass);
+    const CheckResult result = checked(more, job);
+    EXPECT_TRUE(contains(result.notes, notes::toolNotInJob));
+    EXPECT_NE(result.verdict, Verdict::Pass);
+}
+
 TEST(TurningCheck, ProgramWithErrorsHasNoVerdict)
 {
     const CheckResult result = checked("G1 Z-5.\nM30\n", jobOf("small"));

@@ -1,0 +1,22 @@
+// POST.json as a kind of file.
+#pragma once
+
+#include "engine/cam/post/post.h"
+#include "engine/io/file_kind.h"
+
+namespace lathelier::cam {
+
+/// A post with what was understood of its file.
+struct PostFile {
+    Post post;            ///< as read
+    io::FileFacts facts;  ///< as postFiles() has them
+    Notes notes;          ///< of the reading, with the path
+};
+
+/// In any encoding. Errors of readPost() and fileEmpty, with the path.
+PostFile loadPost(const io::FileToRead& file);
+
+/// POST.json. facts: format "post_json"; details "name", "dialect" (null where none is stated).
+const io::FileKind& postFiles();
+
+}  // namespace lathelier::cam

@@ -5,8 +5,9 @@
 
 namespace lathelier::sample {
 
-/// surface_before.png: the whole width of a part of 30 mm, cut at 2016 rpm with marks of 361 Hz; surface_after.png: cut
-/// at 2154 rpm without. The panel surface opens both, with the response of chatterSample().
+/// surface_before.png: the whole width of a part of 30 mm, feed 0.1 mm to the right, cut downward at 2016 rpm with marks
+/// of the frequency at which the tip of chatterSample()'s shaft chatters there; surface_after.png: cut at 2154 rpm
+/// without. 0.015 mm/px. The panel surface opens both, with that response.
 const SamplePart& surfaceSample();
 
 }  // namespace lathelier::sample

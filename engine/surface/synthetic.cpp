@@ -29,6 +29,8 @@ double product(const Direction& a, const Direction& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+constexpr double largestDeviate = 9;  // that a normal generator of 53 bits gives
+
 /// Normal deviates at whole numbers of `place`, joined smoothly; one row for each `index`.
 double smoothNoise(std::uint64_t seed, std::uint64_t stream, std::int64_t index, double place)
 {
@@ -62,12 +64,16 @@ public:
         const auto middle = static_cast<std::int64_t>(std::lround(z / p_.feed_mm_rev - turn));
         double lowest = 1e300;
         std::array<double, 2> found{};
-        for (std::int64_t track = middle - reach_; track <= middle + reach_; ++track) {
+        for (std::int64_t step = 0; step <= 2 * reach_; ++step) {  // the nearest tracks first
+            const std::int64_t track = middle + (step % 2 == 0 ? step / 2 : -(step + 1) / 2);
             const double revolutions = static_cast<double>(track) + turn;
             const double from_nose = z - p_.feed_mm_rev * revolutions;
+            const double nose = from_nose * from_nose / (2 * p_.nose_radius_mm);
+            if (nose - amplitude_mm_ - largestDeviate * depth_mm_ >= lowest) continue;
             const double phase = 2 * pi * waves_ * revolutions;
-            const double height = from_nose * from_nose / (2 * p_.nose_radius_mm) + amplitude_mm_ * std::sin(phase) +
-                                  depth_mm_ * smoothNoise(seed(), trackDepth, track, 4 * turn);
+            const double smooth = nose + amplitude_mm_ * std::sin(phase);
+            if (smooth - largestDeviate * depth_mm_ >= lowest) continue;
+            const double height = smooth + depth_mm_ * smoothNoise(seed(), trackDepth, track, 4 * turn);
             if (height >= lowest) continue;
             lowest = height;
             const double along_z = from_nose / p_.nose_radius_mm;
@@ -183,7 +189,7 @@ void stamp(io::Image& image)
                                                                   {31, 4, 4, 4, 4, 4, 4},
                                                                   {14, 4, 4, 4, 4, 4, 14},
                                                                   {15, 16, 16, 16, 16, 16, 15}}};
-    const int dot_px = std::max(1, image.width / 360);
+    const int dot_px = std::max(1, static_cast<int>(std::sqrt(double(image.width) * image.height) / 400));
     const int height_px = 9 * dot_px, width_px = static_cast<int>(word.size() * 6 + 1) * dot_px;
     for (int y = 0; y < height_px; ++y)
         for (int x = 0; x < width_px && x < image.width; ++x) {

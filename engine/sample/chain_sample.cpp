@@ -11,14 +11,13 @@
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/sample/sample.h"
 #include "engine/sample/scan_ply.h"
-#include "engine/surface/synthetic.h"
+#include "engine/sample/surface_sample.h"
 
 namespace lathelier::sample {
 namespace {
 
 constexpr double barrel_um = 14;  ///< wear of the long seat, on the radius
 constexpr double taper_um = -10;  ///< wear of the second one, on the radius along it
-constexpr double chatter_hz = 361, chatter_um = 6, before_rpm = 2016, after_rpm = 2154;  ///< of the photographs
 
 Shaft drawing()
 {
@@ -141,20 +140,6 @@ ScannerModel scanner(std::uint64_t seed)
     return made;
 }
 
-/// The long seat before and after its speed was chosen anew: the marks are as far apart as those of the paper.
-std::string photograph(double speed_rpm, double amplitude_um, std::uint64_t seed)
-{
-    surface::SyntheticParameters made;
-    made.speed_rpm = speed_rpm;
-    made.frequency_hz = chatter_hz;
-    made.amplitude_um = amplitude_um;
-    made.width = 600;
-    made.height = 420;
-    made.stamped = true;
-    made.seed = static_cast<int>(seed);
-    return surface::syntheticPng(surface::syntheticPicture(made));
-}
-
 SampleContent makeChain(std::uint64_t seed, const Progress& progress)
 {
     const Shaft part = drawing();
@@ -164,33 +149,27 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
     for (std::size_t i = 3; i < worn.size(); ++i) worn[i].oversize_um = taper_um;  // the chamfer goes on there
     bend(copy, part, progress.part(0, 0.2));
     SampleContent content;
-    content.texts = {scanPly(scanShaft(worn, scanner(2000 + seed), progress.part(0.2, 0.6))),
-                     io::shaftText(part),
-                     cam::jobText(job()),
-                     deflection::setupText(setup()),
-                     scanPly(scanShaft(copy, scanner(3000 + seed), progress.part(0.6, 1))),
-                     photograph(before_rpm, chatter_um, 40 + seed),
-                     photograph(after_rpm, 0, 50 + seed)};
-    content.truth = std::make_shared<Json>(Json{{"chain",
-                                                 {{"about", syntheticScan},
-                                                  {"barrel_of_row_1_um", barrel_um},
-                                                  {"taper_of_row_3_um", taper_um},
-                                                  {"chatter_before_hz", chatter_hz}}}});
-    content.panels["turning"] = {.inputs = {{"job", "chain_job.json"}, {"shaft", "chain_drawing.json"}},
-                                 .parameters = {}};
+    content.texts = {scanPly(scanShaft(worn, scanner(2000 + seed), progress.part(0.2, 0.6))), io::shaftText(part),
+                     cam::jobText(job()), deflection::setupText(setup()),
+                     scanPly(scanShaft(copy, scanner(3000 + seed), progress.part(0.6, 1)))};
+    content.truth = std::make_shared<Json>(Json{
+        {"chain", {{"about", syntheticScan}, {"barrel_of_row_1_um", barrel_um}, {"taper_of_row_3_um", taper_um}}}});
+    content.panels["turning"] = {
+        .inputs = {{"job", "chain_job.json"}, {"shaft", "chain_drawing.json"}, {"spindle", "spindle.json"}},
+        .parameters = {}};
     content.panels["chain"] = {.inputs = {{"scan", "chain_worn.ply"},
                                           {"shaft", "chain_drawing.json"},
                                           {"job", "chain_job.json"},
                                           {"setup", "chain_setup.json"},
                                           {"copy", "chain_copy.ply"},
-                                          {"before", "chain_before.png"},
-                                          {"after", "chain_after.png"}},
+                                          {"before", "surface_before.png"},
+                                          {"after", "surface_after.png"}},
                                .parameters = {{"tolerance_mm", 0.1},
                                               {"confirmed_by", std::string("nobody: a sample")},
                                               {"photograph_z_mm", 49.0},
                                               {"photograph_feed_deg", 0.0},
                                               {"photograph_cut", std::string("down")},
-                                              {"photograph_mm_px", 0.006}}};
+                                              {"photograph_mm_px", surfaceSample_mm_px}}};
     return content;
 }
 
@@ -198,10 +177,10 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
 
 const SamplePart& chainSample()
 {
-    static const SamplePart part{"chain",
-                                 {"chain_worn.ply", "chain_drawing.json", "chain_job.json", "chain_setup.json",
-                                  "chain_copy.ply", "chain_before.png", "chain_after.png"},
-                                 makeChain};
+    static const SamplePart part{
+        "chain",
+        {"chain_worn.ply", "chain_drawing.json", "chain_job.json", "chain_setup.json", "chain_copy.ply"},
+        makeChain};
     return part;
 }
 

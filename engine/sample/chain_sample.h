@@ -7,8 +7,8 @@ namespace lathelier::sample {
 
 /// chain_worn.ply: the worn original; chain_drawing.json: its nominal drawing; chain_job.json, chain_setup.json: how it
 /// is turned (the machine is spindle.json); chain_copy.ply: a scan of the copy as deflection predicts it for the
-/// program that the job gives; chain_before.png, chain_after.png: photographs of its long seat, with and without
-/// chatter. The panel turning opens drawing and job, the chain all of them.
+/// program that the job gives. The photographs of its long seat are those of surfaceSample(). The panel turning opens
+/// drawing, job and machine, the chain all of them.
 const SamplePart& chainSample();
 
 }  // namespace lathelier::sample

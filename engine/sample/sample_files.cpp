@@ -42,7 +42,7 @@ const std::vector<const SamplePart*>& sampleParts()
 {
     static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),     &cylinderSample(),
                                                     &chatterSample(), &deflectionSample(), &wornSample(),
-                                                    &chainSample(),   &surfaceSample()};
+                                                    &surfaceSample(), &chainSample()};
     return all;
 }
 

@@ -7,7 +7,7 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr double before_rpm = 2016, after_rpm = 2154, feed_mm_rev = 0.1, diameter_mm = 30, scale_mm_px = 0.015;
+constexpr double before_rpm = 2016, after_rpm = 2154, feed_mm_rev = 0.1, diameter_mm = 30;
 constexpr double chatter_hz = 364.8;  // where the tip of chatterSample()'s shaft chatters at before_rpm, exact relation
 constexpr double amplitude_um = 9.375;  // 3 times the depth of a feed mark, f² / (8 r)
 
@@ -20,7 +20,7 @@ surface::SyntheticParameters taken(double speed_rpm, double vibration_um, std::u
     p.speed_rpm = speed_rpm;
     p.frequency_hz = chatter_hz;
     p.amplitude_um = vibration_um;
-    p.mm_per_px = scale_mm_px;
+    p.mm_per_px = surfaceSample_mm_px;
     p.width = 450;
     p.height = 1900;
     p.cylinder = true;
@@ -44,15 +44,15 @@ SampleContent makeSurface(std::uint64_t seed, const Progress& progress)
               {{"about", "synthetic pictures of a turned surface"},
                {"diameter_mm", diameter_mm},
                {"feed_mm_rev", feed_mm_rev},
-               {"mm_per_px", scale_mm_px},
+               {"mm_per_px", surfaceSample_mm_px},
                {"before", {{"speed_rpm", before_rpm}, {"chatter_hz", chatter_hz}, {"m", waves.m}, {"nu", waves.nu}}},
                {"after", {{"speed_rpm", after_rpm}, {"chatter_hz", nullptr}}}}}});
     SamplePanel panel;
     panel.inputs = {{"before", "surface_before.png"}, {"after", "surface_after.png"}, {"frf", "tip_response.uff"}};
-    panel.parameters = {
-        {"feed_mm_rev", feed_mm_rev},          {"diameter_mm", diameter_mm}, {"speed_before_rpm", before_rpm},
-        {"speed_after_rpm", after_rpm},        {"mm_per_px", scale_mm_px},   {"feed_direction_deg", 0.0},
-        {"cut_direction", std::string("down")}};
+    panel.parameters = {{"feed_mm_rev", feed_mm_rev},          {"diameter_mm", diameter_mm},
+                        {"speed_before_rpm", before_rpm},      {"speed_after_rpm", after_rpm},
+                        {"mm_per_px", surfaceSample_mm_px},    {"feed_direction_deg", 0.0},
+                        {"cut_direction", std::string("down")}};
     content.panels["surface"] = std::move(panel);
     return content;
 }

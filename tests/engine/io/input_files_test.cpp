@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, testing::Bool());
 
 TEST(InputFiles, AGivenTextStandsForAFileThatIsNotThere)
 {
-    InputFiles files;
+    io::InputFiles files;
     files.give("/nowhere/job.json", "{}");
     EXPECT_EQ(files.open("/nowhere/job.json"), "{}");
     files.drop();
@@ -44,7 +44,7 @@ TEST(InputFiles, AGivenTextStandsForAFileThatIsNotThere)
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].path, "/nowhere/job.json");
     EXPECT_EQ(list[0].bytes, 2);
-    EXPECT_EQ(list[0].sha256, sha256("{}"));
+    EXPECT_EQ(list[0].sha256, io::sha256("{}"));
 }
 
 }  // namespace

@@ -211,8 +211,8 @@ void noteLibrary(const Job& stated, Notes& notes)
     for (const JobTool& tool : stated.tools) {
         if (!tool.insert.empty() && !(tool.nose_radius_mm && tool.tip_angle_deg && tool.edge_length_mm)) {
             const LibraryEntry<LibraryInsert>* entry = listedInsert(tool.insert);
-            add(tool, LT_TEXT("Engine", "the geometry"), tool.insert, entry ? entry->value.standing : "given",
-                entry ? entry->source : "ISO 1832");
+            // ISO 1832 gives it; what is assumed of an insert are its ranges.
+            add(tool, LT_TEXT("Engine", "the geometry"), tool.insert, "given", entry ? entry->source : "ISO 1832");
         }
         const LibraryEntry<LibraryHolder>* holder = listedHolder(tool.holder_name);
         if (holder && (tool.holder.empty() || !tool.entering_angle_deg))

@@ -129,6 +129,7 @@ void DrawingViews::show()
     }
     sheet_->setRows(std::move(contours));
     meridian_->setData(drawing::meridianChart(shaft));
+    showBoreButton();
     {
         const QSignalBlocker quiet(rows_);
         rows_->setTable(rowsTable(*picture_, screenLanguage()));
@@ -346,9 +347,7 @@ void DrawingViews::retranslate()
     shaft_->setText(tr("Use this shaft"));
     shaft_->setToolTip(tr("Keep it in the project, where other panels take it as an input"));
     bore_->setText(tr("Add a bore"));
-    bore_->setToolTip(
-        tr("A cylinder from this end, or one more behind the last one. Its row in the table is changed by a double "
-           "click, its kind and its place by the right button."));
+    showBoreButton();
     bore_->menu()->actions().value(0)->setText(tr("From the free end"));
     bore_->menu()->actions().value(1)->setText(tr("From the chuck end"));
     fit_->setText(tr("Whole sheet"));

@@ -52,6 +52,8 @@ public:
     CopyTable* rows() const { return rows_; }
     /// Adds what can be done with a row of a bore, in the table's row `at`.
     void addBoreVerbs(QMenu& menu, int at);
+    double freeForBores_mm() const;
+    void showBoreButton();
     void addBore(ShaftEnd from);                     ///< or a row more to the one that is there
     void markStretch(double from_mm, double to_mm);  ///< of z: the row in its middle
     /// What can be done with a row; `z_mm`: where it is cut.

@@ -10,6 +10,7 @@ namespace lathelier::drawing_panel {
 namespace {
 
 constexpr int kLength = 4, kStart = 5, kEnd = 6;  // columns of rowsTable()
+constexpr double kLeastFree_mm = 1;               // that a new bore needs
 constexpr double kUsualShare = 0.4, kUsualDepth = 1.0 / 3;
 
 }  // namespace
@@ -46,7 +47,8 @@ void DrawingViews::typeBoreCell(const QTableWidgetItem& cell)
     const double value = typed.value_or(0) / screenFactor(millimetre);
     const int column = cell.column();
     // What is refused goes back; not before the field over the cell is closed.
-    QMetaObject::invokeMethod(this, [this] { show(); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this] { show(); }, Qt::QueuedConnection);
     if (!typed) return;
     const BorePlace at = *place;
     emit boresEditWanted(tr("Change row %1").arg(at.name), [=](ShaftBores bores) {
@@ -90,6 +92,26 @@ void DrawingViews::addBoreVerbs(QMenu& menu, int at)
         });
 }
 
+/// Of the length, by what is not bored.
+double DrawingViews::freeForBores_mm() const
+{
+    if (!picture_ || picture_->shaft.segments.empty()) return 0;
+    double free_mm = picture_->shaft.length_mm();
+    for (const ShaftBore& bore : picture_->shaft.bores)
+        for (const BoreSegment& row : bore.segments) free_mm -= row.length_mm;
+    return free_mm;
+}
+
+void DrawingViews::showBoreButton()
+{
+    const bool has_room = freeForBores_mm() >= kLeastFree_mm;
+    bore_->setEnabled(has_room);
+    bore_->setToolTip(has_room || !picture_
+                          ? tr("A cylinder from this end, or one more behind the last one. Its row in the table is "
+                               "changed by a double click, its kind and its place by the right button.")
+                          : tr("The bores already run through the whole part"));
+}
+
 /// Two fifths of the diameter of its end, a third of the part deep; both are then typed.
 void DrawingViews::addBore(ShaftEnd from)
 {
@@ -100,10 +122,7 @@ void DrawingViews::addBore(ShaftEnd from)
         if (row.length_mm > 0) outside_mm = std::min({outside_mm, row.start_diameter_mm, row.end_diameter_mm});
     const auto rounded = [](double value) { return std::max(0.5, std::floor(value)); };
     const double diameter_mm = rounded(kUsualShare * outside_mm);
-    double free_mm = picture_->shaft.length_mm();
-    for (const ShaftBore& bore : picture_->shaft.bores)
-        for (const BoreSegment& row : bore.segments) free_mm -= row.length_mm;
-    const double depth_mm = std::min(rounded(kUsualDepth * picture_->shaft.length_mm()), free_mm / 2);
+    const double depth_mm = std::min(rounded(kUsualDepth * picture_->shaft.length_mm()), freeForBores_mm() / 2);
     emit boresEditWanted(
         from == ShaftEnd::Free ? tr("Add a bore from the free end") : tr("Add a bore from the chuck end"),
         [=](ShaftBores bores) { return addBoreRow(std::move(bores), from, diameter_mm, depth_mm); });

@@ -79,7 +79,11 @@ void OperationsPane::setPicture(const TurningPicture& picture, std::size_t setup
     table_->setPicture(picture, setup);
     steps_ = stepsOf(picture, setup);
     rows_.clear();
-    for (const ListedOperation& operation : listedOperations(picture, setup)) rows_.push_back(operation.which);
+    row_steps_.clear();
+    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+        rows_.push_back(operation.which);
+        row_steps_.push_back(stepOf(operation.which, picture.plan->job));
+    }
     const auto& order = picture.plan->parameters.order;
     is_own_order_ = std::any_of(order.begin(), order.end(), [setup](const cam::OperationStep& step) {
         return step.setup == static_cast<int>(setup) + 1;
@@ -96,8 +100,8 @@ void OperationsPane::setPicture(const TurningPicture& picture, std::size_t setup
 
 std::optional<std::size_t> OperationsPane::placeOf(int row) const
 {
-    if (row < 0 || row >= static_cast<int>(rows_.size())) return std::nullopt;
-    const auto step = std::find(steps_.begin(), steps_.end(), rows_[static_cast<std::size_t>(row)]);
+    if (row < 0 || row >= static_cast<int>(row_steps_.size())) return std::nullopt;
+    const auto step = std::find(steps_.begin(), steps_.end(), row_steps_[static_cast<std::size_t>(row)]);
     return static_cast<std::size_t>(step - steps_.begin());
 }
 

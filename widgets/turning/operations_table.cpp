@@ -16,7 +16,7 @@ OperationsTable::OperationsTable(QWidget* parent) : CopyTable(parent)
         if (item->column() != 0 || row >= lines_.size()) return;
         const bool on = item->checkState() == Qt::Checked;
         const Line line = lines_[row];  // the table may be filled anew meanwhile
-        if (on != (line.first_line > 0)) emit switched(line.which, on);
+        if (on != line.is_planned) emit switched(line.which, on);
     });
 }
 
@@ -28,6 +28,7 @@ void OperationsTable::setPicture(const TurningPicture& picture, std::size_t setu
     for (const ListedOperation& operation : listedOperations(picture, setup)) {
         Line& line = lines_.emplace_back();
         line.which = operation.which;
+        line.is_planned = operation.planned.has_value();
         if (operation.planned) line.first_line = picture.plan->setups[setup].operations[*operation.planned].first_line;
         QTableWidgetItem* cell = item(static_cast<int>(lines_.size()) - 1, 0);
         if (!cell) continue;

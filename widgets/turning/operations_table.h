@@ -23,7 +23,8 @@ signals:
 private:
     struct Line {
         cam::SkippedOperation which;
-        std::int64_t first_line = 0;  ///< 0: left out
+        std::int64_t first_line = 0;  ///< 0: left out, or its line is gone
+        bool is_planned = false;      ///< false: switched off
     };
     std::vector<Line> lines_;
 };

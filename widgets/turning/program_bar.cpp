@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "engine/cam/plan_outcome.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/flow_row.h"
 
@@ -41,12 +42,14 @@ void ProgramBar::setPicture(const TurningPicture& picture, std::size_t setup)
                  : program.origin == ProgramOrigin::Corrected ? tr("compensated")
                                                               : screenFileName(QString::fromStdString(program.name));
     if (program.is_changed) of = tr("%1, changed by hand").arg(of);
-    const QString state = program.is_void          ? tr("? Check void: the text was changed after it")
-                          : check.path.has_errors  ? tr("✗ The program has errors")
-                          : !check.stock           ? tr("? Not checked: the program before it is not")
-                          : is_sound               ? tr("✓ %1, checked").arg(of)
-                          : check.findings.empty() ? tr("✗ %1: cuts into the drawing").arg(of)
-                                                   : tr("✗ %1, findings: %2").arg(of).arg(check.findings.size());
+    const QString state = program.is_void           ? tr("? Check void: the text was changed after it")
+                          : check.path.has_errors   ? tr("✗ The program has errors")
+                          : !check.stock            ? tr("? Not checked: the program before it is not")
+                          : is_sound                ? tr("✓ %1, checked").arg(of)
+                          : !check.findings.empty() ? tr("✗ %1, findings: %2").arg(of).arg(check.findings.size())
+                          : cam::unknownToolOf(check) != 0
+                              ? tr("? %1: a tool is not in the job, what it cuts is not checked").arg(of)
+                              : tr("✗ %1: cuts into the drawing").arg(of);
     const QString digest = QString::fromStdString(program.sha256);
     state_->setText(QString("%1 · SHA-256 %2").arg(state, digest.left(digestDigits)));
     state_->setToolTip("SHA-256 " + digest);

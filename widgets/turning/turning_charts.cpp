@@ -264,9 +264,19 @@ std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std
 std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup)
 {
     std::vector<cam::OperationStep> steps;
-    for (const ListedOperation& operation : listedOperations(picture, setup))
-        if (std::find(steps.begin(), steps.end(), operation.which) == steps.end()) steps.push_back(operation.which);
+    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+        const cam::OperationStep step = stepOf(operation.which, picture.plan->job);
+        if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
+    }
     return steps;
+}
+
+cam::OperationStep stepOf(cam::OperationStep operation, const cam::Job& job)
+{
+    const cam::JobTool* finish = job.toolFor(cam::ToolUse::Finish);
+    if (operation.kind == cam::OperationKind::SemiFinish && finish && operation.tool == finish->number)
+        operation.kind = cam::OperationKind::Finish;
+    return operation;
 }
 
 report::Table operationTable(const TurningPicture& picture, std::size_t setup)
@@ -296,7 +306,7 @@ report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
     const auto add = [&](Text name, Value value, Text unit = {}, int decimals = 2) {
         table.rows.push_back({name, std::move(value), unit, decimals});
     };
-    add(LT_TEXT("Engine", "Control"), labelOf(picture.question.post));
+    add(LT_TEXT("Engine", "Control"), picture.has_own_post ? Value(plan.post) : Value(labelOf(picture.question.post)));
     add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, mm, 3);
     if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, mm);
     add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored

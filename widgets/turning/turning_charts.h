@@ -40,6 +40,8 @@ struct ListedOperation {
 std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std::size_t setup);
 /// The same as steps of the order, each once.
 std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup);
+/// The step that an operation belongs to: passes of the finishing tool over what is too deep for one are its finish.
+cam::OperationStep stepOf(cam::OperationStep operation, const cam::Job& job);
 report::Table operationTable(const TurningPicture& picture, std::size_t setup);  ///< a row for each of them
 
 /// Set-up sheet of one clamping: control, bar, zero, chuck, time, what stays.

@@ -1,15 +1,11 @@
 #include "widgets/turning/turning_panel.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "engine/cad/step_kind.h"
-#include "engine/cam/plan_codes.h"
 #include "engine/core/frf_item.h"
 #include "engine/core/shaft_item.h"
 #include "engine/gcode/program_kind.h"
-#include "engine/gcode/toolpath_files.h"
-#include "engine/io/file.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
@@ -27,6 +23,7 @@
 #include "widgets/program_common/program_editor.h"
 #include "widgets/turning/job_store.h"
 #include "widgets/turning/turning_charts.h"
+#include "widgets/turning/turning_exports.h"
 #include "widgets/turning/turning_views.h"
 
 namespace lathelier::turning_panel {
@@ -65,8 +62,14 @@ PanelInputs panelInputs()
                 "the first clamping. It may be missing."),
         gcode::programFiles(), gcode::correctedItem);
     program.required = false;
+    InputRole post = chatter_common::inputRole(
+        postRole, LT_TEXT("Engine", "Control of your own"),
+        LT_TEXT("Engine",
+                "POST.json: the program is written for it, and not for the control below. It may be missing."),
+        cam::postFiles(), "");
+    post.required = false;
     PanelInputs inputs;
-    inputs.roles = {job, shaft, spindle, program};
+    inputs.roles = {job, shaft, spindle, post, program};
     const auto& hidden = {jobOfKey, skippedKey, orderKey, draftsKey};
     for (FieldInfo& info : infos<TurningQuestion>())
         if (std::find(hidden.begin(), hidden.end(), info.key) == hidden.end()) inputs.fields.push_back(std::move(info));
@@ -75,34 +78,6 @@ PanelInputs panelInputs()
                                 "Drop a job (JOB.json) and a shaft here: its turning program follows, read back and "
                                 "checked.");
     return inputs;
-}
-
-/// "p.nc" of the second of two clampings is "p_2.nc".
-std::string pathOf(const std::string& stated, std::size_t index, std::size_t count)
-{
-    if (count < 2) return stated;
-    const std::filesystem::path path(stated);
-    return (path.parent_path() / (path.stem().string() + "_" + std::to_string(index + 1) + path.extension().string()))
-        .string();
-}
-
-/// What was not checked as it stands is not given out.
-void writePrograms(const TurningPicture& picture, const QString& path)
-{
-    for (std::size_t i = 0; i < picture.programs.size(); ++i)
-        if (picture.programs[i].is_void)
-            throw Error(errors::checkVoid, {{"clamping", static_cast<std::int64_t>(i) + 1}});
-    cam::throwIfRefused(*picture.plan);
-    const auto& setups = picture.plan->setups;
-    for (std::size_t i = 0; i < setups.size(); ++i)
-        io::writeFile(pathOf(path.toStdString(), i, setups.size()), setups[i].text);
-}
-
-void writeMovesOf(const cam::SetupPlan& setup, const QString& path)
-{
-    std::string text;
-    gcode::writeMoves(setup.check.path, [&text](std::string_view part) { text += part; });
-    io::writeFile(path.toStdString(), text);
 }
 
 }  // namespace
@@ -148,22 +123,37 @@ TurningPanel::TurningPanel(Session& owner, QWidget* parent)
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &TurningPanel::followForm);
 }
 
-/// A job changed by hand is of the file that is there now: the same undo step as the change itself.
+/// A job changed by hand is of the file that is there now: the same undo step as the change itself. Once the form
+/// rules, nothing of the file is taken any more.
 void TurningPanel::followForm(const std::string& key, const Value& value, int gesture, const QString& step)
 {
     const auto picture = result();
     if (!isOfJob(key) || !picture || identity(state()).empty()) return;
-    Values job = jobValues(picture->plan->job);
+    Values job = jobValues(picture->plan->stated);
     lathelier::set(job, key, value);
-    editState(
-        step, [&](project::PanelState& state) { setJob(state, job); },
+    change(
+        step,
+        [&](project::PanelState& state) {
+            if (!formRules(state)) setJob(state, job);
+        },
         QString("turning/%1/%2").arg(QString::fromStdString(key)).arg(gesture));
+}
+
+/// What a parameter of the project file makes impossible is said.
+void TurningPanel::change(const QString& step, const std::function<void(project::PanelState&)>& how,
+                          const QString& merge_key)
+{
+    try {
+        editState(step, how, merge_key);
+    } catch (const Error& error) {
+        emit messageRaised({error, facts().title});
+    }
 }
 
 void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool on)
 {
     const QString name = screenText(cam::nameOf(operation.kind));
-    editState(on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name), [&](project::PanelState& state) {
+    change(on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name), [&](project::PanelState& state) {
         cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
         std::erase(plan.skipped, operation);
         if (!on) plan.skipped.push_back(operation);
@@ -174,7 +164,7 @@ void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool 
 /// Of one clamping; the order of the other one stays. Empty: the usual one.
 void TurningPanel::setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order)
 {
-    editState(step, [&](project::PanelState& state) {
+    change(step, [&](project::PanelState& state) {
         cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
         std::erase_if(plan.order, [clamping](const cam::OperationStep& each) { return each.setup == clamping; });
         plan.order.insert(plan.order.end(), order.begin(), order.end());
@@ -187,7 +177,7 @@ void TurningPanel::keepDraft(int clamping, const std::optional<std::string>& utf
 {
     const auto picture = result();
     if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
-    editState(
+    change(
         utf8 ? tr("Edit the program") : tr("Take back the changes of the program"),
         [&](project::PanelState& state) { setDraft(state, *picture, static_cast<std::size_t>(clamping), utf8); },
         utf8 ? QString("turning.program.%1").arg(clamping) : QString());
@@ -197,8 +187,8 @@ void TurningPanel::checkAgain(int clamping)
 {
     const auto picture = result();
     if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
-    editState(tr("Check the program again"),
-              [&](project::PanelState& state) { askForCheck(state, *picture, static_cast<std::size_t>(clamping)); });
+    change(tr("Check the program again"),
+           [&](project::PanelState& state) { askForCheck(state, *picture, static_cast<std::size_t>(clamping)); });
 }
 
 /// Under the part's name, so that the next one takes its place.
@@ -235,6 +225,7 @@ void TurningPanel::assignFiles(project::PanelState& state, const std::vector<Fou
             openJob(state, file.path);
         else
             state.inputs[file.kind == &receptance::spindleFiles() ? spindleRole
+                         : file.kind == &cam::postFiles()         ? postRole
                          : file.kind == &gcode::programFiles()    ? programRole
                                                                   : shaftRole] =
                 newSource(QString::fromStdString(file.path));
@@ -257,6 +248,8 @@ Worker::Job TurningPanel::makeReadingJob(const project::PanelState& state) const
             stores->of<JobStore>()->load(given->second, part);
         if (state.inputs.count(shaftRole) > 0) part_common::takePart(state, shaftRole, *stores, part);
         chatter_common::takeSpindle(state, *stores, part);
+        if (const auto post = state.inputs.find(postRole); post != state.inputs.end())
+            stores->of<PostStore>()->load(post->second, part);
         return nullptr;
     };
 }
@@ -271,6 +264,10 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
         const cam::Job& job = loaded->file.job;
         return understoodText(loaded->file.facts, job.shaft ? tr("%L1 tools, with its shaft").arg(job.tools.size())
                                                             : tr("%L1 tools").arg(job.tools.size()));
+    }
+    if (role.role == postRole) {
+        const auto loaded = stores.of<PostStore>()->known(source);
+        return loaded ? understoodText(loaded->file.facts, QString::fromStdString(loaded->file.post.name)) : QString();
     }
     if (role.role == programRole) {
         const auto loaded = stores.of<deflection_common::ProgramStore>()->known(source);
@@ -287,8 +284,13 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
 
 void TurningPanel::showResult(const std::shared_ptr<const TurningPicture>& picture)
 {
-    inputColumn().form().setValues(jobValues(picture->plan->job));  // also those of a file
-    const bool is_newest = picture->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
+    inputColumn().form().setValues(jobValues(picture->plan->stated));  // also those of a file
+    bool is_newest = false;
+    try {
+        is_newest = picture->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
+    } catch (const Error&) {
+        is_newest = false;  // what is asked now cannot be: the request for it says so
+    }
     views_->setPicture(picture, is_newest && !views_->editor()->isTyping());
 }
 
@@ -310,7 +312,7 @@ std::vector<PanelExport> TurningPanel::exports() const
     std::vector<PanelExport> all{{two ? tr("Programs of both clampings…") : tr("Turning program…"),
                                   tr("NC program (*.nc *.ngc *.mpf *.tap)"),
                                   picture->question.post == PostChoice::Sinumerik ? "mpf" : "nc",
-                                  [picture](const QString& path) { writePrograms(*picture, path); }}};
+                                  [this, picture](const QString& path) { writePrograms(*picture, path, window()); }}};
     for (std::size_t i = 0; i < picture->plan->setups.size(); ++i)
         all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),
                        tr("Table (*.csv)"), "csv",

@@ -37,6 +37,8 @@ protected:
     void retranslate() override;
 
 private:
+    void change(const QString& step, const std::function<void(project::PanelState&)>& how,
+                const QString& merge_key = {});
     void followForm(const std::string& key, const Value& value, int gesture, const QString& step);
     void switchOperation(const cam::SkippedOperation& operation, bool on);
     void setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order);

@@ -55,6 +55,17 @@ Shaft takeShaft(TurningPicture& picture, const cam::Job& job, const project::Pan
     return *job.shaft;
 }
 
+cam::Post takePost(TurningPicture& picture, const project::PanelState& state, Stores& stores, const Progress& progress)
+{
+    const auto source = state.inputs.find(postRole);
+    if (source == state.inputs.end()) return cam::postNamed(nameOf(picture.question.post));
+    const auto loaded = stores.of<PostStore>()->load(source->second, progress);
+    picture.has_own_post = true;
+    picture.inputs.push_back(loaded->inputs.front());
+    picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
+    return loaded->file.post;
+}
+
 ClampingPicture clampingPicture(const cam::TurningPlan& plan, std::size_t index, const Progress& progress)
 {
     const cam::CheckResult& check = plan.setups[index].check;
@@ -122,7 +133,7 @@ TurningPicture turningPicture(const project::PanelState& state, Stores& stores, 
     const cam::Job job = takeJob(picture, state, stores, reading);
     const Shaft part = takeShaft(picture, job, state, stores, reading);
     cam::TurningInputs inputs;
-    inputs.post = cam::postNamed(nameOf(picture.question.post));
+    inputs.post = takePost(picture, state, stores, reading);
     inputs.keeps_outlines = true;
     if (auto spindle = chatter_common::takeSpindle(state, stores, reading))
         inputs.spindle = chatter_common::noted(picture, *std::move(spindle));

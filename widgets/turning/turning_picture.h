@@ -40,6 +40,7 @@ struct SectionLobes {
 struct TurningPicture {
     TurningQuestion question;                                ///< as asked
     bool is_changed = false;                                 ///< the form rules over the file
+    bool has_own_post = false;                               ///< of a file, not built in
     std::shared_ptr<const cam::TurningPlan> plan;            ///< with the programs as they stand here; never null
     std::vector<ShownProgram> programs;                      ///< one for each set-up of the plan
     std::vector<ClampingPicture> clampings;                  ///< one for each set-up of the plan

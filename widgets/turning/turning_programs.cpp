@@ -5,6 +5,7 @@
 
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/plan_outcome.h"
 #include "engine/io/file.h"
 #include "engine/project/project_codes.h"
 #include "widgets/deflection_common/turning_files.h"
@@ -27,6 +28,7 @@ struct Given {
     std::size_t setup = 0;
     std::string text;
     cam::StatedCorrection correction;
+    bool is_of_post = false;  // else in the dialect that it looks like
 };
 
 double largest_um(const cam::StatedCorrection& correction)
@@ -57,13 +59,18 @@ std::optional<Given> takeItem(TurningPicture& picture, const project::PanelState
     picture.inputs.push_back({source.item, static_cast<std::int64_t>(program->text.size()), io::sha256(program->text)});
     Given given{static_cast<std::size_t>(program->clamping - 1),
                 program->text,
-                {program->correction_z_mm, program->correction_radius_mm}};
-    picture.notes.push_back({notes::programCorrected,
-                             {{"clamping", std::int64_t{program->clamping}},
-                              {"item", source.item},
-                              {"correction_um", largest_um(given.correction)}}});
-    if (!isKnown(picture, program->corrected_from))
-        picture.notes.push_back({notes::correctedFromOther, {{"item", source.item}}});
+                {program->correction_z_mm, program->correction_radius_mm},
+                true};
+    const Value clamping = std::int64_t{program->clamping};
+    if (given.setup >= picture.programs.size()) {
+        picture.notes.push_back({notes::programNotUsed, {{"clamping", clamping}, {"item", source.item}}});
+        return std::nullopt;
+    }
+    picture.notes.push_back(
+        {notes::programCorrected,
+         {{"clamping", clamping}, {"item", source.item}, {"correction_um", largest_um(given.correction)}}});
+    given.is_of_post = isKnown(picture, program->corrected_from);
+    if (!given.is_of_post) picture.notes.push_back({notes::correctedFromOther, {{"item", source.item}}});
     return given;
 }
 
@@ -78,7 +85,7 @@ std::optional<Given> takeInput(TurningPicture& picture, const project::PanelStat
     picture.inputs.push_back(loaded->inputs.front());
     picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
     picture.notes.push_back({notes::programGiven, {{"clamping", std::int64_t{1}}, {"path", source->second.path}}});
-    return Given{0, deflection_common::toUtf8(loaded->file.text), {}};
+    return Given{0, deflection_common::toUtf8(loaded->file.text), {}, false};
 }
 
 const TurningDraft* draftOf(const TurningQuestion& question, std::size_t setup)
@@ -108,7 +115,7 @@ std::vector<cam::GivenProgram> chooseProgram(TurningPicture& picture, const cam:
     std::vector<cam::GivenProgram> all;
     for (std::size_t i = 0; i < planned.setups.size(); ++i) {
         ShownProgram& shown = picture.programs[i];
-        cam::GivenProgram given{i, shown.base, {}, true};
+        cam::GivenProgram given{i, shown.base, {}, true, true};
         if (input && input->setup == i) {
             const project::Source& source = state.inputs.at(programRole);
             shown.origin = source.item.empty() ? ProgramOrigin::File : ProgramOrigin::Corrected;
@@ -116,6 +123,7 @@ std::vector<cam::GivenProgram> chooseProgram(TurningPicture& picture, const cam:
             shown.base = given.text = input->text;
             shown.base_sha256 = shown.sha256 = io::sha256(shown.base);
             given.correction = input->correction;
+            given.is_of_post = input->is_of_post;
         }
         if (const TurningDraft* draft = draftOf(picture.question, i)) {
             if (draft->of_sha256 == shown.base_sha256) {
@@ -160,7 +168,7 @@ bool isSound(const TurningPicture& picture, std::size_t setup)
 {
     const cam::CheckResult& check = picture.plan->setups.at(setup).check;
     return !picture.programs.at(setup).is_void && check.stock.has_value() && check.findings.empty() &&
-           check.gouge_um <= kUmPerMm * cam::gougeLimit_mm;
+           cam::unknownToolOf(check) == 0 && check.gouge_um <= kUmPerMm * cam::gougeLimit_mm;
 }
 
 void setDraft(project::PanelState& state, const TurningPicture& picture, std::size_t setup,

@@ -46,7 +46,7 @@ gcode::ProgramItem itemOf(const TurningPicture& picture, std::size_t setup);
 /// Its name in the project; empty: the part has none.
 std::string nameOf(const TurningPicture& picture);
 
-/// Is this program checked and clean, so that it may be handed on and written?
+/// Is this program checked, all its tools known, and clean, so that it may be handed on and written?
 bool isSound(const TurningPicture& picture, std::size_t setup);
 
 /// The state of the question with the program of this clamping changed by hand; none: as it was.

@@ -129,6 +129,13 @@ bool formRules(const TurningQuestion& question, const project::PanelState& state
     return !question.job.tools.empty() && question.job_of == identity(state);
 }
 
+bool formRules(const project::PanelState& state)
+{
+    const Value* const of = find(state.parameters, jobOfKey);
+    const auto* const stated = of ? std::get_if<std::string>(of) : nullptr;
+    return hasTools(state) && identity(state) == (stated ? *stated : std::string());
+}
+
 void setJob(project::PanelState& state, const Values& job)
 {
     for (const auto& [key, value] : job) set(state.parameters, key, value);
@@ -139,6 +146,7 @@ void openJob(project::PanelState& state, const std::string& path)
 {
     state.inputs[jobRole] = newSource(QString::fromStdString(path));
     set(state.parameters, toolsKey, Rows{});
+    set(state.parameters, jobOfKey, std::string());
     set(state.parameters, skippedKey, Rows{});
     set(state.parameters, orderKey, Rows{});
 }

@@ -16,6 +16,7 @@ inline constexpr const char* toolsKey = "tools";       ///< of the job
 inline constexpr const char* skippedKey = "skipped";   ///< of the plan; edited in the list of operations
 inline constexpr const char* orderKey = "order";       ///< of the plan; edited in the list of operations
 inline constexpr const char* draftsKey = "drafts";     ///< programs changed by hand; made by the editor
+inline constexpr const char* postRole = "post_file";   ///< of the input in place of a built-in post
 inline constexpr const char* programRole = "program";  ///< of the input in place of a planned program
 
 /// The posts that are built in.
@@ -59,6 +60,8 @@ std::string identity(const project::PanelState& state);
 
 /// Does the form rule over the file?
 bool formRules(const TurningQuestion& question, const project::PanelState& state);
+
+bool formRules(const project::PanelState& state);
 
 /// Puts the job into the form, changed from the file that is there now.
 void setJob(project::PanelState& state, const Values& job);

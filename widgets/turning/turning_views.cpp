@@ -134,7 +134,10 @@ void TurningViews::connectParts()
         editor_->takeOver();
         emit checkWanted(at());
     });
-    connect(bar_, &ProgramBar::takeBackWanted, this, [this, at] { emit takeBackWanted(at()); });
+    connect(bar_, &ProgramBar::takeBackWanted, this, [this, at] {
+        editor_->takeOver();  // what was typed last would come back after it
+        emit takeBackWanted(at());
+    });
     connect(bar_, &ProgramBar::useWanted, this, [this, at] { emit useWanted(at()); });
     connect(lobes_, &QToolButton::clicked, this, [this] { emit lobesWanted(std::max(0, sections_->currentRow())); });
     connect(scrubber_, &ToolScrubber::clampingChosen, this,

@@ -1,9 +1,8 @@
-// The panel "Turning program": operations moved, programs handed on, taken back corrected, changed by hand and checked
+// The panel "Turning program": programs handed on, taken back corrected, changed by hand and checked
 // again; what stays on the contour; courses along the part; places in two clampings.
 #include <QFile>
 #include <QLabel>
 #include <QLocale>
-#include <QRegularExpression>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -26,13 +25,11 @@
 
 namespace lathelier::turning_panel {
 
-using cam::OperationKind;
-
 class TurningChangesTest : public QObject, PanelFixture<TurningPanel> {
     Q_OBJECT
 
     QTemporaryDir folder_;
-    QString paper_, groove_;
+    QString paper_;
 
     QString write(const QString& name, const cam::Job& job) const
     {
@@ -55,14 +52,6 @@ class TurningChangesTest : public QObject, PanelFixture<TurningPanel> {
     const cam::TurningPlan& plan() const { return *panel_->result()->plan; }
     const ShownProgram& program(std::size_t setup = 0) const { return panel_->result()->programs[setup]; }
     TurningViews& views() const { return panel_->views(); }
-    /// Row of the first operation of this kind.
-    int rowOf(OperationKind kind) const
-    {
-        const auto rows = listedOperations(*panel_->result(), 0);
-        const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const ListedOperation& each) { return each.which.kind == kind; });
-        return row == rows.end() ? -1 : static_cast<int>(row - rows.begin());
-    }
     /// As somebody types it: another text in the editor, announced.
     void type(const QByteArray& text)
     {
@@ -72,11 +61,12 @@ class TurningChangesTest : public QObject, PanelFixture<TurningPanel> {
         settle();
     }
     QByteArray typed() const { return views().editor()->program(); }
-    /// The word of the first cylinder's diameter.
-    static const QRegularExpression& exactly30()
+    /// A block more before the finish of the first cylinder.
+    static QString changed(const std::string& text, const QString& block)
     {
-        static const QRegularExpression word(R"(X30\.0*(?!\d))");
-        return word;
+        QString now = QString::fromStdString(text);
+        const int pass = now.indexOf("G1 Z-98.", now.indexOf("(FINISH)"));
+        return pass < 0 ? QString() : now.insert(now.lastIndexOf('\n', pass) + 1, block + '\n');
     }
 
 private slots:
@@ -85,58 +75,44 @@ private slots:
         useResources();
         QLocale::setDefault(QLocale::c());
         paper_ = write("paper.json", cam::paperJob({cam::roughC80(), cam::finishC80()}));
-        groove_ = write("groove.json", cam::paperJob({cam::roughC80(), cam::finishC80(), cam::backV35(),
-                                                      cam::blade(8, cam::ToolUse::Groove, 3, 0.2, 20)}));
     }
     void init() { begin(); }
     void cleanup() { end(); }
 
-    void anOperationIsMovedAndPutBack()
+    void whatWasTypedLastIsTakenBackToo()
     {
-        openOne(groove_);
-        const int finish = rowOf(OperationKind::Finish), groove = rowOf(OperationKind::Groove);
-        QVERIFY(finish >= 0 && groove > finish);
-        QVERIFY(!views().order()->reset()->isEnabled());
-        const int steps = session_->undoStack().count();
-        views().operations()->setCurrentCell(groove, 0);
-        int moves = 0;
-        while (rowOf(OperationKind::Groove) > rowOf(OperationKind::Finish) && moves < 5) {
-            QVERIFY(views().order()->up()->isEnabled());
-            views().order()->up()->click();
-            ++moves;
-            settle();
-            QVERIFY(views().order()->said().isEmpty());
-            // What was moved stays chosen, so that the next click moves it on.
-            QCOMPARE(views().operations()->currentRow(), rowOf(OperationKind::Groove));
-        }
-        QVERIFY(rowOf(OperationKind::Groove) < rowOf(OperationKind::Finish));
-        QCOMPARE(session_->undoStack().count(), steps + moves);
-        const auto& text = plan().setups[0].text;
-        QVERIFY(!text.empty() && !plan().is_refused);
-        QVERIFY(views().order()->reset()->isEnabled());
-        views().order()->reset()->click();
+        openOne(paper_);
+        const QByteArray planned = typed();
+        type(QByteArray(planned).replace("M30", "(BY HAND)\nM30"));
+        views().editor()->selectAll();
+        views().editor()->replaceSelectedText(QString::fromUtf8(QByteArray(planned).replace("M30", "(MORE)\nM30")));
+        QVERIFY(views().editor()->isTyping());
+        views().bar()->takeBack()->click();
         settle();
-        QCOMPARE(rowOf(OperationKind::Finish), finish);
-        QVERIFY(plan().parameters.order.empty());
-        session_->undoStack().undo();
+        QTest::qWait(600);
         settle();
-        QVERIFY(rowOf(OperationKind::Groove) < rowOf(OperationKind::Finish));
+        QVERIFY(!program().is_changed);
+        QCOMPARE(typed(), planned);
     }
 
-    void anImpossibleOrderSaysWhyAndChangesNothing()
+    void aCorrectedProgramOfAClampingThatIsNotThereIsSaid()
     {
-        openOne(groove_);
-        const int steps = session_->undoStack().count();
-        views().operations()->setCurrentCell(rowOf(OperationKind::Finish), 0);
-        views().order()->up()->click();  // before the semi-finish
-        QVERIFY(views().order()->said().contains("cannot run before"));
-        QVERIFY(panel_->findChild<QLabel*>("operationsSaid")->isVisibleTo(views().order()));
-        QCOMPARE(session_->undoStack().count(), steps);
-        // Dragged to the first place by its number: before roughing.
-        views().order()->moveStep(rowOf(OperationKind::Finish), 0);
-        QVERIFY(views().order()->said().contains("cannot run before"));
-        QCOMPARE(session_->undoStack().count(), steps);
-        QVERIFY(plan().parameters.order.empty());
+        openOne(paper_);
+        gcode::ProgramItem corrected;
+        corrected.text = plan().setups[0].text;
+        corrected.clamping = 2;
+        session_->edit("Use", [&](project::Project& project) {
+            project.items["corrected"] = {gcode::correctedItem, gcode::toValues(corrected), {}};
+            project.panels["turning"].inputs[programRole].item = "corrected";
+        });
+        settle();
+        QCOMPARE(program().origin, ProgramOrigin::Planned);
+        const Notes& notes = panel_->result()->notes;
+        const auto says = [&](const char* key) {
+            return std::any_of(notes.begin(), notes.end(),
+                               [&](const Note& note) { return note.code.key == std::string(key); });
+        };
+        QVERIFY(says("program_not_used") && !says("program_corrected"));
     }
 
     void whatStaysIsHatchedWithItsNumberAndCause()
@@ -281,10 +257,8 @@ private slots:
     void whatAChangeCutsTooDeepIsFound()
     {
         openOne(paper_);
-        QString text = QString::fromUtf8(typed());
-        const int at = text.lastIndexOf(exactly30());
-        QVERIFY(at > 0);
-        text.replace(at, exactly30().match(text, at).capturedLength(), "X29.5");
+        const QString text = changed(plan().setups[0].text, "G1 X29.5");
+        QVERIFY(!text.isEmpty());
         type(text.toUtf8());
         views().bar()->check()->click();
         settle();
@@ -316,9 +290,8 @@ private slots:
         gcode::ProgramItem corrected;
         corrected.text = plan().setups[0].text;
         corrected.corrected_from = io::sha256(corrected.text);
-        QString text = QString::fromStdString(corrected.text);
-        QVERIFY(text.contains(exactly30()));
-        corrected.text = text.replace(exactly30(), "X29.98").toStdString();
+        corrected.text = changed(corrected.text, "G1 X29.98").toStdString();
+        QVERIFY(!corrected.text.empty());
         corrected.correction_z_mm = {-5, 97.5};
         corrected.correction_radius_mm = {-0.01, -0.01};
         const auto give = [&](const gcode::ProgramItem& item) {

@@ -12,6 +12,8 @@
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/core/drop_files.h"
 #include "tests/widgets/core/panel_fixture.h"
+#include "widgets/core/form/form.h"
+#include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
 #include "widgets/program_common/program_editor.h"
@@ -75,7 +77,7 @@ private slots:
         QCOMPARE(plan().setups.size(), std::size_t{1});
         QVERIFY(!plan().is_refused && plan().left_max_mm > 1);
         QCOMPARE(views().editor()->program(), QByteArray::fromStdString(plan().setups[0].text));
-        QVERIFY(views().editor()->isReadOnly());
+        QVERIFY(!views().editor()->isReadOnly());  // it may be changed by hand
         QCOMPARE(views().rest()->rowCount(), static_cast<int>(plan().rest.size()));
         const PanelExport program = panel_->offeredExports().front();
         const QString path = folder_.filePath("neck.nc");
@@ -110,6 +112,58 @@ private slots:
         settle();
         QVERIFY(plan().setups[0].text.find("DIAMON") != std::string::npos);
         QCOMPARE(panel_->offeredExports().front().suffix, QString("mpf"));
+    }
+
+    void aControlOfOnesOwnIsAFile()
+    {
+        open(neck_);
+        cam::Post post = cam::postNamed("haas");
+        post.name = "MINE";
+        post.safe_start.push_back("M1099");
+        const QString path = folder_.filePath("post.json");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::fromStdString(cam::postText(post)));
+        file.close();
+        open(path);
+        QVERIFY(panel_->result()->has_own_post);
+        QCOMPARE(plan().post, std::string("MINE"));
+        QVERIFY(plan().setups[0].text.find("M1099") != std::string::npos);
+        session_->undoStack().undo();
+        settle();
+        QVERIFY(!panel_->result()->has_own_post);
+        QCOMPARE(plan().post, std::string("fanuc_a"));
+    }
+
+    void anotherInsertIsAnotherTool()
+    {
+        cam::Job job = cam::jobWith({cam::row(30, 20, 20), cam::row(20, 30, 30)}, 34, 90, {});
+        for (const auto& [number, use] : {std::pair{1, cam::ToolUse::Rough}, std::pair{2, cam::ToolUse::Finish}}) {
+            cam::JobTool& tool = job.tools.emplace_back();
+            tool.number = number;
+            tool.use = use;
+            tool.insert = "CNMG 120408";
+            tool.holder_name = "PCLNL 2525M12";
+        }
+        open(write("library.json", job));
+        QCOMPARE(plan().job.tools[1].nose_radius_mm, std::optional<double>(0.8));
+        const auto edit = [&](const char* key, const std::string& code) {
+            // As the form does it: the table of tools with one cell changed.
+            Values values = jobValues(plan().stated);
+            Rows tools = std::get<Rows>(*lathelier::find(values, toolsKey));
+            lathelier::set(tools.rows[1].cells, key, code);
+            auto& form = panel_->findChild<InputColumn*>()->form();
+            emit form.valueChanged(toolsKey, tools, 0);
+            settle();
+        };
+        edit("insert", "DNMG 150604");
+        edit("holder_name", "PDJNL 2525M15");
+        QVERIFY(panel_->result()->is_changed);
+        QCOMPARE(plan().job.tools[1].nose_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(plan().job.tools[1].tip_angle_deg, std::optional<double>(55));
+        QCOMPARE(plan().job.tools[1].entering_angle_deg, std::optional<double>(93));
+        QVERIFY(!plan().stated.tools[1].nose_radius_mm);
+        QVERIFY(!says("insert_not_of_holder"));
     }
 
     void anOperationIsSwitchedOff()

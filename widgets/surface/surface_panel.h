@@ -37,10 +37,13 @@ protected:
 
 private:
     void setRegion(int image, const std::optional<QRectF>& region);
-    void setScale(double pixels, double mm);
-    void setDirection(double direction_deg);
+    void setScale(int image, double pixels, double mm);
+    void setDirection(int image, double direction_deg);
+    void setAlike(bool alike);
+    void lay(const QPointF& further_px);
     void chooseCandidate(double frequency_hz);
     void setMade(const std::string& key, const Value& value, int gesture);
+    void connectQuiz();
     void sendMarks();
 
     SurfaceViews* views_;

@@ -21,16 +21,16 @@ double drawn(int number, std::uint64_t which, double from, double to, double ste
 
 SyntheticParameters quizPicture(int number, const SyntheticParameters& frame)
 {
-    enum { feed, diameter, speed, waves, rest, sign, strength };
+    enum Which : std::uint64_t { Feed, Diameter, Speed, WholeWaves, Rest, Sign, Strength };
     SyntheticParameters p = frame;
-    p.feed_mm_rev = drawn(number, feed, 0.1, 0.3, 0.05);
-    p.diameter_mm = drawn(number, diameter, 20, 50, 1);
+    p.feed_mm_rev = drawn(number, Feed, 0.1, 0.3, 0.05);
+    p.diameter_mm = drawn(number, Diameter, 20, 50, 1);
     p.nose_radius_mm = 0.8;
-    p.speed_rpm = drawn(number, speed, 600, 2400, 10);
-    const double nu = drawn(number, rest, 0.1, 0.4, 0.01) * (drawn(number, sign, 0, 1, 1e-3) < 0.75 ? -1 : 1);
-    p.frequency_hz = p.speed_rpm / 60 * (drawn(number, waves, 4, 14, 1) + nu);
+    p.speed_rpm = drawn(number, Speed, 600, 2400, 10);
+    const double nu = drawn(number, Rest, 0.1, 0.4, 0.01) * (drawn(number, Sign, 0, 1, 1e-3) < 0.75 ? -1 : 1);
+    p.frequency_hz = p.speed_rpm / 60 * (drawn(number, WholeWaves, 4, 14, 1) + nu);
     const double depth_um = 1000 * p.feed_mm_rev * p.feed_mm_rev / (8 * p.nose_radius_mm);
-    p.amplitude_um = drawn(number, strength, 2, 4, 0.1) * depth_um;
+    p.amplitude_um = drawn(number, Strength, 2, 4, 0.1) * depth_um;
     p.feed_direction_deg = 0;
     p.cut = CutDirection::Down;
     p.light = Light::AlongFeed;

@@ -8,11 +8,11 @@ QImage halved(const QImage& image)
         image.format() == QImage::Format_Grayscale8 ? image : image.convertToFormat(QImage::Format_Grayscale8);
     QImage half(grey.width() / 2, grey.height() / 2, QImage::Format_Grayscale8);
     for (int y = 0; y < half.height(); ++y) {
-        const uchar* const upper = grey.constScanLine(2 * y);
-        const uchar* const lower = grey.constScanLine(2 * y + 1);
+        const uchar* upper = grey.constScanLine(2 * y);
+        const uchar* lower = grey.constScanLine(2 * y + 1);
         uchar* const line = half.scanLine(y);
-        for (int x = 0; x < half.width(); ++x)
-            line[x] = static_cast<uchar>((upper[2 * x] + upper[2 * x + 1] + lower[2 * x] + lower[2 * x + 1] + 2) / 4);
+        for (int x = 0; x < half.width(); ++x, upper += 2, lower += 2)
+            line[x] = static_cast<uchar>((upper[0] + upper[1] + lower[0] + lower[1] + 2) / 4);
     }
     return half;
 }

@@ -24,7 +24,7 @@ protected:
     Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const SurfacePicture>& picture) override;
     report::Answer answer(const SurfacePicture& picture) const override;
-    Notes notes(const SurfacePicture& picture) const override { return picture.notes; }
+    Notes notes(const SurfacePicture& picture) const override { return picture.asks() ? Notes{} : picture.notes; }
     report::Document document(const SurfacePicture& picture) const override;
     std::optional<Error> problem(const SurfacePicture& picture) const override { return picture.refused; }
     std::vector<PanelExport> exports() const override;

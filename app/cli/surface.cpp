@@ -22,8 +22,8 @@ std::vector<surface::NamedImage> readImages(const Request& request, io::InputFil
         const double done = static_cast<double>(images.size()) * share;
         const Progress part = progress.part(done, done + share, LT_TEXT("Engine", "Reading"));
         try {
-            images.push_back({path, io::readImage(path, inputs.open(path, part.part(0, 0.2)), part.part(0.2, 1))});
-            const Notes& notes = images.back().image.notes;
+            images.emplace_back(path, io::readImage(path, inputs.open(path, part.part(0, 0.2)), part.part(0.2, 1)));
+            const Notes& notes = images.back().image->notes;
             answer.notes.insert(answer.notes.end(), notes.begin(), notes.end());
         } catch (Error& error) {
             answer.errors.push_back(error.with("path", path));

@@ -5,8 +5,8 @@
 // the surface is sampled once per feed:
 //     f_c = n (πD k_y + f k_z)   for every j.
 // ε = 2π (1 + ν) for ν < 0 is the phase of the regeneration: regenerative chatter has ε between π and 2π (J. Tlusty,
-// "Manufacturing Processes and Equipment", ch. 9), about 3π/2 at the bottom of a lobe; ν about 0 or above speaks for a
-// forced vibration (a whole number of waves in a revolution).
+// "Manufacturing Processes and Equipment", ch. 9), about 3π/2 at the bottom of a lobe; ν about 0 or above is usual for
+// a forced vibration (a whole number of waves in a revolution).
 #pragma once
 
 #include <optional>

@@ -149,7 +149,6 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
     if (const auto together = fittedLattice(picture, feed.frequency, lattice.fundamental, 10, &significance)) {
         lattice.fundamental = together->chatter;
         lattice.feed = together->feed;
-        lattice.spread = together->chatter_spread;
     }
     lattice.significance = lattice.lines.front().significance;
     lattice.amplitude = lattice.lines.front().amplitude;

@@ -23,7 +23,6 @@ struct ChatterLattice {
     double significance = 0;         ///< of the strongest line
     double amplitude = 0;            ///< of the strongest line
     std::vector<LatticeLine> lines;  ///< that are seen, the strongest first
-    Vector spread{};                 ///< standard deviations of the fundamental's components; 0: not known
     Vector feed{};                   ///< the comb's first line, fitted together with the lattice
 };
 

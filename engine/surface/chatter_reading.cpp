@@ -15,14 +15,14 @@ constexpr double certainWaves = 2;  // across the picture: fewer do not settle m
 constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m comes out near a whole number
 constexpr double nearWhole = 0.25;
 constexpr double wholeNumber = 0.02;  // |ν| below it is a whole number of waves
-constexpr std::size_t mostCandidates = 5;
+constexpr int mostCandidates = 5;
 
 /// One way to read the marks.
 struct Candidate {
     int m = 0;
     double nu = 0;
     double frequency_hz = 0;
-    double distance = 0;  ///< of m from what was measured, plus a penalty for the less usual hand
+    double distance = 0;  ///< of m from what was measured, plus a penalty for the less usual sign of ν
 };
 
 bool isRegenerative(double nu)
@@ -48,33 +48,32 @@ void addCandidates(std::vector<Candidate>& candidates, const Reading& reading, d
                    double penalty)
 {
     const int middle = static_cast<int>(std::lround(*reading.waves));
-    const int reach = certain ? 0 : static_cast<int>(mostCandidates);
+    const int reach = certain ? 0 : mostCandidates;
     for (int m = std::max(0, middle - reach); m <= middle + reach; ++m)
         if (m + reading.nu > 0)
             candidates.push_back({m, reading.nu, speed_hz * (m + reading.nu), std::abs(m - *reading.waves) + penalty});
 }
 
-/// The usual hand first, the other half a wave behind: m of a small field is off by one at times.
+/// The best first. A reading with the other sign of ν counts as if its m were three quarters of a wave farther off: m
+/// of a small field is off by one at times.
 std::vector<Candidate> candidatesOf(const std::vector<Reading>& readings, double speed_hz, bool certain)
 {
-    constexpr double otherHand = 0.75;
+    constexpr double otherSign = 0.75;
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < readings.size(); ++i)
-        addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : i == 1 ? otherHand : 2 * otherHand);
+        addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : i == 1 ? otherSign : 2 * otherSign);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    std::vector<Candidate> different;  // two hands tell the same frequencies when nu is about 0 or a half
+    std::vector<Candidate> different;  // both signs tell the same frequencies when ν is about 0 or a half
     for (const Candidate& candidate : candidates)
         if (std::none_of(different.begin(), different.end(), [&](const Candidate& other) {
                 return std::abs(other.frequency_hz - candidate.frequency_hz) < 1e-3 * speed_hz;
             }))
             different.push_back(candidate);
-    candidates = std::move(different);
-    if (candidates.size() > mostCandidates) candidates.resize(mostCandidates);
-    return candidates;
+    return different;
 }
 
-/// Both hands where the directions are not known, the regenerative one first.
+/// Both signs of ν where the directions are not known, the regenerative one first.
 std::vector<Reading> readingsOf(Vector line, Vector feed, const CutFacts& facts)
 {
     const auto read = [&](CutDirection cut) {
@@ -84,7 +83,7 @@ std::vector<Reading> readingsOf(Vector line, Vector feed, const CutFacts& facts)
     const CutDirection usual = facts.cut == CutDirection::Up ? CutDirection::Up : CutDirection::Down;
     std::vector<Reading> both{read(usual), read(usual == CutDirection::Down ? CutDirection::Up : CutDirection::Down)};
     if (!isRegenerative(both[0].nu) && isRegenerative(both[1].nu)) std::swap(both[0], both[1]);
-    // The helix is laid the other way in the other hand, which moves m by 2 ν: the same m comes before.
+    // With the other sign the helix leans the other way, which moves m by 2 ν: the same m comes before.
     Reading other{-both[0].nu, both[0].waves};
     if (std::abs(std::abs(other.nu) - 0.5) < 1e-9) other = both[0];
     return {both[0], other, both[1]};
@@ -96,6 +95,17 @@ void describeCrests(ChatterMarks& marks, const CutFacts& facts)
     marks.circumferential_pitch_mm = pi * *facts.diameter_mm / *marks.m;
     if (facts.feed_mm_rev)
         marks.inclination_deg = inclination_deg(marks.nu, *marks.m, *facts.diameter_mm, *facts.feed_mm_rev);
+}
+
+/// Distance of the nearest of `all` from a frequency that is another one.
+std::optional<double> nearestOther(const std::vector<Candidate>& all, const Candidate& best)
+{
+    std::optional<double> nearest;
+    for (const Candidate& candidate : all) {
+        const double away = std::abs(candidate.frequency_hz - best.frequency_hz);
+        if (away > 0 && (!nearest || away < *nearest)) nearest = away;
+    }
+    return nearest;
 }
 
 void chooseExpected(std::vector<Candidate>& candidates, double expect_hz, const std::string& path, Notes& notes)
@@ -142,14 +152,16 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
         const double off = std::abs(*marks.waves_measured - std::round(*marks.waves_measured));
         const bool enough = *marks.waves_in_view >= certainWaves ||
                             (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
-        marks.m_certain = enough && off + 2 * u_m < 0.5;
+        marks.m_certain = !facts.curved && facts.scale_checked && enough && off + 2 * u_m < 0.5;
         marks.m = static_cast<int>(std::lround(*marks.waves_measured));
-        if (!marks.m_certain)
+        if (!marks.m_certain && !facts.curved)  // of the curvature there is a note
             notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});
     }
     if (marks.waves_measured && facts.speed_rpm) {
         const double speed_hz = *facts.speed_rpm / 60;
-        std::vector<Candidate> candidates = candidatesOf(readings, speed_hz, marks.m_certain);
+        const std::vector<Candidate> all = candidatesOf(readings, speed_hz, marks.m_certain);
+        std::vector<Candidate> candidates(all.begin(),
+                                          all.begin() + std::min<std::ptrdiff_t>(mostCandidates, std::ssize(all)));
         if (facts.expect_hz && !candidates.empty()) chooseExpected(candidates, *facts.expect_hz, path, notes);
         for (const Candidate& candidate : candidates) marks.candidates_hz.push_back(candidate.frequency_hz);
         if (!candidates.empty()) {
@@ -159,9 +171,7 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
             marks.frequency_hz = best.frequency_hz;
             marks.frequency_uncertainty_hz = std::hypot(speed_hz * u_nu, best.frequency_hz * facts.speed_uncertainty);
             marks.harmonic_of_hz = {best.frequency_hz / 2, best.frequency_hz / 3};
-            double nearest = speed_hz;  // m one more or less
-            if (!sign_known) nearest = std::min(nearest, 2 * std::abs(best.nu) * speed_hz);
-            marks.nearest_other_hz = nearest;
+            marks.nearest_other_hz = nearestOther(all, best).value_or(speed_hz);
             if (!sign_known && std::abs(best.nu) > wholeNumber)
                 notes.push_back(
                     {notes::directionsUnknown,

@@ -23,6 +23,8 @@ struct CutFacts {
     std::optional<double> expect_hz;           ///< chooses among candidates
     double speed_uncertainty = 0.005;          ///< of the spindle speed, as a share
     bool unrolled = false;                     ///< the circumference was laid flat
+    bool curved = false;                       ///< it curves away and was not laid flat: m is never certain
+    bool scale_checked = true;                 ///< else it rests on which line was taken for the feed's: as curved
     int columns = 0;                           ///< of the flattened picture
     int rows = 0;                              ///< of the flattened picture
 };

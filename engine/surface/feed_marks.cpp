@@ -49,6 +49,19 @@ std::vector<Vector> distances(const WindowedPicture& picture, const std::vector<
     return result;
 }
 
+/// A line with its harmonics.
+FeedComb combOf(const WindowedPicture& picture, Vector frequency, double significance)
+{
+    FeedComb comb{frequency, significance, picture.amplitudeAt(frequency), 0};
+    comb.comb = comb.amplitude;
+    for (int j = 2; j <= combLines; ++j) {
+        const Vector line = double(j) * frequency;
+        if (std::abs(line.x) >= 0.5 || std::abs(line.y) >= 0.5) break;
+        comb.comb += picture.amplitudeAt(line);
+    }
+    return comb;
+}
+
 /// The strongest line that is not of the comb.
 const SpectralPeak* besideComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks, Vector comb)
 {
@@ -99,14 +112,27 @@ std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vect
         if (++tried > mostCandidates) break;
         const Vector frequency = picture.refined(peak.frequency);
         if (expected && std::abs(length(frequency) / *expected - 1) > tolerance) continue;
-        FeedComb comb{frequency, peak.significance, picture.amplitudeAt(frequency), 0};
-        comb.comb = comb.amplitude;
-        for (int j = 2; j <= combLines; ++j) {
-            const Vector line = double(j) * frequency;
-            if (std::abs(line.x) >= 0.5 || std::abs(line.y) >= 0.5) break;
-            comb.comb += picture.amplitudeAt(line);
-        }
+        const FeedComb comb = combOf(picture, frequency, peak.significance);
         if (!best || comb.comb > best->comb) best = comb;
+    }
+    return best;
+}
+
+std::optional<FeedComb> feedCombAlong(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
+                                      double direction_deg)
+{
+    constexpr double usual_deg = 0.5;  // of a direction that is stated
+    std::optional<FeedComb> best;
+    double best_score = 0;
+    std::size_t tried = 0;
+    for (const SpectralPeak& peak : peaks) {  // largest first
+        const double off_deg = angleModulo180(angle_deg(peak.frequency) - direction_deg);
+        if (std::abs(off_deg) > directionTolerance_deg) continue;
+        if (++tried > mostCandidates) break;
+        const FeedComb comb = combOf(picture, picture.refined(peak.frequency), peak.significance);
+        const double off = angleModulo180(angle_deg(comb.frequency) - direction_deg) / usual_deg;
+        const double score = comb.comb * std::exp(-0.5 * off * off);
+        if (!best || score > best_score) best = comb, best_score = score;
     }
     return best;
 }

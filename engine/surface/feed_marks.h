@@ -23,6 +23,12 @@ struct FeedComb {
 std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                  std::optional<double> expected, double tolerance = 0.05);
 
+/// Of the peaks within directionTolerance_deg of a direction the one with the best comb, those nearer to the direction
+/// counting more: under chatter lines of the lattice are stronger, and lean. Nothing when there is none.
+std::optional<FeedComb> feedCombAlong(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
+                                      double direction_deg);
+inline constexpr double directionTolerance_deg = 4;
+
 /// Under strong chatter the feed's own line may be weaker than many others. Every pair of lines of the lattice differs,
 /// or adds up, to a multiple of it: of all such distances next to `expected` the one on which the lines together stand
 /// best (lattice_fit.h). `peaks`: the largest first. Nothing when no distance fits.

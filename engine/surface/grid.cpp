@@ -1,9 +1,23 @@
 #include "engine/surface/grid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace lathelier::surface {
+
+GridView GridView::middle(int side) const
+{
+    const int width = std::min(side, columns), height = std::min(side, rows);
+    return {row((rows - height) / 2) + (columns - width) / 2, width, height, stride};
+}
+
+Grid GridView::copy() const
+{
+    Grid grid(columns, rows);
+    for (int y = 0; y < rows; ++y) std::copy_n(row(y), columns, grid.row(y));
+    return grid;
+}
 
 double length(Vector v)
 {

@@ -28,6 +28,26 @@ private:
     }
 };
 
+/// Pixels that belong to another: a grid, or a part of a picture. Valid as long as those.
+struct GridView {
+    const float* first = nullptr;  ///< upper left pixel
+    int columns = 0;               ///< width in pixels
+    int rows = 0;                  ///< height in pixels
+    std::ptrdiff_t stride = 0;     ///< values from one row to the next
+
+    GridView() = default;
+    GridView(const float* values, int width, int height, std::ptrdiff_t step)
+        : first(values), columns(width), rows(height), stride(step)
+    {
+    }
+    GridView(const Grid& grid) : GridView(grid.values.data(), grid.columns, grid.rows, grid.columns) {}
+    const float* row(int y) const { return first + y * stride; }
+
+    /// The middle of it, at most `side` pixels either way.
+    GridView middle(int side) const;
+    Grid copy() const;
+};
+
 /// A point or a spatial frequency of a picture, in pixels or cycles per pixel: x to the right, y down.
 struct Vector {
     double x = 0;  ///< to the right

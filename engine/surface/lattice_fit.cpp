@@ -9,11 +9,11 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr int mostMultiple = 4;    // of the vibration
-constexpr double mostOrder = 2.6;  // of the feed: lines beyond are weak…
+constexpr int mostMultiple = 4;         // of the vibration
+constexpr double mostOrder = 2.6;       // of the feed: lines beyond are weak…
 constexpr double mostKnownOrder = 5.6;  // …unless they are known to stand out
 constexpr double leastStanding = 5;     // S of a line that is fitted
-constexpr int patch = 2;           // bins to either side of a line that are looked at
+constexpr int patch = 2;                // bins to either side of a line that are looked at
 constexpr double leastAlong_bins = 3;
 
 /// The transform of a Hann window about its middle; real.
@@ -44,22 +44,15 @@ public:
             for (int j = -12; j <= 12; ++j) {
                 const Vector line = double(l) * chatter + double(j) * feed;
                 const double place = dot(line, along);
-                if (place < least || place > most || std::abs(line.x) > 0.48 ||
-                    std::abs(line.y) > 0.48)
-                    continue;
-                double weight = 1;
-                if (noise) {
-                    if (place > mostOrder * length(feed) && noise->at(line, NoiseLevel::Medians) < leastStanding)
-                        continue;
-                    weight = 1 / std::sqrt(noise->levelAt(line, NoiseLevel::Medians));
-                }
+                if (place < least || place > most || std::abs(line.x) > 0.48 || std::abs(line.y) > 0.48) continue;
+                if (place > mostOrder * length(feed) && noise->at(line, NoiseLevel::Medians) < leastStanding) continue;
                 lines_.push_back({l, j});
-                sample(line, weight);
+                sample(line);
             }
         data_.resize(static_cast<Eigen::Index>(values_.size()), 2);
         for (std::size_t i = 0; i < values_.size(); ++i) {
-            data_(static_cast<Eigen::Index>(i), 0) = weights_[i] * values_[i].real();
-            data_(static_cast<Eigen::Index>(i), 1) = weights_[i] * values_[i].imag();
+            data_(static_cast<Eigen::Index>(i), 0) = values_[i].real();
+            data_(static_cast<Eigen::Index>(i), 1) = values_[i].imag();
         }
     }
 
@@ -80,7 +73,7 @@ public:
                 model(i, k) =
                     std::abs(offset.x) * bins_.x > 4.5 || std::abs(offset.y) * bins_.y > 4.5
                         ? 0
-                        : weights_[static_cast<std::size_t>(i)] * windowTransform(offset.x, picture_.columns()) * windowTransform(offset.y, picture_.rows());
+                        : windowTransform(offset.x, picture_.columns()) * windowTransform(offset.y, picture_.rows());
             }
         }
         Eigen::MatrixXd normal = model.transpose() * model;
@@ -89,12 +82,11 @@ public:
         return Eigen::Map<const Eigen::VectorXd>(left.data(), left.size());
     }
 
-    std::size_t lines() const { return lines_.size(); }
     double power() const { return data_.squaredNorm(); }
 
 private:
     /// The bins about a place, each once, with phases about the picture's middle.
-    void sample(Vector line, double weight)
+    void sample(Vector line)
     {
         const int column = static_cast<int>(std::lround(line.x * bins_.x));
         const int row = static_cast<int>(std::lround(line.y * bins_.y));
@@ -107,7 +99,6 @@ private:
                 });
                 if (known) continue;
                 places_.push_back(place);
-                weights_.push_back(weight);
                 fy.push_back(place.y);
             }
             const auto found = picture_.at(x / bins_.x, fy);
@@ -123,7 +114,6 @@ private:
     Vector bins_;
     std::vector<Indices> lines_;
     std::vector<Vector> places_;
-    std::vector<double> weights_;
     std::vector<std::complex<double>> values_;
     Eigen::MatrixXd data_;
 };
@@ -152,12 +142,11 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
     const Eigen::Vector4d start(feed.x * columns, feed.y * rows, chatter.x * columns, chatter.y * rows);
     Eigen::Vector4d p = start;
     Eigen::VectorXd r = fit.residuals(p);
-    Eigen::Matrix4d curvature = Eigen::Matrix4d::Identity();
     double damping = 1e-2;
     constexpr double settled_bins = 5e-4;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         const Eigen::MatrixXd jacobian = slopes(fit, p, r);
-        curvature = jacobian.transpose() * jacobian;
+        const Eigen::Matrix4d curvature = jacobian.transpose() * jacobian;
         const Eigen::Vector4d gradient = jacobian.transpose() * r;
         bool better = false;
         Eigen::Vector4d step = Eigen::Vector4d::Zero();
@@ -178,13 +167,7 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
         if (!better || step.norm() < settled_bins) break;
     }
     if ((p - start).cwiseAbs().maxCoeff() > 1.0 || !p.allFinite()) return std::nullopt;
-    const double freedom = std::max(1.0, double(r.size()) - 2.0 * double(fit.lines()) - 4);
-    const Eigen::Matrix4d covariance = r.squaredNorm() / freedom * curvature.inverse();
-    LatticeVectors found{
-        {p[0] / columns, p[1] / rows}, {p[2] / columns, p[3] / rows}, fit.power() - r.squaredNorm(), {}};
-    found.chatter_spread = {std::sqrt(std::max(0.0, covariance(2, 2))) / columns,
-                            std::sqrt(std::max(0.0, covariance(3, 3))) / rows};
-    return found;
+    return LatticeVectors{{p[0] / columns, p[1] / rows}, {p[2] / columns, p[3] / rows}, fit.power() - r.squaredNorm()};
 }
 
 }  // namespace lathelier::surface

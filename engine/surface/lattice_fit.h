@@ -14,15 +14,13 @@ namespace lathelier::surface {
 
 /// The wave vectors of feed marks and chatter, in cycles per pixel.
 struct LatticeVectors {
-    Vector feed{};            ///< K_f
-    Vector chatter{};         ///< K_c
-    double explained = 0;     ///< power of the samples about all lines that the lines explain
-    Vector chatter_spread{};  ///< standard deviations of K_c's components, as the residuals of the fit tell
+    Vector feed{};         ///< K_f
+    Vector chatter{};      ///< K_c
+    double explained = 0;  ///< power of the samples about all lines that the lines explain
 };
 
-/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. `noise`: lines that stand out of it
-/// only, further ones among them, each weighted by the level of the noise around it; none: all alike. Nothing where the
-/// fit leaves its start by more than a bin or does not settle.
+/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. `noise`: farther ones too that
+/// stand out of it. Nothing where the fit leaves its start by more than a bin or does not settle.
 std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter,
                                             int iterations = 10, const Significance* noise = nullptr);
 

@@ -35,15 +35,15 @@ cv::Size2d shown(const ImageMarks& image, double scale)
     return {std::max(width * c - height * s, 0.5 * width), std::max(height * c - width * s, 0.5 * height)};
 }
 
-Grid brought(const ImageMarks& image, double scale, const cv::Size& size)
+Grid brought(const ImageMarks& image, double scale, const cv::Size& size, Vector shift)
 {
     const double zoom = scaleOf(image, scale > 0) / (scale > 0 ? scale : 1);
     const double angle = -direction_deg(image) * std::numbers::pi / 180;
     const Grid& flat = image.view.flat;
     const double c = zoom * std::cos(angle), s = zoom * std::sin(angle);
     const double cx = 0.5 * (flat.columns - 1), cy = 0.5 * (flat.rows - 1);
-    const cv::Matx23d move(c, -s, 0.5 * (size.width - 1) - c * cx + s * cy, s, c,
-                           0.5 * (size.height - 1) - s * cx - c * cy);
+    const cv::Matx23d move(c, -s, 0.5 * (size.width - 1) - c * cx + s * cy - shift.x, s, c,
+                           0.5 * (size.height - 1) - s * cx - c * cy - shift.y);
     Grid result(size.width, size.height);
     cv::Mat out(size.height, size.width, CV_32F, result.values.data());
     cv::warpAffine(cv::Mat(flat.rows, flat.columns, CV_32F, const_cast<float*>(flat.values.data())), out, move, size,
@@ -51,21 +51,22 @@ Grid brought(const ImageMarks& image, double scale, const cv::Size& size)
     return result;
 }
 
-double responseOf(const Grid& first, const Grid& second)
+/// Where the second picture lies against the first, with the response.
+Vector shiftBetween(const Grid& first, const Grid& second, double& response)
 {
     const auto view = [](const Grid& grid) {
         return cv::Mat(grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data()));
     };
     cv::Mat window;
     cv::createHanningWindow(window, {first.columns, first.rows}, CV_32F);
-    double response = 0;
-    cv::phaseCorrelate(view(first), view(second), window, &response);
-    return std::isfinite(response) ? std::clamp(response, 0.0, 1.0) : 0;
+    const cv::Point2d shift = cv::phaseCorrelate(view(first), view(second), window, &response);
+    response = std::isfinite(response) ? std::clamp(response, 0.0, 1.0) : 0;
+    return {shift.x, shift.y};
 }
 
 }  // namespace
 
-AlignedPictures aligned(const std::vector<ImageMarks>& images)
+AlignedPictures aligned(const std::vector<ImageMarks>& images, Vector shift)
 {
     AlignedPictures result;
     const bool in_mm = std::all_of(images.begin(), images.end(), [](const auto& image) { return image.mm_per_px; });
@@ -79,7 +80,8 @@ AlignedPictures aligned(const std::vector<ImageMarks>& images)
     }
     const cv::Size size(std::max(leastShared_px, static_cast<int>(width)),
                         std::max(leastShared_px, static_cast<int>(height)));
-    for (const ImageMarks& image : images) result.pictures.push_back(brought(image, result.mm_per_px, size));
+    for (std::size_t i = 0; i < images.size(); ++i)
+        result.pictures.push_back(brought(images[i], result.mm_per_px, size, i == 1 ? shift : Vector{}));
     return result;
 }
 
@@ -88,8 +90,9 @@ SurfaceComparison compared(const std::vector<ImageMarks>& images, Notes& notes)
     const AlignedPictures pictures = aligned(images);
     SurfaceComparison comparison;
     comparison.same_scale = pictures.mm_per_px > 0;
-    comparison.registration_response = responseOf(pictures.pictures[0], pictures.pictures[1]);
+    const Vector shift = shiftBetween(pictures.pictures[0], pictures.pictures[1], comparison.registration_response);
     comparison.registered = comparison.registration_response > sameSurface;
+    if (comparison.registered) comparison.shift = shift;
     for (const ImageMarks& image : images)
         comparison.relative_to_feed.push_back(image.chatter_marks ? std::optional(image.chatter_marks->relative_to_feed)
                                                                   : std::nullopt);

@@ -18,7 +18,10 @@ struct AlignedPictures {
     double mm_per_px = 0;        ///< common scale; 0: not known
     std::vector<Grid> pictures;  ///< in the order of the images
 };
-AlignedPictures aligned(const std::vector<ImageMarks>& images);
+
+/// `shift`: of the second picture against the first, in common pixels: it is taken off, so that what both show lies in
+/// one place. What the second does not reach is 0.
+AlignedPictures aligned(const std::vector<ImageMarks>& images, Vector shift = {});
 
 /// Of two pictures or more. Notes sameLightingAssumed, notRegistered.
 SurfaceComparison compared(const std::vector<ImageMarks>& images, Notes& notes);

@@ -71,9 +71,13 @@ std::optional<FeedComb> feedOf(const WindowedPicture& picture, const Significanc
                                const std::vector<SpectralPeak>& peaks, const std::vector<SpectralPeak>& further,
                                double threshold, const LineSearch& search)
 {
-    if (!search.feed_cycles_per_px) return feedComb(picture, peaks, std::nullopt);
     std::vector<SpectralPeak> sure = further;
     std::erase_if(sure, [&](const SpectralPeak& peak) { return peak.significance <= threshold; });
+    if (!search.feed_cycles_per_px) {
+        if (search.direction_deg)
+            if (const auto comb = feedCombAlong(picture, sure, *search.direction_deg)) return comb;
+        return feedComb(picture, peaks, std::nullopt);
+    }
     std::optional<FeedComb> comb = feedComb(picture, peaks, search.feed_cycles_per_px, feedTolerance);
     if (!comb) comb = feedComb(picture, sure, search.feed_cycles_per_px, feedTolerance);
     const bool is_strongest = comb && !sure.empty() && coincide(picture, sure.front().frequency, comb->frequency);

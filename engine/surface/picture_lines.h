@@ -33,6 +33,7 @@ struct LineSearch {
     double alpha = 1e-3;                       ///< chance of a false line
     double least_chatter = 0.02;               ///< amplitude relative to the feed line
     std::optional<Vector> old_grid = {};       ///< LatticeSearch::old_grid
+    std::optional<double> direction_deg = {};  ///< of the feed, about; tells the comb where 1/f is not known
     bool feed_only = false;                    ///< no lattice, no weights: quicker
 };
 

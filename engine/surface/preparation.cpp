@@ -28,12 +28,14 @@ cv::Mat wideMean(const cv::Mat& picture, double sigma)
 
 }  // namespace
 
-Grid reduced(const Grid& picture, double factor)
+Grid reduced(const GridView& picture, double factor)
 {
     Grid small(std::max(1, static_cast<int>(std::lround(picture.columns / factor))),
                std::max(1, static_cast<int>(std::lround(picture.rows / factor))));
     cv::Mat out = viewOf(small);
-    cv::resize(viewOf(picture), out, out.size(), 0, 0, cv::INTER_AREA);
+    const cv::Mat source(picture.rows, picture.columns, CV_32F, const_cast<float*>(picture.first),
+                         static_cast<std::size_t>(picture.stride) * sizeof(float));
+    cv::resize(source, out, out.size(), 0, 0, cv::INTER_AREA);
     return small;
 }
 

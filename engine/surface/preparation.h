@@ -11,7 +11,7 @@
 namespace lathelier::surface {
 
 /// The means of blocks, so that the picture has 1/`factor` of its pixels across, `factor` >= 1.
-Grid reduced(const Grid& picture, double factor);
+Grid reduced(const GridView& picture, double factor);
 
 /// I / G(I) - 1 with G a Gaussian mean of σ = short side / 8, divided by its local root mean square (2 σ). Without a
 /// unit; longer periods than about σ are gone.

@@ -11,14 +11,6 @@ namespace {
 
 constexpr double twoPi = 2 * std::numbers::pi;
 
-std::vector<float> hann(int count)
-{
-    std::vector<float> window(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        window[static_cast<std::size_t>(i)] = static_cast<float>(0.5 - 0.5 * std::cos(twoPi * (i + 0.5) / count));
-    return window;
-}
-
 struct Waves {
     std::vector<float> cosine, sine;
 };
@@ -69,11 +61,25 @@ std::complex<double> alongColumn(const std::vector<std::complex<double>>& sums, 
     return total;
 }
 
+std::vector<float> shortHann(int count)
+{
+    const std::vector<double> window = hann(count);
+    return {window.begin(), window.end()};
+}
+
 }  // namespace
+
+std::vector<double> hann(int count)
+{
+    std::vector<double> window(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        window[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(twoPi * (i + 0.5) / count);
+    return window;
+}
 
 WindowedPicture::WindowedPicture(const Grid& flat) : windowed_(flat.columns, flat.rows)
 {
-    const std::vector<float> across = hann(flat.columns), down = hann(flat.rows);
+    const std::vector<float> across = shortHann(flat.columns), down = shortHann(flat.rows);
     double sum_x = 0, sum_y = 0;
     for (const float w : across) sum_x += double(w);
     for (const float w : down) sum_y += double(w);

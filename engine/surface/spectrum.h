@@ -12,6 +12,9 @@
 
 namespace lathelier::surface {
 
+/// Weights ½ - ½ cos(2π (i + ½) / count).
+std::vector<double> hann(int count);
+
 /// A flattened picture under a Hann window in both directions.
 class WindowedPicture {
 public:

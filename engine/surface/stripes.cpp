@@ -6,18 +6,12 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/surface/spectrum.h"
+
 namespace lathelier::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::vector<double> hann(int count)
-{
-    std::vector<double> window(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i)
-        window[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(2 * pi * (i + 0.5) / count);
-    return window;
-}
 
 /// The part of a line within the picture. `point`: on it; `along`: its direction.
 std::optional<Stripe> clipped(Vector point, Vector along, double width, double height)

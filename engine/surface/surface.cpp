@@ -1,17 +1,16 @@
 #include "engine/surface/surface.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <tuple>
 
-#include "engine/core/core_codes.h"
 #include "engine/surface/chatter_reading.h"
 #include "engine/surface/picture_comparison.h"
 #include "engine/surface/picture_lines.h"
 #include "engine/surface/preparation.h"
 #include "engine/surface/surface_codes.h"
+#include "engine/surface/surface_inputs.h"
 
 namespace lathelier::surface {
 namespace {
@@ -19,104 +18,17 @@ namespace {
 constexpr double fewPixels = 2e6;           // a picture is not made smaller than this…
 constexpr double feedKept_px = 8;           // …nor so that a feed has fewer pixels
 constexpr double mostUnknownReduction = 2;  // where the feed in pixels is not known
+constexpr int searchedForAlias_px = 1400;   // side of the part that is looked at
 constexpr double saturatedMost_percent = 2;
 constexpr double pitchMost_percent = 3;
 
-[[noreturn]] void refuseValue(const char* parameter, Value found, Text expected)
+double saturated_percent(const GridView& pixels)
 {
-    throw Error(errors::valueNotUnderstood,
-                {{"parameter", std::string(parameter)}, {"found", std::move(found)}, {"expected", expected}});
-}
-
-std::optional<double> positive(std::string_view typed)
-{
-    double number = 0;
-    const auto [stop, problem] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
-    if (problem != std::errc() || stop != typed.data() + typed.size() || !std::isfinite(number) || number <= 0)
-        return std::nullopt;
-    return number;
-}
-
-/// A list with one value for each picture, or one for all.
-template <class T>
-const T* ofPicture(const std::vector<T>& list, std::size_t index, std::size_t pictures, const char* parameter)
-{
-    if (list.empty()) return nullptr;
-    if (list.size() != 1 && list.size() != pictures)
-        refuseValue(parameter, static_cast<std::int64_t>(list.size()),
-                    LT_TEXT("Engine", "one for all pictures, or one for each"));
-    return &list[list.size() == 1 ? 0 : index];
-}
-
-/// How the camera sees the cylinder.
-struct Unrolling {
-    bool wanted = true;
-    std::optional<double> distance_mm;
-};
-
-Unrolling unrollingOf(const SurfaceParameters& p)
-{
-    if (p.unroll == "auto" || p.unroll == "far") return {};
-    if (p.unroll == "no") return {false, {}};
-    const auto distance = positive(p.unroll);
-    if (!distance || (p.diameter_mm && *distance <= 0.5 * *p.diameter_mm))
-        refuseValue(
-            "unroll", p.unroll,
-            LT_TEXT("Engine", "auto, no, far, or the camera's distance from the axis in mm, beyond the surface"));
-    return {true, distance};
-}
-
-/// The scale that is given, in mm per pixel of the file.
-std::pair<std::optional<double>, ScaleSource> givenScale(const SurfaceParameters& p)
-{
-    const int given = (p.mm_per_px ? 1 : 0) + (p.scale_px_mm.empty() ? 0 : 1) + (p.scale_from_feed ? 1 : 0);
-    if (given > 1) refuseValue("mm_per_px", Value(), LT_TEXT("Engine", "one scale only"));
-    if (p.scale_from_feed && !p.feed_mm_rev)
-        refuseValue("scale_from_feed", Value(true), LT_TEXT("Engine", "a feed beside it"));
-    if (p.mm_per_px) return {p.mm_per_px, ScaleSource::Given};
-    if (p.scale_px_mm.empty()) return {std::nullopt, ScaleSource::None};
-    const std::size_t colon = std::min(p.scale_px_mm.find(':'), p.scale_px_mm.size());
-    const auto px = positive(std::string_view(p.scale_px_mm).substr(0, colon));
-    const auto mm = positive(std::string_view(p.scale_px_mm).substr(std::min(colon + 1, p.scale_px_mm.size())));
-    if (!px || !mm) refuseValue("scale_px_mm", p.scale_px_mm, LT_TEXT("Engine", "PX:MM, such as 250:1"));
-    return {*mm / *px, ScaleSource::ScaleBar};
-}
-
-void checkTogether(const SurfaceParameters& p, std::size_t pictures)
-{
-    givenScale(p);
-    unrollingOf(p);
-    ofPicture(p.speed_rpm, 0, pictures, "speed_rpm");
-    ofPicture(p.roi, 0, pictures, "roi");
-}
-
-Grid part(const io::Image& image, const Region* roi)
-{
-    if (!roi) {
-        Grid whole;
-        whole.columns = image.width;
-        whole.rows = image.height;
-        whole.values = image.grey;
-        return whole;
-    }
-    const bool inside = roi->x >= 0 && roi->y >= 0 && roi->width >= 1 && roi->height >= 1 &&
-                        roi->x + roi->width <= image.width && roi->y + roi->height <= image.height;
-    if (!inside)
-        throw Error(errors::regionOutside, {{"found", std::vector<double>{roi->x, roi->y, roi->width, roi->height}},
-                                            {"width", std::int64_t{image.width}},
-                                            {"height", std::int64_t{image.height}}});
-    Grid grid(static_cast<int>(roi->width), static_cast<int>(roi->height));
-    for (int y = 0; y < grid.rows; ++y)
-        for (int x = 0; x < grid.columns; ++x)
-            grid.row(y)[x] = image.at(static_cast<int>(roi->x) + x, static_cast<int>(roi->y) + y);
-    return grid;
-}
-
-double saturated_percent(const Grid& picture)
-{
-    const auto count =
-        std::count_if(picture.values.begin(), picture.values.end(), [](float v) { return v <= 0 || v >= 0.9999F; });
-    return 100.0 * static_cast<double>(count) / static_cast<double>(picture.values.size());
+    std::ptrdiff_t count = 0;
+    for (int y = 0; y < pixels.rows; ++y)
+        count += std::count_if(pixels.row(y), pixels.row(y) + pixels.columns,
+                               [](float v) { return v <= 0 || v >= 0.9999F; });
+    return 100.0 * static_cast<double>(count) / (double(pixels.columns) * pixels.rows);
 }
 
 /// One picture on its way.
@@ -124,30 +36,35 @@ class Evaluation {
 public:
     Evaluation(const NamedImage& named, const SurfaceParameters& p, std::size_t index, std::size_t pictures,
                Notes& notes)
-        : p_(p), notes_(notes), roi_(ofPicture(p.roi, index, pictures, "roi")), picture_(part(named.image, roi_))
+        : p_(p), notes_(notes), roi_(ofPicture(p.roi, index, pictures, "roi")), pixels_(regionOf(*named.image, roi_))
     {
         marks_.path = named.path;
-        marks_.width = named.image.width;
-        marks_.height = named.image.height;
-        marks_.bits = named.image.bits;
-        marks_.orientation_applied = named.image.orientation;
-        if (const CutSpeed* speed = ofPicture(p.speed_rpm, index, pictures, "speed_rpm")) marks_.speed_rpm = speed->rpm;
+        marks_.width = named.image->width;
+        marks_.height = named.image->height;
+        marks_.bits = named.image->bits;
+        marks_.orientation_applied = named.image->orientation;
+        const CutSpeed* const speed = ofPicture(p.speed_rpm, index, pictures, "speed_rpm");
+        if (speed && speed->rpm > 0) marks_.speed_rpm = speed->rpm;
         std::tie(marks_.mm_per_px, marks_.mm_per_px_source) = givenScale(p);
-        if (p.scale_from_feed) marks_.mm_per_px_source = ScaleSource::Feed;
+        if (named.mm_per_px) {
+            marks_.mm_per_px = named.mm_per_px;
+            marks_.mm_per_px_source = ScaleSource::Given;
+        }
+        marks_.feed_direction_deg = named.feed_direction_deg ? named.feed_direction_deg : p.feed_direction_deg;
     }
 
     ImageMarks found(const Progress& progress)
     {
-        if (std::min(picture_.columns, picture_.rows) < leastSide_px)
+        if (std::min(pixels_.columns, pixels_.rows) < leastSide_px)
             throw Error(errors::pictureTooSmall, {{"path", marks_.path},
-                                                  {"width", std::int64_t{picture_.columns}},
-                                                  {"height", std::int64_t{picture_.rows}},
+                                                  {"width", std::int64_t{pixels_.columns}},
+                                                  {"height", std::int64_t{pixels_.rows}},
                                                   {"minimum", std::int64_t{leastSide_px}}});
-        marks_.saturated_percent = saturated_percent(picture_);
+        marks_.saturated_percent = saturated_percent(pixels_);
         if (marks_.saturated_percent > saturatedMost_percent)
             note(notes::pictureSaturated, {{"percent", marks_.saturated_percent}});
         checkResolution(progress.part(0, 0.1));
-        reduce();
+        takePixels();
         unroll(progress.part(0.1, 0.3));
         const Grid flat = flattened(picture_, progress.part(0.3, 0.4));
         lines_ = findLines(flat, search(), progress.part(0.4, 0.95));
@@ -178,79 +95,103 @@ private:
 
     LineSearch search() const
     {
-        LineSearch search{std::nullopt, p_.alpha, leastChatter, {}, false};
+        LineSearch search{std::nullopt, p_.alpha, leastChatter, {}, {}, false};
         if (const auto px = feed_px()) search.feed_cycles_per_px = 1 / *px;
+        if (marks_.feed_direction_deg) search.direction_deg = *marks_.feed_direction_deg - turned_deg_;
         if (marks_.unrolled) search.old_grid = turned({1, 0}, -turned_deg_);
         return search;
     }
 
-    /// Fewer than four pixels for a feed: what is found is an alias, if anything.
+    /// Fewer than four pixels for a feed are refused; fewer than two are seen as an alias, if at all.
     void checkResolution(const Progress& progress)
     {
         const auto px = feed_px();
         if (!px) return;
         if (*px < leastFeed_px) {
-            const PictureLines lines =
-                findLines(flattened(picture_), {std::nullopt, p_.alpha, leastChatter, {}, true}, progress);
             Values values{{"path", marks_.path},
                           {"feed_mm_rev", *p_.feed_mm_rev},
                           {"found_px", *px},
                           {"needed_px", leastFeed_px},
                           {"needed_mm_per_px", *p_.feed_mm_rev / leastFeed_px}};
-            if (!lines.feed || !isAlias(length(lines.feed->frequency), 1 / *px))
-                throw Error(errors::feedNotResolved, values);
-            set(values, "alias_px", 1 / length(lines.feed->frequency));
+            const auto alias = aliasSeen(1 / *px, progress);
+            if (!alias) throw Error(errors::feedNotResolved, values);
+            set(values, "alias_px", 1 / *alias);
             throw Error(errors::feedAliased, values);
         }
         if (*px < wantedFeed_px) note(notes::feedFewPixels, {{"found_px", *px}, {"wanted_px", wantedFeed_px}});
     }
 
-    static bool isAlias(double found, double feed)
+    /// The line that a feed of more than half a cycle per pixel folds back to, if it is there; up to half a cycle the
+    /// marks are seen themselves.
+    std::optional<double> aliasSeen(double feed, const Progress& progress) const
     {
-        const double alias = std::abs(feed - std::round(feed));
-        return std::abs(found / alias - 1) < feedTolerance;
+        constexpr double nyquist = 0.5, least = 0.01;
+        if (feed <= nyquist) return std::nullopt;
+        const double alias = length(folded(feed * turned({1, 0}, marks_.feed_direction_deg.value_or(0))));
+        if (alias < least) return std::nullopt;
+        const Grid flat = flattened(pixels_.middle(searchedForAlias_px).copy());
+        LineSearch search{alias, p_.alpha, leastChatter, {}, {}, true};
+        const auto found = findLines(flat, search, progress.part(0, 0.5)).feed;
+        if (!found || std::abs(length(found->frequency) / alias - 1) > feedTolerance) return std::nullopt;
+        search.feed_cycles_per_px.reset();
+        const auto strongest = findLines(flat, search, progress.part(0.5, 1)).feed;
+        const bool is_strong = strongest && found->amplitude >= 0.5 * strongest->amplitude;
+        return is_strong ? std::optional(length(found->frequency)) : std::nullopt;
     }
 
-    void reduce()
+    /// As many as are needed.
+    void takePixels()
     {
-        const double pixels = double(picture_.columns) * picture_.rows;
-        if (pixels <= fewPixels) return;
+        const double pixels = double(pixels_.columns) * pixels_.rows;
         const auto px = feed_px();
         const double factor = std::min(std::sqrt(pixels / fewPixels), px ? *px / feedKept_px : mostUnknownReduction);
-        if (factor < 1.05) return;
-        const int before = picture_.columns;
-        picture_ = reduced(picture_, factor);
-        shrunk_ = double(before) / picture_.columns;
+        picture_ = pixels <= fewPixels || factor < 1.05 ? pixels_.copy() : reduced(pixels_, factor);
+        shrunk_ = double(pixels_.columns) / picture_.columns;
+    }
+
+    /// The distance of the marks is the feed, on a curved part too: the axis is not foreshortened.
+    void takeScaleFromFeed(const Progress& progress)
+    {
+        LineSearch wanted = search();
+        wanted.feed_only = true;
+        if (const auto feed = findLines(flattened(picture_), wanted, progress).feed)
+            marks_.mm_per_px = *p_.feed_mm_rev * length(feed->frequency) / shrunk_;
+    }
+
+    /// The number of waves round the part stays open.
+    void leaveCurved(const NoteCode& code)
+    {
+        marks_.curved = true;
+        note(code, {});
     }
 
     void unroll(const Progress& progress)
     {
         const Unrolling unrolling = unrollingOf(p_);
-        if (!p_.diameter_mm || !marks_.mm_per_px) return;
+        if (!p_.diameter_mm) return;
+        if (marks_.mm_per_px_source == ScaleSource::Feed) takeScaleFromFeed(progress.part(0, 0.5));
+        if (!marks_.mm_per_px) return;  // nor are there waves round the part to be told
         const double diameter_px = *p_.diameter_mm / (*marks_.mm_per_px * shrunk_);
         if (std::max(picture_.columns, picture_.rows) <= curvedField * diameter_px) return;
         const PictureLines lines = [&] {
             LineSearch wanted = search();
             wanted.feed_only = true;
-            return findLines(flattened(picture_), wanted, progress);
+            return findLines(flattened(picture_), wanted, progress.part(0.5, 1));
         }();
-        Vector axis = turned({1, 0}, p_.feed_direction_deg.value_or(0));
+        Vector axis = turned({1, 0}, marks_.feed_direction_deg.value_or(0));
         if (lines.feed)
-            axis = axisDirection(towardFeed(lines.feed->frequency, p_.feed_direction_deg), p_.feed_mm_rev,
+            axis = axisDirection(towardFeed(lines.feed->frequency, marks_.feed_direction_deg), p_.feed_mm_rev,
                                  p_.diameter_mm, p_.cut_direction);
-        else if (!p_.feed_direction_deg)
-            return;
+        else if (!marks_.feed_direction_deg)
+            return leaveCurved(notes::axisUnknown);
         const Vector across = turned(axis, 90);
         const double field = std::abs(across.x) * picture_.columns + std::abs(across.y) * picture_.rows;
         if (field <= curvedField * diameter_px) return;
-        if (!unrolling.wanted) {
-            note(notes::curvatureIgnored, {});
-            return;
-        }
+        if (!unrolling.wanted) return leaveCurved(notes::curvatureIgnored);
         Cylinder cylinder{0.5 * diameter_px, angle_deg(axis), axisPoint(axis), {}};
         if (unrolling.distance_mm) cylinder.distance_px = *unrolling.distance_mm / (*marks_.mm_per_px * shrunk_);
         Grid flat = unrolled(picture_, cylinder);
-        if (std::min(flat.columns, flat.rows) < leastSide_px) return;
+        if (std::min(flat.columns, flat.rows) < leastSide_px) return leaveCurved(notes::curvatureIgnored);
         picture_ = std::move(flat);
         turned_deg_ = cylinder.axis_deg;
         marks_.unrolled = true;
@@ -278,13 +219,16 @@ private:
         feed.amplitude = comb.amplitude;
         feed.regularity = lines_.feed_weight.regularity;
         feed.share_percent = 100 * lines_.feed_weight.share;
-        if (p_.scale_from_feed) {
+        const bool from_feed = marks_.mm_per_px_source == ScaleSource::Feed;
+        if (from_feed) {
             marks_.mm_per_px = *p_.feed_mm_rev / feed.pitch_px;
             note(notes::scaleFromFeed, {});
+            if (feed.pitch_px < wantedFeed_px)
+                note(notes::feedFewPixels, {{"found_px", feed.pitch_px}, {"wanted_px", wantedFeed_px}});
         }
         if (marks_.mm_per_px) feed.pitch_mm = feed.pitch_px * *marks_.mm_per_px;
         if (marks_.mm_per_px_source == ScaleSource::None) note(notes::scaleUnknown, {});
-        if (feed.pitch_mm && p_.feed_mm_rev && !p_.scale_from_feed) {
+        if (feed.pitch_mm && p_.feed_mm_rev && !from_feed) {
             feed.pitch_error_percent = 100 * (*feed.pitch_mm / *p_.feed_mm_rev - 1);
             if (std::abs(*feed.pitch_error_percent) > pitchMost_percent)
                 note(notes::pitchDiffersFromFeed, {{"pitch_mm", *feed.pitch_mm}, {"feed_mm_rev", *p_.feed_mm_rev}});
@@ -301,11 +245,13 @@ private:
         facts.diameter_mm = p_.diameter_mm;
         if (p_.diameter_mm && marks_.mm_per_px) facts.diameter_px = *p_.diameter_mm / (*marks_.mm_per_px * shrunk_);
         facts.speed_rpm = marks_.speed_rpm;
-        if (p_.feed_direction_deg) facts.feed_direction_deg = *p_.feed_direction_deg - turned_deg_;
+        if (marks_.feed_direction_deg) facts.feed_direction_deg = *marks_.feed_direction_deg - turned_deg_;
         facts.cut = p_.cut_direction;
         facts.expect_hz = p_.expect_hz;
         facts.speed_uncertainty = p_.speed_uncertainty_percent / 100;
         facts.unrolled = marks_.unrolled;
+        facts.curved = marks_.curved;
+        facts.scale_checked = marks_.mm_per_px_source != ScaleSource::Feed || marks_.feed_direction_deg;
         facts.columns = flat.columns;
         facts.rows = flat.rows;
         ChatterMarks chatter = readChatter(*lines_.chatter, *lines_.feed, facts, marks_.path, notes_);
@@ -328,7 +274,8 @@ private:
     const SurfaceParameters& p_;
     Notes& notes_;
     const Region* roi_;
-    Grid picture_;
+    GridView pixels_;        ///< of the file, that are evaluated
+    Grid picture_;           ///< those that are taken, unrolled
     double shrunk_ = 1;      ///< pixels of the file in one of the picture
     double turned_deg_ = 0;  ///< taken off directions by unrolling
     PictureLines lines_;

@@ -5,8 +5,10 @@
 // of roughness is made from it, and amplitudes are compared only between pictures that were taken alike.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -29,7 +31,7 @@ struct Region {
 
 /// The speed that a picture's surface was cut with.
 struct CutSpeed {
-    double rpm = 0;  ///< of the spindle
+    double rpm = 0;  ///< of the spindle; 0: not known
 };
 
 const std::vector<Field<Region>>& fieldsOf(const Region*);
@@ -86,7 +88,8 @@ struct ChatterMarks {
     std::optional<double> frequency_uncertainty_hz;  ///< standard uncertainty, that of the spindle speed included
     std::vector<double> candidates_hz;               ///< the best first
     std::vector<double> harmonic_of_hz;              ///< half and a third of it: symmetric light shows multiples
-    std::optional<double> nearest_other_hz;          ///< distance to the next reading of the marks
+    std::optional<double> nearest_other_hz;          ///< distance to the next reading that the marks leave open; where
+                                                     ///< they leave none, to m one more or less
     double amplitude = 0;                            ///< of the strongest line; without a unit
     double relative_to_feed = 0;                     ///< the same as a multiple of the feed line's
     double significance = 0;                         ///< of the strongest line
@@ -95,7 +98,7 @@ struct ChatterMarks {
     std::optional<double> waves_measured;            ///< m as measured, no whole number
     std::optional<double> waves_in_view;             ///< across the picture along the circumference
     int lines = 0;                                   ///< of the lattice that are seen
-    ChatterKind kind = ChatterKind::Unknown;         ///< what ν speaks for
+    ChatterKind kind = ChatterKind::Unknown;         ///< by ν
 };
 
 struct ImageMarks {
@@ -110,7 +113,9 @@ struct ImageMarks {
     double threshold = 0;                                    ///< T: what S has to exceed
     double largest_significance = 0;                         ///< S of the strongest line
     std::optional<double> speed_rpm;                         ///< of the cut
+    std::optional<double> feed_direction_deg;                ///< as stated, in the picture
     bool unrolled = false;                                   ///< the cylinder was laid flat
+    bool curved = false;                                     ///< it curves away and was not laid flat
     std::optional<FeedMarks> feed_marks;                     ///< none: no comb
     std::optional<ChatterMarks> chatter_marks;               ///< none: nothing beside the comb
     std::optional<double> detection_limit_relative_to_feed;  ///< chatter above it would have been found
@@ -119,9 +124,10 @@ struct ImageMarks {
 };
 
 struct SurfaceComparison {
-    bool same_scale = false;                              ///< scales are known, so that lengths can be compared
-    double registration_response = 0;                     ///< of phase correlation, 0 to 1: the first two pictures
-    bool registered = false;                              ///< they show one surface
+    bool same_scale = false;           ///< scales are known, so that lengths can be compared
+    double registration_response = 0;  ///< of phase correlation, 0 to 1: the first two pictures
+    bool registered = false;           ///< they show one surface
+    Vector shift{};                    ///< registered: of the second picture against the first, in pixels of aligned()
     std::vector<std::optional<double>> relative_to_feed;  ///< by picture; none: no chatter was found
 };
 
@@ -134,8 +140,19 @@ struct SurfaceResult {
 
 /// A picture with its name.
 struct NamedImage {
-    std::string path;  ///< for messages
-    io::Image image;
+    std::string path;                          ///< for messages
+    std::shared_ptr<const io::Image> image;    ///< shared with whoever has read it; never null
+    std::optional<double> mm_per_px;           ///< its own scale, in place of that of the parameters
+    std::optional<double> feed_direction_deg;  ///< its own direction of feed
+
+    NamedImage(std::string name, std::shared_ptr<const io::Image> there)
+        : path(std::move(name)), image(std::move(there))
+    {
+    }
+    NamedImage(std::string name, io::Image made)
+        : NamedImage(std::move(name), std::make_shared<const io::Image>(std::move(made)))
+    {
+    }
 };
 
 inline constexpr int leastSide_px = 128;      ///< of a picture

@@ -80,7 +80,19 @@ inline constexpr NoteCode pictureUnrolled{"picture_unrolled", Severity::Info,
 
 inline constexpr NoteCode curvatureIgnored{
     "curvature_ignored", Severity::Warning,
-    LT_TEXT("Engine", "{path}: the part curves away across the picture and was not unrolled.")};
+    LT_TEXT("Engine",
+            "{path}: the part curves away across the picture and was not unrolled; the whole number of waves "
+            "in a revolution is open.")};
+
+inline constexpr NoteCode axisUnknown{
+    "axis_unknown", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: neither feed marks nor a direction of feed tell where the axis lies; the part may curve away "
+            "across the picture and was not unrolled.")};
+
+inline constexpr NoteCode modelNotUsed{
+    "model_not_used", Severity::Warning,
+    LT_TEXT("Engine", "The marks were not compared with the frequency response: {reason}")};
 
 inline constexpr NoteCode notRegistered{
     "pictures_not_registered", Severity::Info,

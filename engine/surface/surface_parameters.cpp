@@ -23,8 +23,8 @@ const std::vector<Field<Region>>& fieldsOf(const Region*)
 const std::vector<Field<CutSpeed>>& fieldsOf(const CutSpeed*)
 {
     static const std::vector<Field<CutSpeed>> all{
-        field("rpm", &CutSpeed::rpm, {1, 100000},
-              {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "That the surface was cut with."),
+        field("rpm", &CutSpeed::rpm, {0, 100000},
+              {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "That the surface was cut with; 0: not known."),
                LT_TEXT("Engine", "rpm"), false, true})};
     return all;
 }
@@ -41,7 +41,7 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
               {LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned part."), LT_TEXT("Engine", "mm")}),
         rows("speed_rpm", &P::speed_rpm, {0, 1000},
              {LT_TEXT("Engine", "Spindle speed"),
-              LT_TEXT("Engine", "Of the cut: one for all pictures, or one for each in their order."),
+              LT_TEXT("Engine", "Of the cut: one for all pictures, or one for each in their order; 0: not known."),
               LT_TEXT("Engine", "rpm")}),
         field("mm_per_px", &P::mm_per_px, {1e-6, 100},
               {LT_TEXT("Engine", "Scale"), LT_TEXT("Engine", "Millimetres that a pixel is wide."),

@@ -29,15 +29,6 @@ std::string hexOf(const report::ChartColour& colour, std::size_t position = 0)
     return report::hex(report::colourOf(colour, position));
 }
 
-/// 1, 2 or 5 times a power of ten, at most `largest`.
-double roundBelow(double largest)
-{
-    const double power = std::pow(10, std::floor(std::log10(largest)));
-    for (const double step : {5.0, 2.0})
-        if (step * power <= largest) return step * power;
-    return power;
-}
-
 void scaleBar(report::Svg& svg, double mm_per_unit, double right, double bottom, const Language& language)
 {
     const double mm = roundBelow(0.25 * sheet * mm_per_unit), units = mm / mm_per_unit;
@@ -61,6 +52,14 @@ void ruler(report::Svg& svg, const std::string& name, double pitch, double lean,
 }
 
 }  // namespace
+
+double roundBelow(double largest)
+{
+    const double power = std::pow(10, std::floor(std::log10(largest)));
+    for (const double step : {5.0, 2.0})
+        if (step * power <= largest) return step * power;
+    return power;
+}
 
 std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& parameters, const Language& language)
 {
@@ -102,7 +101,8 @@ std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& p
 
 std::string comparisonSvg(const SurfaceResult& result, const std::vector<std::string>& names, const Language& language)
 {
-    const AlignedPictures both = aligned({result.images.begin(), result.images.begin() + 2});
+    const AlignedPictures both = aligned({result.images.begin(), result.images.begin() + 2},
+                                         result.comparison ? result.comparison->shift : Vector{});
     constexpr double gap = 12;
     const Grid& size = both.pictures[0];
     const double units = std::min((sheet - gap) / 2 / size.columns, tallest / size.rows);

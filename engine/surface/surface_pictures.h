@@ -9,6 +9,9 @@
 
 namespace lathelier::surface {
 
+/// The length of a scale bar: 1, 2 or 5 times a power of ten, at most `largest`.
+double roundBelow(double largest);
+
 /// The flattened picture in grey with the crests of feed and chatter marks, rulers of the pitch that was found and of
 /// the feed that was stated, and a scale bar, as SVG.
 std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& parameters,

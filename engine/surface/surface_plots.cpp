@@ -10,7 +10,6 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr int widestMap = 600;
 constexpr int widestPicture = 900;
 constexpr int mostNamed = 4;  // of the comb's lines, and of the lattice's
 
@@ -36,22 +35,6 @@ void lift(report::Curve& curve)
 {
     curve.x.push_back(NAN);
     curve.y.push_back(NAN);
-}
-
-/// Lines `pitch` apart along the marks, about the middle; `direction`: across the marks, upward positive.
-report::Curve ruler(report::Caption name, Vector middle, Vector direction, double pitch, double length_of, double shift)
-{
-    report::Curve curve;
-    curve.name = std::move(name);
-    const Vector along{-direction.y, direction.x};
-    for (int i = -5; i <= 5; ++i) {
-        const Vector foot = middle + (i * pitch) * direction + (shift * length_of) * along;
-        const Vector top = foot + length_of * along;
-        curve.x.insert(curve.x.end(), {foot.x, top.x});
-        curve.y.insert(curve.y.end(), {foot.y, top.y});
-        lift(curve);
-    }
-    return curve;
 }
 
 void ring(report::Curve& curve, Vector centre, double radius)
@@ -143,32 +126,6 @@ report::Plot linesOverNoise(const ImageMarks& image)
     return plot;
 }
 
-report::Plot markedPicture(const ImageMarks& image, const SurfaceParameters& parameters)
-{
-    const SurfaceView& view = image.view;
-    const double pixel = view.px_per_px * image.mm_per_px.value_or(1);
-    const double width = view.flat.columns * pixel, height = view.flat.rows * pixel;
-    report::Plot plot;
-    plot.title = LT_TEXT("Engine", "Picture without its uneven light");
-    const Text unit = image.mm_per_px ? LT_TEXT("Engine", "mm") : LT_TEXT("Engine", "px");
-    plot.x = {LT_TEXT("Engine", "To the right"), unit};
-    plot.y = {LT_TEXT("Engine", "Upward"), unit};
-    plot.equal_scales = true;
-    report::ColourMap map = mapOf(atMost(view.flat, widestMap), width, height);
-    map.value = {LT_TEXT("Engine", "Brightness over its surroundings"), {}};
-    map.limit = 3;
-    plot.ground = std::move(map);
-    if (!image.feed_marks) return plot;
-    const double angle = (image.feed_marks->direction_deg - view.turned_deg) * std::numbers::pi / 180;
-    const Vector direction{std::cos(angle), -std::sin(angle)}, middle{0.5 * width, 0.5 * height};
-    const double pitch = image.feed_marks->pitch_px * image.mm_per_px.value_or(1);
-    plot.curves.push_back(ruler(LT_TEXT("Engine", "marks found"), middle, direction, pitch, 0.15 * height, 0));
-    if (parameters.feed_mm_rev && image.mm_per_px)
-        plot.curves.push_back(
-            ruler(LT_TEXT("Engine", "feed"), middle, direction, *parameters.feed_mm_rev, 0.15 * height, -1));
-    return plot;
-}
-
 report::Plot ringedSpectrum(const ImageMarks& image)
 {
     const SurfaceView& view = image.view;
@@ -201,13 +158,16 @@ report::Plot ringedSpectrum(const ImageMarks& image)
     return plot;
 }
 
+std::uint8_t levelOf(float value, double low, double high)
+{
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp((double(value) - low) / (high - low), 0.0, 1.0)));
+}
+
 report::GreyImage greyOf(const Grid& grid, double low, double high)
 {
     report::GreyImage grey{grid.columns, grid.rows, 8, {}, {}};
     grey.samples.reserve(grid.values.size());
-    for (const float value : grid.values)
-        grey.samples.push_back(
-            static_cast<std::uint16_t>(std::lround(255 * std::clamp((double(value) - low) / (high - low), 0.0, 1.0))));
+    for (const float value : grid.values) grey.samples.push_back(levelOf(value, low, high));
     return grey;
 }
 

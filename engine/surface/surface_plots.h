@@ -1,7 +1,8 @@
-// What photographs look like to the evaluation, as charts: the flattened picture with a ruler of the marks, its
-// spectrum with comb and lattice ringed.
+// What photographs look like to the evaluation, as charts: the spectrum with comb and lattice ringed, their lines over
+// the noise; grey levels of pictures.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,9 +11,6 @@
 #include "engine/surface/surface.h"
 
 namespace lathelier::surface {
-
-/// The flattened picture, in mm where the scale is known; lines at the distance of the marks found and of the feed.
-report::Plot markedPicture(const ImageMarks& image, const SurfaceParameters& parameters);
 
 /// Decades of power over its surroundings, with rings about the lines of the comb and of the lattice, which are named.
 report::Plot ringedSpectrum(const ImageMarks& image);
@@ -29,6 +27,7 @@ report::Plot linesOverNoise(const ImageMarks& image);
 
 /// Grey levels of a picture between `low` and `high`; a flattened one is shown between ±flatRange.
 inline constexpr double flatRange = 2.5;
+std::uint8_t levelOf(float value, double low, double high);
 report::GreyImage greyOf(const Grid& grid, double low, double high);
 
 /// The brightness of the picture as evaluated, as a PNG file, at most 900 px wide.

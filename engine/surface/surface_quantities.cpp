@@ -75,7 +75,10 @@ const std::vector<QuantityOf<ImageMarks>>& quantitiesOf(const ImageMarks*)
         quantity<R>("speed_rpm", &R::speed_rpm, {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "rpm"), 0}),
         quantity<R>("saturated_percent", &R::saturated_percent,
                     {LT_TEXT("Engine", "Saturated pixels"), LT_TEXT("Engine", "%"), 2}),
+        quantity<R>("feed_direction_deg", &R::feed_direction_deg,
+                    {LT_TEXT("Engine", "Direction of feed"), LT_TEXT("Engine", "°"), 1}),
         quantity<R>("unrolled", &R::unrolled, {LT_TEXT("Engine", "Cylinder unrolled")}),
+        quantity<R>("curved", &R::curved, {LT_TEXT("Engine", "Curved and not unrolled")}),
         quantity<R>("threshold", &R::threshold, {LT_TEXT("Engine", "Threshold of significance"), {}, 1}),
         quantity<R>("largest_significance", &R::largest_significance,
                     {LT_TEXT("Engine", "Largest significance"), {}, 1}),
@@ -94,6 +97,10 @@ const std::vector<QuantityOf<SurfaceComparison>>& quantitiesOf(const SurfaceComp
         quantity<R>("registration_response", &R::registration_response,
                     {LT_TEXT("Engine", "Response of the registration"), {}, 2}),
         quantity<R>("registered", &R::registered, {LT_TEXT("Engine", "One surface in both")}),
+        quantity<R>("shift_px",
+                    [](const R& comparison) {
+                        return std::vector<double>{comparison.shift.x, comparison.shift.y};
+                    }),
         quantity<R>("relative_to_feed", [](const R& comparison) {
             std::vector<double> values;
             for (const auto& value : comparison.relative_to_feed) values.push_back(value.value_or(NAN));

@@ -50,6 +50,33 @@ void tellChatter(report::Answer& answer, const ImageMarks& image, const Language
         answer.sentence = LT_TEXT("Engine", "m = {m}, ε {phase}° at {rpm} rpm. The picture leaves open: {others} Hz.");
 }
 
+std::vector<report::QuantityTable> tablesOf(const ImageMarks& image)
+{
+    std::vector<report::QuantityTable> tables;
+    tables.push_back(
+        report::quantityTable(LT_TEXT("Engine", "Picture"), image,
+                              {"width", "height", "bits", "mm_per_px", "speed_rpm", "saturated_percent", "unrolled",
+                               "threshold", "largest_significance", "detection_limit_relative_to_feed"}));
+    if (image.feed_marks)
+        tables.push_back(report::quantityTable(LT_TEXT("Engine", "Feed marks"), *image.feed_marks,
+                                               {"pitch_mm", "pitch_px", "pitch_error_percent", "direction_deg",
+                                                "significance", "regularity", "share_percent"}));
+    if (image.chatter_marks)
+        tables.push_back(
+            report::quantityTable(LT_TEXT("Engine", "Chatter marks"), *image.chatter_marks,
+                                  {"frequency_hz", "frequency_uncertainty_hz", "candidates_hz", "harmonic_of_hz",
+                                   "nearest_other_hz", "m", "m_certain", "waves_measured", "waves_in_view", "nu",
+                                   "phase_deg", "axial_period_mm", "circumferential_pitch_mm", "inclination_deg",
+                                   "relative_to_feed", "significance", "regularity", "share_percent", "lines"}));
+    return tables;
+}
+
+report::QuantityTable comparisonTable(const SurfaceComparison& comparison)
+{
+    return report::quantityTable(LT_TEXT("Engine", "Comparison"), comparison,
+                                 {"same_scale", "registration_response", "registered"});
+}
+
 report::Section pictureSection(const ImageMarks& image, const SurfaceParameters& parameters, const Language& language)
 {
     report::Section section{image.path, {answer(image, language)}};
@@ -58,21 +85,7 @@ report::Section pictureSection(const ImageMarks& image, const SurfaceParameters&
                                              markedPictureSvg(image, parameters, language)});
     section.blocks.push_back(ringedSpectrum(image));
     section.blocks.push_back(linesOverNoise(image));
-    section.blocks.push_back(
-        report::quantityTable(LT_TEXT("Engine", "Picture"), image,
-                              {"width", "height", "bits", "mm_per_px", "speed_rpm", "saturated_percent", "unrolled",
-                               "threshold", "largest_significance", "detection_limit_relative_to_feed"}));
-    if (image.feed_marks)
-        section.blocks.push_back(report::quantityTable(LT_TEXT("Engine", "Feed marks"), *image.feed_marks,
-                                                       {"pitch_mm", "pitch_px", "pitch_error_percent", "direction_deg",
-                                                        "significance", "regularity", "share_percent"}));
-    if (image.chatter_marks)
-        section.blocks.push_back(
-            report::quantityTable(LT_TEXT("Engine", "Chatter marks"), *image.chatter_marks,
-                                  {"frequency_hz", "frequency_uncertainty_hz", "candidates_hz", "harmonic_of_hz",
-                                   "nearest_other_hz", "m", "m_certain", "waves_measured", "waves_in_view", "nu",
-                                   "phase_deg", "axial_period_mm", "circumferential_pitch_mm", "inclination_deg",
-                                   "relative_to_feed", "significance", "regularity", "share_percent", "lines"}));
+    for (report::QuantityTable& table : tablesOf(image)) section.blocks.emplace_back(std::move(table));
     return section;
 }
 
@@ -110,11 +123,23 @@ report::Section surfaceSummary(const SurfaceResult& result, const Language& lang
 {
     report::Section section{LT_TEXT("Engine", "Result"), {}};
     for (const ImageMarks& image : result.images) section.blocks.push_back(answer(image, language));
-    if (result.comparison)
-        section.blocks.push_back(report::quantityTable(LT_TEXT("Engine", "Comparison"), *result.comparison,
-                                                       {"same_scale", "registration_response", "registered"}));
+    if (result.comparison) section.blocks.emplace_back(comparisonTable(*result.comparison));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
+}
+
+report::Document surfaceNumbers(const SurfaceResult& result, const std::vector<std::string>& names,
+                                const Language& language)
+{
+    report::Document document;
+    report::Section& all = document.sections.emplace_back();
+    for (std::size_t i = 0; i < result.images.size(); ++i)
+        for (report::QuantityTable& table : tablesOf(result.images[i])) {
+            if (names.size() > 1) table.title = names.at(i) + " · " + report::captionText(table.title, language);
+            all.blocks.emplace_back(std::move(table));
+        }
+    if (result.comparison) all.blocks.emplace_back(comparisonTable(*result.comparison));
+    return document;
 }
 
 report::Document surfaceReport(const SurfaceResult& result, const Language& language)

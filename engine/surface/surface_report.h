@@ -13,6 +13,10 @@ report::Answer answer(const ImageMarks& image, const Language& language = {});
 /// The answers of all pictures with their tables and notes.
 report::Section surfaceSummary(const SurfaceResult& result, const Language& language = {});
 
+/// The tables of numbers alone: quick, for a screen. `names`: of the pictures, above their tables where there are two.
+report::Document surfaceNumbers(const SurfaceResult& result, const std::vector<std::string>& names,
+                                const Language& language = {});
+
 report::Document surfaceReport(const SurfaceResult& result, const Language& language = {});
 
 }  // namespace lathelier::surface

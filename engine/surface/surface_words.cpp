@@ -64,7 +64,7 @@ std::optional<report::Paragraph> refereeSentence(const ImageMarks& image, const 
                                                  const Language& language)
 {
     if (!image.chatter_marks) return std::nullopt;
-    if (!parameters.feed_direction_deg || parameters.cut_direction == CutDirection::Unknown) return std::nullopt;
+    if (!image.feed_direction_deg || parameters.cut_direction == CutDirection::Unknown) return std::nullopt;
     const ChatterMarks& chatter = *image.chatter_marks;
     Values values{{"nu", fixed(chatter.nu, 3, language)},
                   {"feeds", fixed(chatter.nu == 0 ? 0 : 1 / std::abs(chatter.nu), 1, language)}};
@@ -129,6 +129,12 @@ std::optional<report::Paragraph> certaintySentence(const ImageMarks& image, cons
         return paragraph(LT_TEXT("Engine",
                                  "{waves} waves lie in the picture: it decides m = {m} by itself (measured "
                                  "{measured})."),
+                         std::move(values));
+    if (image.curved)
+        return paragraph(LT_TEXT("Engine",
+                                 "The part curves away across the picture and was not unrolled: ν is sure, m = {m} is "
+                                 "not (measured {measured}). Candidates: {all} Hz. Let it be unrolled, or let a model "
+                                 "choose."),
                          std::move(values));
     return paragraph(LT_TEXT("Engine",
                              "Only {waves} waves lie in the picture: ν is sure, m = {m} is not (measured {measured}). "

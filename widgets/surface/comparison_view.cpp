@@ -2,7 +2,6 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <QVariant>
 #include <algorithm>
@@ -39,6 +38,8 @@ ComparisonView::ComparisonView(QWidget* parent)
       afterName_(new QLabel),
       alignment_(new QLabel),
       slider_(new QSlider(Qt::Horizontal)),
+      magnifier_(new QToolButton),
+      lay_(new QToolButton),
       ways_(new QButtonGroup(this))
 {
     before_->setObjectName("surfaceBefore");
@@ -59,9 +60,15 @@ ComparisonView::ComparisonView(QWidget* parent)
         ways_->addButton(button, i);
         row->addWidget(button);
     }
+    magnifier_->setObjectName("surfaceMagnifier");
+    lay_->setObjectName("surfaceLay");
+    for (QToolButton* button : {magnifier_, lay_}) {
+        button->setCheckable(true);
+        row->addWidget(button);
+    }
     row->addWidget(slider_, 1);
     alignment_->setWordWrap(true);
-    row->addWidget(alignment_, 2);
+    alignment_->setProperty(ViewFrame::onlyLarge, true);
     auto* pictures = new QHBoxLayout;
     pictures->setSpacing(6);
     pictures->addWidget(beforeSide_, 1);
@@ -69,8 +76,15 @@ ComparisonView::ComparisonView(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(bar);
+    column->addWidget(alignment_);
     column->addLayout(pictures, 1);
     connect(ways_, &QButtonGroup::idClicked, this, [this](int id) { setSlides(id == 1); });
+    connect(magnifier_, &QToolButton::toggled, this, [this](bool on) {
+        for (PictureView* view : {before_, after_}) view->setMagnifier(on);
+    });
+    connect(lay_, &QToolButton::toggled, this, &ComparisonView::lay);
+    connect(before_, &PictureView::pointChosen, this, [this](const QPointF& pixel) { takePoint(true, pixel); });
+    connect(after_, &PictureView::pointChosen, this, [this](const QPointF& pixel) { takePoint(false, pixel); });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) { setShare(double(value) / places); });
     for (PictureView* view : {before_, after_})
         connect(view, &plot::PlotWidget::notWritten, this, &ComparisonView::notWritten);
@@ -95,9 +109,28 @@ void ComparisonView::setNames(const QString& before, const QString& after, const
     alignment_->setText(alignment);
 }
 
+/// One place is clicked in both pictures, which stand side by side for it.
+void ComparisonView::lay(bool on)
+{
+    placeBefore_.reset();
+    placeAfter_.reset();
+    if (on && slides_) setSlides(false);
+    for (PictureView* view : {before_, after_}) view->setTool(on ? PictureView::Tool::Point : PictureView::Tool::None);
+}
+
+void ComparisonView::takePoint(bool first, const QPointF& pixel)
+{
+    (first ? placeBefore_ : placeAfter_) = pixel;
+    if (!placeBefore_ || !placeAfter_) return;
+    const QPointF further = *placeAfter_ - *placeBefore_;
+    lay_->setChecked(false);
+    emit layWanted(further);
+}
+
 void ComparisonView::setSlides(bool slides)
 {
     slides_ = slides;
+    if (slides_) lay_->setChecked(false);
     arrange();
 }
 
@@ -127,6 +160,10 @@ void ComparisonView::retranslate()
     ways_->button(0)->setToolTip(tr("Both pictures; zoom and place are the same in both"));
     ways_->button(1)->setText(tr("Slider"));
     ways_->button(1)->setToolTip(tr("One picture over the other, parted where the slider stands"));
+    magnifier_->setText(tr("Magnifier"));
+    magnifier_->setToolTip(tr("Shows the same place of both pictures four times as large"));
+    lay_->setText(tr("Lay over"));
+    lay_->setToolTip(tr("Click one place, such as a shoulder, in both pictures: they are laid over each other there"));
     slider_->setAccessibleName(tr("Where before ends and after begins"));
     slider_->setToolTip(slider_->accessibleName());
     before_->setAccessibleName(tr("Before"));

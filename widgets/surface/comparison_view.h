@@ -4,7 +4,9 @@
 #include <QButtonGroup>
 #include <QLabel>
 #include <QSlider>
+#include <QToolButton>
 #include <QWidget>
+#include <optional>
 
 #include "widgets/surface/picture_view.h"
 
@@ -30,9 +32,12 @@ public:
 
 signals:
     void notWritten(const QString& path);
+    void layWanted(const QPointF& further_px);  ///< what was clicked lies so far from it in the second picture
 
 private:
     void arrange();
+    void lay(bool on);
+    void takePoint(bool first, const QPointF& pixel);
 
     PictureView* before_;
     PictureView* after_;
@@ -42,11 +47,14 @@ private:
     QLabel* afterName_;
     QLabel* alignment_;
     QSlider* slider_;
+    QToolButton* magnifier_;
+    QToolButton* lay_;
     QButtonGroup* ways_;
     QImage first_, second_;
     double mm_per_px_ = 0;
     double share_ = 0.5;
     bool slides_ = false;
+    std::optional<QPointF> placeBefore_, placeAfter_;  ///< one place in both, while it is being clicked
 };
 
 }  // namespace lathelier::surface_panel

@@ -39,6 +39,8 @@ double rounded(double value)
 
 GeneratorPane::GeneratorPane(QWidget* parent)
     : QWidget(parent),
+      quiz_(new QuizPane),
+      cut_(new QWidget),
       light_(new QComboBox),
       lightName_(new QLabel),
       cylinder_(new QCheckBox),
@@ -53,7 +55,7 @@ GeneratorPane::GeneratorPane(QWidget* parent)
     QFont bold = title_->font();
     bold.setBold(true);
     title_->setFont(bold);
-    auto* grid = new QGridLayout;
+    auto* grid = new QGridLayout(cut_);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(4);
@@ -73,7 +75,8 @@ GeneratorPane::GeneratorPane(QWidget* parent)
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->addWidget(title_);
-    column->addLayout(grid);
+    column->addWidget(quiz_);
+    column->addWidget(cut_);
     column->addWidget(waves_);
     column->addWidget(found_);
     column->addStretch(1);
@@ -135,6 +138,15 @@ NumberEdit* GeneratorPane::number(const std::string& key) const
     for (const Row& row : rows_)
         if (row.info.key == key) return row.edit;
     return nullptr;
+}
+
+void GeneratorPane::setQuestion(const SurfaceQuestion& question)
+{
+    quiz_->setQuestion(question);
+    cut_->setVisible(!question.quiz);
+    waves_->setVisible(!isAsking(question));
+    found_->setVisible(!isAsking(question));
+    setParameters(pictureOf(question));
 }
 
 void GeneratorPane::setParameters(const surface::SyntheticParameters& parameters)
@@ -200,6 +212,7 @@ void GeneratorPane::setFound(const QString& words)
 void GeneratorPane::retranslate()
 {
     title_->setText(tr("Picture that is made"));
+    quiz_->retranslate();
     for (Row& row : rows_) {
         const QString unit = screenText(row.info.unit);
         const QString name = screenText(row.info.label);

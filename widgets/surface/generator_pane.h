@@ -12,6 +12,7 @@
 
 #include "engine/surface/synthetic.h"
 #include "widgets/core/form/number_edit.h"
+#include "widgets/surface/quiz_pane.h"
 
 class QGridLayout;
 
@@ -23,10 +24,11 @@ class GeneratorPane : public QWidget {
 public:
     explicit GeneratorPane(QWidget* parent = nullptr);
 
-    void setParameters(const surface::SyntheticParameters& parameters);  ///< announces nothing
-    void setFound(const QString& words);                                 ///< what the evaluation says of the picture
-    QSlider* slider(const std::string& key) const;                       ///< nullptr: there is none
-    NumberEdit* number(const std::string& key) const;                    ///< nullptr: there is none
+    void setQuestion(const SurfaceQuestion& question);  ///< announces nothing
+    void setFound(const QString& words);                ///< what the evaluation says of the picture
+    QuizPane* quiz() const { return quiz_; }
+    QSlider* slider(const std::string& key) const;     ///< nullptr: there is none
+    NumberEdit* number(const std::string& key) const;  ///< nullptr: there is none
     void retranslate();
 
 signals:
@@ -43,9 +45,12 @@ private:
         NumberEdit* edit;  ///< exact
     };
     void addRow(const FieldInfo& info, double from, double to, bool logarithmic, QGridLayout* grid);
+    void setParameters(const surface::SyntheticParameters& parameters);
     void showWaves();
 
     std::vector<Row> rows_;
+    QuizPane* quiz_;
+    QWidget* cut_;  ///< the sliders
     QComboBox* light_;
     QLabel* lightName_;
     QCheckBox* cylinder_;

@@ -10,7 +10,7 @@ namespace lathelier::surface_panel {
 /// Errors as io::readImage(), with the path.
 class ImageStore : public FileCache<io::Image> {
 public:
-    ImageStore() : FileCache(6) {}
+    ImageStore() : FileCache(3) {}  // pictures of 100 Mpx have 400 MB: before, after, and the next one
 
 protected:
     io::Image read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override

@@ -25,6 +25,7 @@ PhotographView::PhotographView(QWidget* parent)
       length_(new NumberEdit(least_mm, most_mm)),
       set_(new QPushButton),
       isDiameter_(new QPushButton),
+      alike_(new QCheckBox),
       hint_(new QLabel)
 {
     view_->setObjectName("surfacePhotograph");
@@ -32,6 +33,8 @@ PhotographView::PhotographView(QWidget* parent)
     set_->setObjectName("surfaceSetScale");
     isDiameter_->setObjectName("surfaceIsDiameter");
     whole_->setObjectName("surfaceWhole");
+    alike_->setObjectName("surfaceAlike");
+    alike_->hide();
     length_->setOptional({});
     length_->setMaximumWidth(fontMetrics().averageCharWidth() * 14);
     bar_->setProperty(ViewFrame::onlyLarge, true);
@@ -47,7 +50,8 @@ PhotographView::PhotographView(QWidget* parent)
     tools_->button(0)->setChecked(true);
     for (QWidget* part :
          {static_cast<QWidget*>(whole_), static_cast<QWidget*>(measured_), static_cast<QWidget*>(length_),
-          static_cast<QWidget*>(set_), static_cast<QWidget*>(isDiameter_), static_cast<QWidget*>(hint_)})
+          static_cast<QWidget*>(set_), static_cast<QWidget*>(isDiameter_), static_cast<QWidget*>(alike_),
+          static_cast<QWidget*>(hint_)})
         row->addWidget(part);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -57,6 +61,7 @@ PhotographView::PhotographView(QWidget* parent)
     connect(view_, &PictureView::regionDrawn, this, [this](const QRectF& region) { emit regionWanted(region); });
     connect(view_, &PictureView::directionDrawn, this, &PhotographView::directionWanted);
     connect(view_, &PictureView::lengthDrawn, this, &PhotographView::takeLength);
+    connect(alike_, &QCheckBox::clicked, this, &PhotographView::alikeWanted);
     connect(whole_, &QPushButton::clicked, this, [this] { emit regionWanted(std::nullopt); });
     const auto send = [this] {
         if (pixels_ > 0 && length_->number()) emit scaleWanted(pixels_, *length_->number());
@@ -80,11 +85,18 @@ void PhotographView::setPicture(const QImage& image, double mm_per_px, const std
 
 void PhotographView::setTools(bool usable)
 {
-    if (!usable) {
-        tools_->button(0)->setChecked(true);
-        chooseTool(0);
-    }
-    bar_->setEnabled(usable);
+    if (usable == usable_) return;
+    usable_ = usable;
+    for (const PictureView::Tool tool : {PictureView::Tool::Region, PictureView::Tool::Direction})
+        tools_->button(static_cast<int>(tool))->setEnabled(usable);
+    tools_->button(0)->setChecked(true);
+    chooseTool(0);
+}
+
+void PhotographView::setAlike(bool shown, bool alike)
+{
+    alike_->setVisible(shown);
+    alike_->setChecked(alike);
 }
 
 void PhotographView::chooseTool(int id)
@@ -98,7 +110,7 @@ void PhotographView::takeLength(double pixels)
 {
     pixels_ = pixels;
     showLength();
-    length_->setFocus(Qt::OtherFocusReason);
+    if (usable_) length_->setFocus(Qt::OtherFocusReason);
 }
 
 void PhotographView::showLength()
@@ -106,11 +118,11 @@ void PhotographView::showLength()
     const PictureView::Tool tool = view_->tool();
     const bool measures = tool == PictureView::Tool::Length;
     whole_->setVisible(tool == PictureView::Tool::Region);
-    for (QWidget* part :
-         {static_cast<QWidget*>(measured_), static_cast<QWidget*>(length_), static_cast<QWidget*>(set_)})
-        part->setVisible(measures && pixels_ > 0);
-    isDiameter_->setVisible(measures && pixels_ > 0 && diameter_mm_);
-    measured_->setText(tr("%1 px are").arg(screenNumber(pixels_, 1)));
+    measured_->setVisible(measures && pixels_ > 0);
+    for (QWidget* part : {static_cast<QWidget*>(length_), static_cast<QWidget*>(set_)})
+        part->setVisible(measures && pixels_ > 0 && usable_);
+    isDiameter_->setVisible(measures && pixels_ > 0 && diameter_mm_ && usable_);
+    measured_->setText(usable_ ? tr("%1 px are").arg(screenNumber(pixels_, 1)) : QString());
     set_->setEnabled(length_->number().has_value());
     set_->setText(tr("%1: set the scale").arg(screenUnit(LT_TEXT("Engine", "mm"))));
     length_->setFactor(screenFactor(LT_TEXT("Engine", "mm")));
@@ -118,7 +130,8 @@ void PhotographView::showLength()
         isDiameter_->setText(
             tr("Ø %1 between the edges").arg(screenQuantity(*diameter_mm_, LT_TEXT("Engine", "mm"), 2)));
     switch (tool) {
-        case PictureView::Tool::None: hint_->clear(); break;
+        case PictureView::Tool::None:
+        case PictureView::Tool::Point: hint_->clear(); break;
         case PictureView::Tool::Region: hint_->setText(tr("Drag over the part that is to be evaluated")); break;
         case PictureView::Tool::Length:
             hint_->setText(pixels_ > 0 ? QString() : tr("Click both ends of a scale bar, or both edges of the part"));
@@ -138,6 +151,8 @@ void PhotographView::retranslate()
         tools_->button(i)->setToolTip(tips[i]);
     }
     whole_->setText(tr("Whole picture"));
+    alike_->setText(tr("Both pictures taken alike"));
+    alike_->setToolTip(tr("Scale and direction go for both pictures; without the tick for the one that is shown"));
     length_->setAccessibleName(tr("Length between the two clicks"));
     view_->setAccessibleName(tr("Photograph"));
     showLength();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
@@ -20,7 +21,8 @@ public:
 
     /// `diameter_mm`: offered as the length between two edges; none: not known.
     void setPicture(const QImage& image, double mm_per_px, const std::optional<double>& diameter_mm);
-    void setTools(bool usable);  ///< false: a picture that was made has nothing to be told
+    void setTools(bool usable);  ///< false: a picture that was made can be measured, and has nothing to be told
+    void setAlike(bool shown, bool alike);  ///< the tick: scale and direction go for both pictures
     PictureView* view() const { return view_; }
     NumberEdit* length() const { return length_; }
     void retranslate();
@@ -29,6 +31,7 @@ signals:
     void regionWanted(const std::optional<QRectF>& region);  ///< in pixels of the file; none: the whole picture
     void scaleWanted(double pixels, double mm);
     void directionWanted(double direction_deg);
+    void alikeWanted(bool alike);
 
 private:
     void chooseTool(int id);
@@ -43,7 +46,9 @@ private:
     NumberEdit* length_;
     QPushButton* set_;
     QPushButton* isDiameter_;
+    QCheckBox* alike_;
     QLabel* hint_;
+    bool usable_ = true;
     double pixels_ = 0;  ///< between the two clicks; 0: not clicked
     std::optional<double> diameter_mm_;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/surface/surface_pictures.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/surface/picture_view.h"
@@ -20,15 +21,6 @@ QColor paper(const QPalette& palette)
     QColor colour = palette.color(QPalette::Base);
     colour.setAlphaF(paperOpacity);
     return colour;
-}
-
-/// 1, 2 or 5 times a power of ten, at most `largest`.
-double roundBelow(double largest)
-{
-    const double power = std::pow(10, std::floor(std::log10(largest)));
-    for (const double step : {5.0, 2.0})
-        if (step * power <= largest) return step * power;
-    return power;
 }
 
 }  // namespace
@@ -112,7 +104,8 @@ void drawScaleBar(QPainter& painter, double mm_per_pixel, const QRect& room, con
     const QFontMetricsF metrics(font);
     const Text unit = LT_TEXT("Engine", "mm");
     const double factor = screenFactor(unit);  // round in the unit that is shown
-    const double mm = roundBelow(0.25 * room.width() * mm_per_pixel * factor) / factor, length = mm / mm_per_pixel;
+    const double mm = surface::roundBelow(0.25 * room.width() * mm_per_pixel * factor) / factor,
+                 length = mm / mm_per_pixel;
     const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(mm) + 1e-9)));
     const QString words = screenQuantity(mm, unit, decimals);
     const double width = std::max(length, metrics.horizontalAdvance(words)) + 16, height = metrics.height() + 14;

@@ -1,14 +1,9 @@
 #include "widgets/surface/picture_view.h"
 
 #include <QKeyEvent>
-#include <QPainter>
 #include <QtMath>
 #include <algorithm>
 #include <cmath>
-
-#include "widgets/core/language.h"
-#include "widgets/plot/plot_style.h"
-#include "widgets/surface/picture_painting.h"
 
 namespace lathelier::surface_panel {
 namespace {
@@ -16,6 +11,7 @@ namespace {
 constexpr double mostZoom = 40;     // widget pixels for one of the picture
 constexpr double wheelStep = 1.25;  // for a notch
 constexpr double panStep = 0.1;     // of the view, for an arrow key
+constexpr double lensStep = 12;     // of the widget, for an arrow key
 constexpr double least_px = 8;      // of a region, a length or an arrow that is meant
 
 }  // namespace
@@ -28,8 +24,8 @@ PictureView::PictureView(QWidget* parent) : PlotWidget(parent)
 
 void PictureView::setPicture(const QImage& image, double mm_per_px)
 {
-    const bool another = image.size() != image_.size();
-    image_ = image;
+    const bool another = image.size() != picture_.whole().size();
+    if (image.cacheKey() != picture_.whole().cacheKey()) picture_ = PicturePyramid(image);
     mm_per_px_ = mm_per_px;
     if (another) {
         zoom_ = 0;
@@ -41,7 +37,7 @@ void PictureView::setPicture(const QImage& image, double mm_per_px)
 
 void PictureView::setSecond(const QImage& image, double share)
 {
-    second_ = image;
+    if (image.cacheKey() != second_.whole().cacheKey()) second_ = PicturePyramid(image);
     share_ = share;
     update();
 }
@@ -82,8 +78,8 @@ void PictureView::setTool(Tool tool)
 
 double PictureView::fitting() const
 {
-    if (image_.isNull()) return 1;
-    return std::min(width() / static_cast<double>(image_.width()), height() / static_cast<double>(image_.height()));
+    if (image().isNull()) return 1;
+    return std::min(width() / static_cast<double>(image().width()), height() / static_cast<double>(image().height()));
 }
 
 double PictureView::zoom() const
@@ -110,9 +106,9 @@ void PictureView::link(PictureView* other)
 void PictureView::showPart(double zoom, const QPointF& middle)
 {
     zoom_ = zoom <= fitting() ? 0 : std::min(zoom, mostZoom);
-    middle_ = zoom_ == 0 ? QPointF(image_.width() / 2.0, image_.height() / 2.0)
-                         : QPointF(std::clamp(middle.x(), 0.0, double(image_.width())),
-                                   std::clamp(middle.y(), 0.0, double(image_.height())));
+    middle_ = zoom_ == 0 ? QPointF(image().width() / 2.0, image().height() / 2.0)
+                         : QPointF(std::clamp(middle.x(), 0.0, double(image().width())),
+                                   std::clamp(middle.y(), 0.0, double(image().height())));
     update();
 }
 
@@ -127,9 +123,40 @@ void PictureView::tellLinked()
     emit viewMoved();
 }
 
+void PictureView::setMagnifier(bool on)
+{
+    magnifier_ = on;
+    showLens(on && !image().isNull() ? std::optional(middle_) : std::nullopt);
+}
+
+void PictureView::showLens(const std::optional<QPointF>& pixel)
+{
+    const bool inside = pixel && QRectF(image().rect()).contains(*pixel);
+    lens_ = inside ? pixel : std::nullopt;
+    update();
+    for (PictureView* other : linked_) {
+        other->lens_ = lens_;
+        other->update();
+    }
+}
+
+/// The arrow keys move the magnifier.
+bool PictureView::moveLens(int key)
+{
+    if (!magnifier_ || !lens_) return false;
+    const double step = lensStep / zoom();
+    switch (key) {
+        case Qt::Key_Left: showLens(*lens_ - QPointF(step, 0)); return true;
+        case Qt::Key_Right: showLens(*lens_ + QPointF(step, 0)); return true;
+        case Qt::Key_Up: showLens(*lens_ - QPointF(0, step)); return true;
+        case Qt::Key_Down: showLens(*lens_ + QPointF(0, step)); return true;
+        default: return false;
+    }
+}
+
 void PictureView::zoomAt(const QPointF& place, double factor)
 {
-    if (image_.isNull()) return;
+    if (image().isNull()) return;
     const QPointF held = pixelAt(place);
     const double next = std::min(zoom() * factor, mostZoom);
     showPart(next, held - (place - QPointF(width() / 2.0, height() / 2.0)) / next);
@@ -150,9 +177,15 @@ void PictureView::resetView()
 
 void PictureView::mousePressEvent(QMouseEvent* event)
 {
-    if (event->button() != Qt::LeftButton || image_.isNull()) return;
+    if (event->button() != Qt::LeftButton || image().isNull()) return;
     pressed_ = event->localPos();
     pointer_ = event->localPos();
+    if (tool_ == Tool::Point) {
+        chosen_ = {pixelAt(event->localPos())};
+        pressed_.reset();
+        update();
+        emit pointChosen(chosen_.front());
+    }
     if (tool_ != Tool::Length) return;
     if (chosen_.size() >= 2) chosen_.clear();
     chosen_.push_back(pixelAt(event->localPos()));
@@ -162,7 +195,7 @@ void PictureView::mousePressEvent(QMouseEvent* event)
     const QPointF way = chosen_[1] - chosen_[0];
     const double pixels = std::hypot(way.x(), way.y());
     if (pixels * zoom() < least_px)
-        chosen_.pop_back();  // a click that trembled
+        chosen_.pop_back();  // one click, with the pointer moved a little
     else
         emit lengthDrawn(pixels);
 }
@@ -174,6 +207,7 @@ void PictureView::mouseMoveEvent(QMouseEvent* event)
         pressed_ = event->localPos();
     }
     pointer_ = event->localPos();
+    if (magnifier_) showLens(pixelAt(*pointer_));
     update();
 }
 
@@ -185,7 +219,7 @@ void PictureView::mouseReleaseEvent(QMouseEvent* event)
     update();
     if (tool_ == Tool::Region) {
         const QRectF drawn =
-            QRectF(pixelAt(from), pixelAt(to)).normalized().intersected(QRectF(QPointF(), QSizeF(image_.size())));
+            QRectF(pixelAt(from), pixelAt(to)).normalized().intersected(QRectF(QPointF(), QSizeF(image().size())));
         if (drawn.width() * zoom() >= least_px && drawn.height() * zoom() >= least_px) emit regionDrawn(drawn);
     } else if (tool_ == Tool::Direction && std::hypot(to.x() - from.x(), to.y() - from.y()) >= least_px) {
         emit directionDrawn(qRadiansToDegrees(std::atan2(to.y() - from.y(), to.x() - from.x())));
@@ -217,6 +251,7 @@ void PictureView::keyPressEvent(QKeyEvent* event)
             return setTool(tool_);  // what was begun is dropped
         default: break;
     }
+    if (moveLens(event->key())) return;
     if (zoom_ > 0) {
         const double x = panStep * width(), y = panStep * height();
         switch (event->key()) {
@@ -233,119 +268,9 @@ void PictureView::keyPressEvent(QKeyEvent* event)
 void PictureView::leaveEvent(QEvent* event)
 {
     pointer_.reset();
+    if (magnifier_) showLens(std::nullopt);
     update();
     QWidget::leaveEvent(event);
-}
-
-void PictureView::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    paint(painter, palette());
-    if (!hasFocus() || isSmall()) return;
-    painter.setPen(QPen(palette().highlight().color(), 1));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-}
-
-void PictureView::paint(QPainter& painter, const QPalette& palette) const
-{
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), palette.color(QPalette::Window));
-    if (image_.isNull()) return;
-    paintPicture(painter);
-    const QRectF whole(placeOf({0, 0}), placeOf(QPointF(image_.width(), image_.height())));
-    painter.save();
-    painter.setClipRect(whole.intersected(QRectF(rect())));
-    paintOverlays(painter, palette);
-    paintTools(painter, palette);
-    painter.restore();
-    if (isSmall()) return;
-    paintRulers(painter, palette);
-    paintScaleBar(painter, palette);
-    paintWords(painter, palette);
-}
-
-void PictureView::paintPicture(QPainter& painter) const
-{
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom() < 4);
-    const QRectF visible =
-        QRectF(pixelAt({0, 0}), pixelAt({double(width()), double(height())})).intersected(QRectF(image_.rect()));
-    const double edge = second_.isNull() ? image_.width() : share_ * image_.width();
-    const auto draw = [&](const QImage& image, double from, double to) {
-        const QRectF part = visible.intersected(QRectF(from, 0, to - from, image_.height()));
-        if (!part.isEmpty())
-            painter.drawImage(QRectF(placeOf(part.topLeft()), placeOf(part.bottomRight())), image, part);
-    };
-    draw(image_, 0, edge);
-    if (second_.isNull()) return;
-    draw(second_, edge, image_.width());
-    const double x = placeOf({edge, 0}).x();
-    painter.setPen(QPen(palette().highlight().color(), 2));
-    painter.drawLine(QPointF(x, placeOf({0, 0}).y()), QPointF(x, placeOf({0, double(image_.height())}).y()));
-}
-
-void PictureView::paintOverlays(QPainter& painter, const QPalette& palette) const
-{
-    const plot::PlotStyle style(palette, font());
-    for (const Overlay& overlay : overlays_) drawStripes(painter, overlay, style, zoom(), *this);
-}
-
-void PictureView::paintRulers(QPainter& painter, const QPalette& palette) const
-{
-    if (rulers_.empty()) return;
-    drawRulers(painter, rulers_, rulersDirection_deg_, zoom(), rect(), palette, font());
-}
-
-void PictureView::paintTools(QPainter& painter, const QPalette& palette) const
-{
-    const QPen pen(plot::PlotStyle(palette, font()).colour(report::ColourRole::Limit), 2);
-    const bool drags = pressed_ && pointer_;
-    if (region_ && !(tool_ == Tool::Region && drags))
-        drawRegion(painter, QRectF(placeOf(region_->topLeft()), placeOf(region_->bottomRight())), rect(), pen);
-    if (tool_ == Tool::Region && drags) drawRegion(painter, QRectF(*pressed_, *pointer_).normalized(), rect(), pen);
-    if (tool_ == Tool::Direction && drags) {
-        drawArrow(painter, *pressed_, *pointer_, pen);
-    } else if (arrow_deg_) {
-        const double size = 0.12 * std::min(width(), height());
-        const QPointF way(size * std::cos(qDegreesToRadians(*arrow_deg_)),
-                          size * std::sin(qDegreesToRadians(*arrow_deg_)));
-        const QPointF middle(placeOf({image_.width() / 2.0, image_.height() / 2.0}));
-        drawArrow(painter, middle - way, middle + way, pen);
-    }
-    std::vector<QPointF> ends;
-    ends.reserve(2);
-    for (const QPointF& end : chosen_) ends.push_back(placeOf(end));
-    if (tool_ == Tool::Length && ends.size() == 1 && pointer_) ends.push_back(*pointer_);
-    if (!ends.empty()) drawLength(painter, ends, pen);
-}
-
-void PictureView::paintScaleBar(QPainter& painter, const QPalette& palette) const
-{
-    if (mm_per_px_ > 0) drawScaleBar(painter, mm_per_px_ / zoom(), rect(), palette, font());
-}
-
-void PictureView::paintWords(QPainter& painter, const QPalette& palette) const
-{
-    QStringList lines;
-    std::vector<QColor> colours;
-    const plot::PlotStyle style(palette, font());
-    for (const Overlay& overlay : overlays_) {
-        const bool drawn = overlay.spacing_px * zoom() >= closestStripes;
-        lines << (drawn ? overlay.name : tr("%1: zoom in to see them").arg(overlay.name));
-        colours.push_back(style.colour(overlay.colour));
-    }
-    if (pointer_ && !pressed_) {
-        const QPointF at = pixelAt(*pointer_);
-        if (image_.rect().contains(at.toPoint())) {
-            const Text unit = LT_TEXT("Engine", "mm");
-            lines << (mm_per_px_ > 0
-                          ? QStringLiteral("x %1 · y %2")
-                                .arg(screenQuantity(at.x() * mm_per_px_, unit, 2),
-                                     screenQuantity(at.y() * mm_per_px_, unit, 2))
-                          : QStringLiteral("x %1 px · y %2 px").arg(at.x(), 0, 'f', 0).arg(at.y(), 0, 'f', 0));
-            colours.emplace_back();
-        }
-    }
-    drawLegend(painter, lines, colours, palette, font());
 }
 
 }  // namespace lathelier::surface_panel

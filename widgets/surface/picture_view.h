@@ -11,6 +11,7 @@
 #include "engine/report/colours.h"
 #include "engine/surface/stripes.h"
 #include "widgets/plot/plot_widget.h"
+#include "widgets/surface/picture_pyramid.h"
 
 class QPainter;
 
@@ -36,7 +37,7 @@ class PictureView : public plot::PlotWidget {
     Q_OBJECT
 
 public:
-    enum class Tool { None, Region, Length, Direction };
+    enum class Tool { None, Region, Length, Direction, Point };
 
     explicit PictureView(QWidget* parent = nullptr);
 
@@ -52,7 +53,12 @@ public:
     Tool tool() const { return tool_; }
     void setTool(Tool tool);
 
-    const QImage& image() const { return image_; }
+    /// A part of the picture several times as large about the pointer, in linked views about the same place.
+    void setMagnifier(bool on);
+    bool hasMagnifier() const { return magnifier_; }
+    const std::optional<QPointF>& lens() const { return lens_; }  ///< its place, in pixels of the picture
+
+    const QImage& image() const { return picture_.whole(); }
     const std::vector<Overlay>& overlays() const { return overlays_; }
     QPointF placeOf(const QPointF& pixel) const;  ///< in this widget
     QPointF pixelAt(const QPointF& place) const;  ///< of the picture
@@ -72,6 +78,7 @@ signals:
     void regionDrawn(const QRectF& region);
     void lengthDrawn(double pixels);
     void directionDrawn(double direction_deg);
+    void pointChosen(const QPointF& pixel);
     void viewMoved();
 
 protected:
@@ -93,15 +100,20 @@ private:
     void paintRulers(QPainter& painter, const QPalette& palette) const;
     void paintTools(QPainter& painter, const QPalette& palette) const;
     void paintScaleBar(QPainter& painter, const QPalette& palette) const;
+    void paintLens(QPainter& painter, const QPalette& palette) const;
     void paintWords(QPainter& painter, const QPalette& palette) const;
+    QString placeWords(const QPointF& at) const;
+    QString lengthWords() const;
+    void showLens(const std::optional<QPointF>& pixel);
+    bool moveLens(int key);
     double fitting() const;
     void zoomAt(const QPointF& place, double factor);
     void panBy(const QPointF& by);
     void showPart(double zoom, const QPointF& middle);
     void tellLinked();
 
-    QImage image_;
-    QImage second_;
+    PicturePyramid picture_;
+    PicturePyramid second_;
     double share_ = 1;
     double mm_per_px_ = 0;
     std::vector<Overlay> overlays_;
@@ -114,7 +126,9 @@ private:
     QPointF middle_;                  ///< of what is shown, in pixels of the picture
     std::optional<QPointF> pressed_;  ///< where a drag began, in the widget
     std::optional<QPointF> pointer_;  ///< in the widget
-    std::vector<QPointF> chosen_;     ///< ends of a length, in pixels of the picture
+    std::vector<QPointF> chosen_;     ///< ends of a length, or a point, in pixels of the picture
+    bool magnifier_ = false;
+    std::optional<QPointF> lens_;
     std::vector<PictureView*> linked_;
 };
 

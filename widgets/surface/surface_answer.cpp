@@ -5,9 +5,11 @@
 
 #include "engine/core/texts.h"
 #include "engine/report/result_json.h"
+#include "engine/surface/quiz.h"
 #include "engine/surface/surface_quantities.h"
 #include "engine/surface/surface_report.h"
 #include "engine/surface/surface_words.h"
+#include "widgets/surface/next_speed.h"
 
 namespace lathelier::surface_panel {
 namespace {
@@ -29,6 +31,60 @@ std::optional<report::Finding> choiceByModel(const SurfacePicture& picture, cons
     return finding;
 }
 
+report::Answer openQuestion(const SurfacePicture& picture, const Language& language)
+{
+    const surface::SyntheticParameters made = pictureOf(picture.question);
+    report::Answer answer;
+    answer.quantity = LT_TEXT("Engine", "Question");
+    answer.subject = std::to_string(picture.question.quiz_number);
+    answer.verdict_words = LT_TEXT("Engine", "not answered yet");
+    answer.sentence = LT_TEXT("Engine",
+                              "D {diameter} mm, f {feed} mm, N {speed} rpm, feed to the right, cut downward: which "
+                              "frequency made these marks? Measure with the ruler, then f_c = n (m + ν).");
+    answer.values = {{"diameter", fixed(made.diameter_mm, 0, language)},
+                     {"feed", fixed(made.feed_mm_rev, 2, language)},
+                     {"speed", fixed(made.speed_rpm, 0, language)}};
+    return answer;
+}
+
+std::optional<report::Finding> checkedQuestion(const SurfacePicture& picture, const Language& language)
+{
+    const SurfaceQuestion& question = picture.question;
+    if (!question.make_picture || !question.quiz || !question.quiz_answer_hz) return std::nullopt;
+    const surface::QuizAnswer checked = surface::checkedAnswer(*question.quiz_answer_hz, pictureOf(question));
+    report::Finding finding;
+    finding.values = {{"answer", fixed(*question.quiz_answer_hz, 1, language)},
+                      {"k", std::int64_t{std::abs(checked.waves)}}};
+    switch (checked.verdict) {
+        case surface::QuizVerdict::Right:
+            finding.pattern = LT_TEXT("Engine", "{answer} Hz is right");
+            finding.verdict = Verdict::Pass;
+            break;
+        case surface::QuizVerdict::OtherSign:
+            finding.pattern = LT_TEXT("Engine", "{answer} Hz has ν with the other sign: look which way the bands lean");
+            break;
+        case surface::QuizVerdict::OtherWaves:
+            finding.pattern = LT_TEXT("Engine", "{answer} Hz has ν right and m wrong by {k}: count the waves again");
+            break;
+        case surface::QuizVerdict::Multiple:
+            finding.pattern = LT_TEXT("Engine", "{answer} Hz is a multiple or a part of the frequency");
+            break;
+        case surface::QuizVerdict::Wrong:
+            finding.pattern = LT_TEXT("Engine", "{answer} Hz is no reading of these marks");
+            break;
+    }
+    if (checked.verdict != surface::QuizVerdict::Right) finding.verdict = Verdict::Fail;
+    return finding;
+}
+
+/// How the light fell, as far as anyone has said.
+report::Paragraph lightSentence(const SurfacePicture& picture)
+{
+    const std::string& light = picture.question.lighting;
+    if (light.empty()) return {LT_TEXT("Engine", "How the light fell is not stated; state it in the field Light."), {}};
+    return {LT_TEXT("Engine", "Light, as stated: {light}"), {{"light", light}}};
+}
+
 std::optional<report::Finding> truthOfMade(const SurfacePicture& picture, const Language& language)
 {
     if (!picture.question.make_picture) return std::nullopt;
@@ -47,25 +103,43 @@ std::optional<report::Finding> truthOfMade(const SurfacePicture& picture, const 
 /// The model's frequency beside that of the marks, as a sentence.
 void addModel(const SurfacePicture& picture, report::Section& section, const Language& language)
 {
-    report::Finding finding = modelFinding(*picture.marks, *picture.check, language);
-    section.blocks.emplace_back(report::Paragraph{finding.pattern, std::move(finding.values)});
+    const auto say = [&](report::Finding finding) {
+        section.blocks.emplace_back(report::Paragraph{finding.pattern, std::move(finding.values)});
+    };
+    say(modelFinding(*picture.marks, *picture.check, language));
+    if (auto next = nextSpeedFinding(picture, language)) say(*std::move(next));
+}
+
+/// In place of the report of a question that is open.
+report::Document reportOfQuestion(const SurfacePicture& picture, const Language& language)
+{
+    report::Document document;
+    document.title = LT_TEXT("Engine", "Marks of turned surfaces");
+    document.synthetic = true;
+    document.sections.push_back({LT_TEXT("Engine", "Question"),
+                                 {openQuestion(picture, language),
+                                  report::Picture{LT_TEXT("Engine", "Picture that is made"), picture.made_png}}});
+    return document;
 }
 
 }  // namespace
 
 report::Answer answerOf(const SurfacePicture& picture, const Language& language)
 {
+    if (picture.asks()) return openQuestion(picture, language);
     report::Answer answer = surface::answer(picture.first(), language);
     answer.subject = picture.shown.front().name;
     if (picture.marks) answer.quantity = LT_TEXT("Engine", "Chatter frequency");
     const auto say = [&](std::optional<report::Finding> finding) {
         if (finding && answer.findings.size() < 3) answer.findings.push_back(*std::move(finding));
     };
+    say(checkedQuestion(picture, language));
     say(truthOfMade(picture, language));
     if (picture.result->images.size() > 1) say(asFinding(beforeAndAfter(*picture.result, language)[1]));
     if (picture.marks) {
         say(choiceByModel(picture, language));
         if (picture.check) say(modelFinding(*picture.marks, *picture.check, language));
+        say(nextSpeedFinding(picture, language));
     }
     if (auto referee = refereeSentence(picture.first(), picture.result->parameters, language))
         say(asFinding(*std::move(referee)));
@@ -76,12 +150,14 @@ std::vector<report::Section> words(const SurfacePicture& picture, const Language
 {
     std::vector<report::Section> sections = surfaceWords(*picture.result, language);
     if (picture.marks && picture.check && sections.size() > 1) addModel(picture, sections[1], language);
+    if (!picture.question.make_picture) sections.back().blocks.emplace_back(lightSentence(picture));
     return sections;
 }
 
 report::Document reportOf(const SurfacePicture& picture, const Language& language)
 {
     if (!picture.result) throw *picture.refused;
+    if (picture.asks()) return reportOfQuestion(picture, language);
     surface::SurfaceResult result = *picture.result;
     for (std::size_t i = 0; i < result.images.size(); ++i) result.images[i].path = picture.shown[i].name;
     result.notes = picture.notes;  // those of the files as well
@@ -91,6 +167,8 @@ report::Document reportOf(const SurfacePicture& picture, const Language& languag
     report::Section& summary = document.sections.front();
     if (!summary.blocks.empty()) summary.blocks.front() = report::Block(answerOf(picture, language));
     if (picture.marks && picture.check) addModel(picture, document.sections.at(2), language);
+    if (picture.next) document.sections.at(2).blocks.emplace_back(nextSpeedTable(picture));
+    if (!picture.question.make_picture) summary.blocks.emplace_back(lightSentence(picture));
     document.results = {report::toText(report::wholeResult("surface", picture.inputs, toValues(result.parameters),
                                                            toJson(*picture.result), picture.notes))};
     return document;

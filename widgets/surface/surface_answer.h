@@ -14,7 +14,7 @@ report::Answer answerOf(const SurfacePicture& picture, const Language& language)
 /// The sentences of the page "What the picture says", by heading. Precondition: a result.
 std::vector<report::Section> words(const SurfacePicture& picture, const Language& language);
 
-/// Throws what the evaluation refused.
+/// Throws what the evaluation refused. Of an open question: the question.
 report::Document reportOf(const SurfacePicture& picture, const Language& language);
 
 }  // namespace lathelier::surface_panel

@@ -54,7 +54,7 @@ void SurfaceBar::setPicture(const SurfacePicture& picture, int chosen)
         if (two) button->setToolTip(QString::fromStdString(picture.shown[static_cast<std::size_t>(i)].name));
     }
     showCandidates(picture);
-    send_->setVisible(picture.marks.has_value());
+    send_->setVisible(picture.marks.has_value() && !picture.asks());
     if (picture.marks)
         send_->setText(tr("Send %1 to the lobe chart")
                            .arg(screenQuantity(picture.marks->frequency_hz, LT_TEXT("Engine", "Hz"), 1)));
@@ -70,7 +70,8 @@ void SurfaceBar::showCandidates(const SurfacePicture& picture)
         chip->deleteLater();
     }
     const surface::ImageMarks* const first = picture.result ? &picture.first() : nullptr;
-    const bool open = first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
+    const bool open =
+        !picture.asks() && first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
     candidates_->setVisible(open);
     if (!open) return;
     const std::vector<double>& all = first->chatter_marks->candidates_hz;

@@ -84,6 +84,7 @@ double rulerDirection_deg(const surface::ImageMarks& image)
 
 QString foundWords(const SurfacePicture& picture)
 {
+    if (picture.asks()) return {};
     const surface::ImageMarks& image = picture.first();
     const Language language = screenLanguage();
     const report::Answer answer = surface::answer(image, language);

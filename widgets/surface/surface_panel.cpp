@@ -36,7 +36,8 @@ PanelInputs panelInputs()
                     chatter_common::responseRole(
                         LT_TEXT("Engine", "A model to compare the marks with: UFF, CSV or MAT. It may be missing."))};
     for (FieldInfo& info : infos<SurfaceQuestion>())
-        if (info.key.rfind(madePrefix, 0) != 0) inputs.fields.push_back(std::move(info));
+        if (info.key.rfind(madePrefix, 0) != 0 && info.key.rfind(quizKey, 0) != 0)
+            inputs.fields.push_back(std::move(info));
     inputs.defaults = toValues(SurfaceQuestion{});
     inputs.invitation = LT_TEXT("Engine",
                                 "Drop one or two photographs of a turned surface here, or let one be made (Make a "
@@ -83,6 +84,9 @@ SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
     connect(views_, &SurfaceViews::regionWanted, this, &SurfacePanel::setRegion);
     connect(views_, &SurfaceViews::scaleWanted, this, &SurfacePanel::setScale);
     connect(views_, &SurfaceViews::directionWanted, this, &SurfacePanel::setDirection);
+    connect(views_, &SurfaceViews::alikeWanted, this, &SurfacePanel::setAlike);
+    connect(views_, &SurfaceViews::layWanted, this, &SurfacePanel::lay);
+    connectQuiz();
     connect(views_, &SurfaceViews::madeWanted, this, &SurfacePanel::setMade);
     connect(views_, &SurfaceViews::notWritten, this, &SurfacePanel::sayNotWritten);
 }
@@ -115,9 +119,14 @@ void SurfacePanel::setRegion(int image, const std::optional<QRectF>& region)
     });
 }
 
-void SurfacePanel::setScale(double pixels, double mm)
+/// Of both pictures; where they were not taken alike, of the one that is shown.
+void SurfacePanel::setScale(int image, double pixels, double mm)
 {
     editState(tr("Set the scale"), [&](project::PanelState& state) {
+        if (image == 1 && !areTakenAlike(state.parameters)) {
+            lathelier::set(state.parameters, "after_mm_per_px", mm / pixels);
+            return;
+        }
         lathelier::set(state.parameters, "scale_px_mm",
                        QStringLiteral("%1:%2").arg(pixels, 0, 'f', 2).arg(mm, 0, 'g', 9).toStdString());
         lathelier::set(state.parameters, "mm_per_px", Value());
@@ -125,10 +134,50 @@ void SurfacePanel::setScale(double pixels, double mm)
     });
 }
 
-void SurfacePanel::setDirection(double direction_deg)
+void SurfacePanel::setDirection(int image, double direction_deg)
 {
     editState(tr("Set the direction of feed"), [&](project::PanelState& state) {
-        lathelier::set(state.parameters, "feed_direction_deg", std::round(10 * direction_deg) / 10);
+        const bool own = image == 1 && !areTakenAlike(state.parameters);
+        lathelier::set(state.parameters, own ? "after_feed_direction_deg" : "feed_direction_deg",
+                       std::round(10 * direction_deg) / 10);
+    });
+}
+
+void SurfacePanel::setAlike(bool alike)
+{
+    editState(alike ? tr("Take both pictures alike") : tr("Take the pictures apart"),
+              [&](project::PanelState& state) { lathelier::set(state.parameters, "taken_alike", alike); });
+}
+
+void SurfacePanel::lay(const QPointF& further_px)
+{
+    const auto picture = result();
+    if (!picture) return;
+    const double right = picture->laid.x + further_px.x(), down = picture->laid.y + further_px.y();
+    editState(tr("Lay the pictures over each other"), [&](project::PanelState& state) {
+        lathelier::set(state.parameters, layRightKey, std::round(10 * right) / 10);
+        lathelier::set(state.parameters, layDownKey, std::round(10 * down) / 10);
+    });
+}
+
+void SurfacePanel::connectQuiz()
+{
+    QuizPane* const quiz = views_->generator()->quiz();
+    connect(quiz, &QuizPane::quizWanted, this, [this](bool on) {
+        editState(on ? tr("Ask a question") : tr("Leave the questions"), [&](project::PanelState& state) {
+            lathelier::set(state.parameters, quizKey, on);
+            lathelier::set(state.parameters, quizAnswerKey, Value());
+        });
+    });
+    connect(quiz, &QuizPane::answerWanted, this, [this](double frequency_hz) {
+        editState(tr("Answer the question"),
+                  [&](project::PanelState& state) { lathelier::set(state.parameters, quizAnswerKey, frequency_hz); });
+    });
+    connect(quiz, &QuizPane::questionWanted, this, [this](int number) {
+        editState(tr("Take the next question"), [&](project::PanelState& state) {
+            lathelier::set(state.parameters, quizNumberKey, std::int64_t{number});
+            lathelier::set(state.parameters, quizAnswerKey, Value());
+        });
     });
 }
 
@@ -232,7 +281,7 @@ std::vector<PanelExport> SurfacePanel::exports() const
     if (!picture->made_png.empty())
         all.push_back({tr("Picture that was made (PNG)…"), tr("Picture (*.png)"), "png",
                        [picture, write](const QString& path) { write(path, picture->made_png); }});
-    if (!picture->result) return all;
+    if (!picture->result || picture->asks()) return all;
     for (std::size_t i = 0; i < picture->result->images.size(); ++i)
         all.push_back({i == 0 ? tr("Picture with its marks (SVG)…") : tr("Picture after with its marks (SVG)…"), svg,
                        "svg", [picture, write, i](const QString& path) {

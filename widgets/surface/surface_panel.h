@@ -24,7 +24,7 @@ protected:
     Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const SurfacePicture>& picture) override;
     report::Answer answer(const SurfacePicture& picture) const override;
-    Notes notes(const SurfacePicture& picture) const override { return picture.notes; }
+    Notes notes(const SurfacePicture& picture) const override { return picture.asks() ? Notes{} : picture.notes; }
     report::Document document(const SurfacePicture& picture) const override;
     std::optional<Error> problem(const SurfacePicture& picture) const override { return picture.refused; }
     std::vector<PanelExport> exports() const override;
@@ -37,10 +37,13 @@ protected:
 
 private:
     void setRegion(int image, const std::optional<QRectF>& region);
-    void setScale(double pixels, double mm);
-    void setDirection(double direction_deg);
+    void setScale(int image, double pixels, double mm);
+    void setDirection(int image, double direction_deg);
+    void setAlike(bool alike);
+    void lay(const QPointF& further_px);
     void chooseCandidate(double frequency_hz);
     void setMade(const std::string& key, const Value& value, int gesture);
+    void connectQuiz();
     void sendMarks();
 
     SurfaceViews* views_;

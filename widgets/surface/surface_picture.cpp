@@ -6,12 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
+#include "engine/core/texts.h"
 #include "engine/stability/lobes.h"
 #include "engine/surface/picture_comparison.h"
+#include "engine/surface/surface_codes.h"
 #include "engine/surface/surface_plots.h"
 #include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/task/memo.h"
 #include "widgets/surface/image_store.h"
+#include "widgets/surface/next_speed.h"
 
 namespace lathelier::surface_panel {
 namespace {
@@ -22,26 +25,20 @@ constexpr double modelFrom = 0.7, modelTo = 1.4;  // of the speed of the cut
 /// Pictures that were made, by their parameters: one that is looked at anew is not made again.
 struct MadePictures : Memo<io::Image> {};
 
-QImage imageOf(const surface::Grid& grid, double low, double high)
+QImage imageOf(const surface::GridView& grid, double low, double high)
 {
     QImage image(grid.columns, grid.rows, QImage::Format_Grayscale8);
     for (int y = 0; y < grid.rows; ++y) {
         uchar* line = image.scanLine(y);
         const float* row = grid.row(y);
-        for (int x = 0; x < grid.columns; ++x)
-            line[x] =
-                static_cast<uchar>(std::lround(255 * std::clamp((double(row[x]) - low) / (high - low), 0.0, 1.0)));
+        for (int x = 0; x < grid.columns; ++x) line[x] = surface::levelOf(row[x], low, high);
     }
     return image;
 }
 
 QImage imageOf(const io::Image& image)
 {
-    surface::Grid grid;
-    grid.columns = image.width;
-    grid.rows = image.height;
-    grid.values = image.grey;
-    return imageOf(grid, 0, 1);
+    return imageOf(surface::GridView(image.grey.data(), image.width, image.height, image.width), 0, 1);
 }
 
 std::string nameOf(const std::string& path)
@@ -67,7 +64,7 @@ std::vector<surface::NamedImage> readImages(const project::PanelState& state, Su
         const project::Source* const source = chatter_common::sourceOf(state, role);
         if (!source) continue;
         const auto loaded = stores.of<ImageStore>()->load(*source, progress);
-        images.push_back({source->path, loaded->file});
+        images.emplace_back(source->path, std::shared_ptr<const io::Image>(loaded, &loaded->file));
         picture.inputs.push_back(loaded->inputs.front());
         picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
         picture.synthetic |= source->synthetic;
@@ -83,11 +80,10 @@ surface::NamedImage makeImage(SurfacePicture& picture, Stores& stores, const Pro
         key, progress, [&](const Progress& part) { return surface::syntheticPicture(asked, part); });
     picture.made_png = surface::syntheticPng(*made);
     picture.synthetic = true;
-    return {"SYNTHETIC", *made};
+    return {"SYNTHETIC", made};
 }
 
-void compareWithModel(const project::PanelState& state, SurfacePicture& picture, Stores& stores,
-                      const Progress& progress)
+void askModel(const project::PanelState& state, SurfacePicture& picture, Stores& stores, const Progress& progress)
 {
     auto response = chatter_common::takeResponse(state, stores, progress.part(0, 0.3));
     if (!response) return;
@@ -98,6 +94,18 @@ void compareWithModel(const project::PanelState& state, SurfacePicture& picture,
     parameters.points = modelPoints;
     picture.model = std::make_shared<const stability::LobeResult>(findLobes(frf, parameters, progress.part(0.3, 1)));
     picture.check = checkModel(*picture.marks, *picture.model);
+    if (picture.check && picture.check->agrees) picture.next = nextSpeed(frf, *picture.marks, *picture.check);
+}
+
+/// A response that is refused leaves the marks as they are.
+void compareWithModel(const project::PanelState& state, SurfacePicture& picture, Stores& stores,
+                      const Progress& progress)
+{
+    try {
+        askModel(state, picture, stores, progress);
+    } catch (const Error& error) {
+        picture.notes.push_back({notes::modelNotUsed, {{"reason", text(error)}}});
+    }
 }
 
 void prepare(SurfacePicture& picture, const Progress& progress)
@@ -112,7 +120,11 @@ void prepare(SurfacePicture& picture, const Progress& progress)
         progress.report(static_cast<double>(i + 1) / 3);
     }
     if (result.images.size() > 1) {
-        const surface::AlignedPictures both = surface::aligned(result.images);
+        surface::Vector shift = result.comparison ? result.comparison->shift : surface::Vector{};
+        if (picture.isLaid())
+            shift = {picture.question.lay_right_px.value_or(0), picture.question.lay_down_px.value_or(0)};
+        const surface::AlignedPictures both = surface::aligned(result.images, shift);
+        picture.laid = shift;
         picture.before = imageOf(both.pictures[0], -surface::flatRange, surface::flatRange);
         picture.after = imageOf(both.pictures[1], -surface::flatRange, surface::flatRange);
         picture.common_mm_per_px = both.mm_per_px;
@@ -137,7 +149,8 @@ SurfacePicture surfacePicture(const project::PanelState& state, Stores& stores, 
     else
         images = readImages(state, picture, stores, progress.part(0, 0.2, LT_TEXT("Engine", "Reading")));
     for (const surface::NamedImage& image : images)
-        picture.shown.push_back({nameOf(image.path), imageOf(image.image), {}, {}, {}, {}});
+        picture.shown.push_back({nameOf(image.path), imageOf(*image.image), {}, {}, {}, {}});
+    if (images.size() > 1) giveOwn(images[1], picture.question);
     try {
         picture.result = std::make_shared<const surface::SurfaceResult>(
             findSurfaceMarks(images, parametersOf(picture.question, images.size()),

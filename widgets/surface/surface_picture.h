@@ -10,6 +10,7 @@
 #include "engine/core/error.h"
 #include "engine/core/input_file.h"
 #include "engine/stability/marks_item.h"
+#include "engine/stability/speed_choice.h"
 #include "engine/surface/stripes.h"
 #include "engine/surface/surface.h"
 #include "widgets/core/files/stores.h"
@@ -34,14 +35,18 @@ struct SurfacePicture {
     std::optional<Error> refused;                          ///< the pictures are there, and cannot be evaluated
     QImage before, after;                                  ///< of two pictures: one scale, direction, size and grey
     double common_mm_per_px = 0;                           ///< of these two; 0: not known
+    surface::Vector laid;                                  ///< shift that was taken off the second one, in its pixels
     std::shared_ptr<const stability::LobeResult> model;    ///< about the speed of the cut; null: none given
     std::optional<stability::SurfaceMarks> marks;          ///< the first picture's, if it has a frequency
     std::optional<stability::ModelCheck> check;            ///< of the marks by the model
+    std::optional<stability::SpeedResult> next;            ///< speed in place of that of the cut; where the two agree
     std::vector<InputFile> inputs;                         ///< pictures and response
     Notes notes;                                           ///< of files and result
     bool synthetic = false;                                ///< a source is marked as synthetic, or the picture was made
     std::string made_png;                                  ///< the picture that was made, as a file; empty: none
 
+    bool asks() const { return isAsking(question); }  ///< nothing may be told of the picture
+    bool isLaid() const { return question.lay_right_px || question.lay_down_px; }  ///< by two clicks
     const surface::ImageMarks& first() const { return result->images.front(); }
 };
 

@@ -1,6 +1,7 @@
 #include "widgets/surface/surface_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/surface/quiz.h"
 
 namespace lathelier::surface_panel {
 namespace {
@@ -8,6 +9,13 @@ namespace {
 constexpr int fieldWidth_px = 560, fieldHeight_px = 420;  // of a small field
 constexpr int wholeWidth_px = 420, wholeHeight_px = 900;  // of the whole width of the part
 constexpr double wholeShare = 0.88;                       // of the diameter, in such a picture
+
+bool isSet(const Values& parameters, const char* key, bool otherwise)
+{
+    const Value* const value = find(parameters, key);
+    const bool* const there = value ? std::get_if<bool>(value) : nullptr;
+    return there ? *there : otherwise;
+}
 
 }  // namespace
 
@@ -31,14 +39,38 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
     const Text rpm = LT_TEXT("Engine", "rpm");
     static const std::vector<Field<Q>> all = described<Q>(
         within(&Q::surface, "feed_mm_rev"), within(&Q::surface, "diameter_mm"),
-        field(
-            "speed_before_rpm", &Q::speed_before_rpm, Range{1, 100000},
-            Label{LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "That the first surface was cut with."), rpm}),
+        field("speed_before_rpm", &Q::speed_before_rpm, Range{1, 100000},
+              Label{LT_TEXT("Engine", "Spindle speed"),
+                    LT_TEXT("Engine", "That the first surface was cut with; none: not known."), rpm}),
         field("speed_after_rpm", &Q::speed_after_rpm, Range{1, 100000},
               Label{LT_TEXT("Engine", "Speed after"),
                     LT_TEXT("Engine", "That the second surface was cut with; none: as the first."), rpm}),
         within(&Q::surface, "mm_per_px"), within(&Q::surface, "scale_px_mm"), within(&Q::surface, "scale_from_feed"),
         within(&Q::surface, "feed_direction_deg"), within(&Q::surface, "cut_direction"), within(&Q::surface, "unroll"),
+        field("lighting", &Q::lighting,
+              Label{LT_TEXT("Engine", "Light"),
+                    LT_TEXT("Engine",
+                            "Where the light came from, for the report. Pictures are compared as if it had been the "
+                            "same.")}),
+        field("taken_alike", &Q::taken_alike,
+              Label{LT_TEXT("Engine", "Both pictures taken alike"),
+                    LT_TEXT("Engine", "One scale and one direction of feed for both.")}),
+        field("after_mm_per_px", &Q::after_mm_per_px, Range{1e-6, 100},
+              Label{LT_TEXT("Engine", "Scale after"),
+                    LT_TEXT("Engine", "Of the second picture, where it was taken otherwise; none: as the first."),
+                    LT_TEXT("Engine", "mm/px"), true}),
+        field("after_feed_direction_deg", &Q::after_feed_direction_deg, Range{-360, 360},
+              Label{LT_TEXT("Engine", "Direction of feed after"),
+                    LT_TEXT("Engine", "In the second picture, where it was taken otherwise; none: as in the first."),
+                    LT_TEXT("Engine", "°"), true}),
+        field(layRightKey, &Q::lay_right_px, Range{-4096, 4096},
+              Label{LT_TEXT("Engine", "Second picture to the right"),
+                    LT_TEXT("Engine", "By two clicks on one place in both, in pixels of the comparison."),
+                    LT_TEXT("Engine", "px"), true}),
+        field(layDownKey, &Q::lay_down_px, Range{-4096, 4096},
+              Label{LT_TEXT("Engine", "Second picture down"),
+                    LT_TEXT("Engine", "By two clicks on one place in both, in pixels of the comparison."),
+                    LT_TEXT("Engine", "px"), true}),
         within(&Q::surface, "expect_hz"),
         field(makeKey, &Q::make_picture,
               Label{LT_TEXT("Engine", "Make a picture"),
@@ -47,15 +79,38 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
                             "files.")}),
         within(&Q::surface, "axis_px"), foldedWithin(&Q::surface, "roi"), within(&Q::surface, "alpha"),
         within(&Q::surface, "speed_uncertainty_percent"),
-        group("made", &Q::made, Label{LT_TEXT("Engine", "Picture that is made"), {}}));
+        group("made", &Q::made, Label{LT_TEXT("Engine", "Picture that is made"), {}}),
+        field(quizKey, &Q::quiz,
+              Label{LT_TEXT("Engine", "Question"), LT_TEXT("Engine", "The picture's vibration is to be found.")}),
+        field(quizNumberKey, &Q::quiz_number, Range{1, 1000000},
+              Label{LT_TEXT("Engine", "Number of the question"),
+                    LT_TEXT("Engine", "Another number is another picture.")}),
+        field(quizAnswerKey, &Q::quiz_answer_hz, Range{0.1, 100000},
+              Label{LT_TEXT("Engine", "Answer"), LT_TEXT("Engine", "Frequency that was read off the picture."),
+                    LT_TEXT("Engine", "Hz")}));
     return all;
+}
+
+bool isAsking(const SurfaceQuestion& question)
+{
+    return question.make_picture && question.quiz && !question.quiz_answer_hz;
+}
+
+void giveOwn(surface::NamedImage& after, const SurfaceQuestion& question)
+{
+    if (question.taken_alike) return;
+    after.mm_per_px = question.after_mm_per_px;
+    after.feed_direction_deg = question.after_feed_direction_deg;
 }
 
 bool makesPicture(const Values& parameters)
 {
-    const Value* const make = find(parameters, makeKey);
-    const bool* const is_made = make ? std::get_if<bool>(make) : nullptr;
-    return is_made && *is_made;
+    return isSet(parameters, makeKey, false);
+}
+
+bool areTakenAlike(const Values& parameters)
+{
+    return isSet(parameters, "taken_alike", true);
 }
 
 surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pictures)
@@ -76,11 +131,9 @@ surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::si
         p.roi.clear();
         return p;
     }
-    if (question.speed_before_rpm) p.speed_rpm.push_back({*question.speed_before_rpm});
-    if (pictures > 1 && question.speed_after_rpm) {
-        if (p.speed_rpm.empty()) p.speed_rpm.push_back({*question.speed_after_rpm});
-        p.speed_rpm.push_back({*question.speed_after_rpm});
-    }
+    const bool after = pictures > 1 && question.speed_after_rpm;
+    if (question.speed_before_rpm || after) p.speed_rpm.push_back({question.speed_before_rpm.value_or(0)});
+    if (after) p.speed_rpm.push_back({*question.speed_after_rpm});
     if (p.roi.size() > pictures) p.roi.resize(pictures);
     return p;
 }
@@ -88,6 +141,10 @@ surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::si
 surface::SyntheticParameters pictureOf(const SurfaceQuestion& question)
 {
     surface::SyntheticParameters p = question.made;
+    if (question.quiz) {
+        p.cylinder = true;
+        p = surface::quizPicture(question.quiz_number, p);
+    }
     if (!p.cylinder) return p;
     p.width = wholeWidth_px;
     p.height = wholeHeight_px;

@@ -14,16 +14,30 @@ inline constexpr const char* beforeRole = "before";
 inline constexpr const char* afterRole = "after";
 inline constexpr const char* makeKey = "make_picture";
 inline constexpr const char* madePrefix = "made.";  ///< of the keys of SurfaceQuestion::made
+inline constexpr const char* quizKey = "quiz";      ///< and what all of its parameters begin with
+inline constexpr const char* quizNumberKey = "quiz_number";
+inline constexpr const char* quizAnswerKey = "quiz_answer_hz";
+inline constexpr const char* layRightKey = "lay_right_px";
+inline constexpr const char* layDownKey = "lay_down_px";
 
 /// A picture that shows what marks of chatter look like.
 surface::SyntheticParameters demonstration();
 
 struct SurfaceQuestion {
-    surface::SurfaceParameters surface;                   ///< but for the speeds
-    std::optional<double> speed_before_rpm;               ///< of the first picture's cut
-    std::optional<double> speed_after_rpm;                ///< of the second one's; none: as the first
-    bool make_picture = false;                            ///< a picture is made in place of the files
+    surface::SurfaceParameters surface;              ///< but for the speeds
+    std::optional<double> speed_before_rpm;          ///< of the first picture's cut; none: not known
+    std::optional<double> speed_after_rpm;           ///< of the second one's; none: as the first
+    std::string lighting;                            ///< how the light fell, in words; empty: not stated
+    bool taken_alike = true;                         ///< both pictures have one scale and direction
+    std::optional<double> after_mm_per_px;           ///< else: of the second picture; none: as the first
+    std::optional<double> after_feed_direction_deg;  ///< else: of the second picture; none: as the first
+    std::optional<double> lay_right_px;              ///< what was clicked in both: the second picture lies so far…
+    std::optional<double> lay_down_px;               ///< …from the first, in pixels of the comparison
+    bool make_picture = false;                       ///< a picture is made in place of the files
     surface::SyntheticParameters made = demonstration();  ///< how
+    bool quiz = false;                                    ///< the picture that is made is a question
+    int quiz_number = 1;                                  ///< which one
+    std::optional<double> quiz_answer_hz;                 ///< of whoever was asked; none: not answered yet
 };
 
 const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*);
@@ -31,10 +45,19 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*);
 /// Is a picture made, rather than taken from files?
 bool makesPicture(const Values& parameters);
 
+/// Do scale and direction go for both pictures?
+bool areTakenAlike(const Values& parameters);
+
+/// Is a question open, so that nothing may be told of the picture that is made?
+bool isAsking(const SurfaceQuestion& question);
+
 /// For the evaluation of so many pictures. Of a picture that is made, the cut is that of the picture.
 surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pictures);
 
-/// The picture that is made: with room for the whole width of the part where that is asked.
+/// Scale and direction of the second picture where they are its own.
+void giveOwn(surface::NamedImage& after, const SurfaceQuestion& question);
+
+/// The picture that is made: with room for the whole width of the part where that is asked; that of a question.
 surface::SyntheticParameters pictureOf(const SurfaceQuestion& question);
 
 }  // namespace lathelier::surface_panel

@@ -1,6 +1,7 @@
 #include "widgets/surface/surface_views.h"
 
 #include <QHBoxLayout>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <QVariant>
@@ -8,12 +9,8 @@
 
 #include "engine/stability/stability_plots.h"
 #include "engine/surface/surface_plots.h"
-#include "engine/surface/surface_report.h"
-#include "engine/surface/surface_words.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
-#include "widgets/surface/surface_answer.h"
-#include "widgets/surface/surface_overlays.h"
 
 namespace lathelier::surface_panel {
 namespace {
@@ -41,6 +38,7 @@ SurfaceViews::SurfaceViews(QWidget* parent)
       marks_(new PictureView),
       showFeed_(new QToolButton),
       showChatter_(new QToolButton),
+      measure_(new QToolButton),
       spectrum_(new plot::ChartView),
       lines_(new plot::ChartView),
       comparison_(new ComparisonView),
@@ -114,6 +112,9 @@ QWidget* SurfaceViews::makeMarksSide()
         button->setChecked(true);
         row->addWidget(button);
     }
+    measure_->setObjectName("measureMarks");
+    measure_->setCheckable(true);
+    row->addWidget(measure_);
     row->addStretch(1);
     column->addWidget(tools);
     column->addWidget(marks_, 1);
@@ -135,8 +136,16 @@ void SurfaceViews::connectParts()
     });
     connect(photograph_, &PhotographView::regionWanted, this,
             [this](const std::optional<QRectF>& region) { emit regionWanted(chosen_, region); });
-    connect(photograph_, &PhotographView::scaleWanted, this, &SurfaceViews::scaleWanted);
-    connect(photograph_, &PhotographView::directionWanted, this, &SurfaceViews::directionWanted);
+    connect(measure_, &QToolButton::toggled, this, [this](bool on) {
+        for (PictureView* view : {marks_, unrolled_})
+            view->setTool(on ? PictureView::Tool::Length : PictureView::Tool::None);
+    });
+    connect(photograph_, &PhotographView::scaleWanted, this,
+            [this](double pixels, double mm) { emit scaleWanted(chosen_, pixels, mm); });
+    connect(photograph_, &PhotographView::directionWanted, this,
+            [this](double direction_deg) { emit directionWanted(chosen_, direction_deg); });
+    connect(photograph_, &PhotographView::alikeWanted, this, &SurfaceViews::alikeWanted);
+    connect(comparison_, &ComparisonView::layWanted, this, &SurfaceViews::layWanted);
     connect(generator_, &GeneratorPane::valueWanted, this, &SurfaceViews::madeWanted);
     connect(comparison_, &ComparisonView::notWritten, this, &SurfaceViews::notWritten);
     for (plot::PlotWidget* plot :
@@ -157,7 +166,7 @@ void SurfaceViews::setPicture(const std::shared_ptr<const SurfacePicture>& pictu
 
 const surface::ImageMarks* SurfaceViews::marksShown() const
 {
-    return picture_ && picture_->result ? &picture_->result->images[static_cast<std::size_t>(chosen_)] : nullptr;
+    return picture_ && picture_->result ? &picture_->result->images.at(static_cast<std::size_t>(chosen_)) : nullptr;
 }
 
 void SurfaceViews::choose(int image)
@@ -175,19 +184,27 @@ void SurfaceViews::chooseLine(int line)
     showSpectrum();
 }
 
+/// Those that there is something for; of an open question only what tells nothing.
+void SurfaceViews::chooseViews()
+{
+    const bool there = picture_->result != nullptr, told = there && !picture_->asks();
+    heroes_->setAvailable("marks", there);
+    for (const char* key : {"spectrum", "words", "tables"}) heroes_->setAvailable(key, told);
+    heroes_->setAvailable("comparison", !picture_->before.isNull());
+    heroes_->setAvailable("unrolled", there && marksShown()->unrolled);
+    heroes_->setAvailable("model", told && picture_->model != nullptr);
+    showChatter_->setVisible(!picture_->asks());
+}
+
 void SurfaceViews::show()
 {
     if (!picture_) return;
-    const bool there = picture_->result != nullptr;
-    for (const char* key : {"marks", "spectrum", "words", "tables"}) heroes_->setAvailable(key, there);
-    heroes_->setAvailable("comparison", !picture_->before.isNull());
-    heroes_->setAvailable("unrolled", there && marksShown()->unrolled);
-    heroes_->setAvailable("model", picture_->model != nullptr);
+    chooseViews();
     bar_->setPicture(*picture_, chosen_);
     bar_->setVisible(!presenting_);
     showPhotograph();
     showGenerator();
-    if (!there) return;
+    if (!picture_->result) return;
     showMarks();
     showSpectrum();
     showComparison();
@@ -199,105 +216,6 @@ void SurfaceViews::show()
     model_->setData(std::move(plot));
 }
 
-void SurfaceViews::showMarks()
-{
-    const surface::ImageMarks* const image = marksShown();
-    if (!image) return;
-    const ShownImage& shown = picture_->shown[static_cast<std::size_t>(chosen_)];
-    const double mm_per_px = image->mm_per_px.value_or(0) * image->view.px_per_px;
-    marks_->setPicture(shown.flat, mm_per_px);
-    std::vector<Overlay> overlays;
-    if (showFeed_->isChecked() && image->view.feed) overlays.push_back(feedOverlay(*image, shown));
-    if (showChatter_->isChecked() && image->view.bands) overlays.push_back(chatterOverlay(*image, shown));
-    if (line_ >= 0) overlays.push_back(lineOverlay(*image, line_));
-    marks_->setOverlays(std::move(overlays));
-    marks_->setRulers(rulersOf(*image, picture_->result->parameters), rulerDirection_deg(*image));
-    unrolled_->setPicture(shown.evaluated, mm_per_px);
-    unrolled_->setOverlays({});
-}
-
-void SurfaceViews::showSpectrum()
-{
-    const surface::ImageMarks* const image = marksShown();
-    if (!image) return;
-    report::Plot plot = ringedSpectrum(*image);
-    spectrum_->setData(std::move(plot));
-    plot::PointedOut out;
-    if (line_ >= 0) {
-        const surface::Vector at = image->view.lines[static_cast<std::size_t>(line_)].frequency;
-        const double pixel = image->view.px_per_px * image->mm_per_px.value_or(1);
-        out.place = QPointF(at.x / pixel, -at.y / pixel);
-    }
-    spectrum_->pointOut(std::move(out));
-    lines_->setData(linesOverNoise(*image));
-}
-
-void SurfaceViews::showPhotograph()
-{
-    const ShownImage& shown = picture_->shown[static_cast<std::size_t>(chosen_)];
-    const surface::ImageMarks* const image = marksShown();
-    const surface::SurfaceParameters p = parametersOf(picture_->question, picture_->shown.size());
-    photograph_->setPicture(shown.photograph, image ? image->mm_per_px.value_or(0) : 0, p.diameter_mm);
-    photograph_->setTools(!picture_->question.make_picture);
-    std::optional<QRectF> region;
-    if (!p.roi.empty()) {
-        const surface::Region& roi = p.roi[p.roi.size() == 1 ? 0 : static_cast<std::size_t>(chosen_)];
-        const QRectF there(roi.x, roi.y, roi.width, roi.height);
-        if (there != QRectF(shown.photograph.rect())) region = there;
-    }
-    photograph_->view()->setRegion(region);
-    photograph_->view()->setArrow(p.feed_direction_deg);
-}
-
-void SurfaceViews::showComparison()
-{
-    if (picture_->before.isNull()) return;
-    const auto name = [&](std::size_t i) {
-        const surface::ImageMarks& image = picture_->result->images[i];
-        const QString file = QString::fromStdString(picture_->shown[i].name);
-        return image.speed_rpm
-                   ? QStringLiteral("%1 · %2").arg(file, screenQuantity(*image.speed_rpm, LT_TEXT("Engine", "rpm"), 0))
-                   : file;
-    };
-    QString alignment;
-    if (const auto said = alignmentSentence(*picture_->result, screenLanguage()))
-        alignment = QString::fromStdString(fill(text(said->pattern, screenLanguage()), said->values, screenLanguage()));
-    comparison_->setNames(name(0), name(1), alignment);
-    comparison_->setPictures(picture_->before, picture_->after, picture_->common_mm_per_px);
-}
-
-void SurfaceViews::showWords()
-{
-    const Language language = screenLanguage();
-    QString html;
-    for (const report::Section& section : surface_panel::words(*picture_, language)) {
-        html += "<h3>" + QString::fromStdString(captionText(section.title, language)).toHtmlEscaped() + "</h3>";
-        for (const report::Block& block : section.blocks)
-            if (const auto* said = std::get_if<report::Paragraph>(&block))
-                html += "<p>" +
-                        QString::fromStdString(fill(text(said->pattern, language), said->values, language))
-                            .toHtmlEscaped() +
-                        "</p>";
-    }
-    words_->setHtml(html);
-}
-
-void SurfaceViews::showTables()
-{
-    numbers_->setQuantities(reportOf(*picture_, screenLanguage()));
-    const report::Table speeds = surface::speedTable(picture_->first());
-    speeds_->setTable(speeds);
-    tabs_->setTabVisible(1, !speeds.rows.empty());
-}
-
-void SurfaceViews::showGenerator()
-{
-    generator_->setVisible(picture_->question.make_picture && !presenting_);
-    if (!picture_->question.make_picture) return;
-    generator_->setParameters(pictureOf(picture_->question));
-    generator_->setFound(picture_->result ? foundWords(*picture_) : screenText(*picture_->refused));
-}
-
 Values SurfaceViews::view() const
 {
     return {{chosenKey, std::int64_t{chosen_}},      {feedKey, showFeed_->isChecked()},
@@ -307,13 +225,17 @@ Values SurfaceViews::view() const
 
 void SurfaceViews::restoreView(const Values& values)
 {
-    chosen_ = static_cast<int>(std::clamp<std::int64_t>(kept<std::int64_t>(values, chosenKey, 0), 0, 1));
+    const QSignalBlocker quiet_feed(showFeed_), quiet_chatter(showChatter_);  // all is shown at the end
     showFeed_->setChecked(kept(values, feedKey, true));
     showChatter_->setChecked(kept(values, chatterKey, true));
     comparison_->setSlides(kept(values, slidesKey, false));
     comparison_->setShare(kept(values, shareKey, 0.5));
     tabs_->setCurrentIndex(static_cast<int>(std::clamp<std::int64_t>(kept<std::int64_t>(values, tableKey, 0), 0, 1)));
-    if (picture_) choose(chosen_);
+    const int chosen = kept<std::int64_t>(values, chosenKey, 0) == 1 ? 1 : 0;
+    if (picture_)
+        choose(chosen);  // one that there is
+    else
+        chosen_ = chosen;
 }
 
 void SurfaceViews::setPresenting(bool presenting)
@@ -337,6 +259,8 @@ void SurfaceViews::retranslate()
     showFeed_->setToolTip(tr("Draw the crests of the feed marks over the picture"));
     showChatter_->setText(tr("Chatter marks"));
     showChatter_->setToolTip(tr("Draw the crests of the chatter marks over the picture"));
+    measure_->setText(tr("Measure"));
+    measure_->setToolTip(tr("Two clicks show their distance, along the axis and round the part"));
     bar_->retranslate();
     marks_->setAccessibleName(tr("Picture without its uneven light, with its marks"));
     unrolled_->setAccessibleName(tr("Picture with the circumference laid flat"));

@@ -46,17 +46,20 @@ public:
     void retranslate();
 
 signals:
+    void alikeWanted(bool alike);
+    void layWanted(const QPointF& further_px);
     void sendWanted();
     void candidateWanted(double frequency_hz);
     void regionWanted(int image, const std::optional<QRectF>& region);
-    void scaleWanted(double pixels, double mm);
-    void directionWanted(double direction_deg);
+    void scaleWanted(int image, double pixels, double mm);
+    void directionWanted(int image, double direction_deg);
     void madeWanted(const std::string& key, const lathelier::Value& value, int gesture);
     void notWritten(const QString& path);
 
 private:
     QWidget* makeMarksSide();
     void connectParts();
+    void chooseViews();
     void show();
     void showMarks();
     void showSpectrum();
@@ -75,6 +78,7 @@ private:
     PictureView* marks_;
     QToolButton* showFeed_;
     QToolButton* showChatter_;
+    QToolButton* measure_;
     plot::ChartView* spectrum_;
     plot::ChartView* lines_;
     ComparisonView* comparison_;

@@ -26,6 +26,7 @@ ImageMarks marksOf(double nu, ChatterKind kind)
 {
     ImageMarks image;
     image.speed_rpm = 2016;
+    image.feed_direction_deg = 0;
     image.feed_marks.emplace();
     image.chatter_marks.emplace();
     ChatterMarks& chatter = *image.chatter_marks;

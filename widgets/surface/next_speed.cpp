@@ -1,0 +1,58 @@
+#include "widgets/surface/next_speed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/texts.h"
+#include "engine/surface/surface_words.h"
+#include "widgets/surface/surface_picture.h"
+
+namespace lathelier::surface_panel {
+
+std::optional<stability::SpeedResult> nextSpeed(Frf response, const stability::SurfaceMarks& marks,
+                                                const stability::ModelCheck& check)
+{
+    const double by = marks.frequency_hz / check.model_hz;
+    for (double& line : response.frequency_hz) line *= by;
+    stability::SpeedParameters parameters;
+    parameters.speed_rpm = marks.speed_rpm;
+    parameters.relation = stability::SpeedRelation::Exact;
+    try {
+        return chooseSpeed(response, parameters);
+    } catch (const Error&) {
+        return std::nullopt;  // nothing chatters, or the speed lies above the last lobe
+    }
+}
+
+report::Table nextSpeedTable(const SurfacePicture& picture)
+{
+    report::Table table = surface::speedTable(picture.first());
+    if (!picture.next || table.rows.empty()) return table;
+    table.title = LT_TEXT("Engine", "Speeds by the marks, and by the model moved to the marks");
+    table.columns = {LT_TEXT("Engine", "Waves, k"),
+                     report::Labelled{LT_TEXT("Engine", "Whole waves, 60 f_c / k"), LT_TEXT("Engine", "rpm")},
+                     report::Labelled{LT_TEXT("Engine", "Best of the pocket, model"), LT_TEXT("Engine", "rpm")}};
+    table.decimals = {0, 0, 0};
+    for (std::vector<Value>& row : table.rows) {
+        const auto k = std::get<std::int64_t>(row.front());
+        const auto& all = picture.next->candidates;
+        const auto best = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.k == k; });
+        Value& cell = row.emplace_back();
+        if (best != all.end()) cell = best->speed_rpm;
+    }
+    return table;
+}
+
+std::optional<report::Finding> nextSpeedFinding(const SurfacePicture& picture, const Language& language)
+{
+    if (!picture.next) return std::nullopt;
+    report::Finding finding;
+    finding.pattern = LT_TEXT("Engine",
+                              "Speed next: {speed} rpm, the best of pocket {k} by the exact relation, with the model "
+                              "moved to the frequency of the marks.");
+    finding.values = {{"speed", fixed(picture.next->recommended_rpm, 0, language)},
+                      {"k", std::int64_t{picture.next->k}}};
+    return finding;
+}
+
+}  // namespace lathelier::surface_panel

@@ -1,0 +1,43 @@
+// The question for a class: find the frequency of the picture with ruler and formula; the program checks it.
+#pragma once
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QWidget>
+
+#include "widgets/core/form/number_edit.h"
+#include "widgets/surface/surface_question.h"
+
+namespace lathelier::surface_panel {
+
+class QuizPane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit QuizPane(QWidget* parent = nullptr);
+
+    void setQuestion(const SurfaceQuestion& question);  ///< announces nothing
+    NumberEdit* answer() const { return answer_; }
+    QPushButton* check() const { return check_; }
+    void retranslate();
+
+signals:
+    void quizWanted(bool on);
+    void answerWanted(double frequency_hz);
+    void questionWanted(int number);
+
+private:
+    void showWords();
+
+    QCheckBox* ask_;
+    QWidget* body_;
+    QLabel* words_;
+    QLabel* name_;
+    NumberEdit* answer_;
+    QPushButton* check_;
+    QPushButton* next_;
+    SurfaceQuestion question_;
+};
+
+}  // namespace lathelier::surface_panel

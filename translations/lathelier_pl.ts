@@ -11992,10 +11992,6 @@
         <translation>{path}: walec rozwinięto na {span_deg}°.</translation>
     </message>
     <message>
-        <source>{path}: the part curves away across the picture and was not unrolled.</source>
-        <translation>{path}: część zakrzywia się w poprzek obrazu i nie została rozwinięta.</translation>
-    </message>
-    <message>
         <source>The pictures show different surfaces (response {response}); they are aligned by scale and direction only.</source>
         <translation>Obrazy przedstawiają różne powierzchnie (odpowiedź {response}); dopasowano je tylko skalą i kierunkiem.</translation>
     </message>
@@ -12024,20 +12020,12 @@
         <translation>Wysokość obszaru.</translation>
     </message>
     <message>
-        <source>That the surface was cut with.</source>
-        <translation>Z którym powierzchnia była skrawana.</translation>
-    </message>
-    <message>
         <source>Feed of the cut; none: the best comb of lines is taken for it.</source>
         <translation>Posuw skrawania; brak: przyjmuje się najlepszy grzebień linii.</translation>
     </message>
     <message>
         <source>Of the turned part.</source>
         <translation>Części toczonej.</translation>
-    </message>
-    <message>
-        <source>Of the cut: one for all pictures, or one for each in their order.</source>
-        <translation>Skrawania: jedna dla wszystkich zdjęć albo po jednej dla każdego w ich kolejności.</translation>
     </message>
     <message>
         <source>Millimetres that a pixel is wide.</source>
@@ -12142,18 +12130,6 @@
     <message>
         <source>Picture without its uneven light</source>
         <translation>Obraz bez nierównomiernego oświetlenia</translation>
-    </message>
-    <message>
-        <source>To the right</source>
-        <translation>W prawo</translation>
-    </message>
-    <message>
-        <source>Upward</source>
-        <translation>W górę</translation>
-    </message>
-    <message>
-        <source>Brightness over its surroundings</source>
-        <translation>Jasność względem otoczenia</translation>
     </message>
     <message>
         <source>marks found</source>
@@ -13444,10 +13420,6 @@
         <translation>Wytwarzanie obrazu</translation>
     </message>
     <message>
-        <source>That the first surface was cut with.</source>
-        <translation>Z którą skrawano pierwszą powierzchnię.</translation>
-    </message>
-    <message>
         <source>Speed after</source>
         <translation>Prędkość po</translation>
     </message>
@@ -13530,6 +13502,241 @@
     <message>
         <source>Else that of Surface</source>
         <translation>Inaczej z panelu Powierzchnia</translation>
+    </message>
+    <message>
+        <source>Power of the motor</source>
+        <translation>Moc silnika</translation>
+    </message>
+    <message>
+        <source>Cuts that need more than 80 % of it are remarked; empty: not looked at.</source>
+        <translation>Przejścia, które potrzebują ponad 80 % tej mocy, wskazuje uwaga; puste: bez sprawdzania.</translation>
+    </message>
+    <message>
+        <source>Efficiency</source>
+        <translation>Sprawność</translation>
+    </message>
+    <message>
+        <source>Of the way from the motor to the cut.</source>
+        <translation>Na drodze od silnika do ostrza.</translation>
+    </message>
+    <message>
+        <source>a thread runs out into the groove that is cut before it</source>
+        <translation>gwint wybiega w rowek toczony przed nim</translation>
+    </message>
+    <message>
+        <source>Nothing was written: what is there was not to be replaced.</source>
+        <translation>Niczego nie zapisano: istniejących plików nie zastąpiono.</translation>
+    </message>
+    <message>
+        <source>The program of clamping {clamping} calls tool {tool}, which is not in the job: what it cuts is not checked. Add the tool to the job.</source>
+        <translation>Program zamocowania {clamping} wywołuje narzędzie {tool}, którego nie ma w zadaniu: to, co ono skrawa, nie jest sprawdzone. Dodaj narzędzie do zadania.</translation>
+    </message>
+    <message>
+        <source>“{item}” is a program of clamping {clamping}; there is no such clamping here, so it is not used.</source>
+        <translation>„{item}” to program zamocowania {clamping}; takiego zamocowania tu nie ma, więc nie jest użyty.</translation>
+    </message>
+    <message>
+        <source>Tool {tool} turns z = {z_start_mm} … {z_end_mm} mm at {speed_rpm} 1/min (f_m {frequency_hz:1} Hz, lobe {lobe}).</source>
+        <translation>Narzędzie {tool} toczy z = {z_start_mm} … {z_end_mm} mm przy {speed_rpm} obr/min (f_m {frequency_hz:1} Hz, worek {lobe}).</translation>
+    </message>
+    <message>
+        <source>{operation} with tool {tool} takes about {power_kW:2} kW of the motor, {share_percent:0} % of the machine&apos;s {machine_kW} kW (efficiency {efficiency}; ± 25 %).</source>
+        <translation>{operation} narzędziem {tool} wymaga od silnika około {power_kW:2} kW, {share_percent:0} % z {machine_kW} kW obrabiarki (sprawność {efficiency}; ± 25 %).</translation>
+    </message>
+    <message>
+        <source>Tool {tool}: {what} of {code} from the library ({standing}): {source}.</source>
+        <translation>Narzędzie {tool}: {what} {code} z biblioteki ({standing}): {source}.</translation>
+    </message>
+    <message>
+        <source>Tool {tool}: the insert {insert} does not fit the holder {holder} (shape, clearance or length of the edge).</source>
+        <translation>Narzędzie {tool}: płytka {insert} nie pasuje do oprawki {holder} (kształt, kąt przyłożenia albo długość krawędzi).</translation>
+    </message>
+    <message>
+        <source>Posts of controls</source>
+        <translation>Postprocesory</translation>
+    </message>
+    <message>
+        <source>its row has another diameter</source>
+        <translation>jego wiersz ma inną średnicę</translation>
+    </message>
+    <message>
+        <source>its root does not fit its pitch</source>
+        <translation>średnica rdzenia nie pasuje do skoku</translation>
+    </message>
+    <message>
+        <source>the geometry</source>
+        <translation>geometria</translation>
+    </message>
+    <message>
+        <source>the outline</source>
+        <translation>zarys</translation>
+    </message>
+    <message>
+        <source>an allowance</source>
+        <translation>naddatek</translation>
+    </message>
+    <message>
+        <source>{path}: the part curves away across the picture and was not unrolled; the whole number of waves in a revolution is open.</source>
+        <translation>{path}: część zakrzywia się w poprzek obrazu i nie została rozwinięta; całkowita liczba fal na obrót jest nieustalona.</translation>
+    </message>
+    <message>
+        <source>{path}: neither feed marks nor a direction of feed tell where the axis lies; the part may curve away across the picture and was not unrolled.</source>
+        <translation>{path}: ani ślady posuwu, ani kierunek posuwu nie mówią, gdzie leży oś; część może się zakrzywiać w poprzek obrazu i nie została rozwinięta.</translation>
+    </message>
+    <message>
+        <source>The marks were not compared with the frequency response: {reason}</source>
+        <translation>Śladów nie porównano z charakterystyką częstotliwościową: {reason}</translation>
+    </message>
+    <message>
+        <source>That the surface was cut with; 0: not known.</source>
+        <translation>Z jaką toczono powierzchnię; 0: nieznana.</translation>
+    </message>
+    <message>
+        <source>Of the cut: one for all pictures, or one for each in their order; 0: not known.</source>
+        <translation>Skrawania: jedna dla wszystkich zdjęć albo po jednej w ich kolejności; 0: nieznana.</translation>
+    </message>
+    <message>
+        <source>Curved and not unrolled</source>
+        <translation>Zakrzywiona i nierozwinięta</translation>
+    </message>
+    <message>
+        <source>The part curves away across the picture and was not unrolled: ν is sure, m = {m} is not (measured {measured}). Candidates: {all} Hz. Let it be unrolled, or let a model choose.</source>
+        <translation>Część zakrzywia się na zdjęciu i nie została rozwinięta: ν jest pewne, m = {m} nie (zmierzone {measured}). Możliwości: {all} Hz. Każ ją rozwinąć albo niech wybierze model.</translation>
+    </message>
+    <message>
+        <source>Speeds by the marks, and by the model moved to the marks</source>
+        <translation>Prędkości według śladów i według modelu przesuniętego do śladów</translation>
+    </message>
+    <message>
+        <source>Whole waves, 60 f_c / k</source>
+        <translation>Całkowite fale, 60 f_c / k</translation>
+    </message>
+    <message>
+        <source>Best of the pocket, model</source>
+        <translation>Najlepsza w kieszeni, model</translation>
+    </message>
+    <message>
+        <source>Speed next: {speed} rpm, the best of pocket {k} by the exact relation, with the model moved to the frequency of the marks.</source>
+        <translation>Następna prędkość: {speed} obr/min, najlepsza w kieszeni {k} według dokładnej zależności, z modelem przesuniętym do częstotliwości śladów.</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Pytanie</translation>
+    </message>
+    <message>
+        <source>not answered yet</source>
+        <translation>jeszcze bez odpowiedzi</translation>
+    </message>
+    <message>
+        <source>D {diameter} mm, f {feed} mm, N {speed} rpm, feed to the right, cut downward: which frequency made these marks? Measure with the ruler, then f_c = n (m + ν).</source>
+        <translation>D {diameter} mm, f {feed} mm, N {speed} obr/min, posuw w prawo, skrawanie w dół: jaka częstotliwość zostawiła te ślady? Zmierz linijką, potem f_c = n (m + ν).</translation>
+    </message>
+    <message>
+        <source>{answer} Hz is right</source>
+        <translation>{answer} Hz to dobra odpowiedź</translation>
+    </message>
+    <message>
+        <source>{answer} Hz has ν with the other sign: look which way the bands lean</source>
+        <translation>{answer} Hz ma przeciwny znak ν: zobacz, w którą stronę pochylają się pasy</translation>
+    </message>
+    <message>
+        <source>{answer} Hz has ν right and m wrong by {k}: count the waves again</source>
+        <translation>{answer} Hz ma dobre ν, a m błędne o {k}: policz fale jeszcze raz</translation>
+    </message>
+    <message>
+        <source>{answer} Hz is a multiple or a part of the frequency</source>
+        <translation>{answer} Hz to wielokrotność lub część częstotliwości</translation>
+    </message>
+    <message>
+        <source>{answer} Hz is no reading of these marks</source>
+        <translation>{answer} Hz nie jest odczytem tych śladów</translation>
+    </message>
+    <message>
+        <source>How the light fell is not stated; state it in the field Light.</source>
+        <translation>Nie podano, jak padało światło; podaj to w polu Światło.</translation>
+    </message>
+    <message>
+        <source>Light, as stated: {light}</source>
+        <translation>Światło, jak podano: {light}</translation>
+    </message>
+    <message>
+        <source>That the first surface was cut with; none: not known.</source>
+        <translation>Z jaką toczono pierwszą powierzchnię; brak: nieznana.</translation>
+    </message>
+    <message>
+        <source>Where the light came from, for the report. Pictures are compared as if it had been the same.</source>
+        <translation>Skąd padało światło, do raportu. Zdjęcia porównuje się tak, jakby było jednakowe.</translation>
+    </message>
+    <message>
+        <source>Both pictures taken alike</source>
+        <translation>Oba zdjęcia wykonane tak samo</translation>
+    </message>
+    <message>
+        <source>One scale and one direction of feed for both.</source>
+        <translation>Jedna skala i jeden kierunek posuwu dla obu.</translation>
+    </message>
+    <message>
+        <source>Scale after</source>
+        <translation>Skala po</translation>
+    </message>
+    <message>
+        <source>Of the second picture, where it was taken otherwise; none: as the first.</source>
+        <translation>Drugiego zdjęcia, jeśli wykonano je inaczej; brak: jak pierwszego.</translation>
+    </message>
+    <message>
+        <source>Direction of feed after</source>
+        <translation>Kierunek posuwu po</translation>
+    </message>
+    <message>
+        <source>In the second picture, where it was taken otherwise; none: as in the first.</source>
+        <translation>Na drugim zdjęciu, jeśli wykonano je inaczej; brak: jak na pierwszym.</translation>
+    </message>
+    <message>
+        <source>Second picture to the right</source>
+        <translation>Drugie zdjęcie w prawo</translation>
+    </message>
+    <message>
+        <source>By two clicks on one place in both, in pixels of the comparison.</source>
+        <translation>Z dwóch kliknięć w jedno miejsce na obu, w pikselach porównania.</translation>
+    </message>
+    <message>
+        <source>Second picture down</source>
+        <translation>Drugie zdjęcie w dół</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s vibration is to be found.</source>
+        <translation>Trzeba znaleźć drgania, które zostawiły ślady na obrazie.</translation>
+    </message>
+    <message>
+        <source>Number of the question</source>
+        <translation>Numer pytania</translation>
+    </message>
+    <message>
+        <source>Another number is another picture.</source>
+        <translation>Inny numer to inny obraz.</translation>
+    </message>
+    <message>
+        <source>Frequency that was read off the picture.</source>
+        <translation>Częstotliwość odczytana z obrazu.</translation>
+    </message>
+    <message>
+        <source>Control of your own</source>
+        <translation>Własne sterowanie</translation>
+    </message>
+    <message>
+        <source>POST.json: the program is written for it, and not for the control below. It may be missing.</source>
+        <translation>POST.json: program jest pisany dla niego, a nie dla sterowania poniżej. Może go nie być.</translation>
+    </message>
+</context>
+<context>
+    <name>TurningExports</name>
+    <message>
+        <source>Programs of both clampings</source>
+        <translation>Programy obu zamocowań</translation>
+    </message>
+    <message>
+        <source>Already there: %1. Replace?</source>
+        <translation>Już istnieją: %1. Zastąpić?</translation>
     </message>
 </context>
 <context>
@@ -15431,6 +15638,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Change the depth of a bore</source>
         <translation>Zmień głębokość otworu</translation>
     </message>
+    <message>
+        <source>The bores already run through the whole part</source>
+        <translation>Otwory przechodzą już przez całą część</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::drawing_panel::SheetView</name>
@@ -16619,6 +16830,22 @@ Wszystkie inne widoki działają.</translation>
         <source>After</source>
         <translation>Po</translation>
     </message>
+    <message>
+        <source>Magnifier</source>
+        <translation>Lupa</translation>
+    </message>
+    <message>
+        <source>Shows the same place of both pictures four times as large</source>
+        <translation>Pokazuje to samo miejsce obu zdjęć czterokrotnie powiększone</translation>
+    </message>
+    <message>
+        <source>Lay over</source>
+        <translation>Nałóż</translation>
+    </message>
+    <message>
+        <source>Click one place, such as a shoulder, in both pictures: they are laid over each other there</source>
+        <translation>Kliknij jedno miejsce, na przykład odsadzenie, na obu zdjęciach: tam zostaną na siebie nałożone</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::surface_panel::GeneratorPane</name>
@@ -16752,12 +16979,83 @@ Wszystkie inne widoki działają.</translation>
         <source>Photograph</source>
         <translation>Zdjęcie</translation>
     </message>
+    <message>
+        <source>Both pictures taken alike</source>
+        <translation>Oba zdjęcia wykonane tak samo</translation>
+    </message>
+    <message>
+        <source>Scale and direction go for both pictures; without the tick for the one that is shown</source>
+        <translation>Skala i kierunek dotyczą obu zdjęć; bez zaznaczenia tylko pokazanego</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::surface_panel::PictureView</name>
     <message>
         <source>%1: zoom in to see them</source>
         <translation>%1: powiększ, aby je zobaczyć</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::surface_panel::QuizPane</name>
+    <message>
+        <source>Question %1</source>
+        <translation>Pytanie %1</translation>
+    </message>
+    <message>
+        <source>D = %1, f = %2, N = %3, n = N / 60 = %4</source>
+        <translation>D = %1, f = %2, N = %3, n = N / 60 = %4</translation>
+    </message>
+    <message>
+        <source>Measure in the view Marks, where the circumference is laid flat:</source>
+        <translation>Mierz w widoku Ślady, gdzie obwód jest rozłożony na płasko:</translation>
+    </message>
+    <message>
+        <source>period of the bands along the axis p: |ν| = f / p</source>
+        <translation>okres pasów wzdłuż osi p: |ν| = f / p</translation>
+    </message>
+    <message>
+        <source>pitch of the bands round the part u: m = πD / u, a whole number</source>
+        <translation>podziałka pasów na obwodzie u: m = πD / u, liczba całkowita</translation>
+    </message>
+    <message>
+        <source>bands that lean like \ : ν &lt; 0, like / : ν &gt; 0</source>
+        <translation>pasy pochylone jak \ : ν &lt; 0, jak / : ν &gt; 0</translation>
+    </message>
+    <message>
+        <source>f_c = n (m + ν)</source>
+        <translation>f_c = n (m + ν)</translation>
+    </message>
+    <message>
+        <source>Ask me</source>
+        <translation>Zapytaj mnie</translation>
+    </message>
+    <message>
+        <source>A picture whose frequency is to be found with ruler and formula</source>
+        <translation>Obraz, którego częstotliwość trzeba znaleźć linijką i wzorem</translation>
+    </message>
+    <message>
+        <source>Your f_c (%1)</source>
+        <translation>Twoje f_c (%1)</translation>
+    </message>
+    <message>
+        <source>Frequency that was read off the picture</source>
+        <translation>Częstotliwość odczytana z obrazu</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Sprawdź</translation>
+    </message>
+    <message>
+        <source>Compare the answer with the picture, and show everything</source>
+        <translation>Porównaj odpowiedź z obrazem i pokaż wszystko</translation>
+    </message>
+    <message>
+        <source>Next question</source>
+        <translation>Następne pytanie</translation>
+    </message>
+    <message>
+        <source>Another picture</source>
+        <translation>Inny obraz</translation>
     </message>
 </context>
 <context>
@@ -16849,6 +17147,34 @@ Wszystkie inne widoki działają.</translation>
         <source>Before and after (SVG)…</source>
         <translation>Przed i po (SVG)…</translation>
     </message>
+    <message>
+        <source>Take both pictures alike</source>
+        <translation>Traktuj oba zdjęcia jednakowo</translation>
+    </message>
+    <message>
+        <source>Take the pictures apart</source>
+        <translation>Traktuj zdjęcia osobno</translation>
+    </message>
+    <message>
+        <source>Lay the pictures over each other</source>
+        <translation>Nałóż zdjęcia na siebie</translation>
+    </message>
+    <message>
+        <source>Ask a question</source>
+        <translation>Zadaj pytanie</translation>
+    </message>
+    <message>
+        <source>Leave the questions</source>
+        <translation>Zakończ pytania</translation>
+    </message>
+    <message>
+        <source>Answer the question</source>
+        <translation>Odpowiedz na pytanie</translation>
+    </message>
+    <message>
+        <source>Take the next question</source>
+        <translation>Weź następne pytanie</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::surface_panel::SurfaceViews</name>
@@ -16927,6 +17253,18 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>What speed next</source>
         <translation>Jaka prędkość dalej</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Zmierz</translation>
+    </message>
+    <message>
+        <source>Two clicks show their distance, along the axis and round the part</source>
+        <translation>Dwa kliknięcia pokazują odległość, wzdłuż osi i po obwodzie</translation>
+    </message>
+    <message>
+        <source>Laid over each other where one place was clicked in both</source>
+        <translation>Nałożone tam, gdzie kliknięto jedno miejsce na obu</translation>
     </message>
 </context>
 <context>
@@ -17611,6 +17949,10 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Use this program</source>
         <translation>Użyj tego programu</translation>
+    </message>
+    <message>
+        <source>? %1: a tool is not in the job, what it cuts is not checked</source>
+        <translation>? %1: narzędzia nie ma w zadaniu; to, co ono skrawa, nie jest sprawdzone</translation>
     </message>
 </context>
 <context>

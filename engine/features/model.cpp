@@ -193,8 +193,13 @@ double predicted_mm(const Model& model, const Run& run, const Wall& wall)
             sum += weight[i] * weight[j] * radiusAt_mm(run, std::clamp(z, first, last));
         }
     }
-    const Element& own = run.elements[elementAt(run, wall.z_mm)];
-    if (model.corner_mm > 0 && own.arc) sum += normalNoiseShift_mm(own, wall.z_mm, model.sigma_mm);
+    const std::size_t own = elementAt(run, wall.z_mm);
+    if (model.corner_mm > 0 && run.elements[own].arc && model.sigma_mm > 0) {
+        // Noise carries points of an arc that is hardly longer than it to the neighbours.
+        const double share =
+            std::clamp((run.nodes_mm[own + 1] - run.nodes_mm[own]) / (4 * model.sigma_mm) - 1, 0.0, 1.0);
+        if (share > 0) sum += share * normalNoiseShift_mm(run.elements[own], wall.z_mm, model.sigma_mm);
+    }
     return sum;
 }
 

@@ -125,10 +125,13 @@ std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double b
     return Crest{place, bend > 0 ? std::min(sigma_mm, h * std::sqrt(2 / bend)) : sigma_mm};
 }
 
-Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm,
-                         double level_mm, double sigma_mm)
+Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm, double level_mm,
+            double sigma_mm)
 {
-    constexpr double kStep_mm = 0.1, kReached_mm = 0.03, kBefore_mm = 0.15, kSpot_mm = 0.15, kGroup_mm = 0.6, kLeast_mm = 0.2;
+    constexpr double kStep_mm = 0.1, kReached_mm = 0.03, kBefore_mm = 0.15, kSpot_mm = 0.15, kGroup_mm = 0.6,
+                     kLeast_mm = 0.2;
+    constexpr double kLeastError = 2.5,
+                     kUnsure = 1.7;  // for the share of the points that lies on the crest is not known beforehand
     constexpr int kRounds = 4;
     const double sign = toward_end ? 1 : -1;
     std::vector<std::pair<double, double>> points;  // how far inside the border, radius
@@ -183,16 +186,21 @@ Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, doubl
         for (int g = 0; g < groups; ++g) {
             const auto [crest, count] = crestAt(g * step, (g + 1) * step, slope);
             if (!crest) return {};
-            const double error = std::max(crest->sigma_mm, 2 * scatter / std::sqrt(static_cast<double>(count)));
+            const double error =
+                std::max(kUnsure * crest->sigma_mm, kLeastError * scatter / std::sqrt(static_cast<double>(count)));
             const double x = (g + 0.5) * step, w = 1 / (error * error);
-            Wall wall;
-            wall.z_mm = border_mm + sign * x;
-            wall.r_mm = crest->radius_mm;
-            wall.sigma_mm = scatter;
-            wall.points = std::max(1.0, std::pow(scatter / error, 2));
-            wall.width_mm = step;
-            wall.coverage = 1;
-            lead.walls.push_back(wall);
+            const int shares = std::max(1, static_cast<int>(std::lround(step / kStep_mm)));
+            for (int k = 0; k < shares; ++k) {
+                const double off = ((k + 0.5) / shares - 0.5) * step;
+                Wall wall;
+                wall.z_mm = border_mm + sign * (x + off);
+                wall.r_mm = crest->radius_mm + slope * off;
+                wall.sigma_mm = scatter;
+                wall.points = std::max(1.0, std::pow(scatter / error, 2)) / shares;
+                wall.width_mm = step / shares;
+                wall.coverage = 1;
+                lead.walls.push_back(wall);
+            }
             s += w;
             sx += w * x;
             sy += w * crest->radius_mm;

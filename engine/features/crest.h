@@ -23,7 +23,7 @@ std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double b
 
 /// A cone that leads into a rough zone, seen between its grooves only.
 struct Lead {
-    std::vector<Wall> walls;  ///< over its crests, three or more, in order of z; none: no such cone
+    std::vector<Wall> walls;  ///< over its crests, 0.1 mm wide, in order of z; none: no such cone
     double reached_mm = 0;    ///< along the axis: here it reaches the crests of the zone
 };
 

@@ -112,8 +112,8 @@ void addForm(const Outline& outline, const Run& run, std::size_t k, RecognizedRo
     std::vector<std::array<double, 3>> left;
     for (const Wall& wall : run.walls) {
         if (wall.z_mm < from || wall.z_mm > to || !counts(outline.model, run, wall)) continue;
-        const double off = wall.r_mm + wall.form_mm - predicted_mm(outline.model, run, wall), x = (wall.z_mm - middle) / half,
-                     w = wall.points;
+        const double off = wall.r_mm + wall.form_mm - predicted_mm(outline.model, run, wall),
+                     x = (wall.z_mm - middle) / half, w = wall.points;
         left.push_back({x, off, w});
         n += 1;
         squares += off * off;

@@ -110,6 +110,16 @@ std::size_t elementAt(const Run& run, double z_mm)
     return static_cast<std::size_t>(next - run.nodes_mm.begin()) - 1;
 }
 
+/// How far the mean radius of a bin lies off an arc when the noise is along the normal and the points lie evenly over
+/// the surface: to second order in the noise σ² f'' (1 + s²/(2 (1 + s²))), f'' = ∓(1 + s²)^(3/2)/ρ, s the slope.
+double normalNoiseShift_mm(const Element& arc, double z_mm, double sigma_mm)
+{
+    constexpr double kSteepest = 2;  // beyond it the expansion does not hold
+    const double s = std::clamp(arc.slopeAt(z_mm), -kSteepest, kSteepest), q = 1 + s * s;
+    const double bend = (arc.convex ? -1 : 1) * q * std::sqrt(q) / arc.radius_mm();
+    return sigma_mm * sigma_mm * bend * (1 + s * s / (2 * q));
+}
+
 }  // namespace
 
 double Element::radius_mm() const
@@ -182,6 +192,13 @@ double predicted_mm(const Model& model, const Run& run, const Wall& wall)
             const double z = ray + (from + to) / 2 + step * (static_cast<double>(i) - 1) * (to - from);
             sum += weight[i] * weight[j] * radiusAt_mm(run, std::clamp(z, first, last));
         }
+    }
+    const std::size_t own = elementAt(run, wall.z_mm);
+    if (model.corner_mm > 0 && run.elements[own].arc && model.sigma_mm > 0) {
+        // Noise carries points of an arc that is hardly longer than it to the neighbours.
+        const double share =
+            std::clamp((run.nodes_mm[own + 1] - run.nodes_mm[own]) / (4 * model.sigma_mm) - 1, 0.0, 1.0);
+        if (share > 0) sum += share * normalNoiseShift_mm(run.elements[own], wall.z_mm, model.sigma_mm);
     }
     return sum;
 }

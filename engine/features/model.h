@@ -37,9 +37,9 @@ struct Plane {
     double z_mm = 0;                   ///< along the axis
     double seen_mm = 0, sigma_mm = 1;  ///< where it was observed: one datum of the fit
     bool data_end = false;             ///< no face: the data end here
-    double lean = 0;       ///< the lower wall does not count nearer to it: rays that lean miss it there
-    int low_side = 0;      ///< of a shoulder: the lower wall lies before it, -1, or behind it, 1; else 0
-    bool is_clear = false; ///< of a shoulder: high enough that no wall mixes points of both sides
+    double lean = 0;                   ///< the lower wall does not count nearer to it: rays that lean miss it there
+    int low_side = 0;                  ///< of a shoulder: the lower wall lies before it, -1, or behind it, 1; else 0
+    bool is_clear = false;             ///< of a shoulder: high enough that no wall mixes points of both sides
 };
 
 /// Elements from one plane to another.
@@ -66,8 +66,8 @@ void resolve(const Model& model, Run& run);
 /// Radius of the run at z, of the element that holds there.
 double radiusAt_mm(const Run& run, double z_mm);
 
-/// The mean that the wall is compared with; beside a clear shoulder the spot ends there, for what lies beyond is seen as
-/// a point of the other wall. Precondition: resolve().
+/// The mean that the wall is compared with; beside a clear shoulder the spot ends there, for what lies beyond is seen
+/// as a point of the other wall. Precondition: resolve().
 double predicted_mm(const Model& model, const Run& run, const Wall& wall);
 
 /// Does the wall count: is it far enough from planes and, with `corner_mm`, from corners? Beside a clear shoulder: all

@@ -104,7 +104,7 @@ void meetCones(Outline& outline, const std::vector<Border>& borders)
     }
     for (std::size_t r = 0; r + 1 < model.runs.size(); ++r) {
         Run &a = model.runs[r], &b = model.runs[r + 1];
-        if (a.right != b.left || borders[a.right] != Border::Rough) continue;
+        if (a.right != b.left || borders[a.right] != Border::Lead) continue;
         const bool first_rough = a.elements.back().rough;
         const std::size_t own = first_rough ? r + 1 : r, k = first_rough ? 0 : a.elements.size() - 1;
         const Element& cone = model.runs[own].elements[k];

@@ -7,6 +7,7 @@
 namespace lathelier::features {
 namespace {
 
+constexpr double kHollow_mm = 0.3;    // nearer to the larger radius, a hollow begins at it
 constexpr double kLeastShoulder = 8;  // in σ: what is lower is placed as a step
 
 /// Smallest and largest radius of a run within a distance of one of its planes.
@@ -21,6 +22,16 @@ std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
         high = std::max(high, r);
     }
     return {low, high};
+}
+
+/// The radius at which an arc beside the plane stands across the axis, when it does so there; else nothing. What is
+/// read as its end near such a place is far off for a plane that is off by little.
+std::optional<double> uprightAt(const Element& element, const Plane& plane, double side)
+{
+    constexpr double kNear_mm = 0.06;
+    if (!element.arc) return std::nullopt;
+    const double upright = element.centre_z_mm + side * element.radius_mm();
+    return std::abs(upright - plane.z_mm) < kNear_mm ? std::optional(element.centre_r_mm) : std::nullopt;
 }
 
 /// The place where one wall becomes the other, from what each point says: the logarithm of the ratio of its likelihoods
@@ -113,8 +124,8 @@ void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run
     plane.sigma_mm = place->sigma_mm;
 }
 
-/// Where a thread or a knurl ends beside a wall that its grooves nearly reach: how likely a radius is on it is seen from
-/// the radii of all of its points.
+/// Where a thread or a knurl ends beside a wall that its grooves nearly reach: how likely a radius is on it is seen
+/// from the radii of all of its points.
 void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
 {
     constexpr double kMostReach_mm = 1.5, kLongestWord = 4.6, kFar = 5, kBeside_mm = 0.5;
@@ -124,8 +135,8 @@ void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const
     const double sigma = model.sigma_mm;
     if (wall.arc || wall.rough || std::abs(wall.slope) > 0.1 || !(sigma > 0)) return;
     Plane& plane = model.planes[p];
-    const double own = first_rough ? b.nodes_mm[1] - b.nodes_mm.front()
-                                   : a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2];
+    const double own =
+        first_rough ? b.nodes_mm[1] - b.nodes_mm.front() : a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2];
     const double length = rough.nodes_mm.back() - rough.nodes_mm.front();
     const double reach = std::min({kMostReach_mm, 0.4 * own, 0.3 * length});
     const double low = std::min(wall.level_mm, rough.elements.front().root_mm) - kFar * sigma,
@@ -164,6 +175,7 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
     Model& model = outline.model;
     std::vector<registration::Edge> edges;
     std::vector<std::size_t> plane_of;
+    std::vector<double> jumps, late;  // of the radius; how far behind the plane the rays show it
     double walls = 0, area = 0;
     for (const Run& run : model.runs)
         for (const Wall& wall : run.walls) {
@@ -179,8 +191,13 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         const Run &a = model.runs[r], &b = model.runs[r + 1];
         if (a.right != b.left) continue;
         Plane& plane = model.planes[a.right];
-        const double jump = std::abs(startRadius_mm(b) - endRadius_mm(a));
+        const auto upright = uprightAt(a.elements.back(), plane, 1);
+        const auto upright_next = uprightAt(b.elements.front(), plane, -1);
+        const bool hollow_here = (upright && !a.elements.back().convex) || (upright_next && !b.elements.front().convex);
+        const double jump =
+            hollow_here ? kHollow_mm + 8 * model.sigma_mm : std::abs(startRadius_mm(b) - endRadius_mm(a));
         const bool is_rough = a.elements.back().rough || b.elements.front().rough;
+        if (borders[a.right] == Border::Lead) continue;
         if (borders[a.right] == Border::Step ||
             (borders[a.right] == Border::Shoulder && !is_rough && jump < kLeastShoulder * model.sigma_mm)) {
             placeStep(input, model, a.right, a, b);
@@ -191,19 +208,25 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         const auto [a_low, a_high] = radiiNear(a, false, room);
         const auto [b_low, b_high] = radiiNear(b, true, room);
         const bool a_rough = a.elements.back().rough, b_rough = b.elements.front().rough;
-        const double end = a_rough ? a.elements.back().root_mm : endRadius_mm(a);
-        const double start = b_rough ? b.elements.front().root_mm : startRadius_mm(b);
+        const Element &before = a.elements.back(), &after = b.elements.front();
+        const auto upright_before = uprightAt(before, plane, 1), upright_after = uprightAt(after, plane, -1);
+        double end = a_rough ? before.root_mm : upright_before && before.convex ? *upright_before : endRadius_mm(a);
+        double start = b_rough ? after.root_mm : upright_after && after.convex ? *upright_after : startRadius_mm(b);
         const bool rises = start > end;
+        // A hollow that falls upright from the larger radius is seen as that until it lies deep enough.
+        const bool hollow = rises ? upright_before && !before.convex && *upright_before > start - kHollow_mm
+                                  : upright_after && !after.convex && *upright_after > end - kHollow_mm;
+        double late_mm = 0;
+        if (hollow) {
+            const Element& fall = rises ? before : after;
+            const double most = fall.radius_mm(), depth = std::min(5 * model.sigma_mm, most / 2);
+            const auto along = [&](double deep) { return most - std::sqrt(most * most - deep * deep); };
+            (rises ? end : start) = (rises ? start : end) - std::min(2 * depth, most);
+            late_mm = (rises ? -1 : 1) * along(depth);
+        }
         plane.lean = lean * std::abs(start - end);
         plane.low_side = rises ? -1 : 1;
         plane.is_clear = false;
-        if (is_rough) {  // a cone that reaches the crests ends where it does so
-            const bool before_rough = a.elements.back().rough;
-            const Element& wall = before_rough ? b.elements.front() : a.elements.back();
-            const double crest = (before_rough ? a.elements.back() : b.elements.front()).level_mm;
-            const double off = std::abs(wall.radiusAt_mm(plane.z_mm) - crest);
-            if (!wall.arc && !wall.rough && std::abs(wall.slope) > 0.2 && off < 0.3) continue;
-        }
         if (is_rough && std::abs(start - end) < kLeastShoulder * model.sigma_mm) {
             placeRoughEnd(input, model, a.right, a, b);
             continue;
@@ -227,6 +250,8 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         if (std::abs(edge.after_mm - edge.before_mm) < 4 * model.sigma_mm) continue;
         edges.push_back(edge);
         plane_of.push_back(a.right);
+        late.push_back(late_mm);
+        jumps.push_back(std::abs(start - end));
     }
     // Clusters of points are parted at gaps of 6 σ or 0.3 mm; noise fills 3.5 σ on each side.
     const double clear = std::max(6 * model.sigma_mm, 0.3) + 7 * model.sigma_mm;
@@ -236,9 +261,9 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         for (std::size_t e = 0; e < edges.size(); ++e)
             if (const auto place = placeOf(rays[e])) {
                 Plane& plane = model.planes[plane_of[e]];
-                plane.z_mm = plane.seen_mm = place->z_mm;
+                plane.z_mm = plane.seen_mm = place->z_mm - late[e];
                 plane.sigma_mm = place->sigma_mm;
-                plane.is_clear = std::abs(edges[e].after_mm - edges[e].before_mm) > clear;
+                plane.is_clear = late[e] == 0 && jumps[e] > clear;
                 spots.push_back(place->spot_mm);
             }
         if (!spots.empty()) {

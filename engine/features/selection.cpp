@@ -247,8 +247,8 @@ namespace {
 bool leadsIntoRough(const Model& model, std::size_t r, std::size_t k)
 {
     const Run& run = model.runs[r];
-    const bool before = k == 0 && r > 0 && model.runs[r - 1].right == run.left &&
-                        model.runs[r - 1].elements.back().rough;
+    const bool before =
+        k == 0 && r > 0 && model.runs[r - 1].right == run.left && model.runs[r - 1].elements.back().rough;
     const bool behind = k + 1 == run.elements.size() && r + 1 < model.runs.size() &&
                         model.runs[r + 1].left == run.right && model.runs[r + 1].elements.front().rough;
     return before || behind;

@@ -21,20 +21,20 @@ constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur 
 /// Walls that scatter more than noise and slope explain, over 2.5 mm or more, with those beside them that scatter more
 /// than chance makes them: where grooves run out into a cone.
 struct RoughWalls {
-    std::size_t from = 0, to = 0;              ///< the rough ones
-    std::size_t wide_from = 0, wide_to = 0;    ///< with those that a groove may reach
+    std::size_t from = 0, to = 0;            ///< the rough ones
+    std::size_t wide_from = 0, wide_to = 0;  ///< with those that a groove may reach
 };
 
-std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm)
+std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm, bool radial)
 {
     constexpr std::size_t kMostCalm = 2, kBeyond = 3;
     std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        // Noise along the normal of a slope is more along the radius.
+        // Noise along the normal of a slope is more along the radius; that of rays across the axis is along it.
         const double slope = slopeAt(walls, i), square = slope * slope,
                      spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
         const double explained =
-            std::sqrt(sigma_mm * sigma_mm * (1 + square) + kLeastScatter_mm * kLeastScatter_mm + spread);
+            std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + kLeastScatter_mm * kLeastScatter_mm + spread);
         const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
         rough[i] = walls[i].sigma_mm > (kRough + 3 * chance) * explained;
         uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
@@ -289,11 +289,11 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
                          trim && lead_in.empty(), input.form_mm, border, outline.merged, progress);
             return true;
         };
-        for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm)) {
+        for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm, input.scanner.has_value())) {
             RoughStretch rough = roughStretch(input, walls, rough_walls);
             const auto [from, to, wide_from, wide_to] = rough_walls;
-            addQuiet(at, from, rough.lead_in, Border::Rough, true);
-            rough.stretch.after = to < walls.size() || !rough.lead_out.empty() ? Border::Rough : after;
+            addQuiet(at, from, rough.lead_in, rough.lead_in.empty() ? Border::Rough : Border::Lead, true);
+            rough.stretch.after = !rough.lead_out.empty() ? Border::Lead : to < walls.size() ? Border::Rough : after;
             outline.rough.push_back({rough.stretch.from_mm, rough.stretch.to_mm, rough.eccentric_mm});
             stretches.push_back(rough.stretch);
             lead_out = rough.lead_out;

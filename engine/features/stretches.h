@@ -8,8 +8,9 @@
 
 namespace lathelier::features {
 
-/// What ends a stretch. Step: of the radius, too small for a shoulder. Rough: a thread or knurl begins or ends.
-enum class Border { Shoulder, Step, Gap, Rough, End };
+/// What ends a stretch. Step: of the radius, too small for a shoulder. Rough: a thread or knurl begins or ends; Lead:
+/// so it does on a cone.
+enum class Border { Shoulder, Step, Gap, Rough, Lead, End };
 
 /// Elements between two borders, before planes are made of these.
 struct Stretch {

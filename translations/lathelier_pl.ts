@@ -13544,8 +13544,8 @@
         <translation>{operation} narzędziem {tool} wymaga od silnika około {power_kW:2} kW, {share_percent:0} % z {machine_kW} kW obrabiarki (sprawność {efficiency}; ± 25 %).</translation>
     </message>
     <message>
-        <source>Tool {tool}: {what} of {code} from the library ({standing}): {source}.</source>
-        <translation>Narzędzie {tool}: {what} {code} z biblioteki ({standing}): {source}.</translation>
+        <source>Tool {tool}: {what} of {name} from the library ({standing}): {source}.</source>
+        <translation>Narzędzie {tool}: {what} {name} z biblioteki ({standing}): {source}.</translation>
     </message>
     <message>
         <source>Tool {tool}: the insert {insert} does not fit the holder {holder} (shape, clearance or length of the edge).</source>

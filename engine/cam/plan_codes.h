@@ -128,7 +128,7 @@ inline constexpr NoteCode powerNearLimit{
 
 inline constexpr NoteCode toolFromLibrary{
     "tool_from_library", Severity::Info,
-    LT_TEXT("Engine", "Tool {tool}: {what} of {code} from the library ({standing}): {source}.")};
+    LT_TEXT("Engine", "Tool {tool}: {what} of {name} from the library ({standing}): {source}.")};
 
 inline constexpr NoteCode feedForRoughness{
     "feed_for_roughness", Severity::Info,

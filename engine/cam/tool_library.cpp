@@ -204,7 +204,7 @@ void noteLibrary(const Job& stated, Notes& notes)
         notes.push_back({notes::toolFromLibrary,
                          {{"tool", std::int64_t{tool.number}},
                           {"what", what},
-                          {"code", code},
+                          {"name", code},
                           {"standing", standing},
                           {"source", source}}});
     };

@@ -15,8 +15,8 @@ struct BrokenEdges {
     std::int64_t left = 0;   ///< edges whose face or row is too short for it
 };
 
-/// Is the end toward the chuck finished in this clamping, so that its edge is broken? By the second clamping, or where the
-/// part is cut off, before that.
+/// Is the end toward the chuck finished in this clamping, so that its edge is broken? By the second clamping, or where
+/// the part is cut off, before that.
 bool breaksEnd(const Job& job, bool is_second);
 
 /// Chamfers with legs of `leg_mm` along and across the axis where a straight row that leans no more than 30° meets a

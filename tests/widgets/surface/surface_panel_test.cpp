@@ -196,7 +196,8 @@ private slots:
         QVERIFY(chatter && !chatter->m_certain && chatter->candidates_hz.size() > 1);
         QVERIFY(views().words()->toPlainText().contains("is not"));
         auto* chip = panel_->findChild<QToolButton*>("candidate1");
-        QVERIFY(chip && chip->isVisible());
+        QVERIFY(chip);
+        QTRY_VERIFY(chip->isVisible());  // when the layout has taken it in
         const double other = chatter->candidates_hz[1];
         chip->click();
         settle();

@@ -47,11 +47,15 @@ ChainQuestion questionOf(const Request& request)
     auto question = fromValues<ChainQuestion>(request.parameters);
     requireFiles(question);
     question.scan = request.operands.front();
-    for (const std::string& key : chain::recognitionKeys())
-        if (const Value* const given = find(request.parameters, key)) set(question.recognition, key, *given);
-    for (const Option& option : readingOptions(remanufactureVerb()))
-        if (const Value* const given = find(request.parameters, option.info.key))
-            set(question.reading, option.info.key, *given);
+    // What is as it would be anyway is not asked for, as in the window: the same question is known again.
+    const auto take = [&request](Values& values, const Option& option) {
+        const Value* const given = find(request.parameters, option.info.key);
+        if (given && *given != option.standard) set(values, option.info.key, *given);
+    };
+    const std::vector<std::string>& keys = chain::recognitionKeys();
+    for (const Option& option : optionsOf<features::RecognitionParameters>())
+        if (std::find(keys.begin(), keys.end(), option.info.key) != keys.end()) take(question.recognition, option);
+    for (const Option& option : readingOptions(remanufactureVerb())) take(question.reading, option);
     return question;
 }
 

@@ -90,14 +90,12 @@ void ChainSteps::draw()
     shaft_ = runner_.path(drawingFile);
 }
 
-/// False: there is none.
-bool ChainSteps::readJob()
+void ChainSteps::readJob()
 {
-    if (question_.job.empty()) return false;
+    if (question_.job.empty()) return;
     cam::JobFile file =
         cam::loadJob({question_.job, inputs_.open(question_.job, progress_), question_.reading, inputs_, progress_});
     job_ = std::move(file.job);
-    return true;
 }
 
 /// What was read so far prepares the next step.

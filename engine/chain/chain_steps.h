@@ -37,7 +37,7 @@ private:
 
     StepRequest asked(const char* id, const char* verb, std::vector<std::string> operands, Values given = {}) const;
     Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
-    bool readJob();
+    void readJob();  ///< where there is one
     void takeFiles();
     std::string extension() const;
     Shaft readPart();

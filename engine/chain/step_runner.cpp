@@ -100,10 +100,13 @@ std::string StepRunner::requestOf(const StepRequest& step) const
 {
     Json asked = {{"verb", step.verb}, {"operands", Json::array()}, {"given", lathelier::toJson(step.given)}};
     for (const std::string& operand : step.operands) asked["operands"].push_back(named({operand, 0, {}}).path);
-    // Files that options name are known by what lies within the folder, so that it may be moved.
-    for (auto& [key, value] : asked["given"].items())
-        if (value.is_string() && value.get<std::string>().starts_with(folder_))
-            value = named({value.get<std::string>(), 0, {}}).path;
+    // The same files are the same question, from wherever they are named.
+    for (auto& [key, value] : asked["given"].items()) {
+        if (!value.is_string()) continue;
+        const std::string word = value;
+        std::error_code ignored;
+        if (word.starts_with(folder_) || fs::is_regular_file(word, ignored)) value = named({word, 0, {}}).path;
+    }
     asked["outputs"] = step.outputs;
     asked["if_possible"] = step.outputs_if_possible;
     for (const InputFile& file : further_inputs_) asked["takes"].push_back(file.path);
@@ -231,7 +234,9 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
         finish(std::move(step), {});
         return Json::object();
     }
-    step.request = requestOf({id, "", inputs, {}, {}});
+    StepRequest wanted{id, "", {}, {}, {}};
+    for (const std::string& name : inputs) wanted.operands.push_back(path(name));
+    step.request = requestOf(wanted);
     if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);
     if (mode_ == RunMode::Look) return onlyLook(std::move(step), {resultOf(id)});
     MadeStep made = make();

@@ -2,9 +2,10 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
+
+#include "widgets/core/icons.h"
 
 namespace lathelier::turning_panel {
 namespace {
@@ -76,7 +77,7 @@ void ToolScrubber::setPlaying(bool playing)
         playing_.start();
     else
         playing_.stop();
-    play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    play_->setIcon(icon(playing ? "pause" : "play"));
     play_->setToolTip(playing ? tr("Pause") : tr("Play the program"));
 }
 

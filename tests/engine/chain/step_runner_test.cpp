@@ -199,6 +199,30 @@ TEST(StepRunner, FilesBelowTheFolderAreNamedFromThere)
     EXPECT_TRUE(checkDossier(elsewhere + "/" + dossierFile).faults.empty());
 }
 
+TEST(StepRunner, TheSameFilesAreTheSameQuestionFromWhereverTheyAreNamed)
+{
+    namespace fs = std::filesystem;
+    Workshop shop;
+    const auto requests = [&shop](const std::string& scan) {
+        StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
+        runner.run({"recognise", "read", {scan}, {{"job", scan}}, {{"--out", "a.txt"}}}, {});
+        runner.make("proof", {"a.txt"},
+                    [] {
+                        return MadeStep{std::make_shared<const Json>(Json::object()), {}, {}};
+                    },
+                    {});
+        std::vector<std::string> all;
+        for (const ChainStep& step : runner.dossier().steps) all.push_back(step.request);
+        return all;
+    };
+    const std::vector<std::string> absolute = requests(shop.scan);
+    const fs::path here = fs::current_path();
+    fs::current_path(fs::path(shop.scan).parent_path());
+    const std::vector<std::string> relative = requests("scan.txt");
+    fs::current_path(here);
+    EXPECT_EQ(relative, absolute);
+}
+
 TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)
 {
     Workshop shop;

@@ -16,8 +16,7 @@ constexpr double kLeast_mm = 1e-9;
 class Candidates {
 public:
     Candidates(const HeightContour& contour, const ToolWedge& tool, double radius_mm)
-        : contour_(contour),
-          radius_(radius_mm),
+        : radius_(radius_mm),
           first_(-radius_mm),
           last_(contour.pieces.back().to_mm.x()),
           back_(tool.back_angle_deg * kRad),
@@ -99,7 +98,6 @@ private:
         if (far > 0) add({end - Vector2d(far, far * std::tan(lead_)), end, 0, {}, Touch::LeadRay, source});
     }
 
-    const HeightContour& contour_;
     double radius_, first_, last_;
     double back_, lead_;
     bool has_back_, has_lead_;

@@ -41,6 +41,7 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
 }  // namespace
 
 struct ChainSteps::Results {
+    Results() {}  // the implicit one would be noexcept, as that of Json is declared, which allocates
     Json drawn, speeds, planned, deflected, second, compared;
 };
 
@@ -113,7 +114,7 @@ Shaft ChainSteps::readPart()
 }
 
 /// From half the slowest speed that the job's cutting data ask for on its bar, up to the fastest of the machine.
-Interval ChainSteps::usedSpeeds_rpm() const
+Interval ChainSteps::usedSpeeds() const
 {
     const double slowest_m_min =
         std::min(job_.cutting.rough.cutting_speed_m_min, job_.cutting.finish.cutting_speed_m_min);
@@ -156,7 +157,7 @@ void ChainSteps::planSpeeds()
         runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
     }
     StepRequest speeds = asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}});
-    if (!runner_.hasFailed()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds_rpm()});
+    if (!runner_.hasFailed()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds()});
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 
@@ -329,7 +330,7 @@ std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double
 }
 
 /// Of the least stable depth at this speed; none: the chart does not reach there.
-std::optional<double> ChainSteps::modelFrequency_hz(double speed_rpm) const
+std::optional<double> ChainSteps::modelFrequency(double speed_rpm) const
 {
     const Json& limit = results_->speeds.contains("limit") ? results_->speeds["limit"] : Json::object();
     if (!limit.contains("speed_rpm") || !limit.contains("frequency_hz")) return std::nullopt;
@@ -356,7 +357,7 @@ void ChainSteps::comparePhotographs()
             std::string(cutsInPicture()[static_cast<std::size_t>(question_.photograph_cut)].key));
     if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
     const auto cut = cutAt(question_.photograph_z_mm);
-    const auto model_hz = cut ? modelFrequency_hz(cut->before_rpm) : std::nullopt;
+    const auto model_hz = cut ? modelFrequency(cut->before_rpm) : std::nullopt;
     setIfGiven(step.given, "expect_hz", model_hz);
     if (cut) {
         set(step.given, "diameter_mm", cut->diameter_mm);

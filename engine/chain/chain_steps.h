@@ -41,11 +41,11 @@ private:
     void takeFiles();
     std::string extension() const;
     Shaft readPart();
-    Interval usedSpeeds_rpm() const;
+    Interval usedSpeeds() const;
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
     std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;
-    std::optional<double> modelFrequency_hz(double speed_rpm) const;
+    std::optional<double> modelFrequency(double speed_rpm) const;
     void compareMarks(const Json& found, double model_hz);
 
     const ChainQuestion& question_;

@@ -157,7 +157,7 @@ Json StepRunner::takeOver(const ChainStep& step, const Progress& progress)
 {
     progress.check();
     taken_over_ = true;
-    const Json result = step.state == StepState::Done ? readJson(path(step.result)) : Json::object();
+    Json result = step.state == StepState::Done ? readJson(path(step.result)) : Json::object();
     finish(step, result);
     return result;
 }

@@ -104,7 +104,7 @@ double densest(std::vector<float> radii, double sigma)
 
 }  // namespace
 
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm)
+std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, double blur_mm)
 {
     if (radii.size() < 60 || !(sigma_mm > 0)) return std::nullopt;
     const double start = densest(radii, std::hypot(sigma_mm, blur_mm / std::sqrt(12.0)));

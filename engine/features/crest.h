@@ -19,7 +19,7 @@ struct Crest {
 
 /// nullopt with fewer than 60 radii or without noise. `blur_mm`: width of an even spread that the radii have besides
 /// their noise.
-std::optional<Crest> crestOf(std::vector<float> radii, double sigma_mm, double blur_mm = 0);
+std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, double blur_mm = 0);
 
 /// A cone that leads into a rough zone, seen between its grooves only.
 struct Lead {

@@ -102,6 +102,7 @@ std::vector<std::complex<double>> WindowedPicture::at(double fx, const std::vect
     if (fy.empty()) return {};
     const auto sums = alongRows(windowed_, fx);
     std::vector<std::complex<double>> result;
+    result.reserve(fy.size());
     for (const double f : fy) result.push_back(alongColumn(sums, f));
     return result;
 }

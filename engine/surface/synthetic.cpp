@@ -14,7 +14,7 @@ namespace lathelier::surface {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-enum Stream : std::uint64_t { trackDepth = 1, grooveLight = 2, pixelNoise = 3 };
+enum Stream : std::uint64_t { TrackDepth = 1, GrooveLight = 2, PixelNoise = 3 };
 
 using Direction = std::array<double, 3>;  // along the axis, across it, toward the camera
 
@@ -73,7 +73,7 @@ public:
             const double phase = 2 * pi * waves_ * revolutions;
             const double smooth = nose + amplitude_mm_ * std::sin(phase);
             if (smooth - largestDeviate * depth_mm_ >= lowest) continue;
-            const double height = smooth + depth_mm_ * smoothNoise(seed(), trackDepth, track, 4 * turn);
+            const double height = smooth + depth_mm_ * smoothNoise(seed(), TrackDepth, track, 4 * turn);
             if (height >= lowest) continue;
             lowest = height;
             const double along_z = from_nose / p_.nose_radius_mm;
@@ -90,8 +90,8 @@ public:
         const auto cell = static_cast<std::int64_t>(std::floor(across));
         const double t = across - static_cast<double>(cell);
         const double along = y / 3.0;
-        return p_.grooves * ((1 - t) * smoothNoise(seed(), grooveLight, cell, along) +
-                             t * smoothNoise(seed(), grooveLight, cell + 1, along));
+        return p_.grooves * ((1 - t) * smoothNoise(seed(), GrooveLight, cell, along) +
+                             t * smoothNoise(seed(), GrooveLight, cell + 1, along));
     }
 
 private:
@@ -219,7 +219,7 @@ io::Image syntheticPicture(const SyntheticParameters& p, const Progress& progres
     image.grey.resize(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height));
     for (std::size_t i = 0; i < image.grey.size(); ++i) {
         const double clean = double(picture.ptr<float>()[i]);
-        const double noisy = clean + p.noise * randomNormal(static_cast<std::uint64_t>(p.seed), pixelNoise, i);
+        const double noisy = clean + p.noise * randomNormal(static_cast<std::uint64_t>(p.seed), PixelNoise, i);
         image.grey[i] = static_cast<float>(std::round(std::clamp(noisy, 0.0, 1.0) * levels) / levels);
     }
     if (p.stamped) stamp(image);

@@ -62,7 +62,7 @@ std::optional<Shaft> drawnShaft(const std::string& path)
 std::string freeName(const project::Project& project, const std::string& wanted)
 {
     for (int number = 1;; ++number) {
-        const std::string name = number == 1 ? wanted : wanted + " (" + std::to_string(number) + ")";
+        std::string name = number == 1 ? wanted : wanted + " (" + std::to_string(number) + ")";
         const auto item = project.items.find(name);
         if (item == project.items.end() || item->second.origin.panel == chainKey) return name;
     }

@@ -50,7 +50,7 @@ void DrawingViews::typeBoreCell(const QTableWidgetItem& cell)
     QMetaObject::invokeMethod(
         this, [this] { show(); }, Qt::QueuedConnection);
     if (!typed) return;
-    const BorePlace at = *place;
+    const BorePlace& at = *place;
     emit boresEditWanted(tr("Change row %1").arg(at.name), [=](ShaftBores bores) {
         BoreSegment& row = bores.at(at.bore).segments.at(at.row);
         const bool is_cylinder = !row.arc_radius_mm && row.start_diameter_mm == row.end_diameter_mm;
@@ -73,7 +73,7 @@ void DrawingViews::addBoreVerbs(QMenu& menu, int at)
 {
     const auto found = boreAt(at);
     if (!found) return;
-    const BorePlace place = *found;
+    const BorePlace& place = *found;
     menu.addSection(tr("Row %1").arg(place.name));
     menu.addAction(tr("Delete"), this, [this, place] { deleteBore(place); })->setShortcut(QKeySequence::Delete);
     menu.addAction(tr("Add a row behind it"), this, [this, place] {

@@ -45,6 +45,7 @@ template <class Item, class Size>
 std::vector<const Item*> largestOf(const std::vector<Item>& items, Size size)
 {
     std::vector<const Item*> order;
+    order.reserve(items.size());
     for (const Item& item : items) order.push_back(&item);
     std::stable_sort(order.begin(), order.end(), [&](const Item* a, const Item* b) { return size(*a) > size(*b); });
     return order;

@@ -228,9 +228,11 @@ private:
     /// Points of the surface about a contact are not told from those of what touches it: they go with that.
     void labelContacts(std::map<std::uint16_t, SceneFootprint>& footprints)
     {
-        for (auto& [label, footprint] : footprints) {
+        for (auto& labelled : footprints) {
+            const std::uint16_t own = labelled.first;
+            SceneFootprint& footprint = labelled.second;
             footprint.close();
-            parallelFor(rest_.size(), 32768, progress_, [&, own = label](std::size_t begin, std::size_t end) {
+            parallelFor(rest_.size(), 32768, progress_, [&, own](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     if (labels_[rest_[i]] != Part) continue;
                     const Vector3d p = fit_.axis_T_scan * rest_points_[i];

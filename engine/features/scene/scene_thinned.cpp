@@ -71,6 +71,7 @@ double usualExtent_mm(const std::vector<Vector3d>& points)
     double squares = 0;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
+        values.reserve(some.size());
         for (const Vector3d& point : some) values.push_back(point[axis]);
         const double low = quantileInPlace(values, 0.01), high = quantileInPlace(values, 0.99);
         squares += (high - low) * (high - low);

@@ -136,16 +136,18 @@ report::Answer answerOf(const ChainPicture& picture)
 report::Table fitTable(const chain::MachineFit& fit)
 {
     report::Table table{LT_TEXT("Engine", "Fitted to the copy"),
-                        {LT_TEXT("Engine", "Quantity"), LT_TEXT("Engine", "Factor"), LT_TEXT("Engine", "Value"),
-                         LT_TEXT("Engine", "Standard uncertainty [%]")},
+                        {LT_TEXT("Engine", "Quantity"), LT_TEXT("Engine", "Before"), LT_TEXT("Engine", "After"),
+                         LT_TEXT("Engine", "Factor"), LT_TEXT("Engine", "Standard uncertainty [%]")},
                         {},
-                        {0, 3, 0, 1}};
-    for (const deflection::IdentifiedFactor& factor : fit.found.factors)
-        table.rows.push_back({deflection::nameOf(factor.influence).name, factor.factor,
-                              factor.influence == deflection::Influence::Forces ? Value() : Value(factor.value),
-                              factor.uncertainty_percent});
-    table.rows.push_back({LT_TEXT("Engine", "RMS of the diameters before [µm]"), fit.found.rms_before_um, {}, {}});
-    table.rows.push_back({LT_TEXT("Engine", "RMS of the diameters after [µm]"), fit.found.rms_after_um, {}, {}});
+                        {0, 2, 2, 3, 1}};
+    for (const deflection::IdentifiedFactor& factor : fit.found.factors) {
+        const bool has_value = factor.influence != deflection::Influence::Forces;
+        table.rows.push_back({deflection::nameOf(factor.influence).name,
+                              has_value ? Value(factor.value / factor.factor) : Value(),
+                              has_value ? Value(factor.value) : Value(), factor.factor, factor.uncertainty_percent});
+    }
+    table.rows.push_back(
+        {LT_TEXT("Engine", "RMS of the diameters [µm]"), fit.found.rms_before_um, fit.found.rms_after_um, {}, {}});
     return table;
 }
 

@@ -41,7 +41,8 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
         if (!section.speed_rpm) continue;
         std::string line =
             fmt::format("S{:.0f}: z {:g}-{:g}", *section.speed_rpm, section.z_start_mm, section.z_end_mm);
-        if (section.frequency_hz) line += fmt::format(", f_m {:.0f} Hz, lobe {}", *section.frequency_hz, section.lobe);
+        if (section.frequency_hz) line += fmt::format(", f_m {:.0f} Hz", *section.frequency_hz);
+        if (section.lobe > 0) line += fmt::format(", lobe {}", section.lobe);
         if (section.reason == LT_TEXT("Engine", "no stable speed, that of the job is kept"))
             line += ", no stable speed";
         lines.push_back(line);

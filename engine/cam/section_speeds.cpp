@@ -92,11 +92,11 @@ Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, dou
     try {
         const stability::SpeedResult result = stability::chooseSpeed(frf, speed);
         chosen.frequency_hz = result.frequency_hz;
-        chosen.lobe = result.k;
-        if (result.recommended_rpm <= request.max_rpm)
+        chosen.is_stable = result.recommended_rpm <= request.max_rpm;
+        if (chosen.is_stable) {
             chosen.speed_rpm = std::round(result.recommended_rpm);
-        else
-            chosen.is_stable = false;
+            chosen.lobe = result.k;
+        }
     } catch (const Error& error) {
         if (!(error.code() == errors::noStableSpeed)) throw;
         chosen.is_stable = false;

@@ -13308,14 +13308,6 @@
         <translation>Niepewność standardowa [%]</translation>
     </message>
     <message>
-        <source>RMS of the diameters before [µm]</source>
-        <translation>RMS średnic przed [µm]</translation>
-    </message>
-    <message>
-        <source>RMS of the diameters after [µm]</source>
-        <translation>RMS średnic po [µm]</translation>
-    </message>
-    <message>
         <source>fitted to the copy</source>
         <translation>dopasowane do kopii</translation>
     </message>
@@ -13726,6 +13718,78 @@
     <message>
         <source>POST.json: the program is written for it, and not for the control below. It may be missing.</source>
         <translation>POST.json: program jest pisany dla niego, a nie dla sterowania poniżej. Może go nie być.</translation>
+    </message>
+    <message>
+        <source>Clamping {clamping}: roughing is written as moves and not as a cycle, {reason}.</source>
+        <translation>Zamocowanie {clamping}: obróbka zgrubna jest zapisana jako ruchy, a nie jako cykl: {reason}.</translation>
+    </message>
+    <message>
+        <source>as the control&apos;s post states it</source>
+        <translation>jak podaje postprocesor sterowania</translation>
+    </message>
+    <message>
+        <source>every pass as moves</source>
+        <translation>każde przejście jako ruchy</translation>
+    </message>
+    <message>
+        <source>cycles G71 and G70</source>
+        <translation>cykle G71 i G70</translation>
+    </message>
+    <message>
+        <source>Roughing and finish</source>
+        <translation>Obróbka zgrubna i wykańczająca</translation>
+    </message>
+    <message>
+        <source>In cycles the control lays the passes itself; the check reads them as this program expands them.</source>
+        <translation>W cyklach przejścia układa sterowanie; sprawdzenie czyta je tak, jak rozwija je ten program.</translation>
+    </message>
+    <message>
+        <source>braces around first, last, depth, retract, x_allowance, z_allowance, feed, or what other templates name</source>
+        <translation>nawiasy klamrowe wokół first, last, depth, retract, x_allowance, z_allowance, feed albo tego, co nazywają inne szablony</translation>
+    </message>
+    <message>
+        <source>none or g71_g70</source>
+        <translation>none albo g71_g70</translation>
+    </message>
+    <message>
+        <source>none, for a control that has no G71; or the templates of rough_cycle</source>
+        <translation>none, dla sterowania bez G71; albo szablony w rough_cycle</translation>
+    </message>
+    <message>
+        <source>rough in a cycle (G71)</source>
+        <translation>obrabiać zgrubnie w cyklu (G71)</translation>
+    </message>
+    <message>
+        <source>the numbers of blocks begin anew within it</source>
+        <translation>numery bloków zaczynają się w nim od nowa</translation>
+    </message>
+    <message>
+        <source>roughing, its last pass and one finish do not follow each other</source>
+        <translation>obróbka zgrubna, jej ostatnie przejście i jedna obróbka wykańczająca nie następują po sobie</translation>
+    </message>
+    <message>
+        <source>the roughing insert cannot follow a wall</source>
+        <translation>płytka zgrubna nie może iść wzdłuż ściany</translation>
+    </message>
+    <message>
+        <source>its passes have speeds of their own</source>
+        <translation>jej przejścia mają własne prędkości</translation>
+    </message>
+    <message>
+        <source>its contour is too short</source>
+        <translation>jej kontur jest za krótki</translation>
+    </message>
+    <message>
+        <source>its contour falls somewhere</source>
+        <translation>jej kontur gdzieś opada</translation>
+    </message>
+    <message>
+        <source>there is no more than one pass</source>
+        <translation>jest tylko jedno przejście</translation>
+    </message>
+    <message>
+        <source>RMS of the diameters [µm]</source>
+        <translation>RMS średnic [µm]</translation>
     </message>
 </context>
 <context>

@@ -120,4 +120,16 @@ std::vector<Vector2d> chordsOf(const Vector2d& from, const CutMove& move, double
     return points;
 }
 
+double largestRadius_mm(const Operation& operation)
+{
+    double radius = 0;
+    for (std::size_t i = 0; i < operation.moves.size(); ++i)
+        if (operation.moves[i].kind != CutKind::Rapid) {
+            radius = std::max(radius, operation.moves[i].to.y());
+            if (i > 0 && operation.kind != OperationKind::Finish && operation.kind != OperationKind::SemiFinish)
+                radius = std::max(radius, std::min(operation.moves[i - 1].to.y(), operation.moves.front().to.y()));
+        }
+    return std::max(radius, 0.5);
+}
+
 }  // namespace lathelier::cam

@@ -54,6 +54,9 @@ struct Operation {
     bool stops_before = false;                  ///< the program stops first: the tailstock comes
 };
 
+/// Largest radius that feed moves of an operation work at, at least 0.5 mm.
+double largestRadius_mm(const Operation& operation);
+
 /// From the centre of the nose (of a blade: of its corner toward the chuck) to the imaginary tip.
 Eigen::Vector2d tipOffset(const JobTool& tool);
 

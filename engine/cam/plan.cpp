@@ -64,6 +64,7 @@ private:
         head.has_tailstock = clamping.job.setup.tailstock.has_value();
         head.comments =
             headComments({clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
+        head.cycles = cycles(clamping);
         WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
         const GivenProgram program{index, written.text, {}, true, true};
         const GivenProgram first{0, clamping.is_mirrored ? plan.setups.front().text : std::string(), {}, true, true};
@@ -75,6 +76,10 @@ private:
             {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, checkLine(setup.check)},
             inputs_.post);
         setup.text = writeProgram(inputs_.post, head, planned.operations).text;
+        if (written.no_cycle)
+            plan.planning.push_back(
+                {notes::cycleNotPossible,
+                 {{"clamping", static_cast<std::int64_t>(index) + 1}, {"reason", *written.no_cycle}}});
         setup.predicted = planned.rest;
         setup.refused = planned.refused;
         describe(planned, written, setup, plan.planning);
@@ -131,6 +136,16 @@ private:
         return sections;
     }
 
+    std::optional<CycleData> cycles(const Clamping& clamping) const
+    {
+        const bool wanted = parameters_.cycles == CycleChoice::Cycles ||
+                            (parameters_.cycles == CycleChoice::AsPost && inputs_.post.cycles);
+        if (!wanted) return {};
+        const RoughCutting& rough = clamping.job.cutting.rough;
+        const JobTool& tool = *clamping.job.toolFor(ToolUse::Rough);
+        return CycleData{rough.depth_mm, rough.allowance_mm, tool.entering_angle_deg.value_or(90)};
+    }
+
     /// Where the motor gives most of what it has.
     void notePower(const PlannedOperation& operation, Notes& notes) const
     {
@@ -168,13 +183,15 @@ private:
             described.tool = operation.tool;
             described.blocks = written.operations[i].blocks;
             described.first_line = written.operations[i].first_line;
+            described.contour_first_line = written.operations[i].contour_first_line;
+            described.contour_last_line = written.operations[i].contour_last_line;
             described.volume_cm3 = planned.removed_mm3[i] / kMm3PerCm3;
             const std::int64_t end =
                 i + 1 < written.operations.size() ? written.operations[i + 1].first_line : INT64_MAX;
             std::vector<gcode::Move> own;
             for (const gcode::Move& move : moves)
-                if (move.line >= described.first_line && move.line < end && move.tool == operation.tool &&
-                    gcode::isKnown(move.x_mm) && gcode::isKnown(move.z_mm))
+                if (described.holds(move.line, end) && move.tool == operation.tool && gcode::isKnown(move.x_mm) &&
+                    gcode::isKnown(move.z_mm))
                     own.push_back(move);
             const gcode::ProgramTimes times = gcode::timesOf(own);
             described.feed_length_mm = times.all.feed_length_mm;

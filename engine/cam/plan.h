@@ -25,10 +25,18 @@ enum class SetupChoice : std::uint8_t {
     Two    ///< the part is turned round
 };
 
+/// How roughing and finish are written.
+enum class CycleChoice : std::uint8_t {
+    AsPost,  ///< as the post states it
+    Moves,   ///< every pass as moves
+    Cycles   ///< cycles of the control (G71, G70)
+};
+
 struct TurningParameters {
     SetupChoice setups = SetupChoice::Auto;                                   ///< how many clampings
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel part_model = PartModel::Finished;                               ///< body for the speeds of finishing
+    CycleChoice cycles = CycleChoice::AsPost;                                 ///< of roughing and finish
     double tool_change_s = 3;                                                 ///< for the time
     std::vector<SkippedOperation> skipped;                                    ///< switched off
     std::vector<OperationStep> order;                                         ///< as operation_order.h takes it
@@ -51,10 +59,19 @@ struct PlannedOperation {
     int tool = 0;                               ///< number
     std::int64_t blocks = 0;                    ///< of moves
     std::int64_t first_line = 0;                ///< in the text, from 1
-    double feed_length_mm = 0;                  ///< of feed moves
-    double time_s = 0;                          ///< feed and rapid moves
-    double volume_cm3 = 0;                      ///< taken off
-    std::optional<double> power_max_kW;         ///< at the cut, ± 25 %; none: the material is not known
+    /// Of a finish in a cycle: lines of the contour, which stands with roughing; 0: none.
+    std::int64_t contour_first_line = 0, contour_last_line = 0;
+    double feed_length_mm = 0;           ///< of feed moves
+    double time_s = 0;                   ///< feed and rapid moves
+    double volume_cm3 = 0;               ///< taken off
+    std::optional<double> power_max_kW;  ///< at the cut, ± 25 %; none: the material is not known
+
+    /// Is the line one of its own, the next operation beginning at `next_line`?
+    bool holds(std::int64_t line, std::int64_t next_line) const
+    {
+        return (line >= first_line && line < next_line) ||
+               (contour_first_line > 0 && line >= contour_first_line && line <= contour_last_line);
+    }
 };
 
 struct SetupPlan {

@@ -202,6 +202,10 @@ inline constexpr NoteCode tailstockNotInSpeeds{
     "tailstock_not_in_speeds", Severity::Warning,
     LT_TEXT("Engine", "The speeds are those of a part whose end is free; the tailstock holds it stiffer.")};
 
+inline constexpr NoteCode cycleNotPossible{
+    "cycle_not_possible", Severity::Warning,
+    LT_TEXT("Engine", "Clamping {clamping}: roughing is written as moves and not as a cycle, {reason}.")};
+
 inline constexpr NoteCode boresNotPlanned{"bores_not_planned", Severity::Warning,
                                           LT_TEXT("Engine", "Bores of the part are not in the program.")};
 

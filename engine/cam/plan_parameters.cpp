@@ -15,6 +15,9 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                                              {"published", LT_TEXT("Engine", "as published")}};
     const std::vector<FieldChoice> models{{"finished", LT_TEXT("Engine", "the finished part")},
                                           {"moment", LT_TEXT("Engine", "the work at that moment")}};
+    const std::vector<FieldChoice> cycles{{"as_post", LT_TEXT("Engine", "as the control's post states it")},
+                                          {"none", LT_TEXT("Engine", "every pass as moves")},
+                                          {"g71_g70", LT_TEXT("Engine", "cycles G71 and G70")}};
     static const auto all = described<P>(
         field("setups", &P::setups, setups,
               Label{LT_TEXT("Engine", "Clampings"),
@@ -24,6 +27,11 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
         field("part_model", &P::part_model, models,
               Label{LT_TEXT("Engine", "Part for the speeds"),
                     LT_TEXT("Engine", "Body whose dynamics decide the speeds of the finish.")}),
+        field("cycles", &P::cycles, cycles,
+              Label{LT_TEXT("Engine", "Roughing and finish"),
+                    LT_TEXT("Engine",
+                            "In cycles the control lays the passes itself; the check reads them as this program "
+                            "expands them.")}),
         field("tool_change_s", &P::tool_change_s, {0, 600},
               Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
                     LT_TEXT("Engine", "s")}),

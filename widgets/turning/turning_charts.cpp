@@ -71,13 +71,16 @@ struct BlockSpeed {
     }
 };
 
-/// Lines of the finishing operations: from the first one up to the next operation.
-bool isFinish(const cam::SetupPlan& setup, std::int64_t line)
+/// Lines of the finishing operations: from the first one up to the next operation, or of a cycle's contour.
+bool isFinish(const cam::SetupPlan& setup, std::int64_t line, int tool)
 {
     const cam::PlannedOperation* in = nullptr;
-    for (const cam::PlannedOperation& operation : setup.operations)
+    for (const cam::PlannedOperation& operation : setup.operations) {
         if (operation.first_line <= line) in = &operation;
-    return in && (in->kind == cam::OperationKind::Finish || in->kind == cam::OperationKind::FinishBack);
+        if (operation.tool == tool && operation.holds(line, operation.first_line)) return true;
+    }
+    return in && in->tool == tool &&
+           (in->kind == cam::OperationKind::Finish || in->kind == cam::OperationKind::FinishBack);
 }
 
 report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool is_cutting_speed)
@@ -91,7 +94,7 @@ report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool 
     constexpr int steps = 6;
     for (std::size_t i = 1; i < drawn.corners(); ++i) {
         const std::int64_t line = drawn.lineOf(i);
-        if (!drawn.isPiece(i) || drawn.isRapid(i) || !isFinish(plan, line)) {
+        if (!drawn.isPiece(i) || drawn.isRapid(i) || !isFinish(plan, line, drawn.toolOf(i))) {
             if (!curve.x.empty() && !std::isnan(curve.y.back())) {
                 curve.x.push_back(curve.x.back());
                 curve.y.push_back(notKnown);

@@ -42,7 +42,7 @@ std::vector<Field<TurningQuestion>> allFields()
         for (FieldInfo& column : info.columns)
             column.advanced = column.kind == FieldInfo::Kind::Rows || column.key == "back_margin_deg";
     }
-    for (const char* key : {"relation", "part_model", "tool_change_s", skippedKey, orderKey})
+    for (const char* key : {"relation", "part_model", "cycles", "tool_change_s", skippedKey, orderKey})
         all.push_back(foldedWithin(&Q::plan, key));
     all.push_back(field(
         jobOfKey, &Q::job_of,

@@ -34,16 +34,24 @@ std::string oneLine(const JsonCursor& cursor)
 }
 
 /// A template: every brace names a value that the writer has.
-std::string oneTemplate(const JsonCursor& cursor)
+std::string oneTemplate(const JsonCursor& cursor, bool of_cycle)
 {
     std::string text = oneLine(cursor);
     for (std::size_t at = 0; (at = text.find_first_of("{}", at)) != std::string::npos;) {
         const std::size_t end = text.find('}', at);
         static constexpr const char* known[]{"title", "number", "tool", "tool2", "max_rpm", "vc", "rpm"};
-        const bool is_named = text[at] == '{' && end != std::string::npos &&
-                              std::any_of(std::begin(known), std::end(known),
-                                          [&](const char* name) { return text.substr(at + 1, end - at - 1) == name; });
-        if (!is_named) cursor.reject(LT_TEXT("Engine", "braces around title, number, tool, tool2, max_rpm, vc or rpm"));
+        static constexpr const char* cycles[]{"first",       "last",        "depth", "retract",
+                                              "x_allowance", "z_allowance", "feed"};
+        const auto names = [&](const auto& words) {
+            return std::any_of(std::begin(words), std::end(words),
+                               [&](const char* name) { return text.substr(at + 1, end - at - 1) == name; });
+        };
+        const bool is_closed = text[at] == '{' && end != std::string::npos;
+        if (!is_closed || !(names(known) || (of_cycle && names(cycles))))
+            cursor.reject(of_cycle ? LT_TEXT("Engine",
+                                             "braces around first, last, depth, retract, x_allowance, z_allowance, "
+                                             "feed, or what other templates name")
+                                   : LT_TEXT("Engine", "braces around title, number, tool, tool2, max_rpm, vc or rpm"));
         at = end + 1;
     }
     return text;
@@ -70,6 +78,7 @@ public:
             {"program_end_tailstock", &Post::program_end_tailstock}};
         for (const auto& [key, member] : offered)
             if (const auto list = root_.member(key)) post_.*member = templates(*list);
+        readCycles();
         static const std::pair<const char*, std::string Post::*> words[]{
             {"rapid", &Post::rapid}, {"line", &Post::line}, {"arc_cw", &Post::arc_cw}, {"arc_ccw", &Post::arc_ccw}};
         for (const auto& [key, member] : words) {
@@ -142,11 +151,25 @@ private:
         return static_cast<int>(value);
     }
 
-    static Templates templates(const JsonCursor& list)
+    static Templates templates(const JsonCursor& list, bool of_cycle = false)
     {
         Templates result;
-        list.items(kMostLines, [&](const JsonCursor& item) { result.push_back(oneTemplate(item)); });
+        list.items(kMostLines, [&](const JsonCursor& item) { result.push_back(oneTemplate(item, of_cycle)); });
         return result;
+    }
+
+    void readCycles()
+    {
+        if (const auto rough = root_.member("rough_cycle")) post_.rough_cycle = templates(*rough, true);
+        if (const auto finish = root_.member("finish_cycle")) post_.finish_cycle = templates(*finish, true);
+        const auto cycles = root_.member("cycles");
+        if (!cycles) return;
+        post_.cycles = choice(*cycles, {"none", "g71_g70"}, LT_TEXT("Engine", "none or g71_g70")) == 1;
+        if (!post_.cycles || !post_.rough_cycle.empty()) return;
+        if (post_.dialect != gcode::Dialect::Fanuc && post_.dialect != gcode::Dialect::Haas)
+            cycles->reject(LT_TEXT("Engine", "none, for a control that has no G71; or the templates of rough_cycle"));
+        post_.rough_cycle = {"G71 U{depth} R{retract}", "G71 P{first} Q{last} U{x_allowance} W{z_allowance} F{feed}"};
+        post_.finish_cycle = {"G70 P{first} Q{last}"};
     }
 
     void readWords(const JsonCursor& words)
@@ -202,6 +225,8 @@ private:
                                              "block_numbers",
                                              "end_of_line",
                                              "cycles",
+                                             "rough_cycle",
+                                             "finish_cycle",
                                              "about",
                                              "source"};
         root_.members(kMostKeys, [&](const std::string& key, const JsonCursor& value) {
@@ -241,6 +266,9 @@ std::string postText(const Post& post)
     json["stop"] = post.stop;
     json["program_end"] = post.program_end;
     json["program_end_tailstock"] = post.program_end_tailstock;
+    json["cycles"] = post.cycles ? "g71_g70" : "none";
+    if (!post.rough_cycle.empty()) json["rough_cycle"] = post.rough_cycle;
+    if (!post.finish_cycle.empty()) json["finish_cycle"] = post.finish_cycle;
     json["rapid"] = post.rapid;
     json["line"] = post.line;
     json["arc_cw"] = post.arc_cw;

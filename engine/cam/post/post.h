@@ -5,11 +5,13 @@
 // "spindle_css",
 //  "spindle_rpm", "speed_change", "coolant_on", "stop", "program_end": lists of templates,
 //  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those, where a tailstock stands,
+//  "cycles"?: "none" | "g71_g70", "rough_cycle"?, "finish_cycle"?: lists of templates; without them those of Fanuc,
 //  "rapid", "line", "arc_cw", "arc_ccw": words, "arc": "ik" | "r" | "cr", "thread"?: word, "thread_lead"?: "F" | "K",
 //  "words": {"X": {"diameter", "decimals"}, "Z": {"decimals"}, "F": {"decimals"}, "style": "point" | "plain"},
 //  "modal"?, "feed"?: "per_rev" | "per_min", "css"?, "block_numbers": {"start", "step"} | null,
 //  "comment": {"open", "close", "max_length"?}, "end_of_line"?: "lf" | "crlf"}
-// Templates name {title} {number} {tool} {tool2} {max_rpm} {vc} {rpm}.
+// Templates name {title} {number} {tool} {tool2} {max_rpm} {vc} {rpm}; those of cycles also {first} {last} (numbers of
+// the contour's blocks) {depth} {retract} {x_allowance} {z_allowance} {feed}.
 #pragma once
 
 #include <cstdint>
@@ -51,6 +53,9 @@ struct Post {
     Templates stop{"M0"};                       ///< the operator acts, then goes on
     Templates program_end;                      ///< without block numbers
     Templates program_end_tailstock;            ///< the same where a tailstock stands; empty: program_end
+    bool cycles = false;                        ///< roughing and finish as cycles rather than as moves
+    Templates rough_cycle;                      ///< of roughing along a contour; empty: the control has none
+    Templates finish_cycle;                     ///< of a finish along the same contour
     std::string rapid = "G0", line = "G1";      ///< words
     std::string arc_cw = "G2", arc_ccw = "G3";  ///< words, seen with Z to the right and X upward
     std::string thread;                         ///< word of one pass of a thread; empty: the control has none

@@ -3,60 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/post/word_text.h"
+#include "engine/cam/work_frame.h"
 
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
+constexpr int kLargestNumber = 99999;  // of a block
+constexpr int kCycleDecimals = 3;
 constexpr double kPi = 3.14159265358979323846;
-
-/// `units` of the last of `decimals` places as text.
-std::string numberText(std::int64_t units, int decimals, bool point)
-{
-    std::string digits = std::to_string(std::abs(units));
-    if (digits.size() <= static_cast<std::size_t>(decimals))
-        digits.insert(0, static_cast<std::size_t>(decimals) + 1 - digits.size(), '0');
-    std::string text = digits.substr(0, digits.size() - static_cast<std::size_t>(decimals));
-    std::string fraction = digits.substr(digits.size() - static_cast<std::size_t>(decimals));
-    while (!fraction.empty() && fraction.back() == '0') fraction.pop_back();
-    if (!fraction.empty())
-        text.append(1, '.').append(fraction);
-    else if (point)
-        text += ".";
-    if (units < 0) text.insert(text.begin(), '-');
-    return text;
-}
-
-/// A word: its letter and its number. (Appended: GCC 12 warns wrongly of literal + string.)
-std::string wordText(const char* letter, std::int64_t units, int decimals, bool point)
-{
-    std::string text(letter);
-    text += numberText(units, decimals, point);
-    return text;
-}
-
-std::int64_t unitsOf(double value, int decimals)
-{
-    return std::llround(value * std::pow(10, decimals));
-}
-
-/// Largest radius that feed moves of an operation work at.
-double largestRadius_mm(const Operation& operation)
-{
-    double radius = 0;
-    for (std::size_t i = 0; i < operation.moves.size(); ++i)
-        if (operation.moves[i].kind != CutKind::Rapid) {
-            radius = std::max(radius, operation.moves[i].to.y());
-            if (i > 0 && operation.kind != OperationKind::Finish && operation.kind != OperationKind::SemiFinish)
-                radius = std::max(radius, std::min(operation.moves[i - 1].to.y(), operation.moves.front().to.y()));
-        }
-    return std::max(radius, 0.5);
-}
 
 class Writer {
 public:
@@ -71,8 +32,10 @@ public:
         for (const std::string& comment : post_.header_comments) addComment(filled(comment));
         for (const std::string& comment : head_.comments) addComment(comment);
         lines(post_.safe_start, true);
+        findCycle(operations);
         const Operation* before = nullptr;
-        for (const Operation& operation : operations) {
+        for (std::size_t i = 0; i < operations.size(); ++i) {
+            const Operation& operation = operations[i];
             tool_ = operation.tool;
             if (!before || before->tool != operation.tool) {
                 if (before) lines(post_.tool_end, true);
@@ -83,7 +46,7 @@ public:
             } else if (operation.stops_before) {
                 stop();
             }
-            write(operation);
+            write(operation, i);
             before = &operation;
         }
         if (before) lines(post_.tool_end, true);
@@ -100,10 +63,28 @@ private:
         lines(post_.stop, true);
     }
 
-    void write(const Operation& operation)
+    void findCycle(const std::vector<Operation>& operations)
+    {
+        if (!head_.cycles) return;
+        if (post_.rough_cycle.empty())
+            throw Error(errors::postCannot,
+                        {{"post", post_.name}, {"what", LT_TEXT("Engine", "rough in a cycle (G71)")}});
+        auto found = roughingCycle(operations, *head_.cycles);
+        if (const Text* const reason = std::get_if<Text>(&found))
+            result_.no_cycle = *reason;
+        else
+            cycle_ = std::get<RoughingCycle>(std::move(found));
+        has_cycle_ = !result_.no_cycle;
+    }
+
+    void write(const Operation& operation, std::size_t index)
     {
         WrittenOperation written;
         written.first_line = line_ + 1;
+        if (has_cycle_ && index == cycle_.semi_finish) {  // part of the cycle
+            result_.operations.push_back(written);
+            return;
+        }
         vc_ = operation.cutting_speed_m_min;
         rpm_ = operation.speed_rpm;
         if (!rpm_ && !post_.css)
@@ -116,7 +97,24 @@ private:
         lines(post_.coolant_on, true);
         motion_.clear();
         feed_units_ = -1;
-        for (const CutMove& move : operation.moves) {
+        if (has_cycle_ && index == cycle_.rough && !numbersSuffice()) {
+            has_cycle_ = false;
+            result_.no_cycle = LT_TEXT("Engine", "the numbers of blocks begin anew within it");
+        }
+        if (has_cycle_ && index == cycle_.rough)
+            written.blocks = writeRoughCycle();
+        else if (has_cycle_ && index == cycle_.finish && cycle_.has_finish)
+            writeFinishCycle(written);
+        else
+            written.blocks = writeAll(operation.moves);
+        result_.operations.push_back(written);
+    }
+
+    /// Number of blocks written.
+    std::int64_t writeAll(const std::vector<CutMove>& moves)
+    {
+        std::int64_t blocks = 0;
+        for (const CutMove& move : moves) {
             if (move.cutting_speed_m_min && post_.css) {
                 vc_ = *move.cutting_speed_m_min;
                 rpm_.reset();
@@ -126,9 +124,77 @@ private:
                 lines(post_.speed_change, true);
                 if (post_.feed_per_min) feed_units_ = -1;
             }
-            written.blocks += write(move);
+            blocks += write(move);
         }
-        result_.operations.push_back(written);
+        return blocks;
+    }
+
+    CutMove safe() const { return {CutKind::Rapid, {cycle_.start_z_mm, cycle_.safe_x_mm}}; }
+
+    std::int64_t writeRoughCycle()
+    {
+        const CutMove start{CutKind::Rapid, {cycle_.start_z_mm, cycle_.start_x_mm}};
+        std::int64_t blocks = writeAll({safe(), start});
+        // The templates name the numbers of the contour's blocks: written twice, they are known.
+        Writer trial = *this;
+        trial.writeContour();
+        first_block_ = trial.first_block_;
+        last_block_ = trial.last_block_;
+        blocks += writeContour();
+        blocks += writeAll({start, safe()});
+        return blocks;
+    }
+
+    std::int64_t writeContour()
+    {
+        lines(post_.rough_cycle, true);
+        contour_first_line_ = line_ + 1;
+        first_block_ = numberOfNext(1);
+        const std::int64_t x = unitsOf(x_scale_ * cycle_.contour.front().to.y(), post_.x_decimals);
+        std::string down = post_.rapid;  // X alone, even where unchanged words are repeated
+        append(down, xWord(x));
+        add(down);
+        remember(x, z_);
+        motion_ = post_.rapid;
+        std::int64_t blocks = 1;
+        const std::vector<CutMove> rest(cycle_.contour.begin() + 1, cycle_.contour.end() - 1);
+        blocks += writeAll(rest);
+        last_block_ = numberOfNext(2);
+        blocks += writeAll({cycle_.contour.back()});
+        contour_last_line_ = line_;
+        // The control stands where it began.
+        remember(unitsOf(x_scale_ * cycle_.start_x_mm, post_.x_decimals),
+                 unitsOf(-cycle_.start_z_mm, post_.z_decimals));
+        motion_.clear();
+        feed_units_ = -1;
+        return blocks;
+    }
+
+    bool numbersSuffice() const
+    {
+        constexpr int kFurtherBlocks = 20;
+        const auto blocks = static_cast<std::int64_t>(2 * cycle_.contour.size() + post_.rough_cycle.size());
+        return !post_.block_numbers ||
+               number_ + post_.block_numbers->step * (blocks + kFurtherBlocks) <= kLargestNumber;
+    }
+
+    /// A control without block numbers has them on both ends of the contour only.
+    int numberOfNext(int otherwise)
+    {
+        if (post_.block_numbers) return number_ == 0 ? post_.block_numbers->start : number_;
+        next_number_ = otherwise;
+        return otherwise;
+    }
+
+    void writeFinishCycle(WrittenOperation& written)
+    {
+        written.blocks = writeAll(cycle_.before);
+        lines(post_.finish_cycle, true);
+        written.contour_first_line = contour_first_line_;
+        written.contour_last_line = contour_last_line_;
+        motion_.clear();
+        feed_units_ = -1;
+        written.blocks += writeAll({safe()});
     }
 
     /// Number of blocks written.
@@ -261,6 +327,22 @@ private:
         if (name == "max_rpm") return whole(std::floor(head_.max_rpm));
         if (name == "vc") return whole(vc_);
         if (name == "rpm") return whole(rpm_.value_or(0));
+        return has_cycle_ ? valueOfCycle(name) : std::string();
+    }
+
+    std::string valueOfCycle(const std::string& name) const
+    {
+        const auto length = [this](double value_mm, int decimals) {
+            return numberText(unitsOf(value_mm, decimals), decimals, post_.decimal_point);
+        };
+        if (name == "first") return std::to_string(first_block_);
+        if (name == "last") return std::to_string(last_block_);
+        if (name == "depth") return length(cycle_.depth_mm, kCycleDecimals);
+        if (name == "retract") return length(retract_mm, kCycleDecimals);
+        if (name == "x_allowance") return length(x_scale_ * head_.cycles->allowance_mm, kCycleDecimals);
+        if (name == "z_allowance") return length(head_.cycles->allowance_mm, kCycleDecimals);
+        if (name == "feed")
+            return length(cycle_.feed_mm_rev * (post_.feed_per_min ? rpm_.value_or(0) : 1), post_.f_decimals);
         return {};
     }
 
@@ -276,13 +358,18 @@ private:
 
     void add(const std::string& text)
     {
-        if (!post_.block_numbers) return addPlain(text);
+        if (!post_.block_numbers && next_number_ == 0) return addPlain(text);
+        if (!post_.block_numbers) {
+            std::string numbered = wordText("N", std::exchange(next_number_, 0), 0, false);
+            append(numbered, text);
+            return addPlain(numbered);
+        }
         if (number_ == 0) number_ = post_.block_numbers->start;
         std::string numbered = wordText("N", number_, 0, false);
         append(numbered, text);
         addPlain(numbered);
         number_ += post_.block_numbers->step;
-        if (number_ > 99999) number_ = post_.block_numbers->step;
+        if (number_ > kLargestNumber) number_ = post_.block_numbers->step;
     }
 
     void addPlain(const std::string& text)
@@ -297,6 +384,10 @@ private:
     double x_scale_ = 2;
     std::int64_t line_ = 0;
     int number_ = 0, tool_ = 0;
+    RoughingCycle cycle_;
+    bool has_cycle_ = false;
+    int next_number_ = 0, first_block_ = 0, last_block_ = 0;
+    std::int64_t contour_first_line_ = 0, contour_last_line_ = 0;
     double vc_ = 0;
     std::optional<double> rpm_;
     std::string motion_;
@@ -305,46 +396,6 @@ private:
 };
 
 }  // namespace
-
-std::string commentText(const Post& post, const std::string& text)
-{
-    static constexpr std::pair<const char*, const char*> replaced[]{
-        {"Ø", "D"},  {"µ", "U"},  {"·", "."},  {"×", "X"}, {"–", "-"}, {"…", "-"}, {"°", " DEG"}, {"ä", "AE"},
-        {"ö", "OE"}, {"ü", "UE"}, {"ß", "SS"}, {"ą", "A"}, {"ć", "C"}, {"ę", "E"}, {"ł", "L"},    {"ń", "N"},
-        {"ó", "O"},  {"ś", "S"},  {"ź", "Z"},  {"ż", "Z"}, {"Ł", "L"}, {"Ś", "S"}, {"Ż", "Z"},    {"Ó", "O"}};
-    std::string ascii;
-    for (std::size_t at = 0; at < text.size();) {
-        const auto byte = static_cast<unsigned char>(text[at]);
-        if (byte < 0x80) {
-            ascii += text[at++];
-            continue;
-        }
-        std::size_t length = 1;
-        while (at + length < text.size() && (static_cast<unsigned char>(text[at + length]) & 0xC0) == 0x80) ++length;
-        const std::string letter = text.substr(at, length);
-        const auto* found = std::find_if(std::begin(replaced), std::end(replaced),
-                                         [&](const auto& pair) { return letter == pair.first; });
-        ascii += found != std::end(replaced) ? found->second : "?";
-        at += length;
-    }
-    std::string result;
-    for (const char c : ascii) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte > 0x7E || c == '%')
-            result += ' ';
-        else if (c == '(' || c == '[' || c == '{')
-            result += '[';
-        else if (c == ')' || c == ']' || c == '}')
-            result += ']';
-        else if (c == ';')
-            result += ',';
-        else
-            result += static_cast<char>(std::toupper(byte));
-    }
-    if (result.size() > static_cast<std::size_t>(post.comment_length))
-        result.resize(static_cast<std::size_t>(post.comment_length));
-    return result;
-}
 
 WrittenProgram writeProgram(const Post& post, const ProgramHead& head, const std::vector<Operation>& operations)
 {

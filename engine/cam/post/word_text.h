@@ -1,0 +1,16 @@
+// Numbers of a program's words, in whole units of their last decimal.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace lathelier::cam {
+
+/// A value in units of the last of `decimals` places.
+std::int64_t unitsOf(double value, int decimals);
+/// Units as text, without zeros at the end; `point`: whole numbers end with a point.
+std::string numberText(std::int64_t units, int decimals, bool point);
+/// A word: its letter and its number.
+std::string wordText(const char* letter, std::int64_t units, int decimals, bool point);
+
+}  // namespace lathelier::cam

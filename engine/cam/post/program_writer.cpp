@@ -75,6 +75,7 @@ private:
         else
             cycle_ = std::get<RoughingCycle>(std::move(found));
         has_cycle_ = !result_.no_cycle;
+        cycle_.has_finish = cycle_.has_finish && !post_.finish_cycle.empty();
     }
 
     void write(const Operation& operation, std::size_t index)

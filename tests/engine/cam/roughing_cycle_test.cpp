@@ -124,6 +124,16 @@ TEST(RoughingCycle, ThePostAsksForIt)
     EXPECT_EQ(countOf(inCycles(job, post, CycleChoice::Moves).setups[0].text, "G71"), 0U);
 }
 
+TEST(RoughingCycle, WithoutACycleOfTheFinishItIsMoves)
+{
+    Post post = postNamed("fanuc_a");
+    post.finish_cycle.clear();
+    const TurningPlan plan = inCycles(jobNamed("paper_s1"), post);
+    expectSound(plan, "no G70");
+    EXPECT_EQ(countOf(plan.setups[0].text, "G71 P"), 1U);
+    EXPECT_EQ(plan.setups[0].operations.back().contour_first_line, 0);
+}
+
 TEST(RoughingCycle, WithoutBlockNumbersBothEndsOfTheContourAreNumbered)
 {
     Post post = postNamed("fanuc_a");

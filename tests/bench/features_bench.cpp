@@ -1,9 +1,14 @@
-// Recognition of the paper's shaft: 732 000 points to the table; the CAD of it.
+// Recognition of the paper's shaft: 732 000 points to the table; the CAD of it; the drawing as a reference.
 #include <benchmark/benchmark.h>
 
 #include "engine/cad/step_reader.h"
 #include "engine/cad/step_writer.h"
+#include "engine/core/shaft_contour.h"
 #include "engine/features/recognition.h"
+#include "engine/features/scene/scene.h"
+#include "engine/features/shaft_mesh.h"
+#include "engine/registration/compare.h"
+#include "engine/registration/drawn_reference.h"
 #include "engine/sample/sample.h"
 
 namespace lathelier {
@@ -25,6 +30,28 @@ void recognition(benchmark::State& state)
     for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(features::recognize(scan(), {}));
 }
 BENCHMARK(recognition)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void sceneCut(benchmark::State& state)
+{
+    const std::vector<Eigen::Vector3d>& points = scan().points_mm;
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(features::findScene(points, features::SceneUse::Auto));
+}
+BENCHMARK(sceneCut)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Against the drawing's meridian (1) or its finest mesh (0).
+void drawnReference(benchmark::State& state)
+{
+    const Shaft shaft = features::recognize(scan(), {}).shaft;
+    const registration::DrawnReference drawn{features::shaftMesh(shaft).scan, closedContour(shaft)};
+    for ([[maybe_unused]] auto _ : state) {
+        if (state.range(0) == 1)
+            benchmark::DoNotOptimize(registration::compare(drawn, scan(), {}));
+        else
+            benchmark::DoNotOptimize(registration::compare(drawn.mesh, scan(), {}));
+    }
+}
+BENCHMARK(drawnReference)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void stepOut(benchmark::State& state)
 {

@@ -151,9 +151,10 @@ TEST(MachinePower, MoreThanFourFifthsIsRemarked)
 {
     Job job = jobWith({row(60, 30, 30), row(20, 37, 37)}, 40, 200, {roughC80(), finishC80()});
     job.cutting.material = "C45";
-    EXPECT_FALSE(contains(planned(job).notes, notes::powerNearLimit));
+    const TurningPlan free = planned(job);
+    EXPECT_FALSE(contains(free.notes, notes::powerNearLimit));
     double most = 0;
-    for (const PlannedOperation& operation : planned(job).setups[0].operations)
+    for (const PlannedOperation& operation : free.setups[0].operations)
         most = std::max(most, operation.power_max_kW.value_or(0));
     ASSERT_GT(most, 0.5);
     job.setup.efficiency = 0.8;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "engine/features/features_codes.h"
@@ -180,15 +179,11 @@ TEST(Scene, ShouldersStayWhereAPartIsHeldByItsEnd)
     EXPECT_GT(lost, 0U);  // where the jaws touch, no point tells which of the two it is of
 }
 
-TEST(Scene, AMillionPointsTakeLessThanASecond)
+TEST(Scene, AMillionPointsGiveTheSameTwice)
 {
-    Scan scan = onTurntable(askew(13));
+    const Scan scan = onTurntable(askew(13));
     ASSERT_GT(scan.points_mm.size(), 1000000U);
-    const std::clock_t start = std::clock();  // of all threads, so that what else the machine does counts little
     const Scene first = findScene(scan.points_mm, SceneUse::Auto);
-    const double took = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    EXPECT_LT(took, 3);
-    RecordProperty("milliseconds", static_cast<int>(1000 * took));
     const Scene again = findScene(scan.points_mm, SceneUse::Auto);
     EXPECT_EQ(first.kept, again.kept);
 }

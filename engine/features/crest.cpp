@@ -150,7 +150,7 @@ Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, doubl
         radii.reserve(static_cast<std::size_t>(last - first));
         for (auto point = first; point != last; ++point)
             radii.push_back(static_cast<float>(point->second - slope * (point->first - (from + to) / 2)));
-        return std::pair(crestOf(std::move(radii), sigma_mm, std::abs(slope) * kSpot_mm), last - first);
+        return std::pair(crestOf(radii, sigma_mm, std::abs(slope) * kSpot_mm), last - first);
     };
     // First bin by bin; the median of all slopes between two of them bears bins whose crest was mistaken.
     std::vector<std::pair<double, double>> crests;

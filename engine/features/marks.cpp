@@ -316,7 +316,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     std::vector<float> crests;
     crests.reserve(points.size());
     for (const std::uint32_t i : points) crests.push_back(cloud.r_mm[i]);
-    const std::optional<Crest> found = crestOf(std::move(crests), sigma_mm);
+    const std::optional<Crest> found = crestOf(crests, sigma_mm);
     const double crest_mm = found ? found->radius_mm : about_mm;
     if (std::abs(best_m) <= kMostStarts) {
         mark.kind = "thread";

@@ -67,20 +67,17 @@ std::variant<RoughingCycle, Text> roughingCycle(const std::vector<Operation>& op
     cycle.safe_x_mm = moves.front().to.y();
     cycle.start_z_mm = moves.front().to.x();
     cycle.start_x_mm = stock_x;
-    if (foot->to.x() < cycle.start_z_mm + kSame_mm) return LT_TEXT("Engine", "its contour is too short");
-    CutMove down{CutKind::Rapid, {cycle.start_z_mm, foot->to.y()}};
-    CutMove in = *foot;
-    in.kind = CutKind::Line;
-    in.to = foot->to;
+    if (foot + 1 == end || foot->to.x() < cycle.start_z_mm + kSame_mm)
+        return LT_TEXT("Engine", "its contour is too short");
+    const CutMove down{CutKind::Rapid, {cycle.start_z_mm, foot->to.y()}};
+    CutMove in{CutKind::Line, foot->to};
     in.feed_mm_rev = foot[1].feed_mm_rev;
-    in.speed_rpm.reset();
-    in.cutting_speed_m_min.reset();
     cycle.before.assign(moves.begin(), foot + 1);
     cycle.before.push_back(down);
     cycle.before.push_back({CutKind::Rapid, {cycle.start_z_mm, cycle.start_x_mm}});
     cycle.contour = {down, in};
     for (auto move = foot + 1; move != end; ++move) {
-        if (!onlyRises(move[-1].to, *move)) return LT_TEXT("Engine", "its contour falls somewhere");
+        if (is_rapid(*move) || !onlyRises(move[-1].to, *move)) return LT_TEXT("Engine", "its contour falls somewhere");
         cycle.has_finish = cycle.has_finish && !move->cutting_speed_m_min;
         cycle.contour.push_back(*move);
     }

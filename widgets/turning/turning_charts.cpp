@@ -77,7 +77,8 @@ bool isFinish(const cam::SetupPlan& setup, std::int64_t line, int tool)
     const cam::PlannedOperation* in = nullptr;
     for (const cam::PlannedOperation& operation : setup.operations) {
         if (operation.first_line <= line) in = &operation;
-        if (operation.tool == tool && operation.holds(line, operation.first_line)) return true;
+        const bool is_contour = line >= operation.contour_first_line && line <= operation.contour_last_line;
+        if (operation.tool == tool && operation.contour_first_line > 0 && is_contour) return true;
     }
     return in && in->tool == tool &&
            (in->kind == cam::OperationKind::Finish || in->kind == cam::OperationKind::FinishBack);

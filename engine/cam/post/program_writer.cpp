@@ -305,17 +305,7 @@ private:
 
     std::string filled(const std::string& pattern) const
     {
-        std::string text;
-        for (std::size_t at = 0; at < pattern.size();) {
-            const std::size_t end = pattern[at] == '{' ? pattern.find('}', at) : std::string::npos;
-            if (end == std::string::npos) {
-                text += pattern[at++];
-                continue;
-            }
-            text += valueOf(pattern.substr(at + 1, end - at - 1));
-            at = end + 1;
-        }
-        return text;
+        return filledTemplate(pattern, [this](const std::string& name) { return valueOf(name); });
     }
 
     std::string valueOf(const std::string& name) const

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cam/work_frame.h"
-
 namespace lathelier::cam {
 namespace {
 

@@ -33,4 +33,19 @@ std::int64_t unitsOf(double value, int decimals)
     return std::llround(value * std::pow(10, decimals));
 }
 
+std::string filledTemplate(const std::string& pattern, const std::function<std::string(const std::string&)>& value_of)
+{
+    std::string text;
+    for (std::size_t at = 0; at < pattern.size();) {
+        const std::size_t end = pattern[at] == '{' ? pattern.find('}', at) : std::string::npos;
+        if (end == std::string::npos) {
+            text += pattern[at++];
+            continue;
+        }
+        text += value_of(pattern.substr(at + 1, end - at - 1));
+        at = end + 1;
+    }
+    return text;
+}
+
 }  // namespace lathelier::cam

@@ -78,7 +78,7 @@ bool isPointInSpace(const Handle(StepGeom_Point) & stated)
 
 bool isDirectionInSpace(const Handle(StepGeom_Direction) & direction)
 {
-    return !direction.IsNull() && direction->NbDirectionRatios() == 3;
+    return !direction.IsNull() && !direction->DirectionRatios().IsNull() && direction->NbDirectionRatios() == 3;
 }
 
 /// Where the kernel takes three coordinates for granted.
@@ -100,15 +100,20 @@ bool isInSpace(const Handle(Standard_Transient) & record)
     return true;
 }
 
-/// The kernel goes on with records whose parameters it could not read: not here.
+/// The kernel goes on with records whose parameters it could not read: not here. Such records lack parts, so all are
+/// looked for before the contents of any are used.
 void refuseBrokenRecords(const Handle(StepData_StepModel) & model, const Part21& checked)
 {
-    for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
-        const Handle(Interface_Check) check = model->Check(i, true);
-        if ((check.IsNull() || !check->HasFailed()) && isInSpace(model->Value(i))) continue;
+    const auto refuse = [&](Standard_Integer i) {
         const auto line = checked.line_of_record.find(model->IdentLabel(model->Value(i)));
         refuseRecord(line == checked.line_of_record.end() ? 1 : line->second);
+    };
+    for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
+        const Handle(Interface_Check) check = model->Check(i, true);
+        if (!check.IsNull() && check->HasFailed()) refuse(i);
     }
+    for (Standard_Integer i = 1; i <= model->NbEntities(); ++i)
+        if (!isInSpace(model->Value(i))) refuse(i);
 }
 
 /// Curves in space rule: those in a surface's parameters are redundant, and the kernel does not check their kinds.

@@ -235,6 +235,12 @@ TEST(StepReader, RecordsOfTheWrongKind)
               "malformed");
     EXPECT_EQ(refusal(changed("CYLINDRICAL_SURFACE\\('',(#\\d+),[^)]*", "CYLINDRICAL_SURFACE('',$1,0.")).first,
               "not_a_body_of_revolution");
+    // Directions without numbers, behind the frames that use them.
+    EXPECT_EQ(refusal(changed("DIRECTION\\(''(,\\([^)]*\\))", "DIRECTION(''")).first, "malformed");
+    EXPECT_EQ(refusal(changed("DIRECTION\\('',\\([^)]*\\)", "DIRECTION('',$$")).first, "malformed");
+    std::string cut_name = changed("DIRECTION\\(''", "DIRECTION('?'");
+    cut_name[cut_name.find("DIRECTION('?'") + 11] = '\0';
+    EXPECT_EQ(refusal(cut_name).first, "malformed");
 }
 
 TEST(StepReader, GrammarRings)

@@ -8,6 +8,9 @@
 
 namespace lathelier {
 
+/// From the median absolute deviation of normal values to their standard deviation.
+inline constexpr double mad_to_sigma = 1.4826;
+
 /// The value at rank floor(share · n) of `values`, share in 0…1, which are put into another order. NaN for no values.
 template <class T>
 T quantileInPlace(std::vector<T>& values, double share)
@@ -17,6 +20,17 @@ T quantileInPlace(std::vector<T>& values, double share)
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), place, values.end());
     return *place;
+}
+
+/// The value at rank floor(share · (n − 1)) of `values`, share in 0…1, which are put into another order: share 1 is the
+/// largest, and an even count's 0.5 the lower of the two middle values. NaN for no values.
+template <class T>
+T lowerQuantileInPlace(std::vector<T>& values, double share)
+{
+    if (values.empty()) return std::numeric_limits<T>::quiet_NaN();
+    const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + rank, values.end());
+    return values[static_cast<std::size_t>(rank)];
 }
 
 /// The upper of the two middle values: no mean is formed, so that a median of places is one of them.

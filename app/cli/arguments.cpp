@@ -8,6 +8,7 @@
 #include "app/cli/help.h"
 #include "app/cli/outputs.h"
 #include "engine/core/texts.h"
+#include "engine/core/version.h"
 
 namespace lathelier::cli {
 namespace {
@@ -189,7 +190,7 @@ bool isUnknownCommand(const std::string& word)
 Parsed parseArguments(int argc, char** argv)
 {
     CLI::App app(programSummary, programName);
-    app.set_version_flag("--version", std::string(programName) + " " + LATHELIER_VERSION, "Print the version.");
+    app.set_version_flag("--version", std::string(programName) + " " + programVersion, "Print the version.");
     app.set_help_flag("-h,--help", "Print this help.");
     app.require_subcommand(1);
     app.footer(exitCodeHelp);

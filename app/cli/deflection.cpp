@@ -15,7 +15,7 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* programOption = "--compensate";
+constexpr const char* compensateOption = "--compensate";
 
 /// Files that options name.
 struct TurningFiles {
@@ -74,7 +74,7 @@ void runDeflection(const Request& request, io::InputFiles& inputs, const Progres
     ProgramRead read = readProgram(path, request, inputs, progress.part(0.05, 0.3));
     if (auto error = firstError(read.path, path)) throw Error(*error);
     auto parameters = fromValues<deflection::StudyParameters>(request.parameters);
-    const auto output = request.outputs.find(programOption);
+    const auto output = request.outputs.find(compensateOption);
     parameters.correction = output != request.outputs.end();
     const auto map = fromValues<deflection::MapParameters>(request.parameters);
     const deflection::StudyDetails details{fromValues<deflection::BandParameters>(request.parameters),
@@ -108,7 +108,7 @@ Verb deflectionVerb()
             {{"PROGRAM", "An NC program (Fanuc, Haas, Sinumerik, LinuxCNC)."}},
             deflectionOptions(),
             {&gcode::programFiles(), &deflection::setupFiles()},
-            {{programOption, "Write the corrected program as FILE."}},
+            {{compensateOption, "Write the corrected program as FILE."}},
             true,
             runDeflection};
 }

@@ -12,7 +12,6 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* tableOption = "--csv";
 constexpr const char* universalOption = "--uff";
 
 void runFrf(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)

@@ -36,7 +36,7 @@ bool isSet(const Request& request, const char* key)
     return value && *value == Value(true);
 }
 
-std::optional<std::string> wordOf(const Request& request, const char* key)
+std::optional<std::string> statedWord(const Request& request, const char* key)
 {
     const Value* value = find(request.parameters, key);
     if (!value || !std::holds_alternative<std::string>(*value)) return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<std::string> wordOf(const Request& request, const char* key)
 void checkCombination(const Request& request, const form::RoundnessParameters& parameters)
 {
     checkNoFilter(request, parameters);
-    if (wordOf(request, superimposeKey) && request.operands.size() != 1)
+    if (statedWord(request, superimposeKey) && request.operands.size() != 1)
         throw Error(errors::valueNotUnderstood, {{"parameter", "--superimpose"},
                                                  {"found", static_cast<std::int64_t>(request.operands.size())},
                                                  {"expected", LT_TEXT("Engine", "one profile to lay the other on")}});
@@ -123,7 +123,7 @@ void runRoundness(const Request& request, io::InputFiles& inputs, const Progress
     checkCombination(request, parameters);
     const auto found = std::make_shared<Found>();
     answer.json = [found] { return toJson(*found); };
-    const auto other = wordOf(request, superimposeKey);
+    const auto other = statedWord(request, superimposeKey);
     const double share = 1.0 / static_cast<double>(request.operands.size() + (other ? 1 : 0));
     for (std::size_t i = 0; i < request.operands.size(); ++i) {
         const std::string& path = request.operands[i];

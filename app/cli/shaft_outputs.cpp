@@ -33,7 +33,6 @@ constexpr const char* stepOption = "--step";
 constexpr const char* dxfOption = "--dxf";
 constexpr const char* freecadOption = "--freecad";
 constexpr const char* solidworksOption = "--solidworks";
-constexpr const char* csvOption = "--csv";
 constexpr const char* drawingOption = "--drawing";
 constexpr const char* schemaKey = "step_schema";
 constexpr const char* contourKey = "dxf_contour";
@@ -68,7 +67,7 @@ std::vector<OutputOption> shaftOutputs()
             {dxfOption, "Write FILE.dxf (R12)."},
             {freecadOption, "Write a macro for FreeCAD, FILE.FCMacro."},
             {solidworksOption, "Write a macro for SolidWorks, FILE.bas."},
-            {csvOption, "Write all rows as FILE.csv."},
+            {tableOption, "Write all rows as FILE.csv."},
             {drawingOption, "Write the workshop drawing as FILE.svg."}};
 }
 
@@ -134,7 +133,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
     progress.check();
     if (const std::string* path = wanted(stockOption))
         io::writeFile(*path, io::stockText(features::outOfChuck(asked.shaft, asked.chucked_mm)));
-    if (const std::string* path = wanted(csvOption)) io::writeFile(*path, cad::shaftCsv(asked.shaft));
+    if (const std::string* path = wanted(tableOption)) io::writeFile(*path, cad::shaftCsv(asked.shaft));
     const bool cad = std::any_of(request.outputs.begin(), request.outputs.end(), [](const auto& output) {
         return output.first == stepOption || output.first == freecadOption || output.first == solidworksOption;
     });

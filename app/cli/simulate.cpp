@@ -14,7 +14,6 @@ namespace lathelier::cli {
 namespace {
 
 constexpr const char* soundOption = "--wav";
-constexpr const char* tableOption = "--csv";
 
 std::vector<Option> simulateOptions()
 {

@@ -11,7 +11,6 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* tableOption = "--csv";
 constexpr const char* rewriteOption = "--rewrite";
 
 void runToolpath(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)

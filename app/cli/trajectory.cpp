@@ -14,7 +14,6 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr const char* tableOption = "--csv";
 constexpr const char* imageOption = "--image-csv";
 
 std::vector<Option> trajectoryOptions()

@@ -39,6 +39,9 @@ struct OutputOption {
     std::string help;
 };
 
+/// Writes numbers as a table, wherever a verb does.
+inline constexpr const char* tableOption = "--csv";
+
 /// What the user asked of a verb. `parameters` holds every option by key, defaults included.
 struct Request {
     std::vector<std::string> operands;

@@ -17,6 +17,7 @@
 #include "app/gui/shutdown.h"
 #include "app/gui/theme.h"
 #include "engine/core/error.h"
+#include "engine/core/version.h"
 #include "engine/io/file.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
@@ -65,7 +66,7 @@ int main(int argc, char** argv)
         return 2;
     }
     if (arguments.help || arguments.version) {
-        std::cout << (arguments.help ? usage().toStdString() : "lathelier " LATHELIER_VERSION "\n");
+        std::cout << (arguments.help ? usage().toStdString() : std::string("lathelier ") + programVersion + "\n");
         return 0;
     }
 
@@ -79,7 +80,7 @@ int main(int argc, char** argv)
 #endif
     QCoreApplication::setOrganizationName("Lathelier");
     QCoreApplication::setApplicationName("Lathelier");
-    QCoreApplication::setApplicationVersion(LATHELIER_VERSION);
+    QCoreApplication::setApplicationVersion(programVersion);
     QGuiApplication::setDesktopFileName("lathelier");
     QApplication application(argc, argv);
     useResources();

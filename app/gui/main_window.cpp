@@ -201,28 +201,31 @@ void MainWindow::openPaths(const QStringList& paths)
     }
     if (others.isEmpty()) return;
     finder_.find(others, [this](const std::vector<FoundFile>& files) {
-        goWhereItBelongs(files.front());
-        if (!activeDock()) return;
-        activeDock()->show();
-        activeDock()->raise();
-        activeDock()->panel().openFound(files);
+        PanelDock* dock = dockFor(files);
+        if (!dock) return;
+        showPanel(dock);  // not the active one: a restored layout has a tab of its own in front
+        dock->panel().openFound(files);
     });
 }
 
-/// A file that is certainly, or in all likelihood, of a kind that another panel works on opens that panel.
-void MainWindow::goWhereItBelongs(const FoundFile& file)
+/// The panel that works on all the files whose kind is certain or likely, else on the first of them: the active panel
+/// if it does, which also takes what nobody is known to work on.
+PanelDock* MainWindow::dockFor(const std::vector<FoundFile>& files) const
 {
-    if (file.likeness < io::Likeness::Likely) return;
-    const auto takes = [&](const PanelDock* dock) {
+    const auto takes = [](const PanelDock* dock, const FoundFile& file) {
         const io::FileKinds& kinds = dock->facts().kinds;
-        return std::find(kinds.begin(), kinds.end(), file.kind) != kinds.end();
+        return file.likeness < io::Likeness::Likely || std::find(kinds.begin(), kinds.end(), file.kind) != kinds.end();
     };
-    if (activeDock() && takes(activeDock())) return;
-    const auto found = std::find_if(docks_.begin(), docks_.end(), takes);
-    if (found == docks_.end()) return;
-    const std::string& workspace = (*found)->facts().workspaces.front().id;
-    lastActive_[workspace] = *found;
-    enterWorkspace(workspace);
+    const auto takesAll = [&](const PanelDock* dock) {
+        return std::all_of(files.begin(), files.end(), [&](const FoundFile& file) { return takes(dock, file); });
+    };
+    const auto takesFirst = [&](const PanelDock* dock) { return takes(dock, files.front()); };
+    PanelDock* const active = activeDock();
+    if (active && takesAll(active)) return active;
+    if (const auto all = std::find_if(docks_.begin(), docks_.end(), takesAll); all != docks_.end()) return *all;
+    if (active && takesFirst(active)) return active;
+    const auto first = std::find_if(docks_.begin(), docks_.end(), takesFirst);
+    return first == docks_.end() ? active : *first;
 }
 
 void MainWindow::askForFiles()

@@ -70,7 +70,7 @@ private:
     void updateUndo();
     void fillRecent();
     void askForFiles();
-    void goWhereItBelongs(const FoundFile& file);
+    PanelDock* dockFor(const std::vector<FoundFile>& files) const;
     void useItem(const std::string& name, const project::Item& item, bool synthetic);
     void showPanel(PanelDock* dock);
     void askForSettings();

@@ -10,13 +10,13 @@
 namespace lathelier {
 namespace {
 
-constexpr const char* folder = ":/manual";
+constexpr const char* manualFolder = ":/manual";
 constexpr const char* completeLanguage = "en";  ///< the one that has every page
 
 /// Empty where there is none.
 QString readPage(const QString& language, const QString& name)
 {
-    QFile file(QString("%1/%2/%3.md").arg(folder, language, name));
+    QFile file(QString("%1/%2/%3.md").arg(manualFolder, language, name));
     if (!file.open(QIODevice::ReadOnly)) return {};
     static const QRegularExpression unit("(?<=\\d) (?=(%|mm|µm|km|UPR|MiB|GiB|V|s)(?!\\w))");
     return QString::fromUtf8(file.readAll()).replace(unit, QChar(QChar::Nbsp));  // no line ends between the two
@@ -60,7 +60,7 @@ Manual::Manual(const QString& language)
         if (!names.contains(name)) names << name;
     };
     for (const QString& name : linkedPages(readPage(completeLanguage, indexName))) add(name);
-    for (const QString& file : QDir(QString("%1/%2").arg(folder, completeLanguage)).entryList({"*.md"}))
+    for (const QString& file : QDir(QString("%1/%2").arg(manualFolder, completeLanguage)).entryList({"*.md"}))
         add(file.chopped(3));
     for (const QString& name : names) {
         QString markdown = readPage(language, name);

@@ -18,7 +18,7 @@
 namespace lathelier {
 namespace {
 
-constexpr const char* suffix = "lathelier";
+constexpr const char* projectSuffix = "lathelier";
 constexpr int keepAfter_ms = 1000;
 
 }  // namespace
@@ -38,7 +38,7 @@ ProjectFiles::ProjectFiles(Session& session, const QString& recoveryFolder, QWid
 
 bool ProjectFiles::isProject(const QString& path)
 {
-    return QFileInfo(path).suffix() == suffix;
+    return QFileInfo(path).suffix() == projectSuffix;
 }
 
 QString ProjectFiles::filter()
@@ -91,7 +91,7 @@ bool ProjectFiles::saveAs()
     takeOverTyping(window_);
     QFileDialog dialog(window_, tr("Save the project"), session_.path(), filter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
+    dialog.setDefaultSuffix(projectSuffix);
     return dialog.exec() == QDialog::Accepted && write(dialog.selectedFiles().value(0));
 }
 
@@ -100,7 +100,7 @@ void ProjectFiles::saveRecipe(const project::PartInputs& part_inputs)
     takeOverTyping(window_);
     QFileDialog dialog(window_, tr("Save as recipe"), QFileInfo(session_.path()).dir().path(), filter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix(suffix);
+    dialog.setDefaultSuffix(projectSuffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
     session_.collectViews();

@@ -46,10 +46,10 @@ Settings readSettings()
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
     result.decision = stored.value("decision").toString();
     using Length = ScreenUnits::Length;
-    using Form = ScreenUnits::Form;
+    using FormUnit = ScreenUnits::Form;
     result.units.length = unitOf(stored.value("length_unit").toString(), {Length::Millimetre, Length::Inch});
     result.units.form =
-        unitOf(stored.value("form_unit").toString(), {Form::Micrometre, Form::Millimetre, Form::Microinch});
+        unitOf(stored.value("form_unit").toString(), {FormUnit::Micrometre, FormUnit::Millimetre, FormUnit::Microinch});
     return result;
 }
 

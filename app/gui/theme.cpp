@@ -79,9 +79,9 @@ public:
 };
 
 // The desktop's colour scheme: 0 no preference, 1 dark, 2 light (XDG desktop portal, org.freedesktop.appearance).
-constexpr const char* service = "org.freedesktop.portal.Desktop";
-constexpr const char* path = "/org/freedesktop/portal/desktop";
-constexpr const char* settings = "org.freedesktop.portal.Settings";
+constexpr const char* portalService = "org.freedesktop.portal.Desktop";
+constexpr const char* portalPath = "/org/freedesktop/portal/desktop";
+constexpr const char* portalSettings = "org.freedesktop.portal.Settings";
 constexpr const char* appearance = "org.freedesktop.appearance";
 constexpr const char* colourScheme = "color-scheme";
 constexpr int answerTime_ms = 300;
@@ -98,7 +98,7 @@ std::optional<bool> isDark(QVariant value)
 std::optional<bool> desktopIsDark(QDBusConnection& bus)
 {
     if (!bus.isConnected()) return std::nullopt;
-    QDBusMessage question = QDBusMessage::createMethodCall(service, path, settings, "Read");
+    QDBusMessage question = QDBusMessage::createMethodCall(portalService, portalPath, portalSettings, "Read");
     question << appearance << colourScheme;
     const QDBusMessage answer = bus.call(question, QDBus::Block, answerTime_ms);
     if (answer.type() != QDBusMessage::ReplyMessage || answer.arguments().isEmpty()) return std::nullopt;
@@ -114,7 +114,8 @@ Theme::Theme(QApplication& application) : QObject(&application)
     QApplication::setStyle(new CalmStyle);
     desktopDark_ = desktopIsDark(bus).value_or(platformIsDark);
     apply();
-    bus.connect(service, path, settings, "SettingChanged", this, SLOT(desktopChanged(QString, QString, QDBusVariant)));
+    bus.connect(portalService, portalPath, portalSettings, "SettingChanged", this,
+                SLOT(desktopChanged(QString, QString, QDBusVariant)));
 }
 
 void Theme::desktopChanged(const QString& group, const QString& key, const QDBusVariant& value)

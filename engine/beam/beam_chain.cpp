@@ -19,7 +19,7 @@ NodeVector times(const Matrix2<double>& a, const NodeVector& v)
     return {a.ww * v.w + a.wt * v.t, a.tw * v.w + a.tt * v.t};
 }
 
-NodeVector difference(const NodeVector& a, const NodeVector& b)
+NodeVector vectorDifference(const NodeVector& a, const NodeVector& b)
 {
     return {a.w - b.w, a.t - b.t};
 }
@@ -72,10 +72,10 @@ std::vector<NodeVector> BeamChain::solve(double omega_rad_s, std::vector<NodeVec
         const PieceStiffness<double>& k = stiffness_[node];
         const Matrix2<double> back = k.across.transposed() * inverse[node];
         left = k.right - back * k.across;
-        load[node + 1] = difference(load[node + 1], times(back, load[node]));
+        load[node + 1] = vectorDifference(load[node + 1], times(back, load[node]));
     }
     for (std::size_t node = last + 1; node-- > 0;) {
-        if (node < last) load[node] = difference(load[node], times(stiffness_[node].across, load[node + 1]));
+        if (node < last) load[node] = vectorDifference(load[node], times(stiffness_[node].across, load[node + 1]));
         load[node] = times(inverse[node], load[node]);
     }
     return load;

@@ -43,6 +43,10 @@ struct BeamPiece {
     template <class S>
     PieceConstants<S> constants(double loss_factor) const;
 };
+template <>
+PieceConstants<double> BeamPiece::constants(double loss_factor) const;
+template <>
+PieceConstants<Complex> BeamPiece::constants(double loss_factor) const;
 
 /// What holds a node.
 struct NodeSupport {
@@ -55,6 +59,10 @@ struct NodeSupport {
     template <class S>
     Matrix2<S> stiffness() const;
 };
+template <>
+Matrix2<double> NodeSupport::stiffness() const;
+template <>
+Matrix2<Complex> NodeSupport::stiffness() const;
 
 /// Nodes 0…n from the free end (z = 0) toward the chuck, piece i between nodes i and i+1. Rotations are dw/dz here.
 struct BeamModel {

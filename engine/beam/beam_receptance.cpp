@@ -1,11 +1,11 @@
 #include "engine/beam/beam_receptance.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <numeric>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 
 namespace lathelier::beam {
 namespace {
@@ -79,8 +79,7 @@ void BeamReceptance::fillFrom(std::size_t order, std::span<ReceptanceMatrix> res
 void BeamReceptance::at(double frequency_hz, std::span<ReceptanceMatrix> result)
 {
     if (frequency_hz == 0 && is_movable_) {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        std::fill(result.begin(), result.end(), ReceptanceMatrix::Constant(Complex(none, none)));
+        std::fill(result.begin(), result.end(), ReceptanceMatrix::Constant(Complex(notANumber, notANumber)));
         return;
     }
     compute(frequency_hz, result);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/beam/beam_chain.h"
+#include "engine/core/units.h"
 
 namespace lathelier::beam {
 namespace {
@@ -15,7 +16,7 @@ constexpr int mostHalvings = 200;
 /// Where the count passes each number of modes.
 class Counter {
 public:
-    Counter(const BeamModel& model, double most_rad_s) : chain_(cutForCounting(model, most_rad_s / radPerTurn))
+    Counter(const BeamModel& model, double most_rad_s) : chain_(cutForCounting(model, most_rad_s / turn_rad))
     {
         rigid_ = rigidBodyMotions(model);
         const int count = chain_.negativeEigenvalues(most_rad_s) - rigid_;
@@ -33,14 +34,12 @@ public:
                 progress.check();
                 halve(mode);
             }
-            result.push_back((low_[mode] + high_[mode]) / 2 / radPerTurn);
+            result.push_back((low_[mode] + high_[mode]) / 2 / turn_rad);
         }
         return result;
     }
 
 private:
-    static constexpr double radPerTurn = 2 * std::numbers::pi;
-
     void halve(std::size_t mode)
     {
         const double middle = (low_[mode] + high_[mode]) / 2;

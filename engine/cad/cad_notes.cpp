@@ -4,11 +4,10 @@
 
 #include "engine/cad/cad_codes.h"
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cad {
 namespace {
-
-constexpr double onAxis_mm = 1e-9;
 
 }  // namespace
 
@@ -27,7 +26,7 @@ Notes cadNotes(const Shaft& shaft)
             {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", kinds}}});
     }
     for (const ContourPiece& piece : outerContour(shaft))
-        if (piece.isArc() && piece.centre_mm().y() < -onAxis_mm)
+        if (piece.isArc() && piece.centre_mm().y() < -meet_mm)
             notes.push_back({notes::arcBeyondAxis, {{"row", static_cast<std::int64_t>(piece.row + 1)}}});
     return notes;
 }

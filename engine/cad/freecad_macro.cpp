@@ -9,14 +9,13 @@
 
 #include "engine/core/shaft_contour.h"
 #include "engine/core/shaft_rules.h"
+#include "engine/core/units.h"
 #include "engine/core/utf8.h"
 
 namespace lathelier::cad {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double same_mm = 1e-9;
 
 /// Which vertices share a coordinate.
 class Sets {
@@ -94,8 +93,8 @@ private:
         Contour closed = closedContour(shaft);
         for (ContourPiece& piece : closed)
             for (Vector2d* end : {&piece.from_mm, &piece.to_mm})
-                if (std::abs(end->y()) < same_mm) end->y() = 0;
-        if (!closed.empty() && (closed.back().to_mm - closed.front().from_mm).norm() > same_mm)
+                if (std::abs(end->y()) < meet_mm) end->y() = 0;
+        if (!closed.empty() && (closed.back().to_mm - closed.front().from_mm).norm() > meet_mm)
             closed.push_back({closed.back().to_mm, closed.front().from_mm, 0});
         return closed;
     }
@@ -108,11 +107,11 @@ private:
     }
     bool keepsRadius(std::size_t i) const
     {
-        return !closed_[i].isArc() && std::abs(closed_[i].to_mm.y() - closed_[i].from_mm.y()) < same_mm;
+        return !closed_[i].isArc() && std::abs(closed_[i].to_mm.y() - closed_[i].from_mm.y()) < meet_mm;
     }
     bool keepsHeight(std::size_t i) const
     {
-        return !closed_[i].isArc() && std::abs(closed_[i].to_mm.x() - closed_[i].from_mm.x()) < same_mm;
+        return !closed_[i].isArc() && std::abs(closed_[i].to_mm.x() - closed_[i].from_mm.x()) < meet_mm;
     }
 
     /// A vertex as Sketcher counts it: the begin of piece i; arcs run anticlockwise in (r, z).
@@ -188,7 +187,7 @@ private:
             line(fmt::format("C(K('PointOnObject',{},-2))", vertex(i)));
         }
         for (std::size_t i = 0; i < closed_.size(); ++i)
-            if (std::abs(closed_[i].from_mm.x()) < same_mm) {
+            if (std::abs(closed_[i].from_mm.x()) < meet_mm) {
                 line(fmt::format("C(K('PointOnObject',{},-1))", vertex(i)));
                 break;
             }

@@ -4,13 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cad {
 namespace {
 
 using Eigen::Vector2d;
 
 constexpr double across_mm = 1e-6;
-constexpr double onAxis_mm = 1e-6;
 
 /// Rows of pieces that run in the sense of `sense` along z; a row's arc bulges toward larger radii when positive.
 template <class Row>
@@ -45,7 +46,7 @@ Contour backwards(Contour pieces)
 
 bool isOnAxis(const ContourPiece& piece)
 {
-    return piece.from_mm.y() < onAxis_mm && piece.to_mm.y() < onAxis_mm;
+    return piece.from_mm.y() < same_mm && piece.to_mm.y() < same_mm;
 }
 
 /// The piece that begins at the outermost point of an end.
@@ -68,12 +69,12 @@ Shaft shaftOf(const Contour& stated)
     for (const ContourPiece& piece : stated) {
         if (isOnAxis(piece) && !piece.isArc()) continue;
         closed.push_back(piece);
-        open |= piece.from_mm.y() < onAxis_mm || piece.to_mm.y() < onAxis_mm;
+        open |= piece.from_mm.y() < same_mm || piece.to_mm.y() < same_mm;
     }
     Shaft shaft;
     if (closed.empty()) return shaft;
     // Where the contour leaves the axis at its end, that end is the begin of no piece.
-    if (open && closed.back().to_mm.y() < onAxis_mm) closed.push_back({closed.back().to_mm, closed.back().to_mm, 0});
+    if (open && closed.back().to_mm.y() < same_mm) closed.push_back({closed.back().to_mm, closed.back().to_mm, 0});
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const ContourPiece& piece : closed) {
         low = std::min(low, piece.from_mm.x());
@@ -93,11 +94,11 @@ Shaft shaftOf(const Contour& stated)
         return shaft;
     }
     Contour from_chuck, from_free;
-    bool passed = outside.empty() || (!outside.empty() && outside.back().to_mm.y() < onAxis_mm);
+    bool passed = outside.empty() || (!outside.empty() && outside.back().to_mm.y() < same_mm);
     for (const ContourPiece& piece : inside) {
-        passed |= piece.from_mm.y() < onAxis_mm;
+        passed |= piece.from_mm.y() < same_mm;
         (passed ? from_free : from_chuck).push_back(piece);
-        passed |= piece.to_mm.y() < onAxis_mm;
+        passed |= piece.to_mm.y() < same_mm;
     }
     addBore(shaft, ShaftEnd::Free, backwards(from_free));
     addBore(shaft, ShaftEnd::Chuck, from_chuck);

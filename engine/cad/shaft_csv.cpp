@@ -9,6 +9,7 @@
 
 #include "engine/cad/csv_columns.h"
 #include "engine/cad/steps_view.h"
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/table/table_cell.h"
 #include "engine/io/table/table_layout.h"
@@ -19,12 +20,11 @@
 namespace lathelier::cad {
 namespace {
 
-constexpr const char* outside = "outside";
+constexpr const char* outsideContour = "outside";
 constexpr const char* boreFree = "bore_free";
 constexpr const char* boreChuck = "bore_chuck";
 constexpr std::array stepColumns = {
     "no", "x_mm", "y_mm", "radius_mm", "z_start_mm", "z_end_mm", "chamfer_start_mm", "chamfer_end_mm"};
-constexpr double meets_mm = 1e-6;
 constexpr std::size_t mostRows = 100000;
 
 class CsvWriter {
@@ -215,7 +215,7 @@ Shaft readFull(CsvTable& table, Notes& notes)
             row.tolerance->iso_class = iso;
         }
         const std::string_view contour = table.cell(i, "contour");
-        if (contour.empty() || contour == outside)
+        if (contour.empty() || contour == outsideContour)
             shaft.segments.push_back(std::move(row));
         else if (contour == boreFree || contour == boreChuck)
             boreFrom(contour == boreFree ? ShaftEnd::Free : ShaftEnd::Chuck)
@@ -239,7 +239,7 @@ Shaft readSteps(CsvTable& table, Notes& notes)
         const double begin = table.required(i, "z_start_mm"), end = table.required(i, "z_end_mm");
         const double before = table.number(i, "chamfer_start_mm").value_or(0);
         const double after = table.number(i, "chamfer_end_mm").value_or(0);
-        if (i > 0 && std::abs(begin - z) > meets_mm)
+        if (i > 0 && std::abs(begin - z) > same_mm)
             table.refuse(i, "z_start_mm", LT_TEXT("Engine", "the end of the step before"));
         if (before < 0 || after < 0 || !(before + after < end - begin))
             table.refuse(i, "z_end_mm", LT_TEXT("Engine", "a step longer than its chamfers"));
@@ -287,7 +287,7 @@ std::string shaftCsv(const Shaft& shaft, const CsvStyle& style)
     double z = 0;
     for (std::size_t i = 0; i < shaft.segments.size(); ++i) {
         const ShaftSegment& row = shaft.segments[i];
-        writeRow(out, outside, i + 1, z, z + row.length_mm, row);
+        writeRow(out, outsideContour, i + 1, z, z + row.length_mm, row);
         z += row.length_mm;
     }
     for (const ShaftBore& bore : shaft.bores) {

@@ -36,7 +36,7 @@
 
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/kernel_lock.h"
-#include "engine/cad/step_faces.h"
+#include "engine/cad/step_kernel.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier::cad {
@@ -285,7 +285,7 @@ StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progres
 
 }  // namespace
 
-StepSolid readStepFaces(std::string_view bytes, const Part21& checked, const Progress& progress)
+StepSolid readStepFacesByKernel(std::string_view bytes, const Part21& checked, const Progress& progress)
 {
     const std::scoped_lock lock(kernelMutex());
     Message::DefaultMessenger()->ChangePrinters().Clear();

@@ -6,19 +6,20 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cad {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using std::numbers::pi;
 
-constexpr double pi = std::numbers::pi;
 constexpr double sameAngle = 1e-6;     ///< rad, of axes
 constexpr double sameAxis_mm = 1e-4;   ///< distance of axes
 constexpr double sameCurve_mm = 1e-6;  ///< pieces of one line or circle
 constexpr double sameEnd_mm = 1e-4;    ///< ends that meet
 constexpr double beyondVertex_mm = 1e-6;
-constexpr double onAxis_mm = 1e-6;
 constexpr double noArc = 1e-7;  ///< rad
 
 struct Piece {
@@ -195,7 +196,7 @@ void merge(std::vector<Piece>& pieces, Piece piece)
 
 bool startsOnAxis(const Piece& piece)
 {
-    return piece.curve.from_mm.y() < onAxis_mm;
+    return piece.curve.from_mm.y() < same_mm;
 }
 
 /// The piece to begin with: from the axis at the least z, else the outermost.
@@ -218,9 +219,9 @@ std::optional<std::size_t> following(const std::vector<Piece>& pieces, const std
                                      const Vector2d& end, const Piece& first)
 {
     std::optional<std::size_t> best;
-    if (end.y() < onAxis_mm) {
+    if (end.y() < same_mm) {
         for (std::size_t i = 0; i < pieces.size(); ++i)
-            if (!used[i] && startsOnAxis(pieces[i]) && pieces[i].curve.from_mm.x() <= end.x() + onAxis_mm &&
+            if (!used[i] && startsOnAxis(pieces[i]) && pieces[i].curve.from_mm.x() <= end.x() + same_mm &&
                 (!best || pieces[i].curve.from_mm.x() > pieces[*best].curve.from_mm.x()))
                 best = i;
         return best;
@@ -299,7 +300,7 @@ Meridian meridianOf(const std::vector<StepFace>& faces, const Line3& axis, const
             used[*at] = true;
             for (const std::size_t face : pieces[*at].faces) taken[face] = true;
             Piece next = pieces[*at];
-            if (!chain.empty() && chain.back().curve.to_mm.y() >= onAxis_mm) {
+            if (!chain.empty() && chain.back().curve.to_mm.y() >= same_mm) {
                 const ContourPiece gap{chain.back().curve.to_mm, next.curve.from_mm, 0};
                 if ((gap.to_mm - gap.from_mm).norm() > sameEnd_mm)
                     chain.push_back({gap, false, {}});

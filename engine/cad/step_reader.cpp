@@ -23,7 +23,7 @@ using Eigen::Vector3d;
 constexpr double plainVolume = 1e-6;    ///< V_solid / V_table this near 1 is a plain body, whatever wrote the file
 constexpr double inexactVolume = 1e-4;  ///< as far as files of coarse tolerances go
 constexpr double leastVolume = 0.9;     ///< below, the marks would be most of the part
-constexpr double beyond_mm = 1e-3;      ///< of the largest circle
+constexpr double beyondPart_mm = 1e-3;  ///< of the largest circle
 constexpr std::size_t worstFaces = 4;   ///< named in a refusal
 
 const Text notRound = LT_TEXT("Engine", "its sections are not round");
@@ -90,8 +90,8 @@ Line3 longestSide(const std::vector<StepFace>& faces)
 }
 
 /// The largest first.
-std::vector<OtherFace> describe(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
-                                double free_end_mm)
+std::vector<OtherFace> describeFaces(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
+                                     double free_end_mm)
 {
     std::vector<OtherFace> result;
     for (const std::size_t i : which) {
@@ -104,8 +104,8 @@ std::vector<OtherFace> describe(const StepSolid& solid, const std::vector<std::s
     return result;
 }
 
-[[noreturn]] void refuse(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
-                         const char* reason, Text why)
+[[noreturn]] void refusePart(const StepSolid& solid, const std::vector<std::size_t>& which, const Line3& axis,
+                             const char* reason, Text why)
 {
     double residual_mm = 0;
     for (const std::size_t i : which) {
@@ -113,7 +113,7 @@ std::vector<OtherFace> describe(const StepSolid& solid, const std::vector<std::s
         residual_mm = std::max(residual_mm, extent.r.high - extent.r.low);
     }
     Rows faces;
-    for (const OtherFace& face : describe(solid, which, axis, 0)) {
+    for (const OtherFace& face : describeFaces(solid, which, axis, 0)) {
         if (faces.rows.size() == worstFaces) break;
         faces.rows.push_back({{{"kind", face.kind}, {"area_mm2", face.area_mm2}}});
     }
@@ -207,9 +207,9 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
 
     if (std::all_of(solid.faces.begin(), solid.faces.end(),
                     [](const StepFace& face) { return face.kind == SurfaceKind::Plane; }))
-        refuse(solid, everyFace(solid), longestSide(solid.faces), "faceted", faceted);
+        refusePart(solid, everyFace(solid), longestSide(solid.faces), "faceted", faceted);
     const std::optional<Line3> axis = commonAxis(solid.faces);
-    if (!axis) refuse(solid, everyFace(solid), longestSide(solid.faces), "no_single_axis", noSingleAxis);
+    if (!axis) refusePart(solid, everyFace(solid), longestSide(solid.faces), "no_single_axis", noSingleAxis);
 
     const Meridian meridian = meridianOf(solid.faces, *axis, progress);
     StepPart part;
@@ -232,8 +232,8 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
     for (std::size_t i = 0; i < solid.faces.size(); ++i) {
         const StepFace& face = solid.faces[i];
         const Extent extent = extentOf(face, *axis);
-        fills = fills && extent.r.high <= largest_mm + beyond_mm && extent.z.low >= z.low - beyond_mm &&
-                extent.z.high <= z.high + beyond_mm;
+        fills = fills && extent.r.high <= largest_mm + beyondPart_mm && extent.z.low >= z.low - beyondPart_mm &&
+                extent.z.high <= z.high + beyondPart_mm;
         total_mm2 += face.area_mm2;
         if (is_other[i]) other_mm2 += face.area_mm2;
         if (face.kind == SurfaceKind::Plane) continue;
@@ -243,8 +243,8 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
     const auto refuseIt = [&] {
         const bool turned = coaxial_mm2 >= curved_mm2 / 2;
         const auto& worst = meridian.other_faces;
-        refuse(solid, worst.empty() ? everyFace(solid) : worst, *axis, turned ? "not_round" : "no_single_axis",
-               turned ? notRound : noSingleAxis);
+        refusePart(solid, worst.empty() ? everyFace(solid) : worst, *axis, turned ? "not_round" : "no_single_axis",
+                   turned ? notRound : noSingleAxis);
     };
     if (!fills || part.shaft.segments.empty()) refuseIt();
     Notes remarks;
@@ -259,7 +259,7 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
     // Without a face to blame, the file contradicts itself.
     if (meridian.other_faces.empty() && std::abs(ratio - 1) > inexactVolume) refuseIt();
     part.free_end_mm = axis->point_mm + z.low * axis->direction;
-    part.other_faces = describe(solid, meridian.other_faces, *axis, z.low);
+    part.other_faces = describeFaces(solid, meridian.other_faces, *axis, z.low);
     if (!part.other_faces.empty() || std::abs(ratio - 1) > plainVolume) {
         notes.push_back({notes::notOfRevolution,
                          {{"count", static_cast<std::int64_t>(part.other_faces.size())},

@@ -13,14 +13,15 @@
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/step_solid.h"
 #include "engine/core/shaft_rules.h"
+#include "engine/core/units.h"
 #include "engine/core/utf8.h"
+#include "engine/core/version.h"
 
 namespace lathelier::cad {
 namespace {
 
 constexpr double volumeTolerance = 1e-9;
 constexpr double shortest_mm = 2e-7;  ///< the kernel holds two points nearer than 1e-7 mm for one
-constexpr double onAxis_mm = 1e-9;
 
 /// Without pieces that the kernel cannot tell from points; how much of them there was.
 std::pair<Contour, double> withoutTinyPieces(const Contour& closed)
@@ -29,7 +30,7 @@ std::pair<Contour, double> withoutTinyPieces(const Contour& closed)
     double dropped_mm = 0;
     for (ContourPiece piece : closed) {
         for (Eigen::Vector2d* end : {&piece.from_mm, &piece.to_mm})
-            if (std::abs(end->y()) < onAxis_mm) end->y() = 0;
+            if (std::abs(end->y()) < meet_mm) end->y() = 0;
         if (!kept.empty()) piece.from_mm = kept.back().to_mm;
         const double length_mm = (piece.to_mm - piece.from_mm).norm();
         if (length_mm < shortest_mm)
@@ -103,14 +104,15 @@ std::string stepText(const Shaft& shaft, const StepOptions& options, const Progr
     std::string description = options.description;
     if (description.empty() && shaft.material && !shaft.material->name.empty())
         description = "material: " + shaft.material->name;
-    const std::pair<const char*, std::string> texts[] = {{placeholders::file, name + ".step"},
-                                                         {placeholders::product, name},
-                                                         {placeholders::description, description},
-                                                         {placeholders::author, options.author},
-                                                         {placeholders::organisation, options.organisation},
-                                                         {placeholders::time, options.time_stamp.value_or(now())},
-                                                         {placeholders::system, "Lathelier " LATHELIER_VERSION},
-                                                         {placeholders::kernel, "Open CASCADE Technology"}};
+    const std::pair<const char*, std::string> texts[] = {
+        {placeholders::file, name + ".step"},
+        {placeholders::product, name},
+        {placeholders::description, description},
+        {placeholders::author, options.author},
+        {placeholders::organisation, options.organisation},
+        {placeholders::time, options.time_stamp.value_or(now())},
+        {placeholders::system, std::string("Lathelier ") + programVersion},
+        {placeholders::kernel, "Open CASCADE Technology"}};
     for (const auto& [placeholder, value] : texts) replaceAll(text, placeholder, value);
     return text;
 }

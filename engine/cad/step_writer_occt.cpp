@@ -29,7 +29,7 @@
 
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/kernel_lock.h"
-#include "engine/cad/step_solid.h"
+#include "engine/cad/step_kernel.h"
 
 namespace lathelier::cad {
 namespace {
@@ -145,8 +145,8 @@ std::string written(const TopoDS_Shape& solid, StepSchema schema)
 
 }  // namespace
 
-std::string revolvedStep(const Contour& closed, StepSchema schema, const ExpectedVolume& expected,
-                         const Progress& progress)
+std::string revolvedStepByKernel(const Contour& closed, StepSchema schema, const ExpectedVolume& expected,
+                                 const Progress& progress)
 {
     const std::scoped_lock lock(kernelMutex());
     Message::DefaultMessenger()->ChangePrinters().Clear();

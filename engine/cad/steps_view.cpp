@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cad {
 namespace {
 
-constexpr double same_mm = 1e-6;
 constexpr double flattest = 15 * std::numbers::pi / 180, steepest = 75 * std::numbers::pi / 180;
 constexpr double longestShare = 0.5;  ///< of a chamfer without a role: of the cylinder's radius and length
 

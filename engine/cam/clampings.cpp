@@ -5,11 +5,10 @@
 
 #include "engine/cam/job_bodies.h"
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
-
-constexpr double kSame_mm = 1e-9;
 
 }  // namespace
 
@@ -36,7 +35,7 @@ std::optional<double> splitOf(const Shaft& part)
     double largest = 0, split = 0, begin = 0;
     for (const ShaftSegment& row : part.segments) {
         const double radius = std::max(row.start_diameter_mm, row.end_diameter_mm) / 2;
-        if (radius > largest + kSame_mm) {
+        if (radius > largest + meet_mm) {
             largest = radius;
             split = begin + row.length_mm / 2;
         }
@@ -52,9 +51,9 @@ Shaft cutAt(const Shaft& part, double z_mm)
     double begin = 0;
     for (const ShaftSegment& row : part.segments) {
         const double end = begin + row.length_mm;
-        if (begin >= z_mm - kSame_mm) break;
+        if (begin >= z_mm - meet_mm) break;
         result.segments.push_back(row);
-        if (end > z_mm + kSame_mm) {
+        if (end > z_mm + meet_mm) {
             const ContourPiece piece{
                 {begin, row.start_diameter_mm / 2}, {end, row.end_diameter_mm / 2}, row.arc_radius_mm.value_or(0), 0};
             result.segments.back().length_mm = z_mm - begin;

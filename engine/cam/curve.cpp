@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double kSame_mm = 1e-9;
-constexpr double kPi = 3.14159265358979323846;
 
 /// u of the crossings of two pieces as lines and full circles, ends of the pieces not looked at.
 int crossings(const CurvePiece& a, const CurvePiece& b, double* u)
@@ -35,7 +35,7 @@ int crossings(const CurvePiece& a, const CurvePiece& b, double* u)
     }
     const Vector2d between = b.centre - a.centre;
     const double d = between.norm(), ra = std::abs(a.radius_mm), rb = std::abs(b.radius_mm);
-    if (d < kSame_mm || d > ra + rb) return 0;
+    if (d < meet_mm || d > ra + rb) return 0;
     const double along = (d * d + ra * ra - rb * rb) / (2 * d), square = ra * ra - along * along;
     if (square < 0) return 0;
     const double foot = a.centre.x() + along * between.x() / d, half = std::sqrt(square) * between.y() / d;
@@ -51,7 +51,7 @@ std::vector<double> breaksOf(const Curve& pieces)
     std::vector<const CurvePiece*> active;
     for (const CurvePiece& piece : pieces) {
         breaks.insert(breaks.end(), {piece.from.x(), piece.to.x()});
-        std::erase_if(active, [&](const CurvePiece* other) { return other->to.x() <= piece.from.x() + kSame_mm; });
+        std::erase_if(active, [&](const CurvePiece* other) { return other->to.x() <= piece.from.x() + meet_mm; });
         for (const CurvePiece* other : active) {
             double u[2];
             const double low = std::max(piece.from.x(), other->from.x()), high = std::min(piece.to.x(), other->to.x());
@@ -62,7 +62,7 @@ std::vector<double> breaksOf(const Curve& pieces)
     }
     std::sort(breaks.begin(), breaks.end());
     breaks.erase(
-        std::unique(breaks.begin(), breaks.end(), [](double first, double next) { return next - first < kSame_mm; }),
+        std::unique(breaks.begin(), breaks.end(), [](double first, double next) { return next - first < meet_mm; }),
         breaks.end());
     return breaks;
 }
@@ -101,7 +101,8 @@ Vector2d CurvePiece::point(double share) const
 {
     if (!isArc()) return from + share * (to - from);
     const double start = std::atan2(from.y() - centre.y(), from.x() - centre.x());
-    const double turn = std::remainder(std::atan2(to.y() - centre.y(), to.x() - centre.x()) - start, 2 * kPi);
+    const double turn =
+        std::remainder(std::atan2(to.y() - centre.y(), to.x() - centre.x()) - start, 2 * std::numbers::pi);
     const double angle = start + share * turn;
     return centre + std::abs(radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
 }
@@ -112,7 +113,7 @@ double CurvePiece::distanceTo(const Vector2d& point) const
         const Vector2d out = point - centre;
         const double far = out.norm();
         const double radius = std::abs(radius_mm);
-        if (far > kSame_mm) {
+        if (far > meet_mm) {
             const double u = centre.x() + out.x() * radius / far;
             if (u >= from.x() && u <= to.x() && (out.y() >= 0) == (radius_mm > 0)) return std::abs(far - radius);
         }
@@ -126,7 +127,7 @@ double CurvePiece::distanceTo(const Vector2d& point) const
 
 Curve upperEnvelope(Curve pieces)
 {
-    std::erase_if(pieces, [](const CurvePiece& piece) { return !(piece.to.x() - piece.from.x() > kSame_mm); });
+    std::erase_if(pieces, [](const CurvePiece& piece) { return !(piece.to.x() - piece.from.x() > meet_mm); });
     std::sort(pieces.begin(), pieces.end(),
               [](const CurvePiece& a, const CurvePiece& b) { return a.from.x() < b.from.x(); });
     const std::vector<double> breaks = breaksOf(pieces);
@@ -157,7 +158,7 @@ Curve upperEnvelope(Curve pieces)
             CurvePiece part = *best;
             part.from = {low, best->at(low)};
             part.to = {high, best->at(high)};
-            if (!curve.empty() && std::abs(curve.back().to.y() - part.from.y()) > kSame_mm) addJoin(curve, part.from);
+            if (!curve.empty() && std::abs(curve.back().to.y() - part.from.y()) > meet_mm) addJoin(curve, part.from);
             curve.push_back(part);
         }
         last = best;
@@ -187,7 +188,7 @@ Curve clipped(const Curve& curve, double from_mm, double to_mm)
         if (piece.to.x() < from_mm || piece.from.x() > to_mm) continue;
         if (piece.from.x() < from_mm) piece.from = {from_mm, piece.at(from_mm)};
         if (piece.to.x() > to_mm) piece.to = {to_mm, piece.at(to_mm)};
-        if (piece.touch != Touch::Join && !(piece.to.x() - piece.from.x() > kSame_mm)) continue;
+        if (piece.touch != Touch::Join && !(piece.to.x() - piece.from.x() > meet_mm)) continue;
         result.push_back(piece);
     }
     return result;
@@ -233,7 +234,7 @@ std::vector<Stretch> stretchesBelow(const Curve& curve, double level_mm)
     std::vector<Stretch> found;
     const auto add = [&found](double from, double to) {
         if (!(to > from)) return;
-        if (!found.empty() && from - found.back().to_mm < kSame_mm)
+        if (!found.empty() && from - found.back().to_mm < meet_mm)
             found.back().to_mm = to;
         else
             found.push_back({from, to});
@@ -242,8 +243,8 @@ std::vector<Stretch> stretchesBelow(const Curve& curve, double level_mm)
         if (piece.touch == Touch::Join) {
             // A jump up and down again ends a stretch even where nothing lies between.
             if (std::max(piece.from.y(), piece.to.y()) >= level_mm && !found.empty() &&
-                std::max(piece.from.y(), piece.to.y()) > level_mm + kSame_mm &&
-                std::abs(found.back().to_mm - piece.from.x()) < kSame_mm)
+                std::max(piece.from.y(), piece.to.y()) > level_mm + meet_mm &&
+                std::abs(found.back().to_mm - piece.from.x()) < meet_mm)
                 found.back().to_mm = std::min(found.back().to_mm, piece.from.x());
             continue;
         }

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
 
 #include "engine/cam/post/built_in_posts.h"
+#include "engine/core/units.h"
 #include "engine/io/json/library_file.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double kRad = 3.14159265358979323846 / 180;
-constexpr double kUm = 1000;
 constexpr double kPerKilowatt = 60000;
 
 }  // namespace
@@ -69,18 +67,18 @@ const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name)
 double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
                     double cutting_speed_m_min)
 {
-    const double sine = std::sin(entering_angle_deg * kRad), h = feed_mm_rev * sine, b = depth_mm / sine;
+    const double sine = std::sin(entering_angle_deg * rad_per_deg), h = feed_mm_rev * sine, b = depth_mm / sine;
     if (!(h > 0) || !(b > 0)) return 0;
     return material.k_c11_N_mm2 * b * std::pow(h, 1 - material.m_c) * cutting_speed_m_min / kPerKilowatt;
 }
 
 double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg)
 {
-    const double f = feed_mm_rev, r = nose_radius_mm, back = back_angle_deg * kRad;
+    const double f = feed_mm_rev, r = nose_radius_mm, back = back_angle_deg * rad_per_deg;
     const bool is_trimmed = back_angle_deg < 90 && f > 2 * r * std::sin(back);
     if (!is_trimmed) {
-        if (f >= 2 * r) return std::numeric_limits<double>::quiet_NaN();
-        return kUm * (r - std::sqrt(r * r - f * f / 4));
+        if (f >= 2 * r) return notANumber;
+        return um_per_mm * (r - std::sqrt(r * r - f * f / 4));
     }
     // Height where the nose's circle, behind its deepest point, meets the back edge of the next revolution.
     const double start = r - r * std::cos(back);
@@ -92,7 +90,7 @@ double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_d
         const double edge = f - r * std::sin(back) - (h - start) / std::tan(back);
         (circle < edge ? low : high) = h;
     }
-    return kUm * (low + high) / 2;
+    return um_per_mm * (low + high) / 2;
 }
 
 double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev)

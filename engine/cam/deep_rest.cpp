@@ -8,10 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOverlap_mm = 0.5;
-constexpr double kAbove_mm = 1;
 constexpr double kFeedOverNose = 0.4;
-constexpr double kShortest_mm = 0.1;
+constexpr double shortestDeepPass_mm = 0.1;
 
 }  // namespace
 
@@ -42,9 +40,9 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
         for (int i = 1; i < passes; ++i) {
             const double allowance = deepest * (passes - i) / passes;
             const Curve curve = toolCurve(frame, finish, allowance);
-            const Curve part = clipped(curve, std::max(rest.z_start_mm - kOverlap_mm - r, curve.front().from.x()),
-                                       std::min(rest.z_end_mm + kOverlap_mm + r, curve.back().to.x()));
-            if (part.empty() || part.back().to.x() - part.front().from.x() < kShortest_mm) continue;
+            const Curve part = clipped(curve, std::max(rest.z_start_mm - restOverlap_mm - r, curve.front().from.x()),
+                                       std::min(rest.z_end_mm + restOverlap_mm + r, curve.back().to.x()));
+            if (part.empty() || part.back().to.x() - part.front().from.x() < shortestDeepPass_mm) continue;
             const Vector2d start = part.front().from + moves.offset();
             const std::size_t done = moves.moves().size();
             if (moves.isEmpty())
@@ -53,7 +51,7 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
                 moves.rapidZ(start.x());
             moves.rapidX(std::min(
                 frame.safe_x_mm,
-                worked.reachableFromAbove_mm(finish.number, start.x(), start.y() + kAbove_mm, frame.safe_x_mm)));
+                worked.reachableFromAbove_mm(finish.number, start.x(), start.y() + rapidAbove_mm, frame.safe_x_mm)));
             moves.line(start, feed);
             moves.follow(part, feed);
             moves.line(moves.at() + Vector2d(-retract_mm, retract_mm), feed);

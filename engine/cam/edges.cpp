@@ -2,16 +2,17 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cam {
 namespace {
 
 constexpr double kSteepest = 0.5774;  // tan 30°
-constexpr double kSame_mm = 1e-9;
-constexpr double kLegsOfRow = 3;  // that a row has to be long
+constexpr double kLegsOfRow = 3;      // that a row has to be long
 
 bool isStraight(const ShaftSegment& row)
 {
-    return row.arc_radius_mm.value_or(0) == 0 && row.length_mm > kSame_mm &&
+    return row.arc_radius_mm.value_or(0) == 0 && row.length_mm > meet_mm &&
            std::abs(row.end_diameter_mm - row.start_diameter_mm) / 2 <= kSteepest * row.length_mm;
 }
 
@@ -49,7 +50,7 @@ BrokenEdges brokenEdges(const Shaft& part, double leg_mm, bool breaks_end)
             ++broken.count;
             return edge;
         };
-        const auto asks = [&](double beside, double edge) { return isStraight(row) && edge - beside > 2 * kSame_mm; };
+        const auto asks = [&](double beside, double edge) { return isStraight(row) && edge - beside > 2 * meet_mm; };
         const auto fits = [&](double beside, double edge) {
             return row.length_mm >= kLegsOfRow * leg_mm && edge - beside >= 2 * leg_mm;
         };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/cam/tailstock.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kSlowRadius_mm = 3;
 constexpr double kOutsideHole_mm = 1;  // facing stops so far outside a centre hole
 constexpr double kLeastFace_mm = 0.5;  // a ring that is less is not worth facing
 constexpr double kPilotShare = 0.4;    // pilot diameter over that of the centre hole
-constexpr double kRad = 3.14159265358979323846 / 180;
 
 }  // namespace
 
@@ -60,9 +60,9 @@ std::optional<Operation> centreDrilling(const WorkFrame& frame)
     if (!drill || !frame.job->setup.tailstock) return {};
     const double hole = frame.job->setup.tailstock->centre_hole_mm;
     const double pilot = kPilotShare * hole;
-    const double depth = pilot + (hole - pilot) / 2 / std::tan(30 * kRad);
+    const double depth = pilot + (hole - pilot) / 2 / std::tan(30 * rad_per_deg);
     Operation result{OperationKind::CentreDrill, drill->number, kDrillSpeed_m_min, {}, {}, {}};
-    result.speed_rpm = std::round(1000 * kDrillSpeed_m_min / (180 * kRad * hole));
+    result.speed_rpm = std::round(1000 * kDrillSpeed_m_min / (180 * rad_per_deg * hole));
     MoveList moves(Vector2d(0, 0));
     moves.rapid({-frame.face_mm - clearance_mm - approach_mm, frame.safe_x_mm});
     moves.rapidX(0);

@@ -4,13 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double kRad = 3.14159265358979323846 / 180;
-constexpr double kLeast_mm = 1e-9;
 
 /// Collects the candidates of one tool.
 class Candidates {
@@ -19,8 +18,8 @@ public:
         : radius_(radius_mm),
           first_(-radius_mm),
           last_(contour.pieces.back().to_mm.x()),
-          back_(tool.back_angle_deg * kRad),
-          lead_(tool.entering_angle_deg * kRad),
+          back_(tool.back_angle_deg * rad_per_deg),
+          lead_(tool.entering_angle_deg * rad_per_deg),
           has_back_(tool.back_angle_deg < 90),
           has_lead_(tool.entering_angle_deg < 90)
     {
@@ -47,13 +46,13 @@ private:
         if (piece.to.x() <= first_ || piece.from.x() >= last_) return;
         if (piece.from.x() < first_) piece.from = {first_, piece.at(first_)};
         if (piece.to.x() > last_) piece.to = {last_, piece.at(last_)};
-        if (piece.to.x() - piece.from.x() > kLeast_mm) all_.push_back(piece);
+        if (piece.to.x() - piece.from.x() > meet_mm) all_.push_back(piece);
     }
 
     void addLine(const ContourPiece& piece, std::int32_t source)
     {
         const Vector2d way = piece.to_mm - piece.from_mm;
-        if (!(way.x() > kLeast_mm)) return;
+        if (!(way.x() > meet_mm)) return;
         const Vector2d off = radius_ / way.norm() * Vector2d(-way.y(), way.x());
         add({piece.from_mm + off, piece.to_mm + off, 0, {}, Touch::Element, source});
     }
@@ -64,7 +63,7 @@ private:
         const double arc = std::abs(piece.arc_radius_mm);
         const bool convex = piece.arc_radius_mm > 0;
         const double radius = convex ? arc + radius_ : arc - radius_;
-        if (radius > kLeast_mm) {
+        if (radius > meet_mm) {
             const double scale = radius / arc;
             add({centre + scale * (piece.from_mm - centre), centre + scale * (piece.to_mm - centre),
                  convex ? radius : -radius, centre, Touch::Element, source});

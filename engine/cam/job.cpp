@@ -2,20 +2,15 @@
 
 #include <algorithm>
 
+#include "engine/cam/required_label.h"
+#include "engine/core/units.h"
+
 namespace lathelier::cam {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm"), deg = LT_TEXT("Engine", "°"), mm_rev = LT_TEXT("Engine", "mm/rev"),
-           m_min = LT_TEXT("Engine", "m/min"), rpm = LT_TEXT("Engine", "rpm");
+const Text rpmUnit = LT_TEXT("Engine", "rpm");
 constexpr double longest_mm = 1e5;
-constexpr Range size{0, longest_mm}, someSize{1e-3, longest_mm}, place{-longest_mm, longest_mm};
-
-Label required(Text name, Text help, Text unit = {})
-{
-    Label label{name, help, unit};
-    label.required = true;
-    return label;
-}
+constexpr Range sizeRange{0, longest_mm}, aboveZeroRange{1e-3, longest_mm}, placeRange{-longest_mm, longest_mm};
 
 const std::vector<FieldChoice>& useChoices()
 {
@@ -32,7 +27,7 @@ const std::vector<FieldChoice>& useChoices()
 Field<RoughCutting> feedField()
 {
     return field("feed_mm_rev", &RoughCutting::feed_mm_rev, {1e-3, 100},
-                 required(LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution."), mm_rev));
+                 required(LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution."), unit::mm_rev));
 }
 
 }  // namespace
@@ -82,14 +77,14 @@ const std::vector<Field<JobStock>>& fieldsOf(const JobStock*)
 {
     using S = JobStock;
     static const auto all = described<S>(
-        field("diameter_mm", &S::diameter_mm, someSize,
-              required(LT_TEXT("Engine", "Diameter of the bar"), LT_TEXT("Engine", "Before the first cut."), mm)),
-        field("length_mm", &S::length_mm, someSize,
+        field("diameter_mm", &S::diameter_mm, aboveZeroRange,
+              required(LT_TEXT("Engine", "Diameter of the bar"), LT_TEXT("Engine", "Before the first cut."), unit::mm)),
+        field("length_mm", &S::length_mm, aboveZeroRange,
               Label{LT_TEXT("Engine", "Length of the bar"),
-                    LT_TEXT("Engine", "From its raw end; empty: up to the chuck face and into it."), mm}),
-        field("face_allowance_mm", &S::face_allowance_mm, size,
+                    LT_TEXT("Engine", "From its raw end; empty: up to the chuck face and into it."), unit::mm}),
+        field("face_allowance_mm", &S::face_allowance_mm, sizeRange,
               Label{LT_TEXT("Engine", "Allowance of the face"),
-                    LT_TEXT("Engine", "How far the raw end stands before the finished one."), mm}));
+                    LT_TEXT("Engine", "How far the raw end stands before the finished one."), unit::mm}));
     return all;
 }
 
@@ -97,21 +92,22 @@ const std::vector<Field<KeepOutCorner>>& fieldsOf(const KeepOutCorner*)
 {
     using C = KeepOutCorner;
     static const auto all = described<C>(
-        field("z_mm", &C::z_mm, place,
-              required(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end, negative beyond it."), mm)),
-        field("x_mm", &C::x_mm, place, required(LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "From the axis."), mm)));
+        field("z_mm", &C::z_mm, placeRange,
+              required(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end, negative beyond it."), unit::mm)),
+        field("x_mm", &C::x_mm, placeRange,
+              required(LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "From the axis."), unit::mm)));
     return all;
 }
 
 const std::vector<Field<JobTailstock>>& fieldsOf(const JobTailstock*)
 {
     using T = JobTailstock;
-    static const auto all =
-        described<T>(field("centre_hole_mm", &T::centre_hole_mm, size,
-                           Label{LT_TEXT("Engine", "Centre hole ⌀"), LT_TEXT("Engine", "Its largest diameter."), mm}),
-                     rows("keep_out", &T::keep_out, {0, 1000},
-                          Label{LT_TEXT("Engine", "Outline of the tailstock"),
-                                LT_TEXT("Engine", "Corners that the tool must keep out of; empty: a centre of 60°.")}));
+    static const auto all = described<T>(
+        field("centre_hole_mm", &T::centre_hole_mm, sizeRange,
+              Label{LT_TEXT("Engine", "Centre hole ⌀"), LT_TEXT("Engine", "Its largest diameter."), unit::mm}),
+        rows("keep_out", &T::keep_out, {0, 1000},
+             Label{LT_TEXT("Engine", "Outline of the tailstock"),
+                   LT_TEXT("Engine", "Corners that the tool must keep out of; empty: a centre of 60°.")}));
     return all;
 }
 
@@ -119,15 +115,15 @@ const std::vector<Field<JobSetup>>& fieldsOf(const JobSetup*)
 {
     using S = JobSetup;
     static const auto all = described<S>(
-        field("chuck_face_z_mm", &S::chuck_face_z_mm, place,
+        field("chuck_face_z_mm", &S::chuck_face_z_mm, placeRange,
               required(LT_TEXT("Engine", "z of the chuck face"),
-                       LT_TEXT("Engine", "From the free end of the finished part."), mm)),
-        field("jaw_diameter_mm", &S::jaw_diameter_mm, someSize,
+                       LT_TEXT("Engine", "From the free end of the finished part."), unit::mm)),
+        field("jaw_diameter_mm", &S::jaw_diameter_mm, aboveZeroRange,
               Label{LT_TEXT("Engine", "Jaws ⌀"),
-                    LT_TEXT("Engine", "Empty: everything beyond the chuck face is the chuck."), mm}),
-        field("grip_length_mm", &S::grip_length_mm, size,
+                    LT_TEXT("Engine", "Empty: everything beyond the chuck face is the chuck."), unit::mm}),
+        field("grip_length_mm", &S::grip_length_mm, sizeRange,
               Label{LT_TEXT("Engine", "Length of the grip"),
-                    LT_TEXT("Engine", "The least length to be held; empty: not looked at."), mm}),
+                    LT_TEXT("Engine", "The least length to be held; empty: not looked at."), unit::mm}),
         group("tailstock", &S::tailstock,
               Label{LT_TEXT("Engine", "Tailstock"), LT_TEXT("Engine", "At the free end; none: free.")}),
         field("power_kW", &S::power_kW, {0.01, 1e4},
@@ -153,31 +149,31 @@ const std::vector<Field<JobTool>>& fieldsOf(const JobTool*)
               Label{LT_TEXT("Engine", "Holder's code"),
                     LT_TEXT("Engine", "ISO code from the library, such as PCLNL 2525M12.")}),
         field("nose_radius_mm", &T::nose_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of an insert."), mm}),
+              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of an insert."), unit::mm}),
         field("entering_angle_deg", &T::entering_angle_deg, {1, 178},
               Label{LT_TEXT("Engine", "Entering angle"),
-                    LT_TEXT("Engine", "Between main edge and feed: 90° less the lead angle."), deg}),
+                    LT_TEXT("Engine", "Between main edge and feed: 90° less the lead angle."), unit::deg}),
         field("tip_angle_deg", &T::tip_angle_deg, {1, 180},
               Label{LT_TEXT("Engine", "Tip angle"),
-                    LT_TEXT("Engine", "Between both edges: C 80°, D 55°, V 35°; of a drill, its point."), deg}),
+                    LT_TEXT("Engine", "Between both edges: C 80°, D 55°, V 35°; of a drill, its point."), unit::deg}),
         field("edge_length_mm", &T::edge_length_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of an insert."), mm}),
+              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of an insert."), unit::mm}),
         field("back_margin_deg", &T::back_margin_deg, {0, 45},
               Label{LT_TEXT("Engine", "Margin of the back angle"),
-                    LT_TEXT("Engine", "What a planned path keeps below the back angle."), deg}),
+                    LT_TEXT("Engine", "What a planned path keeps below the back angle."), unit::deg}),
         field("hand", &T::hand,
               {{"toward_chuck", LT_TEXT("Engine", "toward the chuck")},
                {"from_chuck", LT_TEXT("Engine", "from the chuck")}},
               Label{LT_TEXT("Engine", "Hand"), LT_TEXT("Engine", "Direction of its feed.")}),
         field("width_mm", &T::width_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "Of a blade; the diameter of a drill."), mm}),
+              Label{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "Of a blade; the diameter of a drill."), unit::mm}),
         field("corner_radius_mm", &T::corner_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of both corners of a blade."), mm}),
+              Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of both corners of a blade."), unit::mm}),
         field("max_depth_mm", &T::max_depth_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Reach"), LT_TEXT("Engine", "How deep a blade cuts, on radius."), mm}),
+              Label{LT_TEXT("Engine", "Reach"), LT_TEXT("Engine", "How deep a blade cuts, on radius."), unit::mm}),
         field("feed_mm_rev", &T::feed_mm_rev, {1e-3, 100},
               Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution; empty: that of the cutting data."),
-                    mm_rev}),
+                    unit::mm_rev}),
         rows("holder", &T::holder, {0, 1000},
              Label{LT_TEXT("Engine", "Holder"),
                    LT_TEXT("Engine", "Corners from the tip; their convex hull must not meet stock.")}));
@@ -189,13 +185,13 @@ const std::vector<Field<RoughCutting>>& fieldsOf(const RoughCutting*)
     using C = RoughCutting;
     static const auto all = described<C>(
         field("depth_mm", &C::depth_mm, {1e-3, 1000},
-              required(LT_TEXT("Engine", "Depth"), LT_TEXT("Engine", "The largest of a pass, on radius."), mm)),
+              required(LT_TEXT("Engine", "Depth"), LT_TEXT("Engine", "The largest of a pass, on radius."), unit::mm)),
         feedField(),
         field("cutting_speed_m_min", &C::cutting_speed_m_min, {0.01, 1e5},
-              required(LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "At the outer diameter."), m_min)),
+              required(LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "At the outer diameter."), unit::m_min)),
         field("allowance_mm", &C::allowance_mm, {0, 100},
               Label{LT_TEXT("Engine", "Allowance"), LT_TEXT("Engine", "Left for the finish, normal to the surface."),
-                    mm}));
+                    unit::mm}));
     return all;
 }
 
@@ -204,9 +200,9 @@ const std::vector<Field<FinishCutting>>& fieldsOf(const FinishCutting*)
     using C = FinishCutting;
     static const auto all = described<C>(
         field("feed_mm_rev", &C::feed_mm_rev, {1e-3, 100},
-              required(LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution."), mm_rev)),
+              required(LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution."), unit::mm_rev)),
         field("cutting_speed_m_min", &C::cutting_speed_m_min, {0.01, 1e5},
-              required(LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "At the outer diameter."), m_min)));
+              required(LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "At the outer diameter."), unit::m_min)));
     return all;
 }
 
@@ -223,11 +219,11 @@ const std::vector<Field<JobCutting>>& fieldsOf(const JobCutting*)
 const std::vector<Field<SpeedSection>>& fieldsOf(const SpeedSection*)
 {
     using S = SpeedSection;
-    static const auto all =
-        described<S>(field("to_z_mm", &S::to_z_mm, place,
-                           required(LT_TEXT("Engine", "Up to z"), LT_TEXT("Engine", "Where the section ends."), mm)),
-                     field("rpm", &S::rpm, {1, 1e6},
-                           required(LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "Of the finish."), rpm)));
+    static const auto all = described<S>(
+        field("to_z_mm", &S::to_z_mm, placeRange,
+              required(LT_TEXT("Engine", "Up to z"), LT_TEXT("Engine", "Where the section ends."), unit::mm)),
+        field("rpm", &S::rpm, {1, 1e6},
+              required(LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "Of the finish."), rpmUnit)));
     return all;
 }
 
@@ -243,13 +239,15 @@ const std::vector<Field<Job>>& fieldsOf(const Job*)
         group("cutting", &J::cutting,
               Label{LT_TEXT("Engine", "Cutting data"), LT_TEXT("Engine", "Depths, feeds and speeds.")}),
         field("max_rpm", &J::max_rpm, {1, 1e6},
-              Label{LT_TEXT("Engine", "Highest speed"), LT_TEXT("Engine", "Of the spindle; empty: not limited."), rpm}),
+              Label{LT_TEXT("Engine", "Highest speed"), LT_TEXT("Engine", "Of the spindle; empty: not limited."),
+                    rpmUnit}),
         rows("sections", &J::sections, {0, 1000},
              Label{LT_TEXT("Engine", "Sections"), LT_TEXT("Engine", "Speeds of the finish by section.")}),
         field("part_off", &J::part_off,
               Label{LT_TEXT("Engine", "Part off"), LT_TEXT("Engine", "Cut the part off at its end.")}),
         field("edge_break_mm", &J::edge_break_mm, {0, 10},
-              Label{LT_TEXT("Engine", "Break of edges"), LT_TEXT("Engine", "Chamfer of sharp edges; 0: sharp."), mm}));
+              Label{LT_TEXT("Engine", "Break of edges"), LT_TEXT("Engine", "Chamfer of sharp edges; 0: sharp."),
+                    unit::mm}));
     return all;
 }
 

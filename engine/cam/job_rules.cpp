@@ -8,13 +8,12 @@
 #include "engine/cam/job_bodies.h"
 #include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double least_mm = 1e-9;
-
-[[noreturn]] void refuse(std::size_t segment, Text quantity, Value found, Text expected)
+[[noreturn]] void refuseSegment(std::size_t segment, Text quantity, Value found, Text expected)
 {
     throw Error(errors::segmentImpossible, {{"segment", static_cast<std::int64_t>(segment + 1)},
                                             {"quantity", quantity},
@@ -28,12 +27,12 @@ void checkArc(std::size_t number, const ShaftSegment& segment)
     const double arc = *segment.arc_radius_mm, half_chord = std::hypot(length, rise) / 2;
     const Text name = LT_TEXT("Engine", "the radius of the arc");
     if (!std::isfinite(arc) || std::abs(arc) < half_chord * (1 - 1e-9))
-        refuse(number, name, arc, LT_TEXT("Engine", "at least half the chord"));
+        refuseSegment(number, name, arc, LT_TEXT("Engine", "at least half the chord"));
     // The tangents at both ends lean from the chord by the same angle; along z they must not turn back.
     const double lean = std::asin(std::min(1.0, half_chord / std::abs(arc)));
     const double slope = std::abs(std::atan2(rise, length));
     if (lean + slope > std::acos(-1.0) / 2 + 1e-4)
-        refuse(number, name, arc, LT_TEXT("Engine", "an arc that does not turn back along the axis"));
+        refuseSegment(number, name, arc, LT_TEXT("Engine", "an arc that does not turn back along the axis"));
 }
 
 double radiusOf(const ContourPiece& piece, bool highest)
@@ -55,13 +54,13 @@ void checkPart(const Shaft& part)
     for (std::size_t i = 0; i < part.segments.size(); ++i) {
         const ShaftSegment& segment = part.segments[i];
         const Text above = LT_TEXT("Engine", "a number above 0");
-        if (!(segment.length_mm > least_mm) || !std::isfinite(segment.length_mm))
-            refuse(i, LT_TEXT("Engine", "the length"), segment.length_mm, above);
+        if (!(segment.length_mm > meet_mm) || !std::isfinite(segment.length_mm))
+            refuseSegment(i, LT_TEXT("Engine", "the length"), segment.length_mm, above);
         const bool may_be_pointed = i == 0 && segment.start_diameter_mm == 0;
         if (!(segment.start_diameter_mm > 0 || may_be_pointed) || !std::isfinite(segment.start_diameter_mm))
-            refuse(i, LT_TEXT("Engine", "the diameter at its start"), segment.start_diameter_mm, above);
+            refuseSegment(i, LT_TEXT("Engine", "the diameter at its start"), segment.start_diameter_mm, above);
         if (!(segment.end_diameter_mm > 0) || !std::isfinite(segment.end_diameter_mm))
-            refuse(i, LT_TEXT("Engine", "the diameter at its end"), segment.end_diameter_mm, above);
+            refuseSegment(i, LT_TEXT("Engine", "the diameter at its end"), segment.end_diameter_mm, above);
         if (segment.arc_radius_mm && *segment.arc_radius_mm != 0) checkArc(i, segment);
     }
 }
@@ -72,7 +71,7 @@ void checkStock(const Job& job, const Shaft& part)
     double worst = 0, z = 0;
     for (const ContourPiece& piece : outerContour(part)) {
         const double missing = radiusOf(piece, true) - radius;
-        if (missing > worst + least_mm) {
+        if (missing > worst + meet_mm) {
             worst = missing;
             z = piece.from_mm.y() >= piece.to_mm.y() ? piece.from_mm.x() : piece.to_mm.x();
         }
@@ -81,7 +80,7 @@ void checkStock(const Job& job, const Shaft& part)
         throw Error(errors::stockSmallerThanPart,
                     {{"z_mm", z}, {"missing_mm", worst}, {"quantity", LT_TEXT("Engine", "the radius")}});
     const double end = stockEnd_mm(job);
-    if (part.length_mm() > end + least_mm)
+    if (part.length_mm() > end + meet_mm)
         throw Error(errors::stockSmallerThanPart, {{"z_mm", part.length_mm()},
                                                    {"missing_mm", part.length_mm() - end},
                                                    {"quantity", LT_TEXT("Engine", "the length")}});

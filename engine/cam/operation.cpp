@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeast_mm = 1e-7;
-constexpr double kPi = 3.14159265358979323846;
+constexpr double leastMove_mm = 1e-7;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Vector2d tipOffset(const JobTool& tool)
 
 void MoveList::rapid(const Vector2d& tip)
 {
-    if (!moves_.empty() && (tip - at_).norm() < kLeast_mm) return;
+    if (!moves_.empty() && (tip - at_).norm() < leastMove_mm) return;
     CutMove move;
     move.to = at_ = tip;
     moves_.push_back(move);
@@ -46,7 +46,7 @@ void MoveList::rapid(const Vector2d& tip)
 
 void MoveList::line(const Vector2d& tip, double feed_mm_rev)
 {
-    if ((tip - at_).norm() < kLeast_mm) return;
+    if ((tip - at_).norm() < leastMove_mm) return;
     CutMove move;
     move.kind = CutKind::Line;
     move.to = at_ = tip;
@@ -88,7 +88,7 @@ void MoveList::follow(const CurvePiece& piece, double feed_mm_rev, bool backward
         line(to + offset_, feed_mm_rev);
         return;
     }
-    if ((to + offset_ - at_).norm() < kLeast_mm) return;
+    if ((to + offset_ - at_).norm() < leastMove_mm) return;
     CutMove move;
     move.kind = CutKind::Arc;
     move.to = at_ = to + offset_;
@@ -105,9 +105,9 @@ std::vector<Vector2d> chordsOf(const Vector2d& from, const CutMove& move, double
     const Vector2d a = from - move.centre, b = move.to - move.centre;
     const double radius = (a.norm() + b.norm()) / 2;
     // In (z, x) with z away from the program's Z, G2 turns anticlockwise.
-    double turn = std::remainder(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()), 2 * kPi);
-    if (move.clockwise && turn < 0) turn += 2 * kPi;
-    if (!move.clockwise && turn > 0) turn -= 2 * kPi;
+    double turn = std::remainder(std::atan2(b.y(), b.x()) - std::atan2(a.y(), a.x()), 2 * std::numbers::pi);
+    if (move.clockwise && turn < 0) turn += 2 * std::numbers::pi;
+    if (!move.clockwise && turn > 0) turn -= 2 * std::numbers::pi;
     const double step = 2 * std::acos(std::clamp(1 - chord_mm / radius, -1.0, 1.0));
     const auto count = static_cast<int>(std::clamp(std::ceil(std::abs(turn) / std::max(step, 1e-3)), 1.0, 2000.0));
     const double start = std::atan2(a.y(), a.x());

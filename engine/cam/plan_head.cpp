@@ -7,6 +7,7 @@
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/speed_words.h"
 #include "engine/cam/tool_library.h"
+#include "engine/core/version.h"
 
 namespace lathelier::cam {
 namespace {
@@ -28,7 +29,7 @@ std::string toolLine(const JobTool& tool)
 std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
 {
     const Job& job = facts.clamping.job;
-    std::vector<std::string> lines{fmt::format("Lathelier {}", LATHELIER_VERSION)};
+    std::vector<std::string> lines{fmt::format("Lathelier {}", programVersion)};
     lines.insert(lines.end(), facts.origin.begin(), facts.origin.end());
     if (facts.setups > 1) lines.push_back(fmt::format("clamping {} of {}", facts.setup, facts.setups));
     lines.push_back(fmt::format("bar D{:g}, face {:g}, chuck at Z{:g}", job.stock.diameter_mm,

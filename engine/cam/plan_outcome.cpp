@@ -5,11 +5,11 @@
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double kUmPerMm = 1000;
 constexpr double kFace_mm = 0.02;  ///< of the end face, along z
 
 Interval drawnPlace(const SetupPlan& setup, double length_mm, double from_mm, double to_mm)
@@ -131,7 +131,7 @@ void conclude(TurningPlan& plan)
     for (const RestInterval& rest : plan.rest) plan.left_max_mm = std::max(plan.left_max_mm, rest.left_mm);
     plan.is_refused = std::any_of(plan.setups.begin(), plan.setups.end(), [](const SetupPlan& setup) {
         return setup.check.path.has_errors || !setup.check.findings.empty() ||
-               setup.check.gouge_um > kUmPerMm * gougeLimit_mm;
+               setup.check.gouge_um > um_per_mm * gougeLimit_mm;
     });
     plan.verdict = verdictOf(plan);
 }

@@ -2,6 +2,7 @@
 #include "engine/cam/check/check_quantities.h"
 #include "engine/cam/plan.h"
 #include "engine/cam/plan_codes.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 
@@ -33,8 +34,7 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                             "In cycles the control lays the passes itself; the check reads them as this program "
                             "expands them.")}),
         field("tool_change_s", &P::tool_change_s, {0, 600},
-              Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."),
-                    LT_TEXT("Engine", "s")}),
+              Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."), unit::s}),
         rows("skipped", &P::skipped, Range{0, 100},
              Label{LT_TEXT("Engine", "Left out"),
                    LT_TEXT("Engine", "Operations that are switched off: clamping, kind, tool."),

@@ -1,15 +1,13 @@
 #include "engine/cam/plan_quantities.h"
 
 #include "engine/cam/check/check_quantities.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text seconds = LT_TEXT("Engine", "s");
-
 /// Findings of all clampings, each with the number of its own.
-Rows findingsOf(const TurningPlan& plan)
+Rows findingRows(const TurningPlan& plan)
 {
     Rows rows;
     for (std::size_t i = 0; i < plan.setups.size(); ++i)
@@ -33,8 +31,8 @@ const std::vector<QuantityOf<PlannedOperation>>& quantitiesOf(const PlannedOpera
         quantity<R>("tool", &R::tool, {LT_TEXT("Engine", "Tool"), {}, 0}),
         quantity<R>("blocks", &R::blocks, {LT_TEXT("Engine", "Blocks"), {}, 0}),
         quantity<R>("first_line", &R::first_line, {LT_TEXT("Engine", "First line"), {}, 0}),
-        quantity<R>("feed_length_mm", &R::feed_length_mm, {LT_TEXT("Engine", "Feed length"), mm, 1}),
-        quantity<R>("time_s", &R::time_s, {LT_TEXT("Engine", "Time"), seconds, 1}),
+        quantity<R>("feed_length_mm", &R::feed_length_mm, {LT_TEXT("Engine", "Feed length"), unit::mm, 1}),
+        quantity<R>("time_s", &R::time_s, {LT_TEXT("Engine", "Time"), unit::s, 1}),
         quantity<R>("volume_cm3", &R::volume_cm3, {LT_TEXT("Engine", "Volume"), LT_TEXT("Engine", "cm³"), 2}),
         quantity<R>("power_max_kW", &R::power_max_kW,
                     {LT_TEXT("Engine", "Power at the cut, ± 25 %"), LT_TEXT("Engine", "kW"), 2}));
@@ -54,11 +52,11 @@ const std::vector<QuantityOf<SetupPlan>>& quantitiesOf(const SetupPlan*)
         quantity<R>("z_zero_mm", &R::z_zero_mm),
         quantity<R>("turned_round", [](const R& r) { return r.clamping.is_mirrored; }),
         quantity<R>("chuck_face_z_mm", [](const R& r) { return r.clamping.job.setup.chuck_face_z_mm; },
-                    {LT_TEXT("Engine", "Chuck face"), mm, 2}),
+                    {LT_TEXT("Engine", "Chuck face"), unit::mm, 2}),
         quantity<R>("finished_to_z_mm", [](const R& r) { return r.clamping.finished_to_mm; },
-                    {LT_TEXT("Engine", "Finished up to z"), mm, 2}),
+                    {LT_TEXT("Engine", "Finished up to z"), unit::mm, 2}),
         quantity<R>("operations", [](const R& r) { return listed(r.operations); }),
-        quantity<R>("time_s", &R::time_s, {LT_TEXT("Engine", "Time with tool changes"), seconds, 1}));
+        quantity<R>("time_s", &R::time_s, {LT_TEXT("Engine", "Time with tool changes"), unit::s, 1}));
     return all;
 }
 
@@ -66,18 +64,19 @@ const std::vector<QuantityOf<SectionSpeed>>& quantitiesOf(const SectionSpeed*)
 {
     using R = SectionSpeed;
     static const auto all = describedBy<R>(
-        quantity<R>("z_start_mm", &R::z_start_mm, {LT_TEXT("Engine", "From z"), mm, 2}),
-        quantity<R>("z_end_mm", &R::z_end_mm, {LT_TEXT("Engine", "To z"), mm, 2}),
-        quantity<R>("diameter_mm", &R::diameter_mm, {LT_TEXT("Engine", "Diameter"), mm, 3}),
+        quantity<R>("z_start_mm", &R::z_start_mm, {LT_TEXT("Engine", "From z"), unit::mm, 2}),
+        quantity<R>("z_end_mm", &R::z_end_mm, {LT_TEXT("Engine", "To z"), unit::mm, 2}),
+        quantity<R>("diameter_mm", &R::diameter_mm, {LT_TEXT("Engine", "Diameter"), unit::mm, 3}),
         quantity<R>("speed_rpm", &R::speed_rpm, {LT_TEXT("Engine", "Speed"), LT_TEXT("Engine", "1/min"), 0}),
         quantity<R>("cutting_speed_m_min", &R::cutting_speed_m_min,
-                    {LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "m/min"), 1}),
-        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency f_m"), LT_TEXT("Engine", "Hz"), 1}),
+                    {LT_TEXT("Engine", "Cutting speed"), unit::m_min, 1}),
+        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency f_m"), unit::hz, 1}),
         quantity<R>("lobe", [](const R& r) { return r.lobe > 0 ? Value(std::int64_t{r.lobe}) : Value(); },
                     {LT_TEXT("Engine", "Lobe"), {}, 0}),
         quantity<R>("reason", &R::reason, {LT_TEXT("Engine", "Reason"), {}, 0}),
-        quantity<R>("Rz_um", &R::Rz_um, {LT_TEXT("Engine", "Ideal Rz"), LT_TEXT("Engine", "µm"), 2}),
-        quantity<R>("stable_depth_mm", &R::stable_depth_mm, {LT_TEXT("Engine", "Stable up to a depth of"), mm, 3}),
+        quantity<R>("Rz_um", &R::Rz_um, {LT_TEXT("Engine", "Ideal Rz"), unit::um, 2}),
+        quantity<R>("stable_depth_mm", &R::stable_depth_mm,
+                    {LT_TEXT("Engine", "Stable up to a depth of"), unit::mm, 3}),
         quantity<R>("setup", &R::setup, {LT_TEXT("Engine", "Clamping"), {}, 0}));
     return all;
 }
@@ -90,13 +89,13 @@ const std::vector<QuantityOf<TurningPlan>>& quantitiesOf(const TurningPlan*)
         quantity<R>("rest", [](const R& r) { return listed(r.rest); }),
         quantity<R>("sections", [](const R& r) { return listed(r.sections); }),
         quantity<R>("check.gouge_um", [](const R& r) { return r.worstCheck().gouge_um; },
-                    {LT_TEXT("Engine", "Gouge"), LT_TEXT("Engine", "µm"), 2}),
+                    {LT_TEXT("Engine", "Gouge"), unit::um, 2}),
         quantity<R>("check.gouge_z_mm", [](const R& r) { return r.worstCheck().gouge_z_mm; },
-                    {LT_TEXT("Engine", "z of the gouge"), mm, 3}),
+                    {LT_TEXT("Engine", "z of the gouge"), unit::mm, 3}),
         quantity<R>("check.gouge_line", [](const R& r) { return r.worstCheck().gouge_line; },
                     {LT_TEXT("Engine", "Line of the gouge"), {}, 0}),
-        quantity<R>("check.left_max_mm", &R::left_max_mm, {LT_TEXT("Engine", "Most that is left"), mm, 4}),
-        quantity<R>("check.findings", findingsOf));
+        quantity<R>("check.left_max_mm", &R::left_max_mm, {LT_TEXT("Engine", "Most that is left"), unit::mm, 4}),
+        quantity<R>("check.findings", findingRows));
     return all;
 }
 

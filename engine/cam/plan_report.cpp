@@ -5,6 +5,7 @@
 #include "engine/cam/check/check_quantities.h"
 #include "engine/cam/check/check_report.h"
 #include "engine/cam/plan_quantities.h"
+#include "engine/core/units.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
 
@@ -18,7 +19,7 @@ double timeOf(const TurningPlan& plan)
     return time;
 }
 
-std::size_t findingsOf(const TurningPlan& plan)
+std::size_t findingCount(const TurningPlan& plan)
 {
     std::size_t count = 0;
     for (const SetupPlan& setup : plan.setups) count += setup.check.findings.size();
@@ -32,7 +33,7 @@ report::Answer answer(const TurningPlan& plan, const Language&)
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Most that is left on the drawing");
     answer.value = plan.left_max_mm;
-    answer.unit = LT_TEXT("Engine", "mm");
+    answer.unit = unit::mm;
     answer.decimals = 4;
     answer.verdict = plan.verdict;
     answer.verdict_words = plan.is_refused     ? LT_TEXT("Engine", "✗ the program is refused")
@@ -45,7 +46,7 @@ report::Answer answer(const TurningPlan& plan, const Language&)
     answer.values = {{"setups", static_cast<std::int64_t>(plan.setups.size())},
                      {"time_min", timeOf(plan) / 60},
                      {"gouge_um", plan.worstCheck().gouge_um},
-                     {"findings", static_cast<std::int64_t>(findingsOf(plan))},
+                     {"findings", static_cast<std::int64_t>(findingCount(plan))},
                      {"rest", static_cast<std::int64_t>(plan.rest.size())}};
     return answer;
 }
@@ -93,8 +94,8 @@ report::Table toolTable(const TurningPlan& plan)
     report::Table table;
     table.title = LT_TEXT("Engine", "Tools");
     table.columns = {LT_TEXT("Engine", "Tool"), LT_TEXT("Engine", "Use"), LT_TEXT("Engine", "Name"),
-                     report::Labelled{LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "mm")},
-                     report::Labelled{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "mm")}};
+                     report::Labelled{LT_TEXT("Engine", "Radius"), unit::mm},
+                     report::Labelled{LT_TEXT("Engine", "Width"), unit::mm}};
     for (const JobTool& tool : plan.job.tools)
         table.rows.push_back({std::int64_t{tool.number}, nameOf(tool.use), tool.name,
                               tool.isDrill() ? Value() : Value(tool.radius_mm()),

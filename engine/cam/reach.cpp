@@ -21,7 +21,7 @@ Vector2d pointOf(const ContourPiece& piece, double share)
 }
 
 /// A place of the drawing: a piece and a share of its way.
-struct Place {
+struct DrawnPlace {
     std::size_t piece = 0;
     double share = 0;
     double way_mm = 0;  // from the start of the drawing
@@ -46,8 +46,8 @@ public:
                     continue;
                 }
                 skip = 0;
-                const Place place{i, static_cast<double>(k) / static_cast<double>(steps),
-                                  way + length * static_cast<double>(k) / static_cast<double>(steps)};
+                const DrawnPlace place{i, static_cast<double>(k) / static_cast<double>(steps),
+                                       way + length * static_cast<double>(k) / static_cast<double>(steps)};
                 take(place, leftAt(place));
             }
             way += length;
@@ -57,12 +57,12 @@ public:
     }
 
 private:
-    double leftAt(const Place& place) const
+    double leftAt(const DrawnPlace& place) const
     {
         return leftAt_mm(pointOf(contour_.pieces[place.piece], place.share), tools_, kFar_mm);
     }
 
-    void take(const Place& place, double left)
+    void take(const DrawnPlace& place, double left)
     {
         const bool is_rest = left > leastRest_mm;
         if (is_rest && !is_open_) {
@@ -81,16 +81,16 @@ private:
     }
 
     /// Where `left` passes the threshold, from a place below it to one above on one piece.
-    Place edgeBetween(Place below, Place above) const
+    DrawnPlace edgeBetween(DrawnPlace below, DrawnPlace above) const
     {
         for (int i = 0; i < kHalvings; ++i) {
-            const Place middle{below.piece, (below.share + above.share) / 2, (below.way_mm + above.way_mm) / 2};
+            const DrawnPlace middle{below.piece, (below.share + above.share) / 2, (below.way_mm + above.way_mm) / 2};
             (leftAt(middle) > leastRest_mm ? above : below) = middle;
         }
         return above;
     }
 
-    void close(const Place& end)
+    void close(const DrawnPlace& end)
     {
         if (!is_open_) return;
         is_open_ = false;
@@ -118,12 +118,12 @@ private:
         double low = std::max(0.0, most_.share - step), high = std::min(1.0, most_.share + step);
         const double golden = (std::sqrt(5.0) - 1) / 2;
         for (int i = 0; i < 2 * kHalvings; ++i) {
-            Place a = most_, b = most_;
+            DrawnPlace a = most_, b = most_;
             a.share = high - golden * (high - low);
             b.share = low + golden * (high - low);
             (leftAt(a) < leftAt(b) ? low : high) = leftAt(a) < leftAt(b) ? a.share : b.share;
         }
-        Place best = most_;
+        DrawnPlace best = most_;
         best.share = (low + high) / 2;
         if (const double left = leftAt(best); left > most_left_) {
             most_left_ = left;
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    void explain(Unreached& rest, const Vector2d& most, const Place& end) const
+    void explain(Unreached& rest, const Vector2d& most, const DrawnPlace& end) const
     {
         const ToolReach* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
@@ -173,7 +173,7 @@ private:
     const std::vector<ToolReach>& tools_;
     std::vector<Unreached> found_;
     bool is_open_ = false, has_last_ = false;
-    Place start_, most_, last_;
+    DrawnPlace start_, most_, last_;
     double most_left_ = 0;
 };
 

@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOverlap_mm = 0.5;      // onto what is finished, on both sides of a rest
 constexpr double kAboveFloor_mm = 0.05;  // left by plunges
 constexpr double kPlungeShare = 0.7;     // of a blade's width between plunges
 constexpr double kBladeShare = 0.6;      // of the cutting speed of roughing
 constexpr double kBladeFeed_mm_rev = 0.06;
-constexpr double kAbove_mm = 1;  // of rapid moves over what is approached
-constexpr double kSteep = 1.0;   // slope of a drawn shoulder, at least
-constexpr double kSame_mm = 1e-6;
+constexpr double leastShoulderSlope = 1.0;  // of a drawn one
 
 /// Rapid over a place of the tip and as far down as the stock allows, never lower than `x_mm`.
 void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, int tool, double z_mm, double x_mm)
@@ -35,7 +34,7 @@ bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
     const Contour& pieces = frame.contour.pieces;
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
         if ((pieces[i].to_mm - Vector2d(rest.z_most_mm, rest.x_most_mm)).norm() > 1e-3) continue;
-        return startSlope(pieces[i + 1]) > kSteep && endSlope(pieces[i]) > -kSteep;
+        return startSlope(pieces[i + 1]) > leastShoulderSlope && endSlope(pieces[i]) > -leastShoulderSlope;
     }
     return false;
 }
@@ -62,7 +61,7 @@ Floor floorOf(const Curve& part)
     bool is_found = false;
     for (const CurvePiece& piece : part)
         for (const Vector2d& end : {piece.from, piece.to}) {
-            if (end.y() > floor.x_mm + kSame_mm) continue;
+            if (end.y() > floor.x_mm + same_mm) continue;
             if (!is_found) floor.from_mm = end.x();
             is_found = true;
             floor.to_mm = end.x();
@@ -107,17 +106,17 @@ void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, co
             if (stock.topBetween_mm(stretch.from_mm, stretch.to_mm) < level - r + kAboveFloor_mm) continue;
             const double x = level + moves.offset().y(), begin = stretch.to_mm + moves.offset().x(),
                          end = stretch.from_mm + moves.offset().x();
-            approach(moves, frame, stock, tool.number, begin, x + kAbove_mm);
+            approach(moves, frame, stock, tool.number, begin, x + rapidAbove_mm);
             // Down along the curve, which is no steeper than the back edge.
             const double before = level + (top - low) / steps;
             Curve way = clipped(part, stretch.to_mm, to);
             double until = to;
             for (const Stretch& below : stretchesBelow(way, before))
-                if (below.from_mm <= stretch.to_mm + kSame_mm) until = below.to_mm;
+                if (below.from_mm <= stretch.to_mm + same_mm) until = below.to_mm;
             way = clipped(part, stretch.to_mm, until);
             if (!way.empty()) {
                 approach(moves, frame, stock, tool.number, until + moves.offset().x(),
-                         way.back().to.y() + moves.offset().y() + kAbove_mm);
+                         way.back().to.y() + moves.offset().y() + rapidAbove_mm);
                 moves.line(way.back().to + moves.offset(), slowShare * feed);
                 moves.follow(way, slowShare * feed, true);
             }
@@ -137,8 +136,8 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
                                      const Unreached& rest, const WorkStock& stock)
 {
     const double r = tool.radius_mm();
-    const double from = std::max(rest.z_start_mm - kOverlap_mm - r, reach.curve.front().from.x());
-    const double to = std::min(rest.z_end_mm + kOverlap_mm + r, reach.curve.back().to.x());
+    const double from = std::max(rest.z_start_mm - restOverlap_mm - r, reach.curve.front().from.x());
+    const double to = std::min(rest.z_end_mm + restOverlap_mm + r, reach.curve.back().to.x());
     const Curve part = clipped(reach.curve, from, to);
     if (part.empty()) return {};
     const RoughCutting& rough = frame.job->cutting.rough;
@@ -149,7 +148,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
     WorkStock worked = stock;
     if (rest.left_mm > rough.depth_mm) levelsDown(moves, frame, tool, part, worked, feed);
     const Vector2d start = part.back().to + moves.offset();
-    approach(moves, frame, worked, tool.number, start.x(), start.y() + kAbove_mm);
+    approach(moves, frame, worked, tool.number, start.x(), start.y() + rapidAbove_mm);
     moves.line(start, feed);
     moves.follow(part, finishFeeds(frame, tool), feed, true);
     moves.line({moves.at().x(), moves.at().y() + retract_mm}, 2 * feed);
@@ -162,8 +161,8 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
                                   const Unreached& rest, const WorkStock& stock)
 {
     const double c = reach.radius_mm, span = reach.span_mm, width = *blade.width_mm;
-    const double from = std::max(rest.z_start_mm - c - kOverlap_mm, reach.curve.front().from.x());
-    const double to = std::min(rest.z_end_mm + span + c + kOverlap_mm, reach.curve.back().to.x());
+    const double from = std::max(rest.z_start_mm - c - restOverlap_mm, reach.curve.front().from.x());
+    const double to = std::min(rest.z_end_mm + span + c + restOverlap_mm, reach.curve.back().to.x());
     const Curve part = clipped(reach.curve, from, to);
     if (part.empty()) return {};
     const Floor floor = floorOf(part);
@@ -178,7 +177,8 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
         const double top = worked.topBetween_mm(z - span - c, z + c);
         if (top < x + kAboveFloor_mm) continue;
         const std::size_t done = moves.moves().size();
-        approach(moves, frame, worked, blade.number, z + offset.x(), std::min(top + kAbove_mm / 2, frame.safe_x_mm));
+        approach(moves, frame, worked, blade.number, z + offset.x(),
+                 std::min(top + rapidAbove_mm / 2, frame.safe_x_mm));
         moves.line({z + offset.x(), x}, feed);
         moves.rapidX(frame.safe_x_mm);
         cutNow(moves, done, blade.number, worked);
@@ -193,7 +193,7 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
         if (way.empty()) return;
         const Vector2d start = (backwards ? way.back().to : way.front().from) + offset;
         const std::size_t done = moves.moves().size();
-        approach(moves, frame, worked, blade.number, start.x(), start.y() + kAbove_mm / 2);
+        approach(moves, frame, worked, blade.number, start.x(), start.y() + rapidAbove_mm / 2);
         moves.line(start, feed);
         moves.follow(way, feed, backwards);
         moves.line(moves.at() + Vector2d(0, retract_mm / 5), feed);

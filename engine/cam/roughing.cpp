@@ -4,15 +4,14 @@
 #include <cmath>
 
 #include "engine/cam/ends.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kShortest_mm = 0.05;  // a pass that is less is left to the semi-finish
-constexpr double kRad = 3.14159265358979323846 / 180;
-constexpr double kSame_mm = 1e-6;
+constexpr double shortestRoughPass_mm = 0.05;  // a pass that is less is left to the semi-finish
 constexpr double kFaceFeed_mm_rev = 0.2;
 
 /// The way down along f into a pocket that begins at `from_mm` on a level.
@@ -28,8 +27,8 @@ Descent descentTo(const Curve& curve, double from_mm, double level_mm, double be
     descent.start = {from_mm, level_mm};
     Curve way;
     for (auto piece = curve.rbegin(); piece != curve.rend(); ++piece) {
-        if (piece->from.x() >= from_mm - kSame_mm && piece->touch != Touch::Join) continue;
-        if (piece->from.x() > from_mm + kSame_mm) continue;
+        if (piece->from.x() >= from_mm - same_mm && piece->touch != Touch::Join) continue;
+        if (piece->from.x() > from_mm + same_mm) continue;
         CurvePiece part = *piece;
         if (part.to.x() > from_mm) part.to = {from_mm, part.at(from_mm)};
         const bool has_top = part.radius_mm > 0 && part.centre.x() > part.from.x() && part.centre.x() < part.to.x();
@@ -51,15 +50,15 @@ Descent descentTo(const Curve& curve, double from_mm, double level_mm, double be
     }
     std::reverse(way.begin(), way.end());
     descent.path = std::move(way);
-    if (descent.start.y() < before_mm - kSame_mm && back_deg > 0 && back_deg < 90) {
+    if (descent.start.y() < before_mm - same_mm && back_deg > 0 && back_deg < 90) {
         const double rise = before_mm - descent.start.y();
         CurvePiece ramp;
         ramp.to = descent.start;
-        ramp.from = {descent.start.x() - rise / std::tan(back_deg * kRad), before_mm};
+        ramp.from = {descent.start.x() - rise / std::tan(back_deg * rad_per_deg), before_mm};
         bool is_free = ramp.from.x() > curve.front().from.x();
         for (int i = 0; is_free && i < 32; ++i) {
             const Vector2d point = ramp.point(i / 32.0);
-            is_free = heightAt(curve, point.x()) <= point.y() + kSame_mm;
+            is_free = heightAt(curve, point.x()) <= point.y() + same_mm;
         }
         if (is_free) {
             descent.start = ramp.from;
@@ -92,8 +91,8 @@ public:
         for (int i = 1; i < steps; ++i) {
             const double level = top - (top - low) * i / steps, before = top - (top - low) * (i - 1) / steps;
             for (const Stretch& stretch : stretchesBelow(curve_, level)) {
-                if (stretch.to_mm - stretch.from_mm < kShortest_mm) continue;
-                if (stretch.from_mm < curve_.front().from.x() + kSame_mm)
+                if (stretch.to_mm - stretch.from_mm < shortestRoughPass_mm) continue;
+                if (stretch.from_mm < curve_.front().from.x() + same_mm)
                     passFromFront(stretch, level);
                 else
                     pocket(stretch, level, before);

@@ -7,6 +7,7 @@
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/work_frame.h"
+#include "engine/core/units.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_codes.h"
@@ -22,7 +23,6 @@ constexpr double kStep_hz = 2;
 constexpr double kBodyPiece_mm = 1;
 constexpr double kLongPass_mm = 10;
 constexpr std::size_t kMostRoughSpeeds = 12;
-constexpr double kSame_mm = 1e-6;
 constexpr double kLongTaper_mm = 3;  // shorter cones and arcs belong to the cylinder that they lead to
 constexpr double kBackPass_mm = 3;
 
@@ -142,7 +142,7 @@ double rzOf(const Clamping& clamping, double from_mm, double to_mm)
     for (const ShaftSegment& row : clamping.part.segments) {
         const double begin = end;
         end += row.length_mm;
-        if (begin > to_mm - kSame_mm || end < from_mm + kSame_mm) continue;
+        if (begin > to_mm - same_mm || end < from_mm + same_mm) continue;
         feed = std::max(feed, finishFeed(clamping.job, tool, row.Rz_um.value_or(0)));
     }
     if (feed == 0) feed = finishFeed(clamping.job, tool);
@@ -165,7 +165,7 @@ std::vector<SectionSpeed> statedSections(const Clamping& clamping)
         section.speed_rpm = stated.rpm;
         double at = 0;
         for (const ShaftSegment& row : clamping.part.segments) {
-            if (at < stated.to_z_mm - kSame_mm && at + row.length_mm > begin + kSame_mm)
+            if (at < stated.to_z_mm - same_mm && at + row.length_mm > begin + same_mm)
                 section.diameter_mm = std::max({section.diameter_mm, row.start_diameter_mm, row.end_diameter_mm});
             at += row.length_mm;
         }
@@ -246,7 +246,7 @@ void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest&
     double longest = kBackPass_mm, free_z = 0, chuck_z = 0, radius = 0;
     for (std::size_t k = 1; tool && k < back.moves.size(); ++k) {
         const Vector2d start = back.moves[k - 1].to, end = back.moves[k].to;
-        if (back.moves[k].kind != CutKind::Line || std::abs(end.y() - start.y()) > kSame_mm || end.y() < 1) continue;
+        if (back.moves[k].kind != CutKind::Line || std::abs(end.y() - start.y()) > same_mm || end.y() < 1) continue;
         if (start.x() - end.x() < longest) continue;
         longest = start.x() - end.x();
         free_z = end.x();
@@ -286,7 +286,7 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
     for (std::size_t k = 1; k < rough.moves.size() && count < kMostRoughSpeeds; ++k) {
         CutMove& move = rough.moves[k];
         const Vector2d start = rough.moves[k - 1].to;
-        const bool is_pass = move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < kSame_mm &&
+        const bool is_pass = move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < same_mm &&
                              move.to.x() - start.x() > kLongPass_mm && move.to.y() > 1;
         if (!is_pass) continue;
         progress.check();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/stability/speed_choice.h"
 
 namespace lathelier::cam {
@@ -10,15 +11,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSame_mm = 1e-6;
 constexpr double kLeastLeft_mm = 0.1;  // of a cylinder, at the speed before
-constexpr double kLift_mm = 0.5;
+constexpr double liftForSpeed_mm = 0.5;
 
 /// A move along a cylinder toward the chuck.
 bool isAlong(const CutMove& move, const Vector2d& start)
 {
-    return move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < kSame_mm &&
-           move.to.x() > start.x() + kSame_mm;
+    return move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < same_mm &&
+           move.to.x() > start.x() + same_mm;
 }
 
 /// Does the drawing state limits or roughness of the row at z, or what is cut on it?
@@ -44,8 +44,8 @@ std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
     for (std::size_t k = 1; k < moves.size(); ++k) {
         const Vector2d start = moves[k - 1].to;
         if (moves[k].kind == CutKind::Rapid) continue;
-        if (!(moves[k].to.x() > z + kSame_mm || (moves[k].to.x() > z - kSame_mm && start.x() > z - kSame_mm))) continue;
-        if (isAlong(moves[k], start) && start.x() < z - kSame_mm) {  // the boundary lies within a cylinder
+        if (!(moves[k].to.x() > z + same_mm || (moves[k].to.x() > z - same_mm && start.x() > z - same_mm))) continue;
+        if (isAlong(moves[k], start) && start.x() < z - same_mm) {  // the boundary lies within a cylinder
             CutMove before = moves[k];
             before.to.x() = z;
             moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(k), before);
@@ -98,7 +98,7 @@ void enterCylinder(std::vector<CutMove>& moves, double z, const SectionSpeed& se
 {
     for (std::size_t k = 1; k < moves.size(); ++k) {
         const Vector2d start = moves[k - 1].to;
-        if (!isAlong(moves[k], start) || moves[k].to.x() < z + kSame_mm) continue;
+        if (!isAlong(moves[k], start) || moves[k].to.x() < z + same_mm) continue;
         const double before = rpmAt(section.constant_m_min, section.diameter_mm, section.max_rpm);
         return setAhead(moves, k, rampOf_mm(moves[k].feed_mm_rev, before, *section.speed_rpm), *section.speed_rpm);
     }
@@ -144,7 +144,7 @@ void changeSpeed(std::vector<CutMove>& moves, double from_rpm, double to_rpm, do
     down.speed_rpm.reset();
     down.cutting_speed_m_min.reset();
     CutMove up = down;
-    up.to.y() += std::max(kLift_mm, missing / 2);
+    up.to.y() += std::max(liftForSpeed_mm, missing / 2);
     if (is_end)
         moves[k].speed_rpm = to_rpm;
     else

@@ -5,16 +5,15 @@
 
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/operation.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kRad = 3.14159265358979323846 / 180;
 constexpr double kNothing_mm = -1e9;
 constexpr double kEntry_mm = 0.01;  // as long as the curve stays as high as it is entered
-constexpr double kSame_mm = 1e-9;
 
 /// All places of the tip where a body meets a region.
 stock::ConvexPolygon forbidden(const stock::ConvexPolygon& region, const stock::ConvexPolygon& body)
@@ -40,12 +39,12 @@ void addUpperSide(const stock::ConvexPolygon& polygon, double from, double to, C
 {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const stock::Corner &right = polygon[i], &left = polygon[(i + 1) % polygon.size()];
-        if (!(right.z_mm - left.z_mm > kSame_mm)) continue;
+        if (!(right.z_mm - left.z_mm > meet_mm)) continue;
         CurvePiece piece = lineBetween({left.z_mm, left.x_mm}, {right.z_mm, right.x_mm});
         if (piece.to.x() <= from || piece.from.x() >= to) continue;
         if (piece.from.x() < from) piece.from = {from, piece.at(from)};
         if (piece.to.x() > to) piece.to = {to, piece.at(to)};
-        if (piece.to.x() - piece.from.x() > kSame_mm) all.push_back(piece);
+        if (piece.to.x() - piece.from.x() > meet_mm) all.push_back(piece);
     }
 }
 
@@ -90,8 +89,8 @@ Curve liftedOverTailstock(const Job& job, const JobTool& tool, const Curve& curv
         for (const CurvePiece& piece : Curve(floor))
             for (const Vector2d& start : {piece.from, piece.to}) {
                 const double far = last - start.x();
-                if (far > kSame_mm)
-                    floor.push_back(lineBetween(start, start + Vector2d(far, -far * std::tan(back * kRad))));
+                if (far > meet_mm)
+                    floor.push_back(lineBetween(start, start + Vector2d(far, -far * std::tan(back * rad_per_deg))));
             }
     for (const CurvePiece& piece : curve)
         if (piece.touch != Touch::Join) floor.push_back(piece);

@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/cam/job_bodies.h"
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDepthOverPitch = 0.6134;  // ISO 724, with a rounded root of P/8
 constexpr double kLeastDepthOverPitch = 0.45, kMostDepthOverPitch = 0.8;
 constexpr double kDiameterOverPitch = 0.3;  // between drawn and named diameter
 constexpr double kFirstPass_mm = 0.2;
 constexpr int kLeastPasses = 4, kMostPasses = 30;
 constexpr double kRunInPitches = 3;
-constexpr double kAbove_mm = 2;  // of returns over the crest
+constexpr double returnAbove_mm = 2;  // of returns over the crest
 constexpr double kBeforeShoulder_mm = 0.5;
 constexpr double kSpeedShare = 0.5;  // of the cutting speed of roughing
 constexpr double kTan30 = 0.57735;
-constexpr double kSame_mm = 1e-6;
 
 /// ISO 261, coarse pitches.
 std::optional<double> coarsePitch_mm(double diameter_mm)
@@ -31,7 +31,7 @@ std::optional<double> coarsePitch_mm(double diameter_mm)
         {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3}, {27, 3},   {30, 3.5}, {33, 3.5},  {36, 4}, {39, 4},
         {42, 4.5}, {45, 4.5}, {48, 5},   {52, 5}, {56, 5.5}, {60, 5.5}, {64, 6},    {68, 6}};
     for (const auto& [diameter, pitch] : all)
-        if (std::abs(diameter - diameter_mm) < kSame_mm) return pitch;
+        if (std::abs(diameter - diameter_mm) < same_mm) return pitch;
     return {};
 }
 
@@ -128,7 +128,7 @@ double endOf(const HeightContour& contour, const JobTool& tool, double root_mm, 
     constexpr double kStep_mm = 0.05;
     const double last = std::min(contour.pieces.back().to_mm.x(), end + half + kBeforeShoulder_mm);
     for (double z = to_mm; z < last; z += kStep_mm)
-        if (const double above = highest_mm(contour, z + kSame_mm, z + kStep_mm) - root_mm; above > kSame_mm)
+        if (const double above = highest_mm(contour, z + same_mm, z + kStep_mm) - root_mm; above > same_mm)
             end = std::min(end, z - flank(above) - kBeforeShoulder_mm);
     return end;
 }
@@ -190,16 +190,16 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
     if (!thread.is_plain) return without(LT_TEXT("Engine", "it is left-handed or has several starts"));
     const double pitch = *thread.pitch_mm;
     const double from = thread.z_start_mm, to = std::min(thread.z_end_mm, frame.contour.length_mm);
-    const double crest = highest_mm(frame.contour, from + kSame_mm, to - kSame_mm);
+    const double crest = highest_mm(frame.contour, from + same_mm, to - same_mm);
     if (thread.major_mm && std::abs(*thread.major_mm - 2 * crest) > kDiameterOverPitch * pitch)
         return without(LT_TEXT("Engine", "its row has another diameter"));
     const double depth = thread.minor_mm ? crest - *thread.minor_mm / 2 : kDepthOverPitch * pitch, root = crest - depth;
     if (depth < kLeastDepthOverPitch * pitch || depth > kMostDepthOverPitch * pitch)
         return without(LT_TEXT("Engine", "its root does not fit its pitch"));
-    if (!(root > 0) || std::abs(lowestRadius_mm(frame.contour, from + kSame_mm, to - kSame_mm) - crest) > kSame_mm)
+    if (!(root > 0) || std::abs(lowestRadius_mm(frame.contour, from + same_mm, to - same_mm) - crest) > same_mm)
         return without(LT_TEXT("Engine", "its row is no cylinder that could carry it"));
     const double run_in = from - kRunInPitches * pitch, side = depth * kTan30 + kBeforeShoulder_mm;
-    if (highest_mm(frame.contour, run_in, from - kSame_mm) > crest + kSame_mm)
+    if (highest_mm(frame.contour, run_in, from - same_mm) > crest + same_mm)
         return without(LT_TEXT("Engine", "what stands before it is higher"));
     const double end = endOf(frame.contour, tool, root, to, side);
     if (end - from < pitch) return without(LT_TEXT("Engine", "its row is too short"));
@@ -209,10 +209,10 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
     result.depth_mm = depth;
     Operation operation{
         OperationKind::Thread, tool.number, kSpeedShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
-    operation.speed_rpm =
-        std::max(1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * kPi * crest))));
+    operation.speed_rpm = std::max(
+        1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * std::numbers::pi * crest))));
     operation.reason = thread.designation;
-    const double above = crest + kAbove_mm;
+    const double above = crest + returnAbove_mm;
     MoveList moves(Eigen::Vector2d(0, 0));
     moves.rapid({run_in, frame.safe_x_mm});
     for (int i = 1; i <= result.passes + 1; ++i) {

@@ -7,21 +7,14 @@
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/post/built_in_posts.h"
+#include "engine/cam/required_label.h"
+#include "engine/core/units.h"
 #include "engine/io/json/library_file.h"
 
 namespace lathelier::cam {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm"), deg = LT_TEXT("Engine", "°"), mm_rev = LT_TEXT("Engine", "mm/rev"),
-           m_min = LT_TEXT("Engine", "m/min");
 constexpr Range lengths_mm{0, 1000};
-
-Label required(Text name, Text help, Text unit)
-{
-    Label label{name, help, unit};
-    label.required = true;
-    return label;
-}
 
 /// "CNMG 120408": C is the shape, 12 the edge, 08 the corner in 0.1 mm.
 std::optional<LibraryInsert> insertOfCode(const std::string& code)
@@ -55,7 +48,7 @@ void fill(std::optional<double>& stated, const std::optional<double>& found)
     if (!stated) stated = found;
 }
 
-[[noreturn]] void refuse(const JobTool& tool, const std::string& found, const std::string& expected)
+[[noreturn]] void refuseCode(const JobTool& tool, const std::string& found, const std::string& expected)
 {
     throw Error(errors::toolNotInLibrary,
                 {{"tool", std::int64_t{tool.number}}, {"found", found}, {"expected", expected}});
@@ -95,22 +88,24 @@ const std::vector<Field<LibraryInsert>>& fieldsOf(const LibraryInsert*)
     const Text help = LT_TEXT("Engine", "Range for it.");
     static const auto all = described<I>(
         field("corner_radius_mm", &I::corner_radius_mm, {0, 100},
-              required(LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of the insert."), mm)),
+              required(LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of the insert."), unit::mm)),
         field("tip_angle_deg", &I::tip_angle_deg, {1, 180},
-              required(LT_TEXT("Engine", "Tip angle"), LT_TEXT("Engine", "Of the insert."), deg)),
+              required(LT_TEXT("Engine", "Tip angle"), LT_TEXT("Engine", "Of the insert."), unit::deg)),
         field("lead_angle_deg", &I::lead_angle_deg, {-89, 89},
-              Label{LT_TEXT("Engine", "Lead angle"), LT_TEXT("Engine", "On its usual holder."), deg}),
+              Label{LT_TEXT("Engine", "Lead angle"), LT_TEXT("Engine", "On its usual holder."), unit::deg}),
         field("edge_length_mm", &I::edge_length_mm, lengths_mm,
-              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of the insert."), mm}),
-        field("depth_low_mm", &I::depth_low_mm, lengths_mm, Label{LT_TEXT("Engine", "Least depth"), help, mm}),
-        field("depth_high_mm", &I::depth_high_mm, lengths_mm, Label{LT_TEXT("Engine", "Largest depth"), help, mm}),
-        field("feed_low_mm_rev", &I::feed_low_mm_rev, {0, 100}, Label{LT_TEXT("Engine", "Least feed"), help, mm_rev}),
+              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of the insert."), unit::mm}),
+        field("depth_low_mm", &I::depth_low_mm, lengths_mm, Label{LT_TEXT("Engine", "Least depth"), help, unit::mm}),
+        field("depth_high_mm", &I::depth_high_mm, lengths_mm,
+              Label{LT_TEXT("Engine", "Largest depth"), help, unit::mm}),
+        field("feed_low_mm_rev", &I::feed_low_mm_rev, {0, 100},
+              Label{LT_TEXT("Engine", "Least feed"), help, unit::mm_rev}),
         field("feed_high_mm_rev", &I::feed_high_mm_rev, {0, 100},
-              Label{LT_TEXT("Engine", "Largest feed"), help, mm_rev}),
+              Label{LT_TEXT("Engine", "Largest feed"), help, unit::mm_rev}),
         field("speed_low_m_min", &I::speed_low_m_min, {0, 1e5},
-              Label{LT_TEXT("Engine", "Least cutting speed"), help, m_min}),
+              Label{LT_TEXT("Engine", "Least cutting speed"), help, unit::m_min}),
         field("speed_high_m_min", &I::speed_high_m_min, {0, 1e5},
-              Label{LT_TEXT("Engine", "Largest cutting speed"), help, m_min}),
+              Label{LT_TEXT("Engine", "Largest cutting speed"), help, unit::m_min}),
         field("standing", &I::standing, Label{LT_TEXT("Engine", "Standing"), LT_TEXT("Engine", "Given or assumed.")}));
     return all;
 }
@@ -121,7 +116,7 @@ const std::vector<Field<LibraryHolder>>& fieldsOf(const LibraryHolder*)
     static const auto all = described<H>(
         field("name", &H::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "ISO code.")}),
         field("entering_angle_deg", &H::entering_angle_deg, {1, 178},
-              required(LT_TEXT("Engine", "Entering angle"), LT_TEXT("Engine", "Of the main edge."), deg)),
+              required(LT_TEXT("Engine", "Entering angle"), LT_TEXT("Engine", "Of the main edge."), unit::deg)),
         field("hand", &H::hand,
               {{"toward_chuck", LT_TEXT("Engine", "toward the chuck")},
                {"from_chuck", LT_TEXT("Engine", "from the chuck")}},
@@ -161,14 +156,14 @@ Job withLibrary(Job job)
     for (JobTool& tool : job.tools) {
         if (!tool.insert.empty()) {
             const std::optional<LibraryInsert> insert = insertNamed(tool.insert);
-            if (!insert) refuse(tool, tool.insert, keysOf(libraryInserts()));
+            if (!insert) refuseCode(tool, tool.insert, keysOf(libraryInserts()));
             fill(tool.nose_radius_mm, insert->corner_radius_mm);
             fill(tool.tip_angle_deg, insert->tip_angle_deg);
             fill(tool.edge_length_mm, insert->edge_length_mm);
         }
         if (tool.holder_name.empty()) continue;
         const LibraryHolder* holder = holderNamed(tool.holder_name);
-        if (!holder) refuse(tool, tool.holder_name, keysOf(libraryHolders()));
+        if (!holder) refuseCode(tool, tool.holder_name, keysOf(libraryHolders()));
         fill(tool.entering_angle_deg, holder->entering_angle_deg);
         if (tool.holder.empty()) tool.holder = holder->holder;
         if (holder->hand == Hand::FromChuck) tool.hand = Hand::FromChuck;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kBeyondBlade_mm = 1;  // turned behind the blade that parts off, so that it does not rub
 
-[[noreturn]] void refuse(Text reason, double missing_mm)
+[[noreturn]] void refuseSetup(Text reason, double missing_mm)
 {
     throw Error(errors::noSetupPossible, {{"reason", reason}, {"missing_mm", missing_mm}});
 }
@@ -46,11 +46,11 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
         if (tool.isProfile() && tool.hand == Hand::TowardChuck) radius = std::max(radius, tool.radius_mm());
     radius += job.cutting.rough.allowance_mm;
     if (const double beyond = frame.end_mm + radius - job.setup.chuck_face_z_mm; beyond > 0)
-        refuse(LT_TEXT("Engine", "the chuck stands within the length that is turned"), beyond);
+        refuseSetup(LT_TEXT("Engine", "the chuck stands within the length that is turned"), beyond);
     if (job.setup.grip_length_mm && job.stock.length_mm) {
         const double held = stockEnd_mm(job) - job.setup.chuck_face_z_mm;
         if (held < *job.setup.grip_length_mm)
-            refuse(LT_TEXT("Engine", "the bar is held too short"), *job.setup.grip_length_mm - held);
+            refuseSetup(LT_TEXT("Engine", "the bar is held too short"), *job.setup.grip_length_mm - held);
     }
     return frame;
 }

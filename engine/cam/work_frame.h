@@ -12,6 +12,8 @@ inline constexpr double faceLeft_mm = 0.15;    ///< on the face after roughing, 
 inline constexpr double clearance_mm = 2;      ///< of rapid moves from the bar, radially
 inline constexpr double approach_mm = 1;       ///< of rapid moves from the face that is left, along z
 inline constexpr double retract_mm = 0.5;      ///< of a pass from what it has cut
+inline constexpr double rapidAbove_mm = 1;     ///< of rapid moves over what is approached, where rest is cut
+inline constexpr double restOverlap_mm = 0.5;  ///< onto what is finished, on both sides of a rest
 inline constexpr double slowShare = 0.6;       ///< of the feed, where a tool feeds into the stock
 inline constexpr double largestFacing_mm = 1;  ///< depth of a facing pass
 

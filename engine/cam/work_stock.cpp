@@ -10,7 +10,7 @@ using Eigen::Vector2d;
 
 constexpr double kChord_mm = 0.02;
 constexpr double kHolderStep_mm = 1;
-constexpr double kLift_mm = 0.25;
+constexpr double liftStep_mm = 0.25;
 
 }  // namespace
 
@@ -103,7 +103,7 @@ double WorkStock::reachableFromAbove_mm(int number, double z_mm, double x_mm, do
 {
     const Mounted* tool = mounted(number);
     if (!tool) return x_mm;
-    for (double x = x_mm; x < safe_x_mm; x += kLift_mm) {
+    for (double x = x_mm; x < safe_x_mm; x += liftStep_mm) {
         const stock::Corner from{z_mm + parameters_.z_zero_mm, safe_x_mm}, way{0, x - safe_x_mm};
         bool free = !meets(sweptBy(movedBy(tool->insert, from), way));
         for (const auto& holder : tool->holders) free = free && !meets(sweptBy(movedBy(holder, from), way));

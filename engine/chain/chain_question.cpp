@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "engine/core/error.h"
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
 
 namespace lathelier::chain {
@@ -55,10 +56,10 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
                                "or POST.json."))),
         field("tolerance_mm", &Q::tolerance_mm, Range{0, 1e6},
               Label{LT_TEXT("Engine", "Tolerance of the copy"), LT_TEXT("Engine", "Of its surface, to both sides."),
-                    LT_TEXT("Engine", "mm")}),
+                    unit::mm}),
         field("tolerance_um", &Q::tolerance_um, Range{0, 1e6},
               Label{LT_TEXT("Engine", "Tolerance of the predicted diameter"), LT_TEXT("Engine", "To both sides."),
-                    LT_TEXT("Engine", "µm")}),
+                    unit::um}),
         field("photograph_before", &Q::photograph_before,
               labelled(LT_TEXT("Engine", "Photograph before"),
                        LT_TEXT("Engine", "Of the turned surface before the speeds were chosen anew."))),
@@ -68,14 +69,13 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
         field("photograph_z_mm", &Q::photograph_z_mm, Range{0, 1e5},
               Label{LT_TEXT("Engine", "Place of the photographs"),
                     LT_TEXT("Engine", "z from the free end: diameter and speed there turn marks into frequencies."),
-                    LT_TEXT("Engine", "mm")}),
+                    unit::mm}),
         field("photograph_mm_px", &Q::photograph_mm_px, Range{1e-6, 1e3},
-              Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."),
-                    LT_TEXT("Engine", "mm")}),
+              Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."), unit::mm}),
         field("photograph_feed_deg", &Q::photograph_feed_deg, Range{-360, 360},
               Label{LT_TEXT("Engine", "Direction of feed in the photographs"),
                     LT_TEXT("Engine", "From right toward down; without it both signs of the marks stay open."),
-                    LT_TEXT("Engine", "°")}),
+                    unit::deg}),
         field("photograph_cut", &Q::photograph_cut, cutsInPicture(),
               labelled(LT_TEXT("Engine", "Direction of cut in the photographs"),
                        LT_TEXT("Engine", "Of later points of a track, the feed pointing right."))),

@@ -13,7 +13,7 @@
 namespace lathelier::chain {
 namespace {
 
-Json toJson(const std::vector<InputFile>& files)
+Json filesJson(const std::vector<InputFile>& files)
 {
     Json list = Json::array();
     for (const InputFile& file : files)
@@ -30,13 +30,13 @@ std::vector<std::string> remarksOf(const ChainStep& step)
     return remarks;
 }
 
-Json toJson(const ChainStep& step)
+Json stepJson(const ChainStep& step)
 {
     Json json = {{"step", step.id},
                  {"state", key(step.state)},
                  {"result", step.result.empty() ? Json(nullptr) : Json(step.result)},
-                 {"inputs", toJson(step.inputs)},
-                 {"outputs", toJson(step.outputs)},
+                 {"inputs", filesJson(step.inputs)},
+                 {"outputs", filesJson(step.outputs)},
                  {"parameters", lathelier::toJson(step.parameters)},
                  {"request", step.request.empty() ? Json(nullptr) : Json(step.request)},
                  {"remarks", remarksOf(step)}};
@@ -44,7 +44,7 @@ Json toJson(const ChainStep& step)
     return json;
 }
 
-Json toJson(const TracedNumber& number)
+Json numberJson(const TracedNumber& number)
 {
     return {
         {"step", number.step},
@@ -129,12 +129,10 @@ private:
     std::map<std::string, Json> documents_;
 };
 
-constexpr std::size_t mostItems = 100000;
-
 /// A list of the object here; nothing happens where it is missing.
 void eachOf(const io::JsonCursor& object, const char* name, const std::function<void(const io::JsonCursor&)>& use)
 {
-    if (const auto list = object.member(name)) list->items(mostItems, use);
+    if (const auto list = object.member(name)) list->items(mostDossierItems, use);
 }
 
 std::string stringAt(const io::JsonCursor& object, const char* name)
@@ -238,8 +236,8 @@ void add(Dossier& dossier, ChainStep step, const Json& result)
 Json toJson(const Dossier& dossier)
 {
     Json steps = Json::array(), numbers = Json::array(), confirmed = Json::array(), assumed = Json::array();
-    for (const ChainStep& step : dossier.steps) steps.push_back(toJson(step));
-    for (const TracedNumber& number : dossier.numbers) numbers.push_back(toJson(number));
+    for (const ChainStep& step : dossier.steps) steps.push_back(stepJson(step));
+    for (const TracedNumber& number : dossier.numbers) numbers.push_back(numberJson(number));
     for (const Json& note : notesOf(dossier))
         if (saysAssumed(note)) assumed.push_back(note);
     for (const Confirmation& word : dossier.confirmed)

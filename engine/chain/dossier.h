@@ -69,6 +69,7 @@ struct Dossier {
 };
 
 inline constexpr const char* dossierSchema = "lathelier-dossier";
+inline constexpr std::size_t mostDossierItems = 100000;     ///< of a list in it
 inline constexpr const char* dossierFile = "dossier.json";  ///< in the folder of the chain
 
 /// Adds a step: its notes, and where it is done the numbers of its result.

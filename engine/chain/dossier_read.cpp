@@ -9,8 +9,6 @@
 namespace lathelier::chain {
 namespace {
 
-constexpr std::size_t mostItems = 100000;
-
 const Text aText = LT_TEXT("Engine", "a text");
 
 std::string wordAt(const io::JsonCursor& object, const char* name)
@@ -24,7 +22,7 @@ std::vector<Item> listAt(const io::JsonCursor& object, const char* name, const R
 {
     std::vector<Item> all;
     if (const auto list = object.member(name))
-        list->items(mostItems, [&](const io::JsonCursor& item) { all.push_back(read(item)); });
+        list->items(mostDossierItems, [&](const io::JsonCursor& item) { all.push_back(read(item)); });
     return all;
 }
 

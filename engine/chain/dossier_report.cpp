@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 
 namespace lathelier::chain {
 namespace {
@@ -50,10 +51,12 @@ void addCopy(const Dossier& dossier, report::Answer& answer)
 /// Unit of a number by its key, or by the last part of its place.
 Text unitOf(const std::string& key)
 {
-    static const std::vector<std::pair<const char*, Text>> units{
-        {"_mm3", LT_TEXT("Engine", "mm³")},   {"_mm", millimetre},
-        {"_um", LT_TEXT("Engine", "µm")},     {"_hz", LT_TEXT("Engine", "Hz")},
-        {"_rpm", LT_TEXT("Engine", "1/min")}, {"_s", LT_TEXT("Engine", "s")}};
+    static const std::vector<std::pair<const char*, Text>> units{{"_mm3", unit::mm3},
+                                                                 {"_mm", millimetre},
+                                                                 {"_um", unit::um},
+                                                                 {"_hz", unit::hz},
+                                                                 {"_rpm", LT_TEXT("Engine", "1/min")},
+                                                                 {"_s", unit::s}};
     for (const auto& [ending, unit] : units)
         if (key.ends_with(ending)) return unit;
     return {};

@@ -44,7 +44,7 @@ std::optional<receptance::SpindleSprings> springsOf(const std::string& folder, c
     return machine.springs() ? std::optional(*machine.springs()) : std::nullopt;
 }
 
-double valueAt(const std::vector<double>& z_mm, const std::vector<double>& values, double at_mm)
+double interpolatedAt(const std::vector<double>& z_mm, const std::vector<double>& values, double at_mm)
 {
     for (std::size_t i = 0; i + 1 < z_mm.size(); ++i) {
         const double step_mm = z_mm[i + 1] - z_mm[i];
@@ -64,7 +64,7 @@ std::vector<deflection::MeasuredDiameter> fittedDiameters(const deflection::Fina
     for (const MeasuredPlace& place : proof.along) {
         const double z_mm = place.z_mm + zero_mm;
         if (z_mm < contour.z_mm.front() || z_mm > contour.z_mm.back()) continue;
-        const double target_mm = 2 * valueAt(contour.z_mm, contour.target_radius_mm, z_mm);
+        const double target_mm = 2 * interpolatedAt(contour.z_mm, contour.target_radius_mm, z_mm);
         diameters.push_back({z_mm, target_mm + place.error_um / 1000, std::max(0.1, place.uncertainty_um / 2)});
     }
     return diameters;

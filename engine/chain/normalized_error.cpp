@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::chain {
 namespace {
 
@@ -72,8 +74,8 @@ report::Plot errorsPlot(const PredictedErrors& predicted, const std::vector<Comp
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Predicted and measured error of the diameter");
-    plot.x = {LT_TEXT("Engine", "z from the free end"), LT_TEXT("Engine", "mm")};
-    plot.y = {LT_TEXT("Engine", "Diameter error"), LT_TEXT("Engine", "µm")};
+    plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
+    plot.y = {LT_TEXT("Engine", "Diameter error"), unit::um};
     if (!predicted.low_um.empty()) {
         report::Curve band;
         band.name = LT_TEXT("Engine", "95 % of samples");
@@ -99,7 +101,7 @@ report::Plot errorsPlot(const PredictedErrors& predicted, const std::vector<Comp
               std::pair{middle_mm, place.measured_um - place.measured_uncertainty_um},
               std::pair{middle_mm, place.measured_um + place.measured_uncertainty_um},
               std::pair{middle_mm, place.measured_um}, std::pair{place.z_end_mm, place.measured_um},
-              std::pair{place.z_end_mm, std::nan("")}}) {
+              std::pair{place.z_end_mm, notANumber}}) {
             rows.x.push_back(z_mm);
             rows.y.push_back(error_um);
         }

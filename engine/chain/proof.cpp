@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::chain {
 namespace {
 
@@ -14,13 +16,13 @@ std::vector<double> numbersAt(const Json& json, const char* list, const char* na
 {
     std::vector<double> values;
     if (!json.contains(list) || !json[list].is_object() || !json[list].contains(name)) return values;
-    for (const Json& item : json[list][name]) values.push_back(item.is_number() ? item.get<double>() : std::nan(""));
+    for (const Json& item : json[list][name]) values.push_back(item.is_number() ? item.get<double>() : notANumber);
     return values;
 }
 
 double numberAt(const Json& json, const char* name)
 {
-    return json.contains(name) && json[name].is_number() ? json[name].get<double>() : std::nan("");
+    return json.contains(name) && json[name].is_number() ? json[name].get<double>() : notANumber;
 }
 
 /// From 1; none: it is no whole number.
@@ -45,7 +47,7 @@ PredictedErrors predictedErrors(const Json& deflected, double zero_mm, double mi
 {
     PredictedErrors predicted{
         numbersAt(deflected, "final", "z_mm"), numbersAt(deflected, "final", "diameter_error_um"), {}, {}};
-    predicted.error_um.resize(predicted.z_mm.size(), std::nan(""));
+    predicted.error_um.resize(predicted.z_mm.size(), notANumber);
     if (numbersAt(deflected, "band", "z_mm").size() == predicted.z_mm.size()) {
         predicted.low_um = numbersAt(deflected, "band", "low_um");
         predicted.high_um = numbersAt(deflected, "band", "high_um");
@@ -171,7 +173,7 @@ report::Plot proofPlot(const Proof& proof)
             along.y.push_back(error_um);
         }
         along.x.push_back(place.z_mm);
-        along.y.push_back(std::nan(""));
+        along.y.push_back(notANumber);
     }
     if (!along.x.empty()) plot.curves.push_back(std::move(along));
     return plot;

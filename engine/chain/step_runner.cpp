@@ -6,6 +6,7 @@
 
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/earlier_files.h"
+#include "engine/core/version.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
@@ -31,7 +32,7 @@ Json readJson(const std::string& path)
 StepRunner::StepRunner(std::string folder, AskVerb ask, RunMode mode, std::shared_ptr<const Dossier> earlier)
     : folder_(std::move(folder)), ask_(std::move(ask)), mode_(mode), earlier_(std::move(earlier))
 {
-    dossier_.version = LATHELIER_VERSION;
+    dossier_.version = programVersion;
     if (mode_ == RunMode::Look) return;
     std::error_code failure;
     fs::create_directories(folder_, failure);

@@ -72,7 +72,7 @@ std::string filled(std::string pattern, const std::vector<std::size_t>& items)
     return pattern;
 }
 
-const Json* valueAt(const Json& result, const std::string& pointer)
+const Json* memberAt(const Json& result, const std::string& pointer)
 {
     const Json::json_pointer place(pointer);
     return result.contains(place) ? &result.at(place) : nullptr;
@@ -85,7 +85,7 @@ void forEachPlace(const Json& result, const std::string& pattern, std::vector<st
     const std::string reached = filled(pattern, items);
     const std::size_t star = reached.find('*');
     if (star == std::string::npos) return use(reached);
-    const Json* const list = valueAt(result, reached.substr(0, star - 1));
+    const Json* const list = memberAt(result, reached.substr(0, star - 1));
     if (!list || !list->is_array()) return;
     for (std::size_t i = 0; i < list->size(); ++i) {
         items.push_back(i);
@@ -103,7 +103,7 @@ std::vector<TracedNumber> numbersOf(const std::string& step, const Json& result,
         if (step != pattern.step) continue;
         std::vector<std::size_t> items;
         forEachPlace(result, pattern.value, items, [&](const std::string& pointer) {
-            const Json* const value = valueAt(result, pointer);
+            const Json* const value = memberAt(result, pointer);
             if (!value || !value->is_number()) return;
             std::string last = pointer.substr(pointer.rfind('/') + 1);
             if (last.find_first_not_of("0123456789") == std::string::npos)  // an item of a plain list has the list's
@@ -111,7 +111,7 @@ std::vector<TracedNumber> numbersOf(const std::string& step, const Json& result,
             TracedNumber number{step, last, value->get<double>(), file, pointer, {}, pattern.coverage_factor, {}};
             if (pattern.uncertainty) {
                 const std::string place = filled(pattern.uncertainty, items);
-                const Json* const uncertainty = valueAt(result, place);
+                const Json* const uncertainty = memberAt(result, place);
                 if (uncertainty && uncertainty->is_number()) {
                     number.uncertainty = uncertainty->get<double>();
                     number.uncertainty_pointer = place;

@@ -9,9 +9,9 @@
 namespace lathelier {
 namespace {
 
-constexpr double slope = 10;          // of a cone: 1:10
-constexpr double grooveDepth_mm = 1;  // on the radius
-constexpr double leastShare = 0.1;    // of a diameter that narrows
+constexpr double coneLengthPerDiameter = 10;  // 1:10
+constexpr double grooveDepth_mm = 1;          // on the radius
+constexpr double leastShare = 0.1;            // of a diameter that narrows
 
 }  // namespace
 
@@ -81,7 +81,7 @@ ShaftBores changeBoreForm(ShaftBores bores, std::size_t bore, std::size_t row, R
     edited.end_diameter_mm = mouth_mm;
     switch (form) {
         case RowForm::Cylinder: break;
-        case RowForm::Cone: edited.end_diameter_mm = narrower(length_mm / slope); break;
+        case RowForm::Cone: edited.end_diameter_mm = narrower(length_mm / coneLengthPerDiameter); break;
         case RowForm::Chamfer:
             edited.end_diameter_mm = narrower(2 * length_mm);
             edited.role = "chamfer";

@@ -36,6 +36,10 @@ inline constexpr ErrorCode notConverged{"not_converged", ErrorKind::NoAnswer,
 inline constexpr ErrorCode outOfMemory{"out_of_memory", ErrorKind::NoAnswer,
                                        LT_TEXT("Engine", "There is not enough memory for this.")};
 
+inline constexpr ErrorCode moduleMissing{
+    "module_missing", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "A part of the program cannot be loaded: {file} ({reason}). Is the installation complete?")};
+
 inline constexpr ErrorCode internal{"internal", ErrorKind::NoAnswer,
                                     LT_TEXT("Engine", "Lathelier made a mistake here ({reason}). Please report it.")};
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t leftOf(std::uint64_t limit, std::uint64_t used)
+std::uint64_t remaining(std::uint64_t limit, std::uint64_t used)
 {
     return limit > used ? limit - used : 0;
 }
@@ -30,7 +30,7 @@ std::optional<std::uint64_t> keyed_bytes(const char* path, const std::string& ke
     return std::nullopt;
 }
 
-std::optional<std::uint64_t> number(const std::string& path)
+std::optional<std::uint64_t> readNumber(const std::string& path)
 {
     std::ifstream file(path);
     std::uint64_t value = 0;
@@ -44,9 +44,9 @@ std::uint64_t groupLeft_bytes()
     for (std::string line; std::getline(file, line);) {
         if (!line.starts_with("0::")) continue;
         const std::string folder = "/sys/fs/cgroup" + line.substr(3);
-        const auto limit = number(folder + "/memory.max");
-        const auto used = number(folder + "/memory.current");
-        if (limit && used) return leftOf(*limit, *used);
+        const auto limit = readNumber(folder + "/memory.max");
+        const auto used = readNumber(folder + "/memory.current");
+        if (limit && used) return remaining(*limit, *used);
     }
     return unlimited;
 }
@@ -55,8 +55,8 @@ std::uint64_t addressSpaceLeft_bytes()
 {
     rlimit limit{};
     if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unlimited;
-    const auto pages = number("/proc/self/statm");
-    return pages ? leftOf(limit.rlim_cur, *pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE))) : unlimited;
+    const auto pages = readNumber("/proc/self/statm");
+    return pages ? remaining(limit.rlim_cur, *pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE))) : unlimited;
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
 #include "engine/core/shaft.h"
 
+#include "engine/core/units.h"
+
 namespace lathelier {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-const Text deg = LT_TEXT("Engine", "°");
 constexpr double longest_mm = 1e5;
 constexpr double widest_um = 1e6;
 constexpr Range lengths_mm{-longest_mm, longest_mm};
@@ -33,17 +32,17 @@ Label folded(Text name, Text help, Text unit = {})
     return result;
 }
 
-const Text length = LT_TEXT("Engine", "Length");
-const Text along = LT_TEXT("Engine", "Along the axis.");
-const Text start = LT_TEXT("Engine", "Start ⌀");
+const Text lengthName = LT_TEXT("Engine", "Length");
+const Text alongHelp = LT_TEXT("Engine", "Along the axis.");
+const Text startName = LT_TEXT("Engine", "Start ⌀");
 const Text startHelp = LT_TEXT("Engine", "At its end toward the free end.");
-const Text end = LT_TEXT("Engine", "End ⌀");
+const Text endName = LT_TEXT("Engine", "End ⌀");
 const Text endHelp = LT_TEXT("Engine", "At its end toward the chuck.");
-const Text arc = LT_TEXT("Engine", "Arc radius");
+const Text arcName = LT_TEXT("Engine", "Arc radius");
 const Text arcHelp = LT_TEXT("Engine", "Positive: convex, negative: concave, empty: straight.");
-const Text role = LT_TEXT("Engine", "Role");
+const Text roleName = LT_TEXT("Engine", "Role");
 const Text roleHelp = LT_TEXT("Engine", "What it is: chamfer, fillet, groove…");
-const Text expanded = LT_TEXT("Engine", "Expanded uncertainty, k = 2.");
+const Text expandedHelp = LT_TEXT("Engine", "Expanded uncertainty, k = 2.");
 
 /// Members that hold a number of a mark, or do not.
 Field<ShaftMark> markNumber(const char* key, std::optional<double> ShaftMark::*member, Text name, Text unit)
@@ -67,27 +66,29 @@ const std::vector<Field<SizeTolerance>>& fieldsOf(const SizeTolerance*)
         field("class", &T::iso_class,
               folded(LT_TEXT("Engine", "Tolerance class"), LT_TEXT("Engine", "Of ISO 286-1, such as h6."))),
         field("lower_um", &T::lower_um, {-widest_um, widest_um},
-              folded(LT_TEXT("Engine", "Lower limit"), LT_TEXT("Engine", "Deviation of the diameter."), um)),
+              folded(LT_TEXT("Engine", "Lower limit"), LT_TEXT("Engine", "Deviation of the diameter."), unit::um)),
         field("upper_um", &T::upper_um, {-widest_um, widest_um},
-              folded(LT_TEXT("Engine", "Upper limit"), LT_TEXT("Engine", "Deviation of the diameter."), um)));
+              folded(LT_TEXT("Engine", "Upper limit"), LT_TEXT("Engine", "Deviation of the diameter."), unit::um)));
     return all;
 }
 
 const std::vector<Field<SizeUncertainty>>& fieldsOf(const SizeUncertainty*)
 {
     using U = SizeUncertainty;
-    static const auto all = described<U>(
-        field("z_start_um", &U::z_start_um, uncertainties_um,
-              folded(LT_TEXT("Engine", "U of its start"), expanded, um)),
-        field("z_end_um", &U::z_end_um, uncertainties_um, folded(LT_TEXT("Engine", "U of its end"), expanded, um)),
-        field("length_um", &U::length_um, uncertainties_um, folded(LT_TEXT("Engine", "U of its length"), expanded, um)),
-        field("start_diameter_um", &U::start_diameter_um, uncertainties_um,
-              folded(LT_TEXT("Engine", "U of the start ⌀"), expanded, um)),
-        field("end_diameter_um", &U::end_diameter_um, uncertainties_um,
-              folded(LT_TEXT("Engine", "U of the end ⌀"), expanded, um)),
-        field("arc_radius_um", &U::arc_radius_um, uncertainties_um,
-              folded(LT_TEXT("Engine", "U of the radius"), expanded, um)),
-        field("angle_deg", &U::angle_deg, {0, 90}, folded(LT_TEXT("Engine", "U of the angle"), expanded, deg)));
+    static const auto all = described<U>(field("z_start_um", &U::z_start_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of its start"), expandedHelp, unit::um)),
+                                         field("z_end_um", &U::z_end_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of its end"), expandedHelp, unit::um)),
+                                         field("length_um", &U::length_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of its length"), expandedHelp, unit::um)),
+                                         field("start_diameter_um", &U::start_diameter_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of the start ⌀"), expandedHelp, unit::um)),
+                                         field("end_diameter_um", &U::end_diameter_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of the end ⌀"), expandedHelp, unit::um)),
+                                         field("arc_radius_um", &U::arc_radius_um, uncertainties_um,
+                                               folded(LT_TEXT("Engine", "U of the radius"), expandedHelp, unit::um)),
+                                         field("angle_deg", &U::angle_deg, {0, 90},
+                                               folded(LT_TEXT("Engine", "U of the angle"), expandedHelp, unit::deg)));
     return all;
 }
 
@@ -96,13 +97,14 @@ const std::vector<Field<MeasuredSize>>& fieldsOf(const MeasuredSize*)
     using M = MeasuredSize;
     const Text help = LT_TEXT("Engine", "As measured.");
     static const auto all = described<M>(
-        field("length_mm", &M::length_mm, lengths_mm, folded(LT_TEXT("Engine", "Measured length"), help, mm)),
+        field("length_mm", &M::length_mm, lengths_mm, folded(LT_TEXT("Engine", "Measured length"), help, unit::mm)),
         field("start_diameter_mm", &M::start_diameter_mm, diameters_mm,
-              folded(LT_TEXT("Engine", "Measured start ⌀"), help, mm)),
+              folded(LT_TEXT("Engine", "Measured start ⌀"), help, unit::mm)),
         field("end_diameter_mm", &M::end_diameter_mm, diameters_mm,
-              folded(LT_TEXT("Engine", "Measured end ⌀"), help, mm)),
-        field("arc_radius_mm", &M::arc_radius_mm, lengths_mm, folded(LT_TEXT("Engine", "Measured radius"), help, mm)),
-        group("uncertainty", &M::uncertainty, folded(LT_TEXT("Engine", "Uncertainty"), expanded)));
+              folded(LT_TEXT("Engine", "Measured end ⌀"), help, unit::mm)),
+        field("arc_radius_mm", &M::arc_radius_mm, lengths_mm,
+              folded(LT_TEXT("Engine", "Measured radius"), help, unit::mm)),
+        group("uncertainty", &M::uncertainty, folded(LT_TEXT("Engine", "Uncertainty"), expandedHelp)));
     return all;
 }
 
@@ -110,13 +112,13 @@ const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
 {
     using S = ShaftSegment;
     static const auto all = described<S>(
-        field("length_mm", &S::length_mm, lengths_mm, required(length, along, mm)),
-        field("start_diameter_mm", &S::start_diameter_mm, diameters_mm, required(start, startHelp, mm)),
-        field("end_diameter_mm", &S::end_diameter_mm, diameters_mm, required(end, endHelp, mm)),
+        field("length_mm", &S::length_mm, lengths_mm, required(lengthName, alongHelp, unit::mm)),
+        field("start_diameter_mm", &S::start_diameter_mm, diameters_mm, required(startName, startHelp, unit::mm)),
+        field("end_diameter_mm", &S::end_diameter_mm, diameters_mm, required(endName, endHelp, unit::mm)),
         field("bore_diameter_mm", &S::bore_diameter_mm, diameters_mm,
-              label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), mm)),
-        field("arc_radius_mm", &S::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
-        field("role", &S::role, label(role, roleHelp)),
+              label(LT_TEXT("Engine", "Bore ⌀"), LT_TEXT("Engine", "0: solid."), unit::mm)),
+        field("arc_radius_mm", &S::arc_radius_mm, lengths_mm, label(arcName, arcHelp, unit::mm)),
+        field("role", &S::role, label(roleName, roleHelp)),
         group("tolerance", &S::tolerance,
               folded(LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter."))),
         group("measured", &S::measured,
@@ -125,9 +127,9 @@ const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
               folded(LT_TEXT("Engine", "Tie"), LT_TEXT("Engine", "Cylinders with the same one share a diameter."))),
         field("tolerance_um", &S::tolerance_um, {1e-3, widest_um},
               folded(LT_TEXT("Engine", "Width of the tolerance"),
-                     LT_TEXT("Engine", "Of the diameter, where its limits are not stated."), um)),
+                     LT_TEXT("Engine", "Of the diameter, where its limits are not stated."), unit::um)),
         field("Rz_um", &S::Rz_um, {1e-3, 1e4},
-              folded(LT_TEXT("Engine", "Rz"), LT_TEXT("Engine", "Roughness that the drawing allows."), um)),
+              folded(LT_TEXT("Engine", "Rz"), LT_TEXT("Engine", "Roughness that the drawing allows."), unit::um)),
         field("thread", &S::thread,
               folded(LT_TEXT("Engine", "Thread"), LT_TEXT("Engine", "Cut on this row, such as M16x1.5."))));
     return all;
@@ -136,13 +138,14 @@ const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*)
 const std::vector<Field<BoreSegment>>& fieldsOf(const BoreSegment*)
 {
     using B = BoreSegment;
-    static const auto all = described<B>(field("length_mm", &B::length_mm, lengths_mm, required(length, along, mm)),
-                                         field("start_diameter_mm", &B::start_diameter_mm, diameters_mm,
-                                               required(start, LT_TEXT("Engine", "At its end toward the mouth."), mm)),
-                                         field("end_diameter_mm", &B::end_diameter_mm, diameters_mm,
-                                               required(end, LT_TEXT("Engine", "At its inner end."), mm)),
-                                         field("arc_radius_mm", &B::arc_radius_mm, lengths_mm, label(arc, arcHelp, mm)),
-                                         field("role", &B::role, label(role, roleHelp)));
+    static const auto all =
+        described<B>(field("length_mm", &B::length_mm, lengths_mm, required(lengthName, alongHelp, unit::mm)),
+                     field("start_diameter_mm", &B::start_diameter_mm, diameters_mm,
+                           required(startName, LT_TEXT("Engine", "At its end toward the mouth."), unit::mm)),
+                     field("end_diameter_mm", &B::end_diameter_mm, diameters_mm,
+                           required(endName, LT_TEXT("Engine", "At its inner end."), unit::mm)),
+                     field("arc_radius_mm", &B::arc_radius_mm, lengths_mm, label(arcName, arcHelp, unit::mm)),
+                     field("role", &B::role, label(roleName, roleHelp)));
     return all;
 }
 
@@ -163,22 +166,22 @@ const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
     static const auto all =
         described<M>(field("kind", &M::kind,
                            required(LT_TEXT("Engine", "Kind"), LT_TEXT("Engine", "Thread, knurl, keyway, flat…"), {})),
-                     markNumber("z_start_mm", &M::z_start_mm, LT_TEXT("Engine", "Start z"), mm),
-                     markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), mm),
-                     markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), deg),
-                     markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), mm),
-                     markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), mm),
-                     markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), mm),
-                     markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), mm),
-                     markNumber("major_mm", &M::major_mm, LT_TEXT("Engine", "Crest ⌀"), mm),
-                     markNumber("minor_mm", &M::minor_mm, LT_TEXT("Engine", "Root ⌀"), mm),
+                     markNumber("z_start_mm", &M::z_start_mm, LT_TEXT("Engine", "Start z"), unit::mm),
+                     markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), unit::mm),
+                     markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), unit::deg),
+                     markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), unit::mm),
+                     markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), unit::mm),
+                     markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), unit::mm),
+                     markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), unit::mm),
+                     markNumber("major_mm", &M::major_mm, LT_TEXT("Engine", "Crest ⌀"), unit::mm),
+                     markNumber("minor_mm", &M::minor_mm, LT_TEXT("Engine", "Root ⌀"), unit::mm),
                      markNumber("starts", &M::starts, LT_TEXT("Engine", "Starts"), {}),
                      markNumber("hand", &M::hand, LT_TEXT("Engine", "Hand"), {}),
                      markNumber("teeth", &M::teeth, LT_TEXT("Engine", "Teeth"), {}),
-                     markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), deg),
-                     markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), mm),
-                     markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), mm),
-                     markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), mm),
+                     markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), unit::deg),
+                     markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), unit::mm),
+                     markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), unit::mm),
+                     markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), unit::mm),
                      field("designation", &M::designation,
                            folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
     return all;

@@ -6,15 +6,15 @@
 #include <numbers>
 
 #include "engine/core/shaft_bores.h"
+#include "engine/core/units.h"
 
 namespace lathelier {
 namespace {
 
 using Eigen::Vector2d;
+using std::numbers::pi;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kNothing_mm = 1e-12;  // a piece no longer than this is none
-constexpr double kSame_mm = 1e-9;      // ends no further apart meet
 constexpr int kStepsOfTaper = 20;
 
 Vector2d unitLeft(const Vector2d& direction)
@@ -88,15 +88,15 @@ bool isOnArc(const ContourPiece& arc, const Vector2d& point)
     const auto [start, end] = arc.arcAngles();
     const double middle = (start + end) / 2, half = std::abs(end - start) / 2;
     double off = std::atan2(from_centre.y(), from_centre.x()) - middle;
-    off = std::remainder(off, 2 * kPi);
-    return std::abs(off) <= half + kSame_mm / std::abs(arc.arc_radius_mm);
+    off = std::remainder(off, turn_rad);
+    return std::abs(off) <= half + meet_mm / std::abs(arc.arc_radius_mm);
 }
 
 bool isOnLine(const ContourPiece& line, const Vector2d& point)
 {
     const Vector2d direction = line.to_mm - line.from_mm;
     const double at = (point - line.from_mm).dot(direction) / direction.norm();
-    return at >= -kSame_mm && at <= direction.norm() + kSame_mm;
+    return at >= -meet_mm && at <= direction.norm() + meet_mm;
 }
 
 void meetLines(const ContourPiece& a, const ContourPiece& b, std::vector<Vector2d>& found)
@@ -108,7 +108,7 @@ void meetLines(const ContourPiece& a, const ContourPiece& b, std::vector<Vector2
         if (isOnLine(a, point) && isOnLine(b, point)) found.push_back(point);
         return;
     }
-    if (std::abs(w.x() * u.y() - w.y() * u.x()) > kSame_mm * u.norm()) return;
+    if (std::abs(w.x() * u.y() - w.y() * u.x()) > meet_mm * u.norm()) return;
     for (const Vector2d& point : {b.from_mm, b.to_mm})
         if (isOnLine(a, point)) found.push_back(point);
     for (const Vector2d& point : {a.from_mm, a.to_mm})
@@ -120,7 +120,7 @@ void meetLineAndArc(const ContourPiece& line, const ContourPiece& arc, std::vect
     const Vector2d u = (line.to_mm - line.from_mm).normalized(), c = arc.centre_mm();
     const Vector2d foot = line.from_mm + u * u.dot(c - line.from_mm);
     const double radius = std::abs(arc.arc_radius_mm), square = radius * radius - (foot - c).squaredNorm();
-    if (square < -2 * radius * kSame_mm) return;
+    if (square < -2 * radius * meet_mm) return;
     const double half = std::sqrt(std::max(0.0, square));
     for (const double side : {-1.0, 1.0}) {
         const Vector2d point = foot + side * half * u;
@@ -132,14 +132,14 @@ void meetArcs(const ContourPiece& a, const ContourPiece& b, std::vector<Vector2d
 {
     const Vector2d ca = a.centre_mm(), cb = b.centre_mm(), between = cb - ca;
     const double ra = std::abs(a.arc_radius_mm), rb = std::abs(b.arc_radius_mm), d = between.norm();
-    if (d < kSame_mm) {
-        if (std::abs(ra - rb) > kSame_mm) return;
+    if (d < meet_mm) {
+        if (std::abs(ra - rb) > meet_mm) return;
         for (const Vector2d& point : {b.from_mm, b.to_mm})
             if (isOnArc(a, point)) found.push_back(point);
         return;
     }
     const double at = (d * d + ra * ra - rb * rb) / (2 * d), square = ra * ra - at * at;
-    if (square < -2 * ra * kSame_mm) return;
+    if (square < -2 * ra * meet_mm) return;
     const Vector2d u = between / d, foot = ca + at * u;
     const double half = std::sqrt(std::max(0.0, square));
     for (const double side : {-1.0, 1.0}) {
@@ -185,7 +185,7 @@ double ContourPiece::radiusAt_mm(double z_mm) const
 double ContourPiece::sweptVolume_mm3() const
 {
     const double r0 = from_mm.y(), r1 = to_mm.y();
-    if (!isArc()) return kPi * (to_mm.x() - from_mm.x()) * (r0 * r0 + r0 * r1 + r1 * r1) / 3;
+    if (!isArc()) return pi * (to_mm.x() - from_mm.x()) * (r0 * r0 + r0 * r1 + r1 * r1) / 3;
     const double rho = std::abs(arc_radius_mm), rc = centre_mm().y();
     const auto [start, end] = arcAngles();
     const auto primitive = [&](double t) {
@@ -193,7 +193,7 @@ double ContourPiece::sweptVolume_mm3() const
         return -rho * (-rc * rc * cosine + 2 * rc * rho * (t / 2 - std::sin(2 * t) / 4) +
                        rho * rho * (cosine * cosine * cosine / 3 - cosine));
     };
-    return kPi * (primitive(end) - primitive(start));
+    return pi * (primitive(end) - primitive(start));
 }
 
 ContourPiece ContourPiece::reversed() const
@@ -213,7 +213,7 @@ Contour boreContour(const Shaft& shaft, std::size_t bore)
 
 bool isThrough(const Shaft& shaft, const ShaftBore& bore)
 {
-    return lengthOf(bore) >= shaft.length_mm() - kSame_mm;
+    return lengthOf(bore) >= shaft.length_mm() - meet_mm;
 }
 
 Contour closedContour(const Shaft& shaft)
@@ -329,7 +329,7 @@ Shaft beamView(const Shaft& stated)
             from = to;
         };
         for (const double cut : cuts)
-            if (cut > from + kSame_mm && cut < end - kSame_mm) append(cut);
+            if (cut > from + meet_mm && cut < end - meet_mm) append(cut);
         append(end);
         begin = end;
     }

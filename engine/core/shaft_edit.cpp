@@ -6,19 +6,14 @@
 
 #include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier {
 namespace {
 
-constexpr double kSame_mm = 1e-6;
 constexpr double kMinorShare = 0.15;
 constexpr double kSlope = 0.1;        // of a cone that its neighbours leave open: diameter by length
 constexpr double kGrooveDepth = 0.5;  // of a groove's width
-
-bool same(double a, double b)
-{
-    return std::abs(a - b) < kSame_mm;
-}
 
 std::ptrdiff_t at(std::size_t row)
 {
@@ -57,8 +52,8 @@ std::size_t heirOf(const ShaftRows& rows, std::size_t row)
     if (row == 0) return 1;
     if (row + 1 == rows.size()) return row - 1;
     const ShaftSegment &before = rows[row - 1], &after = rows[row + 1];
-    const bool goes_on_before = isCylinder(before) && same(before.end_diameter_mm, rows[row].start_diameter_mm);
-    const bool goes_on_after = isCylinder(after) && same(after.start_diameter_mm, rows[row].end_diameter_mm);
+    const bool goes_on_before = isCylinder(before) && isSameSize(before.end_diameter_mm, rows[row].start_diameter_mm);
+    const bool goes_on_after = isCylinder(after) && isSameSize(after.start_diameter_mm, rows[row].end_diameter_mm);
     if (goes_on_before != goes_on_after) return goes_on_before ? row - 1 : row + 1;
     return isMinorRow(before) && !isMinorRow(after) ? row + 1 : row - 1;
 }
@@ -87,7 +82,7 @@ void makeGroove(const ShaftRows& rows, std::size_t row, ShaftSegment& made)
     if (row > 0) edge = std::min(edge, rows[row - 1].end_diameter_mm);
     if (row + 1 < rows.size()) edge = std::min(edge, rows[row + 1].start_diameter_mm);
     double bottom = std::min(made.start_diameter_mm, made.end_diameter_mm);
-    if (bottom > edge - kSame_mm) bottom = edge - std::min(2 * kGrooveDepth * made.length_mm, edge / 4);
+    if (bottom > edge - same_mm) bottom = edge - std::min(2 * kGrooveDepth * made.length_mm, edge / 4);
     made.start_diameter_mm = made.end_diameter_mm = bottom;
 }
 
@@ -95,7 +90,7 @@ void makeGroove(const ShaftRows& rows, std::size_t row, ShaftSegment& made)
 
 bool isCylinder(const ShaftSegment& row)
 {
-    return !row.arc_radius_mm && same(row.start_diameter_mm, row.end_diameter_mm);
+    return !row.arc_radius_mm && isSameSize(row.start_diameter_mm, row.end_diameter_mm);
 }
 
 bool isMinorRow(const ShaftSegment& row)
@@ -132,8 +127,8 @@ ShaftRows mergeWithNext(ShaftRows rows, std::size_t row)
             mean(a.start_diameter_mm, b.start_diameter_mm, a.length_mm, b.length_mm);
     } else {
         both.end_diameter_mm = b.end_diameter_mm;
-        const bool one_arc = a.arc_radius_mm && b.arc_radius_mm && same(a.end_diameter_mm, b.start_diameter_mm) &&
-                             same(*a.arc_radius_mm, *b.arc_radius_mm);
+        const bool one_arc = a.arc_radius_mm && b.arc_radius_mm && isSameSize(a.end_diameter_mm, b.start_diameter_mm) &&
+                             isSameSize(*a.arc_radius_mm, *b.arc_radius_mm);
         const double chord = std::hypot(both.length_mm, (both.end_diameter_mm - both.start_diameter_mm) / 2);
         if (one_arc && 2 * std::abs(*a.arc_radius_mm) > chord) both.arc_radius_mm = a.arc_radius_mm;
     }

@@ -6,15 +6,23 @@
 // None of these checks the whole shaft (shaft_rules.h); what an edit makes of an odd shaft may be refused there.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "engine/core/shaft.h"
+#include "engine/core/units.h"
 
 namespace lathelier {
 
 using ShaftRows = std::vector<ShaftSegment>;
+
+/// Of two diameters or radii: no further apart than sizes that are the same.
+inline bool isSameSize(double a_mm, double b_mm)
+{
+    return std::abs(a_mm - b_mm) < same_mm;
+}
 
 /// What stays of the rows after an edited one.
 enum class KeepAfter : std::uint8_t {

@@ -6,6 +6,7 @@
 
 #include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier {
 namespace {
@@ -14,7 +15,6 @@ using Eigen::Vector2d;
 
 constexpr double kShort_mm = 0.05;
 constexpr double kThin_mm = 0.01;
-constexpr double kSame_mm = 1e-6;
 constexpr double kTouching = 1 + 1e-9;  // a half round: its chord is twice its radius
 
 const Text outside = LT_TEXT("Engine", "outside");
@@ -27,7 +27,7 @@ Text nameOf(const Shaft& shaft, std::ptrdiff_t bore)
     return shaft.bores[static_cast<std::size_t>(bore)].from == ShaftEnd::Free ? freeBore : chuckBore;
 }
 
-[[noreturn]] void refuse(std::size_t row, Text contour, Text quantity, double found, Text expected)
+[[noreturn]] void refuseRow(std::size_t row, Text contour, Text quantity, double found, Text expected)
 {
     throw Error(errors::shaftRowWrong, {{"row", static_cast<std::int64_t>(row + 1)},
                                         {"contour", contour},
@@ -46,34 +46,35 @@ bool isFaceUndercut(const std::vector<Segment>& rows, std::size_t i)
 }
 
 template <class Segment>
-void checkRows(const std::vector<Segment>& rows, Text contour, bool bore, Notes& notes)
+void checkContourRows(const std::vector<Segment>& rows, Text contour, bool bore, Notes& notes)
 {
     const Text length = LT_TEXT("Engine", "the length in mm");
     const Text start = LT_TEXT("Engine", "the start diameter in mm");
     const Text end = LT_TEXT("Engine", "the end diameter in mm");
     const Text radius = LT_TEXT("Engine", "the arc radius in mm");
     const Text number = LT_TEXT("Engine", "a finite number");
-    if (rows.empty()) refuse(0, contour, LT_TEXT("Engine", "the number of rows"), 0, LT_TEXT("Engine", "one or more"));
+    if (rows.empty())
+        refuseRow(0, contour, LT_TEXT("Engine", "the number of rows"), 0, LT_TEXT("Engine", "one or more"));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Segment& row = rows[i];
-        if (!std::isfinite(row.length_mm)) refuse(i, contour, length, row.length_mm, number);
+        if (!std::isfinite(row.length_mm)) refuseRow(i, contour, length, row.length_mm, number);
         for (const auto& [value, name, inner] : {std::tuple(row.start_diameter_mm, start, i > 0),
                                                  std::tuple(row.end_diameter_mm, end, i + 1 < rows.size())}) {
-            if (!std::isfinite(value)) refuse(i, contour, name, value, number);
-            if (value < 0) refuse(i, contour, name, value, LT_TEXT("Engine", "0 or more"));
+            if (!std::isfinite(value)) refuseRow(i, contour, name, value, number);
+            if (value < 0) refuseRow(i, contour, name, value, LT_TEXT("Engine", "0 or more"));
             if (value == 0 && inner && !bore)
-                refuse(i, contour, name, value, LT_TEXT("Engine", "more than 0 inside the part"));
+                refuseRow(i, contour, name, value, LT_TEXT("Engine", "more than 0 inside the part"));
         }
         if (row.length_mm < 0 && !isFaceUndercut(rows, i))
-            refuse(i, contour, length, row.length_mm,
-                   LT_TEXT("Engine", "0 or more, but for the face of an undercut after a hollow arc"));
+            refuseRow(i, contour, length, row.length_mm,
+                      LT_TEXT("Engine", "0 or more, but for the face of an undercut after a hollow arc"));
         if (row.arc_radius_mm) {
             const double chord = std::hypot(row.length_mm, (row.end_diameter_mm - row.start_diameter_mm) / 2);
             if (!std::isfinite(*row.arc_radius_mm) || *row.arc_radius_mm == 0)
-                refuse(i, contour, radius, *row.arc_radius_mm, LT_TEXT("Engine", "a finite number that is not 0"));
+                refuseRow(i, contour, radius, *row.arc_radius_mm, LT_TEXT("Engine", "a finite number that is not 0"));
             if (std::abs(*row.arc_radius_mm) * 2 * kTouching < chord)
-                refuse(i, contour, radius, *row.arc_radius_mm,
-                       LT_TEXT("Engine", "at least half the distance between the ends of the row"));
+                refuseRow(i, contour, radius, *row.arc_radius_mm,
+                          LT_TEXT("Engine", "at least half the distance between the ends of the row"));
         }
         if (row.length_mm > 0 && row.length_mm < kShort_mm)
             notes.push_back(
@@ -84,8 +85,8 @@ void checkRows(const std::vector<Segment>& rows, Text contour, bool bore, Notes&
         if (!(row.length_mm > 0) || !(before.length_mm > 0)) continue;
         const double slope = (row.end_diameter_mm - row.start_diameter_mm) / row.length_mm;
         const double slope_before = (before.end_diameter_mm - before.start_diameter_mm) / before.length_mm;
-        if (std::abs(before.end_diameter_mm - row.start_diameter_mm) < kSame_mm &&
-            std::abs(slope - slope_before) * std::min(row.length_mm, before.length_mm) < kSame_mm)
+        if (std::abs(before.end_diameter_mm - row.start_diameter_mm) < same_mm &&
+            std::abs(slope - slope_before) * std::min(row.length_mm, before.length_mm) < same_mm)
             notes.push_back({notes::shaftRowsInLine,
                              {{"row", static_cast<std::int64_t>(i)},
                               {"other_row", static_cast<std::int64_t>(i + 1)},
@@ -131,16 +132,16 @@ void checkCrossings(const Shaft& shaft, const Contour& contour)
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return boxes[a].low.x() < boxes[b].low.x(); });
     for (std::size_t a = 0; a < order.size(); ++a)
-        for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].low.x() <= boxes[order[a]].high.x() + kSame_mm;
+        for (std::size_t b = a + 1; b < order.size() && boxes[order[b]].low.x() <= boxes[order[a]].high.x() + same_mm;
              ++b) {
             const std::size_t i = std::min(order[a], order[b]), j = std::max(order[a], order[b]);
-            if (boxes[i].low.y() > boxes[j].high.y() + kSame_mm || boxes[j].low.y() > boxes[i].high.y() + kSame_mm)
+            if (boxes[i].low.y() > boxes[j].high.y() + same_mm || boxes[j].low.y() > boxes[i].high.y() + same_mm)
                 continue;
             const bool next = j == i + 1 || (i == 0 && j + 1 == contour.size());
             for (const Vector2d& point : meetingPoints(contour[i], contour[j])) {
                 // Neighbours share one end.
                 const Vector2d shared = j == i + 1 ? contour[i].to_mm : contour[i].from_mm;
-                if (next && (point - shared).norm() < kSame_mm) continue;
+                if (next && (point - shared).norm() < same_mm) continue;
                 throw Error(errors::shaftCrosses, {{"row", rowOf(contour, i)},
                                                    {"contour", nameOf(shaft, contour[i].bore)},
                                                    {"other_row", rowOf(contour, j)},
@@ -207,7 +208,7 @@ void checkBores(const Shaft& shaft)
     for (const ShaftBore& bore : shaft.bores)
         for (const BoreSegment& row : bore.segments)
             (bore.from == ShaftEnd::Free ? free_mm : chuck_mm) += row.length_mm;
-    if (free_mm + chuck_mm > shaft.length_mm() + kSame_mm)
+    if (free_mm + chuck_mm > shaft.length_mm() + same_mm)
         throw Error(errors::shaftBoresMeet,
                     {{"free_mm", free_mm}, {"chuck_mm", chuck_mm}, {"length_mm", shaft.length_mm()}});
 }
@@ -215,20 +216,20 @@ void checkBores(const Shaft& shaft)
 Notes checkShaft(const Shaft& shaft)
 {
     Notes notes;
-    checkRows(shaft.segments, outside, false, notes);
+    checkContourRows(shaft.segments, outside, false, notes);
     if (!(shaft.length_mm() > 0))
-        refuse(0, outside, LT_TEXT("Engine", "the length of the part in mm"), shaft.length_mm(),
-               LT_TEXT("Engine", "more than 0"));
+        refuseRow(0, outside, LT_TEXT("Engine", "the length of the part in mm"), shaft.length_mm(),
+                  LT_TEXT("Engine", "more than 0"));
     checkBores(shaft);
     for (std::size_t i = 0; i < shaft.bores.size(); ++i)
-        checkRows(shaft.bores[i].segments, nameOf(shaft, static_cast<std::ptrdiff_t>(i)), true, notes);
+        checkContourRows(shaft.bores[i].segments, nameOf(shaft, static_cast<std::ptrdiff_t>(i)), true, notes);
     for (std::size_t i = 0; i < shaft.segments.size(); ++i) {
         const ShaftSegment& row = shaft.segments[i];
         if (!std::isfinite(row.bore_diameter_mm) || row.bore_diameter_mm < 0 ||
             (row.length_mm > 0 && row.bore_diameter_mm > 0 &&
              row.bore_diameter_mm >= std::min(row.start_diameter_mm, row.end_diameter_mm)))
-            refuse(i, outside, LT_TEXT("Engine", "the bore diameter in mm"), row.bore_diameter_mm,
-                   LT_TEXT("Engine", "0 or more, below the diameters of its row"));
+            refuseRow(i, outside, LT_TEXT("Engine", "the bore diameter in mm"), row.bore_diameter_mm,
+                      LT_TEXT("Engine", "0 or more, below the diameters of its row"));
     }
     const Contour contour = closedContour(shaft);
     checkCrossings(shaft, contour);

@@ -11,23 +11,17 @@
 namespace lathelier {
 namespace {
 
-constexpr double kSame_mm = 1e-6;
 constexpr double kQuarter = 1e-3;         // of the radius: how near an arc's legs are to a quarter's
 constexpr double kHalfRound = 1 + 1e-12;  // an arc's radius is no less than half its chord, rounding included
 constexpr double kSteepest_deg = 89.9;
 
-bool same(double a, double b)
-{
-    return std::abs(a - b) < kSame_mm;
-}
-
-const Text length = LT_TEXT("Engine", "length");
-const Text diameter = LT_TEXT("Engine", "diameter");
-const Text radius = LT_TEXT("Engine", "radius");
-const Text angle = LT_TEXT("Engine", "angle");
+const Text sizeLength = LT_TEXT("Engine", "length");
+const Text sizeDiameter = LT_TEXT("Engine", "diameter");
+const Text sizeRadius = LT_TEXT("Engine", "radius");
+const Text sizeAngle = LT_TEXT("Engine", "angle");
 const Text aboveZero = LT_TEXT("Engine", "more than 0");
 
-[[noreturn]] void refuse(std::size_t row, Text quantity, double found, Text expected)
+[[noreturn]] void refuseSize(std::size_t row, Text quantity, double found, Text expected)
 {
     throw Error(errors::shaftRowWrong, {{"row", static_cast<std::int64_t>(row + 1)},
                                         {"contour", LT_TEXT("Engine", "outside")},
@@ -38,13 +32,13 @@ const Text aboveZero = LT_TEXT("Engine", "more than 0");
 
 void requirePositive(std::size_t row, Text quantity, double value)
 {
-    if (!(value > 0) || !std::isfinite(value)) refuse(row, quantity, value, aboveZero);
+    if (!(value > 0) || !std::isfinite(value)) refuseSize(row, quantity, value, aboveZero);
 }
 
 void requireAngle(std::size_t row, double angle_deg)
 {
     if (!(angle_deg > 0 && angle_deg < kSteepest_deg))
-        refuse(row, angle, angle_deg, LT_TEXT("Engine", "more than 0° and less than 90°"));
+        refuseSize(row, sizeAngle, angle_deg, LT_TEXT("Engine", "more than 0° and less than 90°"));
 }
 
 /// An arc whose ends moved apart keeps a radius that reaches both.
@@ -64,10 +58,10 @@ void carryOn(ShaftRows& rows, std::size_t row, bool before, double old_mm, doubl
     ShaftSegment& neighbour = rows[next];
     double& near = before ? neighbour.end_diameter_mm : neighbour.start_diameter_mm;
     double& far = before ? neighbour.start_diameter_mm : neighbour.end_diameter_mm;
-    if (isCylinder(neighbour) || !same(near, old_mm)) return;
+    if (isCylinder(neighbour) || !isSameSize(near, old_mm)) return;
     const bool has_beyond = before ? next > 0 : next + 1 < rows.size();
     const double beyond = !has_beyond ? 0 : before ? rows[next - 1].end_diameter_mm : rows[next + 1].start_diameter_mm;
-    const bool free = isMinorRow(neighbour) && !(has_beyond && same(far, beyond));
+    const bool free = isMinorRow(neighbour) && !(has_beyond && isSameSize(far, beyond));
     near += by_mm;
     if (free) far = std::max(far + by_mm, 0.0);
     reachEnds(neighbour);
@@ -83,7 +77,8 @@ void setOne(ShaftRows& rows, std::size_t index, double diameter_mm, RowEnd end)
         const double by = diameter_mm - std::max(old_start, old_end);
         row.start_diameter_mm = old_start + by;
         row.end_diameter_mm = old_end + by;
-        if (std::min(row.start_diameter_mm, row.end_diameter_mm) < 0) refuse(index, diameter, diameter_mm, aboveZero);
+        if (std::min(row.start_diameter_mm, row.end_diameter_mm) < 0)
+            refuseSize(index, sizeDiameter, diameter_mm, aboveZero);
     } else {
         if (both || end == RowEnd::Start) row.start_diameter_mm = diameter_mm;
         if (both || end == RowEnd::End) row.end_diameter_mm = diameter_mm;
@@ -107,7 +102,7 @@ std::size_t longestOf(const ShaftRows& rows, std::size_t first, std::size_t last
 void lengthen(ShaftRows& rows, std::size_t row, double by_mm)
 {
     const double made = rows[row].length_mm + by_mm;
-    requirePositive(row, length, made);
+    requirePositive(row, sizeLength, made);
     rows[row].length_mm = made;
     reachEnds(rows[row]);
 }
@@ -122,7 +117,7 @@ void holdPlaces(ShaftRows& rows, std::size_t last, double by_mm)
 /// A minor row of another length: what it meets takes the difference, else the row that is no minor one beside it.
 void setMinorLength(ShaftRows& rows, std::size_t first, std::size_t last, double length_mm)
 {
-    requirePositive(first, length, length_mm);
+    requirePositive(first, sizeLength, length_mm);
     double now = 0;
     for (std::size_t i = first; i <= last; ++i) now += rows[i].length_mm;
     const double by = length_mm - now;
@@ -131,19 +126,20 @@ void setMinorLength(ShaftRows& rows, std::size_t first, std::size_t last, double
     const auto offer = [&](std::size_t i, bool meets) {
         if (!isMinorRow(rows[i]) && (!giver || meets)) giver = i;
     };
-    if (last + 1 < rows.size()) offer(last + 1, same(rows[last].end_diameter_mm, rows[last + 1].start_diameter_mm));
-    if (first > 0) offer(first - 1, same(rows[first].start_diameter_mm, rows[first - 1].end_diameter_mm));
+    if (last + 1 < rows.size())
+        offer(last + 1, isSameSize(rows[last].end_diameter_mm, rows[last + 1].start_diameter_mm));
+    if (first > 0) offer(first - 1, isSameSize(rows[first].start_diameter_mm, rows[first - 1].end_diameter_mm));
     if (giver) lengthen(rows, *giver, -by);
 }
 
 /// Does the row meet a neighbour at its start; at its end?
 bool meetsBefore(const ShaftRows& rows, std::size_t row)
 {
-    return row > 0 && same(rows[row - 1].end_diameter_mm, rows[row].start_diameter_mm);
+    return row > 0 && isSameSize(rows[row - 1].end_diameter_mm, rows[row].start_diameter_mm);
 }
 bool meetsAfter(const ShaftRows& rows, std::size_t row)
 {
-    return row + 1 < rows.size() && same(rows[row].end_diameter_mm, rows[row + 1].start_diameter_mm);
+    return row + 1 < rows.size() && isSameSize(rows[row].end_diameter_mm, rows[row + 1].start_diameter_mm);
 }
 
 /// The end that stays while the other is `by_mm` of diameter away from it, on the side where it is now.
@@ -156,14 +152,14 @@ void holdOneEnd(ShaftRows& rows, std::size_t index, double by_mm)
     double& moved = start_stays ? row.end_diameter_mm : row.start_diameter_mm;
     const double fixed = start_stays ? row.start_diameter_mm : row.end_diameter_mm;
     moved = fixed + (rises == start_stays ? by_mm : -by_mm);
-    if (moved < 0) refuse(index, diameter, moved, LT_TEXT("Engine", "0 or more"));
+    if (moved < 0) refuseSize(index, sizeDiameter, moved, LT_TEXT("Engine", "0 or more"));
 }
 
 }  // namespace
 
 ShaftRows setDiameter(ShaftRows rows, std::size_t row, double diameter_mm, RowEnd end)
 {
-    requirePositive(row, diameter, diameter_mm);
+    requirePositive(row, sizeDiameter, diameter_mm);
     std::vector<std::size_t> all = isCylinder(rows[row]) ? tiedTo(rows, row) : std::vector<std::size_t>();
     all.push_back(row);
     for (const std::size_t one : all) setOne(rows, one, diameter_mm, end);
@@ -172,7 +168,7 @@ ShaftRows setDiameter(ShaftRows rows, std::size_t row, double diameter_mm, RowEn
 
 ShaftRows setLength(ShaftRows rows, std::size_t first, std::size_t last, double length_mm, KeepAfter keep)
 {
-    requirePositive(first, length, length_mm);
+    requirePositive(first, sizeLength, length_mm);
     double now = 0;
     for (std::size_t i = first; i <= last; ++i) now += rows[i].length_mm;
     if (std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(first),
@@ -214,13 +210,13 @@ ShaftRows setConeAngle(ShaftRows rows, std::size_t row, double angle_deg)
     const double by = 2 * cone.length_mm * std::tan(angle_deg * std::numbers::pi / 180);
     double& small = cone.end_diameter_mm >= cone.start_diameter_mm ? cone.start_diameter_mm : cone.end_diameter_mm;
     small = std::max(cone.start_diameter_mm, cone.end_diameter_mm) - by;
-    if (small < 0) refuse(row, diameter, small, LT_TEXT("Engine", "0 or more"));
+    if (small < 0) refuseSize(row, sizeDiameter, small, LT_TEXT("Engine", "0 or more"));
     return rows;
 }
 
 ShaftRows setArcRadius(ShaftRows rows, std::size_t row, double radius_mm)
 {
-    requirePositive(row, radius, radius_mm);
+    requirePositive(row, sizeRadius, radius_mm);
     ShaftSegment& arc = rows[row];
     const double now = std::abs(arc.arc_radius_mm.value_or(0));
     const double rise = std::abs(arc.end_diameter_mm - arc.start_diameter_mm) / 2, off = kQuarter * now;
@@ -238,20 +234,20 @@ ShaftRows setArcRadius(ShaftRows rows, std::size_t row, double radius_mm)
 
 ShaftRows setGroove(ShaftRows rows, std::size_t first, std::size_t last, double width_mm, double bottom_mm)
 {
-    requirePositive(first, diameter, bottom_mm);
+    requirePositive(first, sizeDiameter, bottom_mm);
     setMinorLength(rows, first, last, width_mm);
     double now = rows[first].start_diameter_mm;
     for (std::size_t i = first; i <= last; ++i)
         now = std::min({now, rows[i].start_diameter_mm, rows[i].end_diameter_mm});
     for (std::size_t i = first; i <= last; ++i) {
-        const bool bottom = isCylinder(rows[i]) && same(rows[i].start_diameter_mm, now);
+        const bool bottom = isCylinder(rows[i]) && isSameSize(rows[i].start_diameter_mm, now);
         if (bottom || first == last) {
             const double by = bottom_mm - now;
             rows[i].start_diameter_mm += by;
             rows[i].end_diameter_mm += by;
         } else {  // a flank: the end at the bottom goes along
             for (double* end : {&rows[i].start_diameter_mm, &rows[i].end_diameter_mm})
-                if (same(*end, now)) *end = bottom_mm;
+                if (isSameSize(*end, now)) *end = bottom_mm;
             reachEnds(rows[i]);
         }
     }
@@ -271,7 +267,7 @@ ShaftRows tieDiameters(ShaftRows rows, std::size_t row, std::size_t other)
 {
     for (const std::size_t one : {row, other})
         if (!isCylinder(rows[one]))
-            refuse(one, diameter, rows[one].end_diameter_mm, LT_TEXT("Engine", "that of a cylinder"));
+            refuseSize(one, sizeDiameter, rows[one].end_diameter_mm, LT_TEXT("Engine", "that of a cylinder"));
     std::set<std::string> used;
     for (const ShaftSegment& one : rows) used.insert(one.tie);
     std::string name = rows[other].tie.empty() ? rows[row].tie : rows[other].tie;
@@ -296,9 +292,9 @@ ShaftRows followTies(const ShaftRows& before, ShaftRows after)
 {
     if (before.size() != after.size()) return after;
     for (std::size_t i = 0; i < after.size(); ++i) {
-        if (!isCylinder(after[i]) || same(before[i].start_diameter_mm, after[i].start_diameter_mm)) continue;
+        if (!isCylinder(after[i]) || isSameSize(before[i].start_diameter_mm, after[i].start_diameter_mm)) continue;
         for (const std::size_t other : tiedTo(after, i))
-            if (same(before[other].start_diameter_mm, after[other].start_diameter_mm))
+            if (isSameSize(before[other].start_diameter_mm, after[other].start_diameter_mm))
                 setOne(after, other, after[i].start_diameter_mm, RowEnd::Both);
     }
     return after;

@@ -13,7 +13,7 @@
 namespace lathelier {
 namespace {
 
-std::string number(double value, const Language& language)
+std::string numberText(double value, const Language& language)
 {
     return language.number ? language.number(value) : fmt::format("{:.6g}", value);
 }
@@ -136,7 +136,7 @@ std::string worded(const Value& value, const Brace& brace, const Lengths& length
     const double size = *exact * shown.factor;
     const std::string sign = brace.is_signed && size > 0 ? "+" : "";
     return sign + (brace.decimals ? fixed(size, std::max(0, *brace.decimals + shown.more_decimals), language)
-                                  : number(size, language));
+                                  : numberText(size, language));
 }
 
 }  // namespace
@@ -157,14 +157,14 @@ std::string text(const Value& value, const Language& language)
             return text(v ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"), language);
         }
         std::string operator()(std::int64_t v) const { return std::to_string(v); }
-        std::string operator()(double v) const { return number(v, language); }
+        std::string operator()(double v) const { return numberText(v, language); }
         std::string operator()(const std::string& v) const { return visible(v); }
         std::string operator()(const std::vector<Interval>& v) const
         {
             std::string result;
             for (const Interval& interval : v) {
                 if (!result.empty()) result += ", ";
-                result += number(interval.from, language) + ":" + number(interval.to, language);
+                result += numberText(interval.from, language) + ":" + numberText(interval.to, language);
             }
             return result;
         }
@@ -172,7 +172,7 @@ std::string text(const Value& value, const Language& language)
         std::string operator()(const std::vector<double>& v) const
         {
             std::string result;
-            for (const double value : v) result += (result.empty() ? "" : ", ") + number(value, language);
+            for (const double value : v) result += (result.empty() ? "" : ", ") + numberText(value, language);
             return result;
         }
         std::string operator()(const std::vector<std::int64_t>& v) const

@@ -9,8 +9,10 @@
 namespace lathelier {
 
 inline constexpr double um_per_mm = 1000;
+inline constexpr double mm_per_inch = 25.4;
 inline constexpr double turn_rad = 2 * std::numbers::pi;
 inline constexpr double rad_per_deg = std::numbers::pi / 180;
+inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
 /// A number that does not exist: not measured, not defined.
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
@@ -33,6 +35,8 @@ inline constexpr Text N = LT_TEXT("Engine", "N");
 inline constexpr Text N_mm = LT_TEXT("Engine", "N/mm");
 inline constexpr Text m_min = LT_TEXT("Engine", "m/min");
 inline constexpr Text mm_rev = LT_TEXT("Engine", "mm/rev");
+inline constexpr Text rpm = LT_TEXT("Engine", "1/min");
+inline constexpr Text N_mm2 = LT_TEXT("Engine", "N/mm²");
 }  // namespace unit
 
 }  // namespace lathelier

@@ -1,14 +1,13 @@
 #include "engine/cutting/cutting_forces.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/cutting/cutting_codes.h"
 
 namespace lathelier::cutting {
 namespace {
 
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr double leastEntering_deg = 1;  ///< a flatter edge only rubs
 constexpr double largestEntering_deg = 179;
 
@@ -24,21 +23,21 @@ Label required(Text name, Text help, Text unit)
 const std::vector<Field<CuttingCoefficients>>& fieldsOf(const CuttingCoefficients*)
 {
     using C = CuttingCoefficients;
-    const Text by_area = LT_TEXT("Engine", "N/mm²"), by_length = LT_TEXT("Engine", "N/mm");
     static const auto all = described<C>(
         field("K_tc_N_mm2", &C::K_tc_N_mm2, {0, 1e5},
               required(LT_TEXT("Engine", "K_tc"),
-                       LT_TEXT("Engine", "Cutting coefficient along the cutting speed, by chip area."), by_area)),
+                       LT_TEXT("Engine", "Cutting coefficient along the cutting speed, by chip area."), unit::N_mm2)),
         field("K_te_N_mm", &C::K_te_N_mm, {0, 1e5},
               required(LT_TEXT("Engine", "K_te"),
-                       LT_TEXT("Engine", "Edge coefficient along the cutting speed, by contact length."), by_length)),
-        field("K_rfc_N_mm2", &C::K_rfc_N_mm2, {0, 1e5},
-              required(LT_TEXT("Engine", "K_rfc"),
-                       LT_TEXT("Engine", "Cutting coefficient along the flow of the chip, by chip area."), by_area)),
+                       LT_TEXT("Engine", "Edge coefficient along the cutting speed, by contact length."), unit::N_mm)),
         field(
-            "K_rfe_N_mm", &C::K_rfe_N_mm, {0, 1e5},
-            required(LT_TEXT("Engine", "K_rfe"),
-                     LT_TEXT("Engine", "Edge coefficient along the flow of the chip, by contact length."), by_length)));
+            "K_rfc_N_mm2", &C::K_rfc_N_mm2, {0, 1e5},
+            required(LT_TEXT("Engine", "K_rfc"),
+                     LT_TEXT("Engine", "Cutting coefficient along the flow of the chip, by chip area."), unit::N_mm2)),
+        field("K_rfe_N_mm", &C::K_rfe_N_mm, {0, 1e5},
+              required(LT_TEXT("Engine", "K_rfe"),
+                       LT_TEXT("Engine", "Edge coefficient along the flow of the chip, by contact length."),
+                       unit::N_mm)));
     return all;
 }
 
@@ -49,14 +48,12 @@ const std::vector<Field<ToolGeometry>>& fieldsOf(const ToolGeometry*)
         field("lead_angle_deg", &T::lead_angle_deg, {-80, 80},
               required(LT_TEXT("Engine", "Lead angle"),
                        LT_TEXT("Engine", "The edge enters at 90° less this: -5° is an entering angle of 95°."),
-                       LT_TEXT("Engine", "°"))),
-        field(
-            "corner_radius_mm", &T::corner_radius_mm, {0.01, 100},
-            required(LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the insert."), LT_TEXT("Engine", "mm"))),
-        field(
-            "tip_angle_deg", &T::tip_angle_deg, {1, 179},
-            Label{LT_TEXT("Engine", "Tip angle"),
-                  LT_TEXT("Engine", "Between both edges; for the check against the stock."), LT_TEXT("Engine", "°")}));
+                       unit::deg)),
+        field("corner_radius_mm", &T::corner_radius_mm, {0.01, 100},
+              required(LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the insert."), unit::mm)),
+        field("tip_angle_deg", &T::tip_angle_deg, {1, 179},
+              Label{LT_TEXT("Engine", "Tip angle"),
+                    LT_TEXT("Engine", "Between both edges; for the check against the stock."), unit::deg}));
     return all;
 }
 
@@ -80,12 +77,12 @@ CuttingEdge::CuttingEdge(const ToolGeometry& tool, double feed_mm_rev, ContactLe
         throw Error(errors::feedMissing, {{"feed_mm_rev", feed_mm_rev}});
     if (!(feed_mm_rev < 2 * radius_mm_))
         throw Error(errors::feedBeyondCorner, {{"feed_mm_rev", feed_mm_rev}, {"corner_radius_mm", radius_mm_}});
-    const double entering_deg = 90 - tool.lead_angle_deg - turned_rad * degrees;
+    const double entering_deg = 90 - tool.lead_angle_deg - turned_rad * deg_per_rad;
     if (!(entering_deg >= leastEntering_deg && entering_deg <= largestEntering_deg))
         throw Error(errors::edgeCannotEnter, {{"entering_angle_deg", entering_deg},
                                               {"minimum_deg", leastEntering_deg},
                                               {"maximum_deg", largestEntering_deg}});
-    const double kappa = entering_deg / degrees;
+    const double kappa = entering_deg / deg_per_rad;
     const double half = feed_mm_ / 2;
     const double height = std::sqrt(radius_mm_ * radius_mm_ - half * half);
     const double trailing_rad = std::asin(half / radius_mm_);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/influences.h"
 
 namespace lathelier::deflection {
 namespace {
 
-constexpr double um_per_mm_of_diameter = 2000;
 constexpr double acceptedShare = 0.97;  ///< of the tolerance, at the nodes: between them the error is a little larger
 constexpr int mostTrials = 6;           ///< each with lines nearer to what is wanted
 
@@ -83,7 +83,6 @@ void count(const CorrectedRun& run, const CompensationParameters& parameters, Co
 const std::vector<Field<CompensationParameters>>& fieldsOf(const CompensationParameters*)
 {
     using P = CompensationParameters;
-    const Text um = LT_TEXT("Engine", "µm");
     static const auto all = described<P>(
         field("corrected_runs", &P::runs,
               {{"all", LT_TEXT("Engine", "every pass")},
@@ -91,13 +90,13 @@ const std::vector<Field<CompensationParameters>>& fieldsOf(const CompensationPar
               Label{LT_TEXT("Engine", "Corrected passes"), LT_TEXT("Engine", "Which passes are written anew.")}),
         field("grid_um", &P::grid_um, {0.01, 100},
               Label{LT_TEXT("Engine", "Grid of X"), LT_TEXT("Engine", "Digits of the written program, on diameter."),
-                    um, true}),
+                    unit::um, true}),
         field("residual_tolerance_um", &P::tolerance_um, {0.01, 1000},
               Label{LT_TEXT("Engine", "Residual allowed"),
-                    LT_TEXT("Engine", "What the written program may leave, on diameter."), um, true}),
+                    LT_TEXT("Engine", "What the written program may leave, on diameter."), unit::um, true}),
         field("largest_correction_um", &P::largest_correction_um, {1, 1e5},
-              Label{LT_TEXT("Engine", "Largest correction"), LT_TEXT("Engine", "On diameter; more is refused."), um,
-                    true}),
+              Label{LT_TEXT("Engine", "Largest correction"), LT_TEXT("Engine", "On diameter; more is refused."),
+                    unit::um, true}),
         field("kept_lines", &P::kept_lines, Range{1, 1e9},
               Label{LT_TEXT("Engine", "Lines kept"),
                     LT_TEXT("Engine", "Blocks of these lines stay as they are: 12:12, 20:31."),

@@ -4,15 +4,12 @@
 #include <cmath>
 #include <deque>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/written_contour.h"
 
 namespace lathelier::deflection {
 namespace {
-
-constexpr double samePlace_mm = 1e-7;
-constexpr double noDepth_mm = 1e-9;  ///< as turning_work.cpp takes it
-constexpr double um_per_mm = 1000;
 
 /// Works through one run. Sides of a node: 0 toward the piece before it, 1 toward the piece behind.
 class RunWriter {
@@ -22,7 +19,7 @@ public:
         : plan_(plan), cut_(cut), grid_mm_(grid_mm), tolerance_mm_(tolerance_mm), count_(cut.pieces.size())
     {
         for (std::vector<const Station*>& side : wanted_) side.assign(count_ + 1, nullptr);
-        for (std::vector<double>& side : corner_mm_) side.assign(count_ + 1, std::nan(""));
+        for (std::vector<double>& side : corner_mm_) side.assign(count_ + 1, notANumber);
         for (const Station& s : ideal) wanted_[s.at_start ? 1 : 0][s.piece + (s.at_start ? 0 : 1)] = &s;
         for (std::size_t i = 0; i < count_; ++i) {
             const CutPiece& piece = cut.pieces[i];
@@ -188,14 +185,14 @@ private:
         const std::vector<PathPoint>& points = cut_.run.points;
         std::size_t next = 0;
         const auto emitBefore = [&](double z_mm) {
-            for (; next < points.size() && points[next].z_mm < z_mm - samePlace_mm; ++next) {
+            for (; next < points.size() && points[next].z_mm < z_mm - samePlanPlace_mm; ++next) {
                 if (points[next].is_block_end || !isReplaced(points[next].z_mm)) emitAsItWas(points[next]);
             }
         };
         for (std::size_t i = 0; i <= count_; ++i) {
             emitBefore(z(i));
             std::vector<PathPoint> here;
-            for (; next < points.size() && points[next].z_mm <= z(i) + samePlace_mm; ++next)
+            for (; next < points.size() && points[next].z_mm <= z(i) + samePlanPlace_mm; ++next)
                 if (points[next].is_block_end) here.push_back(points[next]);
             emitNode(i, here);
         }

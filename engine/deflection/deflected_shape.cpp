@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::deflection {
 namespace {
-
-constexpr double um_per_mm = 1000;
 
 }  // namespace
 

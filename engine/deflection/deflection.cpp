@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 
 namespace lathelier::deflection {
 namespace {
 
-constexpr double um_per_mm = 1000;
-constexpr double degrees = 180 / std::numbers::pi;
-constexpr double clearSlope_rad = 5 / degrees;  ///< forces on a flatter slope are those of a cylinder within a few %
-constexpr double steepestSlope_rad = 1.4;       ///< as turning_work.cpp takes it
+constexpr double clearSlope_rad =
+    5 / deg_per_rad;  ///< forces on a flatter slope are those of a cylinder within a few %
 constexpr double largeDeflection_mm = 0.3;
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void noteMoves(const WorkPlan& plan, const CutPlan& cut, const TurningWork& work, Notes& notes)
 {
@@ -86,17 +82,18 @@ void noteStations(const CutPlan& cut, std::span<const Station> stations, const T
                          {{"line", piece.line}, {"z_mm", rubbing->z_mm}, {"scallop_um", um_per_mm * scallop_mm}}});
     }
     if (!steepest) return;
-    const double slope_deg = steepest->slope_rad * degrees;
+    const double slope_deg = steepest->slope_rad * deg_per_rad;
     if (setup.slope == SlopeModel::Radial && std::abs(steepest->slope_rad) > clearSlope_rad)
         notes.push_back({notes::slopeInRadialModel, {{"line", steepest->line}, {"slope_deg", slope_deg}}});
     if (setup.slope == SlopeModel::Normal && std::abs(steepest->slope_rad) > steepestSlope_rad)
         notes.push_back({notes::slopeTooSteep,
                          {{"line", steepest->line},
                           {"slope_deg", slope_deg},
-                          {"used_deg", std::copysign(steepestSlope_rad * degrees, slope_deg)}}});
+                          {"used_deg", std::copysign(steepestSlope_rad * deg_per_rad, slope_deg)}}});
 }
 
-TargetContour::TargetContour(const WorkPlan& plan) : start_mm_(plan.pieces(), nothing), end_mm_(plan.pieces(), nothing)
+TargetContour::TargetContour(const WorkPlan& plan)
+    : start_mm_(plan.pieces(), notANumber), end_mm_(plan.pieces(), notANumber)
 {
 }
 

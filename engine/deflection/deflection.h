@@ -15,9 +15,13 @@
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
 #include "engine/core/shaft.h"
+#include "engine/core/units.h"
 #include "engine/deflection/turning_work.h"
 
 namespace lathelier::deflection {
+
+/// From millimetres of a radius to micrometres of its diameter.
+inline constexpr double um_per_mm_of_diameter = 2 * um_per_mm;
 
 /// One run toward the chuck that met stock. All lists are of one length, z ascending; twice the same z is a shoulder.
 struct PassResult {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/report/quantity_table.h"
 
@@ -16,7 +17,7 @@ report::Plot alongZ(Text title, Text quantity, Text unit)
 {
     report::Plot plot;
     plot.title = title;
-    plot.x = {LT_TEXT("Engine", "z from the free end"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
     plot.y = {quantity, unit};
     return plot;
 }
@@ -34,7 +35,7 @@ report::Curve curveOf(report::Caption name, const std::vector<double>& z_mm, con
         if (i > 0 &&
             (z_mm[i] - z_mm[i - 1] > gapFactor * usual_mm || std::binary_search(gaps.begin(), gaps.end(), i))) {
             curve.x.push_back((z_mm[i] + z_mm[i - 1]) / 2);
-            curve.y.push_back(std::nan(""));
+            curve.y.push_back(notANumber);
         }
         curve.x.push_back(z_mm[i]);
         curve.y.push_back(values[i]);
@@ -95,7 +96,7 @@ report::Plot errorPlot(const DeflectionResult& result, const ErrorPlotParts& par
 
 report::Plot forcesPlot(const PassResult& pass)
 {
-    report::Plot plot = alongZ(LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Force"), LT_TEXT("Engine", "N"));
+    report::Plot plot = alongZ(LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Force"), unit::N);
     plot.curves = {curveOf(LT_TEXT("Engine", "F_t, along the cutting speed"), pass.z_mm, pass.F_t_N),
                    curveOf(LT_TEXT("Engine", "F_f, along the feed"), pass.z_mm, pass.F_f_N),
                    curveOf(LT_TEXT("Engine", "F_ap, radial"), pass.z_mm, pass.F_ap_N)};
@@ -139,8 +140,8 @@ report::Plot shapePlot(const DeflectedShape& shape)
 
 report::Plot feedPlot(const FeedResult& result)
 {
-    report::Plot plot = alongZ(LT_TEXT("Engine", "Feed that holds the tolerance"), LT_TEXT("Engine", "Feed"),
-                               LT_TEXT("Engine", "mm/rev"));
+    report::Plot plot =
+        alongZ(LT_TEXT("Engine", "Feed that holds the tolerance"), LT_TEXT("Engine", "Feed"), unit::mm_rev);
     plot.curves = {curveOf(LT_TEXT("Engine", "feed of the last pass"), result.z_mm, result.feed_mm_rev)};
     return plot;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/units.h"
 #include "engine/deflection/case_a.h"
 #include "engine/deflection/deflection.h"
 
@@ -37,7 +38,7 @@ VerifyKind quick(const Progress&)
 
 VerifyKind verifyCuttingForces()
 {
-    VerifyTally tally("cutting_force", LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "N"), 0.05);
+    VerifyTally tally("cutting_force", LT_TEXT("Engine", "Cutting forces"), unit::N, 0.05);
     const TurningSetup setup = caseASetup();
     struct Known {
         double depth_mm, F_t_N, F_f_N, F_ap_N;
@@ -55,8 +56,7 @@ VerifyKind verifyCuttingForces()
 
 VerifyKind verifyCaseA()
 {
-    VerifyTally tally("deflection_case", LT_TEXT("Engine", "Diameter error of a slender shaft"),
-                      LT_TEXT("Engine", "µm"), 0.01);
+    VerifyTally tally("deflection_case", LT_TEXT("Engine", "Diameter error of a slender shaft"), unit::um, 0.01);
     TurningSetup setup = caseASetup();
     setup.step_mm = 0.25;  // with nodes at the printed places
     const std::vector<ToolRun> runs{{ToolRun::Kind::TowardChuck, {{-2, 14, 0.2, 7}, {280, 14, 0.2, 8}}}};

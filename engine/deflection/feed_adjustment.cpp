@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/last_pass.h"
 
@@ -10,23 +11,21 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr int triedFeeds = 24;
-constexpr double cornerShare = 1.9;  ///< of the corner radius: larger feeds leave rings
-constexpr double um_per_mm_of_diameter = 2000;
 
 }  // namespace
 
 const std::vector<Field<FeedParameters>>& fieldsOf(const FeedParameters*)
 {
     using P = FeedParameters;
-    const Text um = LT_TEXT("Engine", "µm"), feed = LT_TEXT("Engine", "mm/rev");
     static const auto all = described<P>(
         field("tolerance_um", &P::tolerance_um, {0.01, 1e5},
-              Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter error, to both sides."), um}),
+              Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter error, to both sides."),
+                    unit::um}),
         field("least_feed_mm_rev", &P::least_feed_mm_rev, {1e-3, 10},
-              Label{LT_TEXT("Engine", "Least feed"), LT_TEXT("Engine", "The edge rubs below."), feed}),
-        field(
-            "largest_feed_mm_rev", &P::largest_feed_mm_rev, {1e-3, 10},
-            Label{LT_TEXT("Engine", "Largest feed"), LT_TEXT("Engine", "Roughness and insert allow no more."), feed}));
+              Label{LT_TEXT("Engine", "Least feed"), LT_TEXT("Engine", "The edge rubs below."), unit::mm_rev}),
+        field("largest_feed_mm_rev", &P::largest_feed_mm_rev, {1e-3, 10},
+              Label{LT_TEXT("Engine", "Largest feed"), LT_TEXT("Engine", "Roughness and insert allow no more."),
+                    unit::mm_rev}));
     return all;
 }
 
@@ -36,7 +35,7 @@ FeedResult feedForTolerance(const WorkPlan& plan, const TurningSetup& setup, con
     result.parameters = parameters;
     const LastPass last = lastPassOf(plan, setup);
     CutPlan cut = plan.cuts[last.cut];
-    const double largest = std::min(parameters.largest_feed_mm_rev, cornerShare * setup.tool.corner_radius_mm);
+    const double largest = std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm);
     const double least = std::min(parameters.least_feed_mm_rev, largest);
     std::vector<double> feeds(cut.pieces.size(), 0);
     std::vector<Station> stations;

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/measured_places.h"
 
 namespace lathelier::deflection {
 namespace {
 
-constexpr double um_per_mm = 1000;
 constexpr double difference = 1e-4;  ///< of the logarithm, for derivatives
 constexpr double largestLog = 4.6;   ///< factors within 0.01 … 100
 constexpr int mostIterations = 100;
@@ -65,13 +65,12 @@ const std::vector<Field<MeasuredDiameter>>& fieldsOf(const MeasuredDiameter*)
     };
     static const auto all = described<M>(
         field("z_mm", &M::z_mm, {0, 1e5},
-              label(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end toward the chuck."),
-                    LT_TEXT("Engine", "mm"), true)),
+              label(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end toward the chuck."), unit::mm, true)),
         field("diameter_mm", &M::diameter_mm, {0, 1e5},
-              label(LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "As measured."), LT_TEXT("Engine", "mm"), true)),
-        field("uncertainty_um", &M::uncertainty_um, {1e-3, 1e4},
-              label(LT_TEXT("Engine", "Standard uncertainty"), LT_TEXT("Engine", "Of this diameter."),
-                    LT_TEXT("Engine", "µm"), false)));
+              label(LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "As measured."), unit::mm, true)),
+        field(
+            "uncertainty_um", &M::uncertainty_um, {1e-3, 1e4},
+            label(LT_TEXT("Engine", "Standard uncertainty"), LT_TEXT("Engine", "Of this diameter."), unit::um, false)));
     return all;
 }
 

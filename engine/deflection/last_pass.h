@@ -5,6 +5,8 @@
 
 namespace lathelier::deflection {
 
+inline constexpr double largestFeedShare = 1.9;  ///< of the corner radius: larger feeds leave rings
+
 struct LastPass {
     std::size_t cut;   ///< index into WorkPlan::cuts
     TurningWork work;  ///< before that pass; reads plan and set-up

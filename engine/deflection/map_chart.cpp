@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 
 namespace lathelier::deflection {
 namespace {
@@ -102,8 +103,8 @@ Isoline isolineOf(const DeflectionMap& map, double error_um)
                 if ((a.above_um > 0) == (b.above_um > 0)) continue;
                 addCrossing(a, b, line);
                 if (++ends % 2 == 0) {
-                    line.depth_mm.push_back(std::nan(""));
-                    line.feed_mm_rev.push_back(std::nan(""));
+                    line.depth_mm.push_back(notANumber);
+                    line.feed_mm_rev.push_back(notANumber);
                 }
             }
         }
@@ -115,7 +116,7 @@ report::Plot mapChart(const DeflectionMap& map, const Language& language)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Largest diameter error over depth and feed");
     plot.x = {LT_TEXT("Engine", "Depth of the last pass"), millimetre};
-    plot.y = {LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "mm/rev")};
+    plot.y = {LT_TEXT("Engine", "Feed"), unit::mm_rev};
     if (map.depth_mm.empty() || map.feed_mm_rev.empty()) return plot;
     plot.ground = groundOf(map);
     plot.x.range = Interval{plot.ground->x_from, plot.ground->x_to};

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 
 namespace lathelier::deflection {
 namespace {
-
-constexpr double samePlace_mm = 1e-6;
 
 }  // namespace
 
@@ -16,15 +15,14 @@ MeasuredPlaces::MeasuredPlaces(const FinalContour& contour, std::span<const Meas
     if (contour.z_mm.empty()) throw Error(errors::noCut, {});
     places_.reserve(measured.size());
     for (const MeasuredDiameter& one : measured) {
-        const auto after = std::lower_bound(contour.z_mm.begin(), contour.z_mm.end(), one.z_mm - samePlace_mm);
-        if (after == contour.z_mm.end() || one.z_mm < contour.z_mm.front() - samePlace_mm)
+        const auto after = std::lower_bound(contour.z_mm.begin(), contour.z_mm.end(), one.z_mm - same_mm);
+        if (after == contour.z_mm.end() || one.z_mm < contour.z_mm.front() - same_mm)
             throw Error(errors::measuredOutsideCut,
                         {{"z_mm", one.z_mm}, {"from_mm", contour.z_mm.front()}, {"to_mm", contour.z_mm.back()}});
         const auto k = static_cast<std::size_t>(after - contour.z_mm.begin());
         const std::size_t before = k > 0 ? k - 1 : 0;
         const double width_mm = contour.z_mm[k] - contour.z_mm[before];
-        if (std::binary_search(contour.gaps.begin(), contour.gaps.end(), k) &&
-            one.z_mm < contour.z_mm[k] - samePlace_mm)
+        if (std::binary_search(contour.gaps.begin(), contour.gaps.end(), k) && one.z_mm < contour.z_mm[k] - same_mm)
             throw Error(errors::measuredOutsideCut,
                         {{"z_mm", one.z_mm}, {"from_mm", contour.z_mm[before]}, {"to_mm", contour.z_mm[k]}});
         places_.push_back({before, k, width_mm > 0 ? std::min(1.0, (one.z_mm - contour.z_mm[before]) / width_mm) : 1});

@@ -1,12 +1,13 @@
 #include "engine/deflection/setup.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 #include "engine/receptance/receptance_fields.h"
 
 namespace lathelier::deflection {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm"), N_mm = LT_TEXT("Engine", "N/mm"), N_mm_rad = LT_TEXT("Engine", "N·mm/rad");
+const Text N_mm_rad = LT_TEXT("Engine", "N·mm/rad");
 constexpr double longest_mm = 1e5;
 constexpr double stiffest = 1e18;
 constexpr Range stiffness{0, stiffest};
@@ -48,10 +49,10 @@ const std::vector<Field<HoldingSprings>>& fieldsOf(const HoldingSprings*)
     using S = HoldingSprings;
     static const auto all = described<S>(
         field("radial_N_mm", &S::radial_N_mm, stiffness,
-              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Against deflection."), N_mm)),
+              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Against deflection."), unit::N_mm)),
         field("axial_N_mm", &S::axial_N_mm, stiffness,
               folded(LT_TEXT("Engine", "Axial stiffness"), LT_TEXT("Engine", "Along the axis; changes no diameter."),
-                     N_mm)),
+                     unit::N_mm)),
         field(
             "tilt_N_mm_rad", &S::tilt_N_mm_rad, stiffness,
             Label{LT_TEXT("Engine", "Tilting stiffness"), LT_TEXT("Engine", "Against tilting of the axis."), N_mm_rad}),
@@ -66,9 +67,9 @@ const std::vector<Field<SteadyRest>>& fieldsOf(const SteadyRest*)
     using R = SteadyRest;
     static const auto all = described<R>(
         field("z_mm", &R::z_mm, {0, longest_mm},
-              required(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end toward the chuck."), mm)),
+              required(LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end toward the chuck."), unit::mm)),
         field("radial_N_mm", &R::radial_N_mm, stiffness,
-              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Of the rest."), N_mm)));
+              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Of the rest."), unit::N_mm)));
     return all;
 }
 
@@ -78,9 +79,10 @@ const std::vector<Field<FollowerRest>>& fieldsOf(const FollowerRest*)
     static const auto all = described<R>(
         field("offset_mm", &R::offset_mm, {-longest_mm, longest_mm},
               Label{LT_TEXT("Engine", "Distance from the tool"),
-                    LT_TEXT("Engine", "Toward the chuck; negative: behind the tool, on the machined surface."), mm}),
+                    LT_TEXT("Engine", "Toward the chuck; negative: behind the tool, on the machined surface."),
+                    unit::mm}),
         field("radial_N_mm", &R::radial_N_mm, stiffness,
-              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Of the rest."), N_mm)));
+              required(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Of the rest."), unit::N_mm)));
     return all;
 }
 
@@ -88,12 +90,13 @@ const std::vector<Field<ToolPost>>& fieldsOf(const ToolPost*)
 {
     using T = ToolPost;
     static const auto all = described<T>(
-        field("radial_N_mm", &T::radial_N_mm, {1, stiffest},
-              required(LT_TEXT("Engine", "Radial stiffness"),
-                       LT_TEXT("Engine", "Of tool, turret and slide against being pushed out of the work."), N_mm)),
+        field(
+            "radial_N_mm", &T::radial_N_mm, {1, stiffest},
+            required(LT_TEXT("Engine", "Radial stiffness"),
+                     LT_TEXT("Engine", "Of tool, turret and slide against being pushed out of the work."), unit::N_mm)),
         field("tangential_N_mm", &T::tangential_N_mm, {1, stiffest},
               required(LT_TEXT("Engine", "Tangential stiffness"),
-                       LT_TEXT("Engine", "Of tool, turret and slide along the cutting speed."), N_mm)));
+                       LT_TEXT("Engine", "Of tool, turret and slide along the cutting speed."), unit::N_mm)));
     return all;
 }
 
@@ -106,7 +109,8 @@ const std::vector<Field<TurningSetup>>& fieldsOf(const TurningSetup*)
             Label{LT_TEXT("Engine", "Stock"), LT_TEXT("Engine", "File of the stock, relative to the set-up's file.")}),
         field("z_zero_mm", &S::z_zero_mm, {-longest_mm, longest_mm},
               Label{LT_TEXT("Engine", "z of the program's zero"),
-                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."), mm}),
+                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."),
+                    unit::mm}),
         group("material", &S::material,
               Label{LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Of the work, with its cutting coefficients.")}),
         group("tool", &S::tool, Label{LT_TEXT("Engine", "Tool"), LT_TEXT("Engine", "The insert.")}),
@@ -132,7 +136,7 @@ const std::vector<Field<TurningSetup>>& fieldsOf(const TurningSetup*)
                     LT_TEXT("Engine", "Depth and entering angle on cones and arcs: to the axis or to the contour.")}),
         receptance::shearField(&S::shear),
         field("step_mm", &S::step_mm, {1e-3, 100},
-              folded(LT_TEXT("Engine", "Step"), LT_TEXT("Engine", "Longest step along z."), mm)));
+              folded(LT_TEXT("Engine", "Step"), LT_TEXT("Engine", "Longest step along z."), unit::mm)));
     return all;
 }
 

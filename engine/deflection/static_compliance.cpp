@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/deflection/turning_work.h"
 #include "engine/receptance/shaft_receptance.h"
 
@@ -11,7 +12,6 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr std::size_t comparedPlaces = 9;
-constexpr double um_per_mm = 1000;
 
 /// A run along the whole work that touches nothing: the compliance follows the tool.
 ToolRun besideTheWork(const Shaft& stock)

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::deflection {
 namespace {
 
 constexpr int mostChords = 2000;  ///< of one arc
-constexpr double samePlace_mm = 1e-9;
 
 /// A straight stretch that cuts, or might.
 struct Stretch {
@@ -17,7 +18,7 @@ struct Stretch {
     int direction() const
     {
         const double dz = to.z_mm - from.z_mm;
-        return dz > samePlace_mm ? 1 : dz < -samePlace_mm ? -1 : 0;
+        return dz > meet_mm ? 1 : dz < -meet_mm ? -1 : 0;
     }
 };
 
@@ -82,9 +83,7 @@ private:
 
     void addRun()
     {
-        const auto along = [this](std::size_t i) {
-            return std::abs(points_[i].z_mm - points_[i - 1].z_mm) > samePlace_mm;
-        };
+        const auto along = [this](std::size_t i) { return std::abs(points_[i].z_mm - points_[i - 1].z_mm) > meet_mm; };
         std::size_t first = 1, last = points_.size() - 1;
         while (!along(first)) addPlunge(first++);
         while (!along(last)) --last;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/measured_places.h"
 
 namespace lathelier::deflection {
 namespace {
 
-constexpr double um_per_mm = 1000;
 constexpr double clearShare = 0.5;  ///< of what the next best cause leaves
 
 }  // namespace

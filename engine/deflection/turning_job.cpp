@@ -7,6 +7,7 @@
 #include <set>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/gcode/gcode_codes.h"
@@ -17,7 +18,6 @@ namespace {
 
 constexpr double mm_per_m = 1000;
 constexpr int decimalsOfDiameter = 3;
-constexpr double same_mm = 1e-9;
 
 /// In 1/min; NaN where nothing says the speed.
 double speedOf(const gcode::Move& move)
@@ -119,12 +119,12 @@ public:
                 change_mm = rewriter_.rounded_mm(b, planned->second.back().x_mm) - state.end.x_mm;
                 continue;
             }
-            if (std::abs(change_mm) <= same_mm) continue;
+            if (std::abs(change_mm) <= meet_mm) continue;
             const gcode::Block& block = job_.program.blocks[b];
             const auto states = [&](char letter) { return job_.program.wordOf(block, letter) != nullptr; };
             if (!gcode::isKnown(state.end) || states('X') || states('U')) change_mm = 0;
             const bool moves = states('Z') || states('W');
-            if (std::abs(change_mm) <= same_mm || !moves || state.is_incremental || rewriter_.refusal(b)) continue;
+            if (std::abs(change_mm) <= meet_mm || !moves || state.is_incremental || rewriter_.refusal(b)) continue;
             rewriter_.setX(b, state.end.x_mm);
             change_mm = 0;
         }
@@ -142,7 +142,7 @@ public:
     }
 
 private:
-    static bool isMoved(const CorrectedNode& node) { return std::abs(node.correction_um()) > same_mm * mm_per_m; }
+    static bool isMoved(const CorrectedNode& node) { return std::abs(node.correction_um()) > meet_mm * mm_per_m; }
     bool isKept(std::int64_t line) const
     {
         const auto number = static_cast<double>(line);
@@ -157,7 +157,7 @@ private:
         const auto b = static_cast<std::size_t>(line - 1);
         if (auto error = rewriter_.refusal(b)) throw Error(*error);
         const bool is_arc = job_.path.blocks[b].kind == gcode::MoveKind::Arc;
-        if (is_arc && before.line != line && (before.z_mm < -same_mm || parts.back().z_mm > length_mm() + same_mm))
+        if (is_arc && before.line != line && (before.z_mm < -meet_mm || parts.back().z_mm > length_mm() + meet_mm))
             throw Error(errors::ncBlockNotRewritable,
                         {{"line", line},
                          {"block", gcode::shown(job_.program, job_.program.textOf(job_.program.blocks[b]))},

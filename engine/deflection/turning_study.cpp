@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/report/quantity_table.h"
@@ -97,7 +98,7 @@ const std::vector<Field<StudyParameters>>& fieldsOf(const StudyParameters*)
     static const auto all = described<P>(
         field("tolerance_um", &P::tolerance_um, {1e-3, 1e5},
               Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter error, to both sides."),
-                    LT_TEXT("Engine", "µm")}),
+                    unit::um}),
         field("check_stock", &P::check_stock,
               Label{LT_TEXT("Engine", "Check against the stock"),
                     LT_TEXT("Engine", "Find rapid moves through stock, and where the tool meets chuck or tailstock."),

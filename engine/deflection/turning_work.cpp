@@ -12,8 +12,6 @@ constexpr double heldOff_mm = 1e-6;  ///< more than rounding
 constexpr double settled_mm = 1e-10;
 constexpr int mostRounds = 12;  ///< of the plain iteration, which gains a digit or two a round
 constexpr int mostHalvings = 200;
-constexpr double noDepth_mm = 1e-9;  ///< rounding of contours that coincide
-constexpr double steepest_rad = 1.4;
 
 void requireHeld(const TurningSetup& setup)
 {
@@ -125,7 +123,7 @@ Symmetric2 TurningWork::followedAt(std::size_t node) const
 void TurningWork::enter(const CutPiece& piece)
 {
     const double slope =
-        setup_->slope == SlopeModel::Normal ? std::clamp(piece.slope_rad, -steepest_rad, steepest_rad) : 0;
+        setup_->slope == SlopeModel::Normal ? std::clamp(piece.slope_rad, -steepestSlope_rad, steepestSlope_rad) : 0;
     if (piece.feed_mm_rev == feed_mm_rev_ && slope == slope_rad_) return;
     edge_ = cutting::CuttingEdge(setup_->tool, piece.feed_mm_rev, setup_->contact, slope);
     feed_mm_rev_ = piece.feed_mm_rev;

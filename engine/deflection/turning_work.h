@@ -22,6 +22,9 @@
 
 namespace lathelier::deflection {
 
+inline constexpr double noDepth_mm = 1e-9;        ///< no more is rounding of contours that coincide
+inline constexpr double steepestSlope_rad = 1.4;  ///< of a contour, as forces take it
+
 /// Tool and work at one place.
 struct Station {
     double z_mm = 0;            ///< of the tool

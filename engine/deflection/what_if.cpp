@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/last_pass.h"
 
@@ -15,9 +15,8 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr double tornado = 0.1;
-constexpr double percent = 0.01;
+constexpr double share_per_percent = 0.01;
 constexpr double outside = 0.025;  ///< of the samples, at each side of a band
-constexpr double cornerShare = 1.9;
 constexpr std::size_t cellsAtOnce = 4, samplesAtOnce = 4;
 
 std::vector<double> spread(double from, double to, int count)
@@ -71,42 +70,42 @@ WorkPlan withFeed(WorkPlan plan, double factor)
 const std::vector<Field<MapParameters>>& fieldsOf(const MapParameters*)
 {
     using P = MapParameters;
-    const Text mm = LT_TEXT("Engine", "mm"), feed = LT_TEXT("Engine", "mm/rev");
     static const auto all = described<P>(
         field("least_depth_mm", &P::least_depth_mm, {1e-3, 1e3},
-              Label{LT_TEXT("Engine", "Least depth"), LT_TEXT("Engine", "Of the last pass."), mm}),
+              Label{LT_TEXT("Engine", "Least depth"), LT_TEXT("Engine", "Of the last pass."), unit::mm}),
         field("largest_depth_mm", &P::largest_depth_mm, {1e-3, 1e3},
-              Label{LT_TEXT("Engine", "Largest depth"), LT_TEXT("Engine", "Of the last pass."), mm}),
+              Label{LT_TEXT("Engine", "Largest depth"), LT_TEXT("Engine", "Of the last pass."), unit::mm}),
         field("map_least_feed_mm_rev", &P::least_feed_mm_rev, {1e-3, 10},
-              Label{LT_TEXT("Engine", "Least feed"), LT_TEXT("Engine", "Of the map."), feed}),
+              Label{LT_TEXT("Engine", "Least feed"), LT_TEXT("Engine", "Of the map."), unit::mm_rev}),
         field("map_largest_feed_mm_rev", &P::largest_feed_mm_rev, {1e-3, 10},
-              Label{LT_TEXT("Engine", "Largest feed"), LT_TEXT("Engine", "Of the map."), feed}),
+              Label{LT_TEXT("Engine", "Largest feed"), LT_TEXT("Engine", "Of the map."), unit::mm_rev}),
         field("depths", &P::depths, {2, 500}, Label{LT_TEXT("Engine", "Depths"), LT_TEXT("Engine", "In the map.")}),
         field("feeds", &P::feeds, {2, 500}, Label{LT_TEXT("Engine", "Feeds"), LT_TEXT("Engine", "In the map.")}),
         field("map_tolerance_um", &P::tolerance_um, {0, 1e5},
               Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter error, to both sides."),
-                    LT_TEXT("Engine", "µm")}),
+                    unit::um}),
         field("cutting_speed_m_min", &P::cutting_speed_m_min, {0.1, 1e4},
-              Label{LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "For the cycle time."),
-                    LT_TEXT("Engine", "m/min")}));
+              Label{LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "For the cycle time."), unit::m_min}));
     return all;
 }
 
 const std::vector<Field<BandParameters>>& fieldsOf(const BandParameters*)
 {
     using P = BandParameters;
-    const Text unit = LT_TEXT("Engine", "%");
-    static const auto all = described<P>(
-        field("springs_percent", &P::springs_percent, {0, 100},
-              Label{LT_TEXT("Engine", "Uncertainty of springs"), LT_TEXT("Engine", "Standard, each by itself."), unit}),
-        field("forces_percent", &P::forces_percent, {0, 100},
-              Label{LT_TEXT("Engine", "Uncertainty of forces"), LT_TEXT("Engine", "Standard, all together."), unit}),
-        field("modulus_percent", &P::modulus_percent, {0, 100},
-              Label{LT_TEXT("Engine", "Uncertainty of the elastic modulus"), LT_TEXT("Engine", "Standard."), unit}),
-        field("samples", &P::samples, {20, 100000},
-              Label{LT_TEXT("Engine", "Samples"), LT_TEXT("Engine", "Drawn for the band."), {}, true}),
-        field("seed", &P::seed, {0, 1000000000},
-              Label{LT_TEXT("Engine", "Seed"), LT_TEXT("Engine", "Of the random numbers."), {}, true}));
+    static const auto all =
+        described<P>(field("springs_percent", &P::springs_percent, {0, 100},
+                           Label{LT_TEXT("Engine", "Uncertainty of springs"),
+                                 LT_TEXT("Engine", "Standard, each by itself."), unit::percent}),
+                     field("forces_percent", &P::forces_percent, {0, 100},
+                           Label{LT_TEXT("Engine", "Uncertainty of forces"),
+                                 LT_TEXT("Engine", "Standard, all together."), unit::percent}),
+                     field("modulus_percent", &P::modulus_percent, {0, 100},
+                           Label{LT_TEXT("Engine", "Uncertainty of the elastic modulus"),
+                                 LT_TEXT("Engine", "Standard."), unit::percent}),
+                     field("samples", &P::samples, {20, 100000},
+                           Label{LT_TEXT("Engine", "Samples"), LT_TEXT("Engine", "Drawn for the band."), {}, true}),
+                     field("seed", &P::seed, {0, 1000000000},
+                           Label{LT_TEXT("Engine", "Seed"), LT_TEXT("Engine", "Of the random numbers."), {}, true}));
     return all;
 }
 
@@ -116,11 +115,11 @@ DeflectionMap deflectionMap(const WorkPlan& plan, const TurningSetup& setup, con
     DeflectionMap map;
     map.parameters = parameters;
     map.depth_mm = spread(parameters.least_depth_mm, parameters.largest_depth_mm, parameters.depths);
-    const double largest = std::min(parameters.largest_feed_mm_rev, cornerShare * setup.tool.corner_radius_mm);
+    const double largest = std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm);
     map.feed_mm_rev = spread(std::min(parameters.least_feed_mm_rev, largest), largest, parameters.feeds);
     const WorkPlan alone = lastPassAlone(plan, setup);
     const std::size_t columns = map.depth_mm.size();
-    map.max_um.assign(columns * map.feed_mm_rev.size(), std::numeric_limits<double>::quiet_NaN());
+    map.max_um.assign(columns * map.feed_mm_rev.size(), notANumber);
     parallelFor(map.max_um.size(), cellsAtOnce, progress, [&](std::size_t begin, std::size_t end) {
         WorkPlan cell = alone;
         for (std::size_t i = begin; i < end; ++i) {
@@ -185,9 +184,9 @@ ErrorBand errorBand(const WorkPlan& plan, const TurningSetup& setup, const BandP
         TurningSetup drawn = setup;
         for (const InfluenceName& one : influences()) {
             const bool is_force = one.influence == Influence::Forces, is_modulus = one.influence == Influence::Modulus;
-            const double share = percent * (is_force     ? parameters.forces_percent
-                                            : is_modulus ? parameters.modulus_percent
-                                                         : parameters.springs_percent);
+            const double share = share_per_percent * (is_force     ? parameters.forces_percent
+                                                      : is_modulus ? parameters.modulus_percent
+                                                                   : parameters.springs_percent);
             const double normal = randomNormal(static_cast<std::uint64_t>(parameters.seed),
                                                static_cast<std::uint64_t>(one.influence), index);
             drawn = scaled(std::move(drawn), one.influence, std::exp(std::sqrt(std::log1p(share * share)) * normal));

@@ -13,9 +13,8 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr std::size_t mostPieces = 200000;
-constexpr double grid_mm = 0.001;         ///< of the program's Z
+constexpr double programGrid_mm = 0.001;  ///< of the program's Z
 constexpr double coarseEnough_mm = 0.01;  ///< steps from here on may be moved onto the grid
-constexpr double samePlace_mm = 1e-7;
 constexpr double arcChord_mm = 5e-5;
 
 double reachOf(const ToolRun& run)
@@ -41,7 +40,7 @@ void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, std::vector<double>& 
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (i > from + 1 && off_mm(from, i) > arcChord_mm) {
             from = i - 1;
-            places.push_back(z_zero_mm - std::round((z_zero_mm - points[from].z_mm) / grid_mm) * grid_mm);
+            places.push_back(z_zero_mm - std::round((z_zero_mm - points[from].z_mm) / programGrid_mm) * programGrid_mm);
         }
         if (points[i].is_block_end) from = i;
     }
@@ -65,7 +64,7 @@ std::vector<double> fixedPlaces(const Shaft& stock, std::span<const ToolRun> run
     for (const ToolRun& run : runs) addPlacesOnArcs(run, setup.z_zero_mm, places);
     std::erase_if(places, [&](double place_mm) { return place_mm < 0 || place_mm > length_mm; });
     std::sort(places.begin(), places.end());
-    const auto is_same = [](double a, double b) { return b - a < samePlace_mm; };
+    const auto is_same = [](double a, double b) { return b - a < samePlanPlace_mm; };
     places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
     places.back() = length_mm;
     return places;
@@ -85,7 +84,8 @@ std::vector<double> nodesOf(const std::vector<double>& places, const TurningSetu
         const double steps = std::max(1.0, std::ceil(width_mm / setup.step_mm - 1e-9));
         for (double k = 1; k < steps; ++k) {
             const double z_mm = from_mm + width_mm * k / steps;
-            const double on_grid_mm = setup.z_zero_mm - std::round((setup.z_zero_mm - z_mm) / grid_mm) * grid_mm;
+            const double on_grid_mm =
+                setup.z_zero_mm - std::round((setup.z_zero_mm - z_mm) / programGrid_mm) * programGrid_mm;
             nodes.push_back(width_mm / steps >= coarseEnough_mm ? on_grid_mm : z_mm);
         }
         nodes.push_back(places[i]);
@@ -138,7 +138,7 @@ std::vector<PathPoint> ascending(const ToolRun& run)
 
 std::size_t nodeAt(const std::vector<double>& z_mm, double place_mm)
 {
-    const auto after = std::lower_bound(z_mm.begin(), z_mm.end(), place_mm - samePlace_mm);
+    const auto after = std::lower_bound(z_mm.begin(), z_mm.end(), place_mm - samePlanPlace_mm);
     return static_cast<std::size_t>(std::min(after, z_mm.end() - 1) - z_mm.begin());
 }
 
@@ -146,10 +146,10 @@ void requireStockAtEnd(const WorkPlan& plan, const std::vector<PathPoint>& point
 {
     const double length_mm = plan.length_mm();
     const PathPoint& end = points.back();
-    if (end.z_mm <= length_mm + samePlace_mm) return;
+    if (end.z_mm <= length_mm + samePlanPlace_mm) return;
     for (std::size_t i = 1; i < points.size(); ++i)
         if (points[i - 1].z_mm <= length_mm && points[i].z_mm > length_mm &&
-            between(points[i - 1], points[i], length_mm) < plan.outer_end_mm.back() - samePlace_mm)
+            between(points[i - 1], points[i], length_mm) < plan.outer_end_mm.back() - samePlanPlace_mm)
             throw Error(errors::stockTooShort,
                         {{"z_mm", end.z_mm}, {"length_mm", length_mm}, {"line", points[i].line}});
 }
@@ -171,9 +171,9 @@ CutPlan onNodes(const WorkPlan& plan, const ToolRun& run)
     const auto beyond = [&](std::size_t stretch, double z_mm) { return points[stretch + 1].z_mm <= z_mm; };
     for (std::size_t node = cut.first; node < last; ++node) {
         const double from_mm = plan.z_mm[node], to_mm = plan.z_mm[node + 1];
-        while (k + 2 < points.size() && beyond(k, from_mm + samePlace_mm)) ++k;
+        while (k + 2 < points.size() && beyond(k, from_mm + samePlanPlace_mm)) ++k;
         std::size_t m = k;
-        while (m + 2 < points.size() && beyond(m, to_mm - samePlace_mm)) ++m;
+        while (m + 2 < points.size() && beyond(m, to_mm - samePlanPlace_mm)) ++m;
         CutPiece piece{between(points[k], points[k + 1], from_mm), between(points[m], points[m + 1], to_mm)};
         const PathPoint& cause = points[k + 1];
         if (!(cause.feed_mm_rev > 0))
@@ -185,7 +185,8 @@ CutPlan onNodes(const WorkPlan& plan, const ToolRun& run)
         cut.pieces.push_back(piece);
     }
     for (const PathPoint& point : points) {
-        if (!point.is_block_end || point.z_mm < -samePlace_mm || point.z_mm > plan.length_mm() + samePlace_mm) continue;
+        if (!point.is_block_end || point.z_mm < -samePlanPlace_mm || point.z_mm > plan.length_mm() + samePlanPlace_mm)
+            continue;
         const std::size_t node = nodeAt(plan.z_mm, point.z_mm);
         if (node >= cut.first && node <= last) cut.block_ends[node - cut.first] = true;
     }
@@ -206,8 +207,8 @@ WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const Turni
     for (const ToolRun& run : runs) {
         const double begin_mm = std::min(run.points.front().z_mm, run.points.back().z_mm);
         const bool is_plunge = run.kind == ToolRun::Kind::Plunge;
-        if (begin_mm > length_mm || reachOf(run) < (is_plunge ? 0 : samePlace_mm)) continue;
-        if (!is_plunge && begin_mm > length_mm - samePlace_mm) continue;
+        if (begin_mm > length_mm || reachOf(run) < (is_plunge ? 0 : samePlanPlace_mm)) continue;
+        if (!is_plunge && begin_mm > length_mm - samePlanPlace_mm) continue;
         CutPlan cut = onNodes(plan, run);
         if (is_plunge || !cut.pieces.empty()) plan.cuts.push_back(std::move(cut));
     }

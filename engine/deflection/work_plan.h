@@ -17,6 +17,8 @@
 
 namespace lathelier::deflection {
 
+inline constexpr double samePlanPlace_mm = 1e-7;  ///< along z: places no further apart are one node
+
 /// Contour of a run between two nodes.
 struct CutPiece {
     double start_mm = 0;     ///< radius of the contour at the node before

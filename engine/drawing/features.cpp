@@ -4,22 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/stations.h"
 
 namespace lathelier::drawing {
 namespace {
 
-constexpr double kSame_mm = 1e-6;
 constexpr double kSteep_deg = 10;  // cones are given by their whole angle from here on
 const char* const kDiameter = "⌀";
 
 bool same(double a, double b)
 {
-    return std::abs(a - b) < kSame_mm;
+    return std::abs(a - b) < same_mm;
 }
 
 /// Largest radius of a contour at z, both sides of a shoulder.
@@ -27,8 +26,8 @@ double outerRadius(const std::vector<ContourRow>& rows, double z_mm)
 {
     double radius = 0;
     for (const ContourRow& row : rows) {
-        if (z_mm < std::min(row.start_z_mm, row.end_z_mm) - kSame_mm ||
-            z_mm > std::max(row.start_z_mm, row.end_z_mm) + kSame_mm)
+        if (z_mm < std::min(row.start_z_mm, row.end_z_mm) - same_mm ||
+            z_mm > std::max(row.start_z_mm, row.end_z_mm) + same_mm)
             continue;
         const double length = row.end_z_mm - row.start_z_mm;
         const double share = length == 0 ? 1 : (z_mm - row.start_z_mm) / length;
@@ -196,7 +195,7 @@ private:
             bottom = std::min(bottom, rows[i].start_diameter_mm);
         }
         const double depth = (std::max(rows[first].start_diameter_mm, rows[first].end_diameter_mm) - bottom) / 2;
-        if (radius == 0 || !(depth > kSame_mm)) return grooveText(rows, first, last, true);
+        if (radius == 0 || !(depth > same_mm)) return grooveText(rows, first, last, true);
         return {std::string("DIN 509 - ") + (face ? "F " : "E ") + number(radius, 2) + "×" + number(depth, 2),
                 isMeasured(rows[first])};
     }
@@ -288,7 +287,7 @@ private:
                                                        ? options_.bore_uncertainties[number_of_bore]
                                                        : std::vector<SizeUncertainty>();
         const double length = shaft_.length_mm(), mouth = rows.front().start_z_mm;
-        const bool through = std::abs(rows.back().end_z_mm - mouth) > length - kSame_mm;
+        const bool through = std::abs(rows.back().end_z_mm - mouth) > length - same_mm;
         const ContourRow* last = nullptr;  // the cylinder that a groove may interrupt
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const ContourRow& row = rows[i];
@@ -301,7 +300,7 @@ private:
                 return std::all_of(rows.begin() + static_cast<std::ptrdiff_t>(from),
                                    rows.begin() + static_cast<std::ptrdiff_t>(to), [&](const ContourRow& other) {
                                        return std::min(other.start_diameter_mm, other.end_diameter_mm) >
-                                              row.start_diameter_mm - kSame_mm;
+                                              row.start_diameter_mm - same_mm;
                                    });
             };
             const bool from_mouth = isOpen(0, i), from_far = through && isOpen(i + 1, rows.size());
@@ -373,7 +372,7 @@ private:
         features_.keyways.push_back(view);
         if (outer_.empty() || features_.lengths.empty()) return;
         for (const double z : {view.from_z_mm, view.to_z_mm}) {
-            if (z < kSame_mm) continue;
+            if (z < same_mm) continue;
             const auto after = std::find_if(features_.lengths.begin(), features_.lengths.end(),
                                             [&](const LengthDimension& length) { return length.to_z_mm > z - 1e-3; });
             if (after == features_.lengths.end() || std::abs(after->to_z_mm - z) < 1e-3) continue;

@@ -4,15 +4,15 @@
 #include <cstddef>
 #include <numeric>
 
+#include "engine/core/units.h"
+
 namespace lathelier::drawing {
 namespace {
-
-constexpr double kSame_mm = 1e-6;
 
 bool reachesOver(const std::vector<LaneSpan>& spans, const LaneSpan& span)
 {
     return std::any_of(spans.begin(), spans.end(), [&](const LaneSpan& other) {
-        return other.to_mm > span.from_mm + kSame_mm && other.to_mm < span.to_mm - kSame_mm;
+        return other.to_mm > span.from_mm + same_mm && other.to_mm < span.to_mm - same_mm;
     });
 }
 
@@ -38,12 +38,12 @@ std::vector<int> lanesOf(const std::vector<LaneSpan>& spans)
         };
         before([&](const LaneSpan& other, int other_lane) {
             for (const double x : {other.from_mm, other.to_mm})
-                if (x > span.left_mm && x < span.from_mm - kSame_mm) lane = std::max(lane, other_lane);
+                if (x > span.left_mm && x < span.from_mm - same_mm) lane = std::max(lane, other_lane);
             return false;
         });
         while (before([&](const LaneSpan& other, int other_lane) {
-            return other_lane == lane && other.left_mm < span.right_mm - kSame_mm &&
-                   other.right_mm > span.left_mm + kSame_mm;
+            return other_lane == lane && other.left_mm < span.right_mm - same_mm &&
+                   other.right_mm > span.left_mm + same_mm;
         }))
             ++lane;
     }

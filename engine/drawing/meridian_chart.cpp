@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/stations.h"
 
@@ -50,7 +50,7 @@ report::Curve curveOf(const Contour& contour, report::Caption name, report::Char
     for (const double side : {1.0, -1.0}) {
         if (side < 0) {  // the other half is not joined to the first one
             curve.x.push_back(points.empty() ? 0 : points.front().x());
-            curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
+            curve.y.push_back(notANumber);
         }
         for (const Eigen::Vector2d& point : points) {
             curve.x.push_back(point.x());
@@ -66,8 +66,8 @@ report::Plot meridianChart(const Shaft& shaft)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Meridian");
-    plot.x = {LT_TEXT("Engine", "z from the free end"), LT_TEXT("Engine", "mm")};
-    plot.y = {LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
+    plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     plot.equal_scales = true;
     const Shaft stated = withStatedBores(shaft);
     plot.curves.push_back(curveOf(outerContour(stated), {}, report::ChartColour(0)));

@@ -5,19 +5,18 @@
 #include <numbers>
 
 #include "engine/core/shaft_contour.h"
+#include "engine/core/units.h"
 
 namespace lathelier::drawing {
 namespace {
 
-constexpr double kSame_mm = 1e-6;
-
 RowKind kindOf(const ContourRow& row, const std::string& role)
 {
     const double length = row.length_mm(), large = std::max(row.start_diameter_mm, row.end_diameter_mm);
-    const bool cylinder = row.arc_radius_mm == 0 && std::abs(row.start_diameter_mm - row.end_diameter_mm) < kSame_mm;
+    const bool cylinder = row.arc_radius_mm == 0 && std::abs(row.start_diameter_mm - row.end_diameter_mm) < same_mm;
     if (role == "groove") return RowKind::Groove;
     if (role == "undercut") return RowKind::Undercut;
-    if (length < kSame_mm) return RowKind::Face;
+    if (length < same_mm) return RowKind::Face;
     if (cylinder) return RowKind::Cylinder;
     if (row.arc_radius_mm != 0) {
         if (role == "saddle") return RowKind::Curve;
@@ -34,7 +33,7 @@ bool stands(const ShaftSegment& segment)
 {
     if (!segment.measured) return false;
     const auto same = [](const std::optional<double>& measured, double value) {
-        return measured && std::abs(*measured - value) < kSame_mm;
+        return measured && std::abs(*measured - value) < same_mm;
     };
     const MeasuredSize& measured = *segment.measured;
     return same(measured.length_mm, segment.length_mm) && same(measured.start_diameter_mm, segment.start_diameter_mm) &&
@@ -96,11 +95,11 @@ Shaft withStatedBores(const Shaft& shaft)
         const auto low = [](const ContourPiece& piece) { return std::min(piece.from_mm.x(), piece.to_mm.x()); };
         std::sort(pieces.begin(), pieces.end(),
                   [&](const ContourPiece& a, const ContourPiece& b) { return low(a) < low(b); });
-        ShaftBore bore{low(pieces.front()) < kSame_mm ? ShaftEnd::Free : ShaftEnd::Chuck, {}};
+        ShaftBore bore{low(pieces.front()) < same_mm ? ShaftEnd::Free : ShaftEnd::Chuck, {}};
         if (bore.from == ShaftEnd::Chuck) std::reverse(pieces.begin(), pieces.end());
         for (const ContourPiece& piece : pieces) {
             const double length = std::abs(piece.to_mm.x() - piece.from_mm.x()), diameter = 2 * piece.from_mm.y();
-            if (!bore.segments.empty() && std::abs(bore.segments.back().end_diameter_mm - diameter) < kSame_mm)
+            if (!bore.segments.empty() && std::abs(bore.segments.back().end_diameter_mm - diameter) < same_mm)
                 bore.segments.back().length_mm += length;
             else
                 bore.segments.push_back({length, diameter, diameter, {}, {}});

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::drawing {
 namespace {
-
-constexpr double kSame_mm = 1e-6;
 
 class Finder {
 public:
@@ -23,10 +23,10 @@ public:
         std::vector<Station> found;
         for (std::size_t i = 0; i < rows_.size(); ++i) {
             const ContourRow& row = rows_[i];
-            if (!wanted_[i] || std::abs(row.end_z_mm - rows_.front().start_z_mm) < kSame_mm) continue;
+            if (!wanted_[i] || std::abs(row.end_z_mm - rows_.front().start_z_mm) < same_mm) continue;
             double radius = row.end_diameter_mm / 2;
             if (i + 1 < rows_.size()) radius = std::max(radius, rows_[i + 1].start_diameter_mm / 2);
-            if (!found.empty() && std::abs(found.back().z_mm - row.end_z_mm) < kSame_mm)
+            if (!found.empty() && std::abs(found.back().z_mm - row.end_z_mm) < same_mm)
                 found.back().radius_mm = std::max(found.back().radius_mm, radius);
             else
                 found.push_back({row.end_z_mm, radius, i});
@@ -40,7 +40,7 @@ private:
     {
         const ContourRow &a = rows_[i], &b = rows_[i + 1];
         if (!a.isMinor() && !b.isMinor()) return true;
-        if (std::abs(a.end_diameter_mm - b.start_diameter_mm) < kSame_mm) return false;
+        if (std::abs(a.end_diameter_mm - b.start_diameter_mm) < same_mm) return false;
         if (a.kind == RowKind::Groove || b.kind == RowKind::Groove) return false;
         return a.kind != RowKind::Undercut || b.kind != RowKind::Undercut;
     }
@@ -55,7 +55,7 @@ private:
         bool has_place = false;
         for (std::size_t i = first - 1; i < last; ++i) has_place = has_place || wanted_[i];
         if (has_place) return last;
-        const bool larger_after = rows_[last].start_diameter_mm > rows_[first - 1].end_diameter_mm + kSame_mm;
+        const bool larger_after = rows_[last].start_diameter_mm > rows_[first - 1].end_diameter_mm + same_mm;
         wanted_[larger_after ? last - 1 : first - 1] = true;
         return last;
     }

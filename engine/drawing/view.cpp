@@ -5,14 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::drawing {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCorner = 0.02;  // sine of the angle between two pieces that meet in an edge
-constexpr double kSame_mm = 1e-6;
 
 Vector2d mirrored(const Vector2d& point)
 {
@@ -48,7 +48,7 @@ bool isHidden(const Contour& outside, const Vector2d& point)
     return std::any_of(outside.begin(), outside.end(), [&](const ContourPiece& piece) {
         const double low = std::min(piece.from_mm.x(), piece.to_mm.x()),
                      high = std::max(piece.from_mm.x(), piece.to_mm.x());
-        return point.x() > low + kSame_mm && point.x() < high - kSame_mm &&
+        return point.x() > low + same_mm && point.x() < high - same_mm &&
                piece.radiusAt_mm(point.x()) > point.y() + 1e-3;
     });
 }
@@ -63,7 +63,7 @@ public:
         } else {
             const Contour closed = closedContour(shaft);
             for (const ContourPiece& piece : closed)
-                if (piece.from_mm.y() > kSame_mm || piece.to_mm.y() > kSame_mm) addPiece(piece, false);
+                if (piece.from_mm.y() > same_mm || piece.to_mm.y() > same_mm) addPiece(piece, false);
             addBoreEdges(closed);
             for (const Line& line : hatch({polygonOf(closed, factor)}, 2.5)) view_.lines.push_back(line);
         }
@@ -96,8 +96,8 @@ private:
             end = -end;
         }
         const Vector2d centre = mirror ? mirrored(piece.centre_mm()) : piece.centre_mm();
-        view_.arcs.push_back({factor_ * centre, factor_ * std::abs(piece.arc_radius_mm), start * 180 / kPi,
-                              end * 180 / kPi, Layer::Contour, thick_mm});
+        view_.arcs.push_back({factor_ * centre, factor_ * std::abs(piece.arc_radius_mm), start * 180 / std::numbers::pi,
+                              end * 180 / std::numbers::pi, Layer::Contour, thick_mm});
     }
 
     /// The piece as far as no material hides it, where one of its ends at least is seen.
@@ -150,8 +150,8 @@ private:
     {
         double radius = 0;
         for (const ContourPiece& piece : outside_)
-            if (z_mm >= std::min(piece.from_mm.x(), piece.to_mm.x()) - kSame_mm &&
-                z_mm <= std::max(piece.from_mm.x(), piece.to_mm.x()) + kSame_mm && piece.from_mm.x() != piece.to_mm.x())
+            if (z_mm >= std::min(piece.from_mm.x(), piece.to_mm.x()) - same_mm &&
+                z_mm <= std::max(piece.from_mm.x(), piece.to_mm.x()) + same_mm && piece.from_mm.x() != piece.to_mm.x())
                 radius = std::max(radius, piece.radiusAt_mm(z_mm));
         return radius;
     }
@@ -215,7 +215,8 @@ Polygon polygonOf(const Contour& contour, double factor)
         points.emplace_back(factor * piece.from_mm);
         if (!piece.isArc()) continue;
         const auto [start, end] = piece.arcAngles();
-        const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end - start) / (2 * kPi / 180))));
+        const int steps =
+            std::max(1, static_cast<int>(std::ceil(std::abs(end - start) / (2 * std::numbers::pi / 180))));
         for (int i = 1; i < steps; ++i) {
             const double angle = start + (end - start) * i / steps;
             points.emplace_back(factor * (piece.centre_mm() +
@@ -259,13 +260,13 @@ Drawing keywaySection(const KeywayView& keyway, double factor)
     const double radius = factor * keyway.diameter_mm / 2, half = factor * keyway.width_mm / 2;
     const double floor = factor * keyway.floor_mm, side = std::sqrt(radius * radius - half * half);
     const double slot = std::asin(half / radius);
-    section.arcs.push_back(
-        {Vector2d::Zero(), radius, 90 + slot * 180 / kPi, 450 - slot * 180 / kPi, Layer::Contour, thick_mm});
+    section.arcs.push_back({Vector2d::Zero(), radius, 90 + slot * 180 / std::numbers::pi,
+                            450 - slot * 180 / std::numbers::pi, Layer::Contour, thick_mm});
     Polygon polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
         section.lines.push_back({polygon[i], polygon[i + 1], Layer::Contour, thick_mm});
     constexpr int kSteps = 180;
-    const double begin = kPi / 2 + slot, turn = 2 * kPi - 2 * slot;
+    const double begin = std::numbers::pi / 2 + slot, turn = 2 * std::numbers::pi - 2 * slot;
     for (int i = 1; i < kSteps; ++i) {
         const double angle = begin + turn * i / kSteps;
         polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
@@ -275,7 +276,8 @@ Drawing keywaySection(const KeywayView& keyway, double factor)
     if (bore > 0) {
         section.arcs.push_back({Vector2d::Zero(), bore, 0, 360, Layer::Contour, thick_mm});
         for (int i = 0; i < kSteps; ++i)
-            hole.emplace_back(bore * std::cos(2 * kPi * i / kSteps), bore * std::sin(2 * kPi * i / kSteps));
+            hole.emplace_back(bore * std::cos(2 * std::numbers::pi * i / kSteps),
+                              bore * std::sin(2 * std::numbers::pi * i / kSteps));
     }
     for (const Line& line : hatch({polygon, hole}, 2.5)) section.lines.push_back(line);
     const double over = radius + 3;

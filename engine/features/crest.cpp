@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::features {
 namespace {
 
@@ -160,11 +162,7 @@ Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, doubl
         crests.emplace_back(from + kStep_mm / 2, crest->radius_mm);
     }
     if (crests.size() < 3) return {};
-    const auto middleOf = [](std::vector<double> values) {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    };
+    const auto middleOf = [](std::vector<double> values) { return upperMedianInPlace(values); };
     std::vector<double> slopes, levels;
     for (std::size_t i = 0; i < crests.size(); ++i)
         for (std::size_t j = i + 1; j < crests.size(); ++j)

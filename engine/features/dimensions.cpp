@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr std::size_t kSizes = 7;  // z start, z end, start radius, end radius, arc radius, half angle, length
 
 using Sizes = std::array<double, kSizes>;
@@ -24,7 +24,7 @@ Sizes sizesOf(const Run& run, std::size_t k)
             e.radiusAt_mm(from),
             e.radiusAt_mm(to),
             e.arc ? e.radius_mm() : 0,
-            e.arc ? 0 : std::atan(e.slope) * kDegrees,
+            e.arc ? 0 : std::atan(e.slope) * deg_per_rad,
             to - from};
 }
 
@@ -66,7 +66,7 @@ std::vector<Sizes> sigmas(const Outline& outline)
     return result;
 }
 
-std::string nameOf(const Element& e)
+std::string tiesOf(const Element& e)
 {
     if (!e.arc) return {};
     const auto one = [](Tie tie) { return tie == Tie::Free ? "free" : tie == Tie::Tangent ? "tangent" : "plane"; };
@@ -163,7 +163,7 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             row.end_diameter_mm = e.arc || !e.cylinder ? 2 * sizes[3] : row.start_diameter_mm;
             if (e.arc) row.arc_radius_mm = e.convex ? sizes[4] : -sizes[4];
             row.half_angle_deg = sizes[5];
-            row.ties = nameOf(e);
+            row.ties = tiesOf(e);
             row.coverage_deg = coverage_deg;
             if (!e.rough) addForm(outline, run, k, row);
             const Sizes& s = sigma[rows.size()];
@@ -204,7 +204,7 @@ void addMeridian(const Outline& outline, double zero_mm, bool bore, std::int32_t
             point.row = before + static_cast<std::int32_t>(node - run.nodes_mm.begin()) - 1;
             point.residual_mm = counts(outline.model, run, wall)
                                     ? point.radius_mm - predicted_mm(outline.model, run, wall)
-                                    : std::numeric_limits<double>::quiet_NaN();
+                                    : notANumber;
             points.push_back(point);
         }
         before += static_cast<std::int32_t>(run.elements.size());

@@ -6,14 +6,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::features {
 namespace {
 
 using registration::Ray;
 
-constexpr double kSure = 0.997;
+constexpr double sureOfRay = 0.997;
 constexpr std::array<double, 13> kWidths_mm{0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.15, 0.18, 0.22, 0.28, 0.36, 0.5};
-constexpr int kSectors = 24;
+constexpr int edgeSectors = 24;
 
 /// Sum of log P over the rays, which are in order of height.
 double logLikelihood(const std::vector<Ray>& rays, const std::vector<std::size_t>& hits_before, double place,
@@ -25,7 +27,7 @@ double logLikelihood(const std::vector<Ray>& rays, const std::vector<std::size_t
                                         rays.begin());
     };
     const std::size_t low = at(place - width / 2), high = at(place + width / 2);
-    const double sure = std::log(kSure), wrong = std::log(1 - kSure);
+    const double sure = std::log(sureOfRay), wrong = std::log(1 - sureOfRay);
     const auto hits = [&](std::size_t from, std::size_t to) {
         return static_cast<double>(hits_before[to] - hits_before[from]);
     };
@@ -33,7 +35,7 @@ double logLikelihood(const std::vector<Ray>& rays, const std::vector<std::size_t
     double sum = below_hits * wrong + (static_cast<double>(low) - below_hits) * sure + above_hits * sure +
                  (static_cast<double>(rays.size() - high) - above_hits) * wrong;
     for (std::size_t i = low; i < high; ++i) {
-        const double p = std::clamp((rays[i].height - place) / width + 0.5, 1 - kSure, kSure);
+        const double p = std::clamp((rays[i].height - place) / width + 0.5, 1 - sureOfRay, sureOfRay);
         sum += std::log(rays[i].hit ? p : 1 - p);
     }
     return sum;
@@ -115,10 +117,8 @@ std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, doub
     const double area = std::numbers::pi * (high * high - low * low);
     if (heights.size() < 30 || static_cast<double>(heights.size()) < walls_per_mm2 * area / 3) return std::nullopt;
     for (int round = 0; round < 3; ++round) {
-        std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2),
-                         heights.end());
-        const double median = heights[heights.size() / 2];
-        std::erase_if(heights, [&](double z) { return std::abs(z - median) > 4 * sigma_mm; });
+        const double middle = upperMedianInPlace(heights);
+        std::erase_if(heights, [&](double z) { return std::abs(z - middle) > 4 * sigma_mm; });
         if (heights.size() < 20) return std::nullopt;
     }
     double sum = 0, squares = 0;
@@ -153,21 +153,21 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
         if (std::abs(static_cast<double>(cloud.r_mm[i]) - model_r) >
             5 * model.sigma_mm + 0.5 * model.spot_mm * std::min(slope, 2.0))
             continue;
-        hits.push_back({height, std::min(kSectors - 1, static_cast<int>(cloud.turn[i] * kSectors))});
+        hits.push_back({height, std::min(edgeSectors - 1, static_cast<int>(cloud.turn[i] * edgeSectors))});
     }
     if (hits.size() < 60) return std::nullopt;
     std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.height < b.height; });
     // Sectors in which the wall is whole: as many hits over the last millimetres as the median sector has.
-    std::array<double, kSectors> counts{}, last{};
+    std::array<double, edgeSectors> counts{}, last{};
     last.fill(-deep);
     for (const Hit& hit : hits) counts[static_cast<std::size_t>(hit.sector)] += 1;
     std::vector<double> sorted(counts.begin(), counts.end());
     std::sort(sorted.begin(), sorted.end());
-    const double usual = sorted[kSectors * 3 / 4];
-    std::array<std::vector<double>, kSectors> heights;
+    const double usual = sorted[edgeSectors * 3 / 4];
+    std::array<std::vector<double>, edgeSectors> heights;
     for (const Hit& hit : hits) heights[static_cast<std::size_t>(hit.sector)].push_back(hit.height);
     std::vector<double> lasts;
-    for (std::size_t s = 0; s < kSectors; ++s)
+    for (std::size_t s = 0; s < edgeSectors; ++s)
         if (heights[s].size() > 3) {
             last[s] = heights[s][heights[s].size() - 3];  // a stray point is not the last
             lasts.push_back(last[s]);
@@ -175,8 +175,9 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
     if (lasts.size() < 3) return std::nullopt;
     std::sort(lasts.begin(), lasts.end());
     const double common = lasts[lasts.size() / 2];
-    std::array<bool, kSectors> whole{};
-    for (std::size_t s = 0; s < kSectors; ++s) whole[s] = counts[s] > 0.8 * usual && std::abs(last[s] - common) < 0.6;
+    std::array<bool, edgeSectors> whole{};
+    for (std::size_t s = 0; s < edgeSectors; ++s)
+        whole[s] = counts[s] > 0.8 * usual && std::abs(last[s] - common) < 0.6;
     std::vector<double> used;
     for (const Hit& hit : hits)
         if (whole[static_cast<std::size_t>(hit.sector)]) used.push_back(hit.height);
@@ -220,9 +221,9 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     std::vector<std::pair<Eigen::Vector3d, double>> rows;
-    for (std::size_t s = 0; s < kSectors; ++s) {
+    for (std::size_t s = 0; s < edgeSectors; ++s) {
         if (!whole[s]) continue;
-        const double angle = 2 * std::numbers::pi * (static_cast<double>(s) + 0.5) / kSectors;
+        const double angle = 2 * std::numbers::pi * (static_cast<double>(s) + 0.5) / edgeSectors;
         const Eigen::Vector3d row(1, std::cos(angle), std::sin(angle));
         rows.emplace_back(row, sign * last[s]);
         normal += row * row.transpose();

@@ -9,14 +9,14 @@ namespace lathelier::features {
 namespace {
 
 constexpr std::size_t kRanges = 13;
-using Row = std::array<double, kRanges>;
+using RangeValues = std::array<double, kRanges>;
 
 // ISO 286-1:2010. A range goes over the limit before it up to and including its own.
-constexpr Row kSizeTo_mm{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+constexpr RangeValues kSizeTo_mm{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 
 // Table 1: standard tolerances in µm, IT5 to IT13.
 constexpr int kFirstGrade = 5, kLastGrade = 13, kLastGradeOfFits = 11;
-constexpr std::array<Row, kLastGrade - kFirstGrade + 1> kTolerance_um{{
+constexpr std::array<RangeValues, kLastGrade - kFirstGrade + 1> kTolerance_um{{
     {4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27},
     {6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40},
     {10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63},
@@ -33,7 +33,7 @@ enum class Side { Upper, Lower, Both };
 struct Deviation {
     std::string_view shaft, hole;  // letters; an empty one: not known
     Side side;                     // which limit the deviation is, of the shaft
-    Row deviation_um;
+    RangeValues deviation_um;
 };
 constexpr std::array<Deviation, 10> kDeviations{{
     {"d", "D", Side::Upper, {-20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230}},
@@ -48,7 +48,7 @@ constexpr std::array<Deviation, 10> kDeviations{{
     {"p", "", Side::Lower, {6, 12, 15, 18, 22, 26, 32, 37, 43, 50, 56, 62, 68}},
 }};
 
-std::optional<std::size_t> rangeOf(double nominal_mm)
+std::optional<std::size_t> sizeRangeOf(double nominal_mm)
 {
     if (!(nominal_mm > 0) || nominal_mm > kSizeTo_mm.back()) return {};
     return static_cast<std::size_t>(std::lower_bound(kSizeTo_mm.begin(), kSizeTo_mm.end(), nominal_mm) -
@@ -85,7 +85,7 @@ std::optional<IsoClass> parseIsoClass(std::string_view text)
 
 std::optional<double> standardTolerance_um(int grade, double nominal_mm)
 {
-    const auto range = rangeOf(nominal_mm);
+    const auto range = sizeRangeOf(nominal_mm);
     if (!range || grade < kFirstGrade || grade > kLastGrade) return {};
     return kTolerance_um[static_cast<std::size_t>(grade - kFirstGrade)][*range];
 }
@@ -93,7 +93,7 @@ std::optional<double> standardTolerance_um(int grade, double nominal_mm)
 std::optional<Limits> limitsOf(std::string_view iso_class, double nominal_mm)
 {
     const auto parsed = parseIsoClass(iso_class);
-    const auto range = rangeOf(nominal_mm);
+    const auto range = sizeRangeOf(nominal_mm);
     if (!parsed || !range) return {};
     for (const Deviation& letter : kDeviations)
         if (letter.shaft == parsed->deviation || letter.hole == parsed->deviation)
@@ -105,7 +105,7 @@ std::vector<std::string> fitsOf(double measured_mm, double U_mm, double nominal_
 {
     constexpr double kRounding_um = 1e-6;
     constexpr std::size_t kMost = 3;
-    const auto range = rangeOf(nominal_mm);
+    const auto range = sizeRangeOf(nominal_mm);
     std::vector<std::string> fits;
     if (!range) return fits;
     const double low_um = 1000 * (measured_mm - U_mm - nominal_mm), high_um = 1000 * (measured_mm + U_mm - nominal_mm);

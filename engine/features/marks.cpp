@@ -7,14 +7,14 @@
 #include <complex>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/features/crest.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kSectors = 144;
+constexpr int markSectors = 144;
 constexpr double kCell_mm = 1;
 constexpr int kMostStarts = 8;
 constexpr int kMostTeeth = 160;
@@ -53,12 +53,13 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
                               double last_mm)
 {
     const auto rows = static_cast<std::size_t>(std::clamp((last_mm - first_mm) / kCell_mm + 1, 1.0, 1e5));
-    std::vector<std::array<std::uint32_t, 2>> cells(rows * kSectors, {0, 0});
+    std::vector<std::array<std::uint32_t, 2>> cells(rows * markSectors, {0, 0});
     std::vector<std::uint32_t> off;
     const auto cellOf = [&](std::size_t i) {
         const auto row = static_cast<std::size_t>((static_cast<double>(cloud.z_mm[i]) - first_mm) / kCell_mm);
-        const auto sector = std::min<std::size_t>(kSectors - 1, static_cast<std::size_t>(cloud.turn[i] * kSectors));
-        return std::min(row, rows - 1) * kSectors + sector;
+        const auto sector =
+            std::min<std::size_t>(markSectors - 1, static_cast<std::size_t>(cloud.turn[i] * markSectors));
+        return std::min(row, rows - 1) * markSectors + sector;
     };
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(cloud.z_mm[i]);
@@ -88,10 +89,10 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
             const std::size_t c = open.back();
             open.pop_back();
             ++regions.back().cells;
-            const std::size_t row = c / kSectors, sector = c % kSectors;
-            const std::array<std::size_t, 4> next{row * kSectors + (sector + 1) % kSectors,
-                                                  row * kSectors + (sector + kSectors - 1) % kSectors,
-                                                  row + 1 < rows ? c + kSectors : c, row > 0 ? c - kSectors : c};
+            const std::size_t row = c / markSectors, sector = c % markSectors;
+            const std::array<std::size_t, 4> next{row * markSectors + (sector + 1) % markSectors,
+                                                  row * markSectors + (sector + markSectors - 1) % markSectors,
+                                                  row + 1 < rows ? c + markSectors : c, row > 0 ? c - markSectors : c};
             for (const std::size_t n : next)
                 if (label[n] < 0 && isOff(n)) {
                     label[n] = number;
@@ -102,10 +103,10 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
     // Cells beside a region hold its rim.
     std::vector<int> rim = label;
     for (std::size_t c = 0; c < cells.size(); ++c) {
-        const std::size_t row = c / kSectors, sector = c % kSectors;
-        for (const std::size_t n :
-             {row * kSectors + (sector + 1) % kSectors, row * kSectors + (sector + kSectors - 1) % kSectors,
-              row + 1 < rows ? c + kSectors : c, row > 0 ? c - kSectors : c})
+        const std::size_t row = c / markSectors, sector = c % markSectors;
+        for (const std::size_t n : {row * markSectors + (sector + 1) % markSectors,
+                                    row * markSectors + (sector + markSectors - 1) % markSectors,
+                                    row + 1 < rows ? c + markSectors : c, row > 0 ? c - markSectors : c})
             if (rim[c] < 0) rim[c] = label[n];
     }
     for (const std::uint32_t i : off)
@@ -116,7 +117,7 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
 }
 
 /// Of the order m among all from -kMostTeeth on.
-std::size_t placeOf(int m)
+std::size_t indexOfOrder(int m)
 {
     const int place = kMostTeeth + m;
     return static_cast<std::size_t>(place);
@@ -124,9 +125,7 @@ std::size_t placeOf(int m)
 
 double quantile(std::vector<double> values, double share)
 {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    return lowerQuantileInPlace(values, share);
 }
 
 ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& region)
@@ -135,7 +134,7 @@ ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& r
     std::vector<double> heights, offs;
     double worst = 0;
     for (const std::uint32_t i : region.points) {
-        const double angle = kTurn * static_cast<double>(cloud.turn[i]), r = static_cast<double>(cloud.r_mm[i]),
+        const double angle = turn_rad * static_cast<double>(cloud.turn[i]), r = static_cast<double>(cloud.r_mm[i]),
                      z = static_cast<double>(cloud.z_mm[i]);
         places.emplace_back(r * std::cos(angle), r * std::sin(angle));
         heights.push_back(z);
@@ -174,7 +173,7 @@ ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& r
         rms = std::sqrt(rms / std::max(1.0, kept));
     }
     const double floor = 1 / std::max(1e-9, plane.norm());
-    double angle = std::atan2(plane.y(), plane.x()) * kDegrees;
+    double angle = std::atan2(plane.y(), plane.x()) * deg_per_rad;
     if (angle < 0) angle += 360;
     const bool flat_floor = worst < 0 && kept > 0.6 * static_cast<double>(places.size()) && rms < 1.6 * model.sigma_mm;
     mark.angle_deg = angle;
@@ -231,7 +230,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     using Complex = std::complex<double>;
     std::vector<Complex> turns(columns);
     for (std::size_t c = 0; c < columns; ++c)
-        turns[c] = std::polar(1.0, -kTurn * (static_cast<double>(c) + 0.5) / columns);
+        turns[c] = std::polar(1.0, -turn_rad * (static_cast<double>(c) + 0.5) / columns);
     // Around the circle first: A_m(z).
     std::vector<std::vector<Complex>> around(2 * kMostTeeth + 1, std::vector<Complex>(rows, 0));
     for (std::size_t row = 0; row < rows; ++row) {
@@ -249,9 +248,9 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
                 place = (place + static_cast<std::size_t>(m)) % columns;
             }
             // The half step of the first column: the sum runs over c·m, the angle of a column is (c + ½)·m.
-            sum *= std::polar(1.0, -kTurn * 0.5 * m / columns) / turns[0];
-            around[placeOf(m)][row] = sum;
-            around[placeOf(-m)][row] = std::conj(sum);
+            sum *= std::polar(1.0, -turn_rad * 0.5 * m / columns) / turns[0];
+            around[indexOfOrder(m)][row] = sum;
+            around[indexOfOrder(-m)][row] = std::conj(sum);
         }
     }
     // Then along z, f from 0 upward for both signs of m.
@@ -260,11 +259,11 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     const double f_step = 1 / (4 * length), f_most = std::min(5.0, 0.4 / step);
     for (int m = -kMostTeeth; m <= kMostTeeth; ++m) {
         progress.check();
-        const std::vector<Complex>& row = around[placeOf(m)];
+        const std::vector<Complex>& row = around[indexOfOrder(m)];
         for (double f = m == 0 ? 2 / length : 0; f < (std::abs(m) > kMostStarts ? std::min(f_most, 2.0) : f_most);
              f += f_step) {
             if (std::abs(m) <= kMostStarts && f < 0.15) continue;
-            const Complex turn = std::polar(1.0, -kTurn * f * step);
+            const Complex turn = std::polar(1.0, -turn_rad * f * step);
             Complex sum = 0, phase = 1;
             for (const Complex& value : row) {
                 sum += value * phase;
@@ -284,8 +283,8 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         Complex sum = 0;
         for (const std::uint32_t i : points)
             sum += (static_cast<double>(cloud.r_mm[i]) - mean) *
-                   std::polar(1.0, -kTurn * (f * (static_cast<double>(cloud.z_mm[i]) - from_mm) +
-                                             best_m * static_cast<double>(cloud.turn[i])));
+                   std::polar(1.0, -turn_rad * (f * (static_cast<double>(cloud.z_mm[i]) - from_mm) +
+                                                best_m * static_cast<double>(cloud.turn[i])));
         return std::norm(sum);
     };
     double centre = best_f, value = power(centre);
@@ -329,7 +328,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     } else {
         mark.kind = "knurl";
         mark.teeth = std::abs(best_m);
-        mark.helix_deg = std::atan(kTurn * centre / std::abs(best_m) * about_mm) * kDegrees;
+        mark.helix_deg = std::atan(turn_rad * centre / std::abs(best_m) * about_mm) * deg_per_rad;
         std::vector<double> radii;
         radii.reserve(points.size());
         for (const std::uint32_t i : points) radii.push_back(static_cast<double>(cloud.r_mm[i]));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kParallel = 0.02;        // difference of slopes without a sure intersection
 constexpr double kChosenPlace_mm = 0.05;  // standard uncertainty of a place that a person pointed at
-constexpr double kLeast_mm = 0.02;        // of a row that a cut leaves
+constexpr double leastRow_mm = 0.02;      // of a row that a cut leaves
 
 std::ptrdiff_t at(std::size_t index)
 {
@@ -26,11 +26,11 @@ std::ptrdiff_t at(std::size_t index)
 }
 
 /// Which run, which of its elements.
-struct Place {
+struct ElementPlace {
     std::size_t run = 0, element = 0;
 };
 
-Place placeOf(const Model& model, const RowChange& change)
+ElementPlace elementPlaceOf(const Model& model, const RowChange& change)
 {
     std::size_t before = 0;
     const auto row = static_cast<std::size_t>(change.row - 1);
@@ -130,7 +130,7 @@ void deleteRun(Outline& outline, std::size_t r, std::int64_t row)
     model.runs.erase(model.runs.begin() + at(r));
 }
 
-void deleteElement(Outline& outline, const Place& place, std::int64_t row)
+void deleteElement(Outline& outline, const ElementPlace& place, std::int64_t row)
 {
     Model& model = outline.model;
     Run& run = model.runs[place.run];
@@ -169,7 +169,7 @@ Element merged(const Element& a, const Element& b, double z0, double middle, dou
     return both;
 }
 
-void mergeElements(Outline& outline, const Place& place, std::int64_t row)
+void mergeElements(Outline& outline, const ElementPlace& place, std::int64_t row)
 {
     Model& model = outline.model;
     std::size_t k = place.element;
@@ -201,12 +201,12 @@ void mergeElements(Outline& outline, const Place& place, std::int64_t row)
     partParallels(model, place.run, kChosenPlace_mm);
 }
 
-void splitElement(Model& model, const Place& place, double z_mm, std::int64_t row)
+void splitElement(Model& model, const ElementPlace& place, double z_mm, std::int64_t row)
 {
     Run& run = model.runs[place.run];
     const std::size_t k = place.element;
     if (run.elements[k].rough) refuse(row, LT_TEXT("Engine", "a thread or a knurl stays a row of its own"));
-    if (!(z_mm > run.nodes_mm[k] + kLeast_mm && z_mm < run.nodes_mm[k + 1] - kLeast_mm))
+    if (!(z_mm > run.nodes_mm[k] + leastRow_mm && z_mm < run.nodes_mm[k + 1] - leastRow_mm))
         refuse(row, LT_TEXT("Engine", "the place of the cut does not lie inside it"));
     run.elements.insert(run.elements.begin() + at(k + 1), run.elements[k]);
     run.nodes_mm.insert(run.nodes_mm.begin() + at(k + 1), z_mm);
@@ -214,7 +214,7 @@ void splitElement(Model& model, const Place& place, double z_mm, std::int64_t ro
 }
 
 /// The arc with those of its ties that suit the walls best, each paid for by the parameters that it saves.
-void fitArc(Model& model, const Place& place, bool convex)
+void fitArc(Model& model, const ElementPlace& place, bool convex)
 {
     Run& run = model.runs[place.run];
     const std::size_t k = place.element, last = run.elements.size() - 1;
@@ -249,7 +249,7 @@ void fitArc(Model& model, const Place& place, bool convex)
     run = chosen;
 }
 
-void changeKind(Model& model, const Place& place, RowChange::What what, std::int64_t row)
+void changeKind(Model& model, const ElementPlace& place, RowChange::What what, std::int64_t row)
 {
     Run& run = model.runs[place.run];
     Element& e = run.elements[place.element];
@@ -274,7 +274,7 @@ std::size_t countRows(const Model& model)
 void changeStructure(Outline& outline, const RowChange& change, double zero_mm)
 {
     Model& model = outline.model;
-    const Place place = placeOf(model, change);
+    const ElementPlace place = elementPlaceOf(model, change);
     switch (change.what) {
         case RowChange::What::Delete: deleteElement(outline, place, change.row); break;
         case RowChange::What::Merge: mergeElements(outline, place, change.row); break;

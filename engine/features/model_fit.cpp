@@ -36,15 +36,15 @@ double stepOf(const Slot& slot)
 }
 
 /// A wall with what it is compared by.
-struct Row {
+struct FitRow {
     std::size_t wall;
     double sigma;
 };
 
 /// The rows of one run within a range of z, chosen once for a fit so that its sum stays comparable.
-std::vector<Row> rowsOf(const Model& model, const Run& run, double from_mm, double to_mm)
+std::vector<FitRow> fitRowsOf(const Model& model, const Run& run, double from_mm, double to_mm)
 {
-    std::vector<Row> rows;
+    std::vector<FitRow> rows;
     const auto first = std::lower_bound(run.walls.begin(), run.walls.end(), from_mm,
                                         [](const Wall& wall, double z) { return wall.z_mm < z; });
     for (auto wall = first; wall != run.walls.end() && wall->z_mm <= to_mm; ++wall)
@@ -53,10 +53,10 @@ std::vector<Row> rowsOf(const Model& model, const Run& run, double from_mm, doub
     return rows;
 }
 
-double sumOf(const Model& model, const Run& run, const std::vector<Row>& rows)
+double sumOf(const Model& model, const Run& run, const std::vector<FitRow>& rows)
 {
     double sum = run.violation;
-    for (const Row& row : rows) {
+    for (const FitRow& row : rows) {
         const Wall& wall = run.walls[row.wall];
         sum += huber((wall.r_mm - predicted_mm(model, run, wall)) / row.sigma);
     }
@@ -64,20 +64,20 @@ double sumOf(const Model& model, const Run& run, const std::vector<Row>& rows)
 }
 
 /// Rows that a change of element `element` moves: between the nodes two before and two after it.
-std::pair<std::size_t, std::size_t> rowsMoved(const Run& run, const std::vector<Row>& rows, std::size_t element,
+std::pair<std::size_t, std::size_t> rowsMoved(const Run& run, const std::vector<FitRow>& rows, std::size_t element,
                                               double reach_mm)
 {
     const std::size_t first = element >= 2 ? element - 2 : 0, last = std::min(element + 3, run.elements.size());
     const double from = run.nodes_mm[first] - reach_mm, to = run.nodes_mm[last] + reach_mm;
     const auto low = std::lower_bound(rows.begin(), rows.end(), from,
-                                      [&](const Row& row, double z) { return run.walls[row.wall].z_mm < z; });
+                                      [&](const FitRow& row, double z) { return run.walls[row.wall].z_mm < z; });
     const auto high = std::upper_bound(rows.begin(), rows.end(), to,
-                                       [&](double z, const Row& row) { return z < run.walls[row.wall].z_mm; });
+                                       [&](double z, const FitRow& row) { return z < run.walls[row.wall].z_mm; });
     return {static_cast<std::size_t>(low - rows.begin()), static_cast<std::size_t>(high - rows.begin())};
 }
 
 /// Normal equations of the rows of one run over some slots.
-void addNormals(Model& model, std::size_t run_index, const std::vector<Row>& rows, const std::vector<Slot>& slots,
+void addNormals(Model& model, std::size_t run_index, const std::vector<FitRow>& rows, const std::vector<Slot>& slots,
                 const std::vector<std::size_t>& places, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient)
 {
     Run& run = model.runs[run_index];
@@ -195,7 +195,7 @@ std::vector<Slot> allSlots(const Model& model)
 
 double misfit(const Model& model, std::size_t run, double from_mm, double to_mm, std::size_t* rows)
 {
-    const std::vector<Row> own = rowsOf(model, model.runs[run], from_mm, to_mm);
+    const std::vector<FitRow> own = fitRowsOf(model, model.runs[run], from_mm, to_mm);
     if (rows) *rows = own.size();
     return sumOf(model, model.runs[run], own);
 }
@@ -219,7 +219,7 @@ double fitWindow(Model& model, const Window& window, double from_mm, double to_m
     const std::vector<Slot> slots = slotsOf(model, window.run, window.first, window.last);
     std::vector<std::size_t> places(slots.size());
     for (std::size_t s = 0; s < slots.size(); ++s) places[s] = s;
-    const std::vector<Row> rows = rowsOf(model, run, from_mm, to_mm);
+    const std::vector<FitRow> rows = fitRowsOf(model, run, from_mm, to_mm);
     double best = sumOf(model, run, rows), damping = 1e-3;
     const auto count = static_cast<Eigen::Index>(slots.size());
     for (int i = 0; i < iterations; ++i) {
@@ -264,9 +264,9 @@ JointFit fitAll(Model& model, int iterations, const Progress& progress)
     for (int i = 0; i < iterations; ++i) {
         progress.check();
         for (Run& run : model.runs) resolve(model, run);
-        std::vector<std::vector<Row>> rows;
+        std::vector<std::vector<FitRow>> rows;
         const double all = std::numeric_limits<double>::infinity();
-        for (const Run& run : model.runs) rows.push_back(rowsOf(model, run, -all, all));
+        for (const Run& run : model.runs) rows.push_back(fitRowsOf(model, run, -all, all));
         const auto total = [&] {
             double sum = planesMisfit(model);
             for (std::size_t r = 0; r < model.runs.size(); ++r) sum += sumOf(model, model.runs[r], rows[r]);

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRounding = 1e-9;  // a size on the edge of its window counts
 
 /// Multiples of whole/parts mm: exact decimals, unlike multiples of 0.1.
@@ -71,7 +71,7 @@ bool isWithin(Measured measured, double nominal_mm, double lower_mm, double uppe
 
 double ratioOf(double half_angle_deg)
 {
-    return 2 * std::tan(half_angle_deg * kDegree);
+    return 2 * std::tan(half_angle_deg * rad_per_deg);
 }
 
 }  // namespace
@@ -158,13 +158,13 @@ std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
     };
     std::vector<double> angles;
     for (const StandardTaper& taper : standardTapers())
-        if (taper.gauge_mm == 0) angles.push_back(std::atan(taper.ratio / 2) / kDegree);
+        if (taper.gauge_mm == 0) angles.push_back(std::atan(taper.ratio / 2) / rad_per_deg);
     std::sort(angles.begin(), angles.end());
     for (const StandardTaper& taper : standardTapers()) {
         if (taper.gauge_mm > 0 && (cone.small_mm < kMorseLeast * taper.gauge_mm ||
                                    cone.large_mm > kMorseMost * taper.gauge_mm || cone.large_mm < cone.small_mm))
             continue;
-        const double nominal = std::atan(taper.ratio / 2) / kDegree;
+        const double nominal = std::atan(taper.ratio / 2) / rad_per_deg;
         // Spacing of the plain series about it: Morse tapers are alike, and told apart by their diameters.
         const auto above = std::upper_bound(angles.begin(), angles.end(), nominal + kRounding);
         const auto at = std::lower_bound(angles.begin(), angles.end(), nominal - kRounding);

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::features {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Unit tangents of an arc at its ends, in the direction of travel.
 std::pair<Vector2d, Vector2d> tangents(const ContourPiece& arc)
@@ -28,9 +27,9 @@ struct Line {
 };
 
 /// Works on the boundaries between rows; those of row i are i and i + 1.
-class Placing {
+class RowPlacing {
 public:
-    Placing(const RowChain& chain, const std::vector<bool>& in_place, std::optional<double> end_mm)
+    RowPlacing(const RowChain& chain, const std::vector<bool>& in_place, std::optional<double> end_mm)
         : chain_(chain), in_place_(in_place), at_(chain.size() + 1), arc_(chain.size()), line_(chain.size())
     {
         const std::size_t n = chain.size();
@@ -104,7 +103,7 @@ private:
     std::vector<std::pair<std::size_t, Vector2d>> faces_;  // after which row, where the relieved face ends
 };
 
-std::optional<UndercutRows> Placing::standard(std::size_t i) const
+std::optional<UndercutRows> RowPlacing::standard(std::size_t i) const
 {
     if (chain_.row(i).role != "undercut") return {};
     for (std::size_t first = i >= 3 ? i - 3 : 0; first <= i; ++first) {
@@ -122,7 +121,7 @@ std::optional<UndercutRows> Placing::standard(std::size_t i) const
     return {};
 }
 
-void Placing::placePlanes(std::optional<double> end_mm)
+void RowPlacing::placePlanes(std::optional<double> end_mm)
 {
     const std::size_t n = chain_.size();
     for (std::size_t i = 0; i < n; ++i) {
@@ -146,7 +145,7 @@ void Placing::placePlanes(std::optional<double> end_mm)
     }
 }
 
-void Placing::placeCylinders()
+void RowPlacing::placeCylinders()
 {
     for (std::size_t i = 0; i < chain_.size(); ++i) {
         if (kind(i) != RowKind::Cylinder) continue;
@@ -158,7 +157,7 @@ void Placing::placeCylinders()
     }
 }
 
-void Placing::placeCone(std::size_t i)
+void RowPlacing::placeCone(std::size_t i)
 {
     const RecognizedRow& row = chain_.row(i);
     const bool starts_at_cylinder = isJoined(i) && kind(i - 1) == RowKind::Cylinder;
@@ -192,7 +191,7 @@ void Placing::placeCone(std::size_t i)
     line_[i] = Line{start, Vector2d(1, slope).normalized()};
 }
 
-void Placing::placeChamfer(std::size_t i)
+void RowPlacing::placeChamfer(std::size_t i)
 {
     const RecognizedRow& row = chain_.row(i);
     const bool rises = chain_.endHeight_mm(i) > chain_.startHeight_mm(i);
@@ -202,7 +201,7 @@ void Placing::placeChamfer(std::size_t i)
     const auto angle = nominalChamferAngle_deg(chain_.angle_deg(i), row.uncertainty.angle_deg.value_or(0));
     if (named && angle) {
         leg = named->nominal_mm;
-        radial = leg * std::tan(*angle * kDegree);
+        radial = leg * std::tan(*angle * rad_per_deg);
     }
     // Its lower edge lies in a plane; the upper one on the row that it joins.
     Vector2d lower = rises ? at_[i].right : at_[i + 1].left, upper = rises ? at_[i + 1].left : at_[i].right;
@@ -216,7 +215,7 @@ void Placing::placeChamfer(std::size_t i)
 }
 
 /// The straight row or the plane that row i meets; none: an arc, or nothing.
-std::optional<Line> Placing::neighbour(std::size_t i, bool before) const
+std::optional<Line> RowPlacing::neighbour(std::size_t i, bool before) const
 {
     const std::size_t boundary = before ? i : i + 1;
     const Joint joint = chain_.joint(boundary);
@@ -226,7 +225,7 @@ std::optional<Line> Placing::neighbour(std::size_t i, bool before) const
     return {};
 }
 
-void Placing::placeArc(std::size_t i)
+void RowPlacing::placeArc(std::size_t i)
 {
     constexpr double kTangent_deg = 0.2, kOnAxis_mm = 0.005, kStraight = 1e-6;
     const ContourPiece measured = chain_.piece(i);
@@ -245,7 +244,7 @@ void Placing::placeArc(std::size_t i)
             direction = (row.to_mm - row.from_mm).normalized();
         }
         const double cosine = direction.dot(tangent);
-        if (std::abs(cosine) < std::cos(kTangent_deg * kDegree)) return {};
+        if (std::abs(cosine) < std::cos(kTangent_deg * rad_per_deg)) return {};
         return line->direction.dot(tangent) > 0 ? line->direction : Vector2d(-line->direction);
     };
     const auto a = along(before, true, leaving), b = along(after, false, arriving);
@@ -286,11 +285,11 @@ void Placing::placeArc(std::size_t i)
     putEnd(i, end);
 }
 
-void Placing::placeUndercut(const UndercutRows& rows)
+void RowPlacing::placeUndercut(const UndercutRows& rows)
 {
     const auto [standard, form] = *undercutOf(suggestion(rows.arc, "undercut")->designation);
     const double out = chain_.sign(), r = standard.radius_mm, t = standard.depth_mm;
-    const double run_out = t / std::tan(kUndercutRunOut_deg * kDegree);
+    const double run_out = t / std::tan(kUndercutRunOut_deg * rad_per_deg);
     const double way = rows.before_face ? 1 : -1;  // from the run-out toward the face
     const std::size_t shaft_row = rows.before_face ? rows.first - 1 : rows.last + 1;
     const double face_u = rows.before_face ? at_[rows.last + 1].right.x() : at_[rows.first].left.x();
@@ -302,7 +301,7 @@ void Placing::placeUndercut(const UndercutRows& rows)
         putStart(i, rows.before_face ? low : high);
         putEnd(i, rows.before_face ? high : low);
     };
-    const double a = kUndercutFace_deg * kDegree;
+    const double a = kUndercutFace_deg * rad_per_deg;
     const bool relieved = form == UndercutForm::F;
     const double centre = relieved ? r - standard.face_depth_mm : r;  // before the face
     const Vector2d edge = point(standard.width_mm, t), floor = point(standard.width_mm - run_out, 0);
@@ -321,7 +320,7 @@ void Placing::placeUndercut(const UndercutRows& rows)
     at_[rows.last + 1].right.x() = face_u;
 }
 
-std::vector<PlacedRow> Placing::rows() const
+std::vector<PlacedRow> RowPlacing::rows() const
 {
     std::vector<PlacedRow> placed;
     for (std::size_t i = 0; i < chain_.size(); ++i) {
@@ -357,7 +356,7 @@ std::vector<PlacedRow> Placing::rows() const
 std::vector<PlacedRow> placedRows(const RowChain& chain, const std::vector<bool>& in_place,
                                   std::optional<double> end_mm)
 {
-    return Placing(chain, in_place, end_mm).rows();
+    return RowPlacing(chain, in_place, end_mm).rows();
 }
 
 }  // namespace lathelier::features

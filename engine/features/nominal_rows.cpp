@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/units.h"
 #include "engine/features/iso286.h"
 #include "engine/features/row_matching.h"
 #include "engine/features/rows_on_axis.h"
@@ -13,8 +14,6 @@ namespace lathelier::features {
 namespace {
 
 using std::optional;
-
-const Text mm = LT_TEXT("Engine", "mm");
 
 /// What was measured of a cylinder along a run of rows, or at one of its ends.
 struct Size {
@@ -71,7 +70,7 @@ Size endDiameter(const RowsOnAxis& rows, RowRun run, bool start)
             in_mm(start ? u.start_diameter_um : u.end_diameter_um)};
 }
 
-Size radiusOf(const RowsOnAxis& rows, RowRun run, double nominal_mm)
+Size arcRadiusOf(const RowsOnAxis& rows, RowRun run, double nominal_mm)
 {
     if (run.count != 1) return {};
     const optional<double>& radius = rows[run.first].arc_radius_mm;
@@ -108,7 +107,7 @@ Verdict judged(double deviation_mm, const optional<double>& U_mm, const Compared
     double excess = -std::numeric_limits<double>::infinity();
     if (row.upper_mm) excess = std::max(excess, deviation_mm - *row.upper_mm);
     if (row.lower_mm) excess = std::max(excess, *row.lower_mm - deviation_mm);
-    return judge(excess, U_mm.value_or(std::numeric_limits<double>::quiet_NaN()), 0, rule);
+    return judge(excess, U_mm.value_or(notANumber), 0, rule);
 }
 
 /// Makes the rows of one contour.
@@ -149,7 +148,7 @@ public:
         if (!drawn.arc_radius_mm) return;
         const double radius = std::abs(*drawn.arc_radius_mm);
         const bool outer = (*drawn.arc_radius_mm > 0) != hole;
-        put("arc_radius", radius, radiusOf(measured, run, *drawn.arc_radius_mm),
+        put("arc_radius", radius, arcRadiusOf(measured, run, *drawn.arc_radius_mm),
             outer ? edge(radius) : general(radius));
     }
 
@@ -268,14 +267,14 @@ const std::vector<QuantityOf<ComparedRow>>& quantitiesOf(const ComparedRow*)
         quantity<C>("bore", &C::bore, {LT_TEXT("Engine", "Bore")}),
         quantity<C>("quantity", &C::quantity),
         quantity<C>("named", quantityName, {LT_TEXT("Engine", "Quantity"), {}, 0, false}),
-        quantity<C>("nominal_mm", &C::nominal_mm, {LT_TEXT("Engine", "Nominal"), mm, 3}),
-        quantity<C>("measured_mm", &C::measured_mm, {LT_TEXT("Engine", "Measured"), mm, 4}),
-        quantity<C>("smallest_mm", &C::smallest_mm, {LT_TEXT("Engine", "Smallest"), mm, 4}),
-        quantity<C>("largest_mm", &C::largest_mm, {LT_TEXT("Engine", "Largest"), mm, 4}),
-        quantity<C>("deviation_mm", &C::deviation_mm, {LT_TEXT("Engine", "Deviation"), mm, 4}),
-        quantity<C>("uncertainty_mm", &C::uncertainty_mm, {LT_TEXT("Engine", "U (k = 2)"), mm, 4}),
-        quantity<C>("lower_mm", &C::lower_mm, {LT_TEXT("Engine", "Lower limit"), mm, 3}),
-        quantity<C>("upper_mm", &C::upper_mm, {LT_TEXT("Engine", "Upper limit"), mm, 3}),
+        quantity<C>("nominal_mm", &C::nominal_mm, {LT_TEXT("Engine", "Nominal"), unit::mm, 3}),
+        quantity<C>("measured_mm", &C::measured_mm, {LT_TEXT("Engine", "Measured"), unit::mm, 4}),
+        quantity<C>("smallest_mm", &C::smallest_mm, {LT_TEXT("Engine", "Smallest"), unit::mm, 4}),
+        quantity<C>("largest_mm", &C::largest_mm, {LT_TEXT("Engine", "Largest"), unit::mm, 4}),
+        quantity<C>("deviation_mm", &C::deviation_mm, {LT_TEXT("Engine", "Deviation"), unit::mm, 4}),
+        quantity<C>("uncertainty_mm", &C::uncertainty_mm, {LT_TEXT("Engine", "U (k = 2)"), unit::mm, 4}),
+        quantity<C>("lower_mm", &C::lower_mm, {LT_TEXT("Engine", "Lower limit"), unit::mm, 3}),
+        quantity<C>("upper_mm", &C::upper_mm, {LT_TEXT("Engine", "Upper limit"), unit::mm, 3}),
         quantity<C>("verdict", verdictKey<C>),
         quantity<C>("judged", verdictName<C>, {LT_TEXT("Engine", "Verdict"), {}, 0, false})};
     return all;

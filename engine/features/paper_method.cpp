@@ -17,7 +17,7 @@ struct Section {
 };
 
 /// x² + y² = Ax + By + C by least squares.
-std::optional<Section> circleOf(const std::vector<Eigen::Vector2d>& points, double z_mm)
+std::optional<Section> sectionThrough(const std::vector<Eigen::Vector2d>& points, double z_mm)
 {
     if (points.size() < kLeastPoints) return std::nullopt;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
@@ -36,7 +36,7 @@ std::optional<Section> circleOf(const std::vector<Eigen::Vector2d>& points, doub
 }
 
 /// Least-squares line through the centres.
-Eigen::Vector3d lineThrough(const std::vector<Section>& sections)
+Eigen::Vector3d centreLineThrough(const std::vector<Section>& sections)
 {
     double n = 0, sz = 0, szz = 0;
     Eigen::Vector2d s = Eigen::Vector2d::Zero(), szc = Eigen::Vector2d::Zero();
@@ -80,10 +80,10 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
     std::vector<Section> sections;
     for (std::size_t i = 0; i < count; ++i) {
         if (i % 64 == 0) progress.check();
-        if (const auto section = circleOf(bands[i], (static_cast<double>(i)) * pitch + width / 2))
+        if (const auto section = sectionThrough(bands[i], (static_cast<double>(i)) * pitch + width / 2))
             sections.push_back(*section);
     }
-    const Eigen::Vector3d axis = lineThrough(sections);
+    const Eigen::Vector3d axis = centreLineThrough(sections);
     result.axis = Eigen::Vector3d::Zero();
     result.axis[across] = axis.x();
     result.axis[up] = axis.y();

@@ -128,8 +128,8 @@ std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd m
 
 /// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its narrowest
 /// row only where that is hidden; else it is a through bore.
-void addBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
-              const AddedUncertainty& added, Recognition& result)
+void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
+                  const AddedUncertainty& added, Recognition& result)
 {
     constexpr double near_mm = 1;
     std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
@@ -263,7 +263,7 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     input.bore = true;
     input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
     const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1));
-    if (inner) addBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
     for (ShaftMark& mark : result.marks) {
         *mark.z_start_mm -= zero;

@@ -1,9 +1,9 @@
+#include "engine/core/units.h"
 #include "engine/features/recognition.h"
 
 namespace lathelier::features {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
 constexpr double longest_mm = 1e5;
 
 Label label(Text name, Text help, Text unit = {})
@@ -48,29 +48,29 @@ const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParam
                     LT_TEXT("Engine",
                             "On the radius: what one element describes within it is one row; 0: nothing is "
                             "merged."),
-                    mm)),
+                    unit::mm)),
         field(
             "scanner_accuracy_mm", &P::scanner_accuracy_mm, {0, 10},
             label(LT_TEXT("Engine", "Scanner accuracy"),
                   LT_TEXT("Engine", "Of the maker; it is added to every uncertainty. Without it they hold noise only."),
-                  mm)),
+                  unit::mm)),
         field("free_end", &P::free_end,
               {{"first", LT_TEXT("Engine", "first of the data")}, {"last", LT_TEXT("Engine", "last of the data")}},
               label(LT_TEXT("Engine", "Free end"),
                     LT_TEXT("Engine", "Where z is 0, along the larger coordinate's sense."))),
         field("length_mm", &P::length_mm, {0.01, longest_mm},
               folded(LT_TEXT("Engine", "Length"),
-                     LT_TEXT("Engine", "Confirms the length where an end lies outside the scan."), mm)),
+                     LT_TEXT("Engine", "Confirms the length where an end lies outside the scan."), unit::mm)),
         field("length_of_chucked_mm", &P::length_of_chucked_mm, {0, longest_mm},
               folded(LT_TEXT("Engine", "Length in the chuck"),
-                     LT_TEXT("Engine", "Kept in the shaft, left out of the stock file."), mm)),
+                     LT_TEXT("Engine", "Kept in the shaft, left out of the stock file."), unit::mm)),
         field("band_width_mm", &P::band_width_mm, {0.001, 100},
-              folded(LT_TEXT("Engine", "Section width"), LT_TEXT("Engine", "Of the published method."), mm)),
-        field("coverage_percent", &P::coverage_percent, {1, 100},
-              folded(LT_TEXT("Engine", "Sections cover"), LT_TEXT("Engine", "Of the published method."),
-                     LT_TEXT("Engine", "%"))),
+              folded(LT_TEXT("Engine", "Section width"), LT_TEXT("Engine", "Of the published method."), unit::mm)),
+        field(
+            "coverage_percent", &P::coverage_percent, {1, 100},
+            folded(LT_TEXT("Engine", "Sections cover"), LT_TEXT("Engine", "Of the published method."), unit::percent)),
         field("radial_tolerance_mm", &P::radial_tolerance_mm, {0.0001, 100},
-              folded(LT_TEXT("Engine", "Radial tolerance"), LT_TEXT("Engine", "Of the published method."), mm)),
+              folded(LT_TEXT("Engine", "Radial tolerance"), LT_TEXT("Engine", "Of the published method."), unit::mm)),
         field(
             "compare_with", &P::compare_with,
             {{"previous", LT_TEXT("Engine", "the one before")}, {"first", LT_TEXT("Engine", "the first of its step")}},

@@ -9,7 +9,9 @@
 #include <map>
 
 #include "engine/core/shaft_contour.h"
+#include "engine/core/statistics.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/snap.h"
 
@@ -19,15 +21,11 @@ namespace {
 using Eigen::Vector2d;
 using report::Curve;
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMeets_mm = 1e-6;
 constexpr int kPiecesOfArc = 40;
-constexpr std::size_t kMostNamed = 8;     ///< names in the meridian; more would stand in each other's way
-constexpr double kNameAt = 0.15;          ///< of a row's length: its name stands to the right of that
-constexpr double kShownShare = 0.995;     ///< of the residuals that the chart shows at first
-constexpr double kRowsHoldLittle = 0.04;  ///< of the length: shorter cylinders carry no diameter
+constexpr std::size_t mostNamesShown = 8;  ///< names in the meridian; more would stand in each other's way
+constexpr double kNameAt = 0.15;           ///< of a row's length: its name stands to the right of that
+constexpr double kShownShare = 0.995;      ///< of the residuals that the chart shows at first
+constexpr double kRowsHoldLittle = 0.04;   ///< of the length: shorter cylinders carry no diameter
 
 /// Along a piece from its start to its end, arcs cut finely.
 std::vector<Vector2d> pointsOf(const ContourPiece& piece)
@@ -46,7 +44,7 @@ std::vector<Vector2d> pointsOf(const ContourPiece& piece)
 }
 
 /// z of both charts: that of the data, with some air.
-Interval rangeOf(const Recognition& result)
+Interval shownRangeOf(const Recognition& result)
 {
     double from = std::numeric_limits<double>::infinity(), to = -from;
     const auto add = [&](double z_mm) {
@@ -66,15 +64,15 @@ Interval rangeOf(const Recognition& result)
 /// A disc: at equal scales its rows would stand too close to be told apart.
 bool isShort(const Recognition& result)
 {
-    const Interval range = rangeOf(result);
+    const Interval range = shownRangeOf(result);
     const auto largest = largestDiameter(result);
     return largest && largest->diameter_mm > 0.8 * (range.to - range.from);
 }
 
 report::Axis zAxis(const Recognition& result)
 {
-    report::Axis axis{LT_TEXT("Engine", "z from the free end"), mm};
-    axis.range = rangeOf(result);
+    report::Axis axis{LT_TEXT("Engine", "z from the free end"), unit::mm};
+    axis.range = shownRangeOf(result);
     return axis;
 }
 
@@ -91,7 +89,7 @@ public:
         if (points.empty()) return;
         if (!curve_.x.empty()) {
             curve_.x.push_back(points.front().x());
-            curve_.y.push_back(nothing);
+            curve_.y.push_back(notANumber);
         }
         for (const Vector2d& point : points) {
             curve_.x.push_back(point.x());
@@ -175,7 +173,7 @@ Curve meansOf(const Recognition& result)
     const auto close = [&] {
         if (run.size() >= bins && !means.x.empty()) {
             means.x.push_back(run.front()->z_mm);
-            means.y.push_back(nothing);
+            means.y.push_back(notANumber);
         }
         for (std::size_t i = 0; i + bins <= run.size(); ++i) {
             double sum_mm = 0;
@@ -208,7 +206,7 @@ void addRows(report::Plot& plot, const Recognition& result)
             const std::vector<Vector2d> contour = contourOf(rows[i]);
             kinds[static_cast<std::size_t>(rows[i].kind)].add(contour, sign);
             if (sign > 0 && !hollow) fill(plot, contour, report::ColourRole::Original);
-            const bool goes_on = i + 1 < rows.size() && rows[i + 1].z_start_mm - rows[i].z_end_mm < kMeets_mm;
+            const bool goes_on = i + 1 < rows.size() && rows[i + 1].z_start_mm - rows[i].z_end_mm < same_mm;
             if (goes_on) faces.add({contour.back(), contourOf(rows[i + 1]).front()}, sign);
         }
         if (rows.empty()) continue;
@@ -234,12 +232,12 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
     const auto length = [](const RecognizedRow* row) { return row->z_end_mm - row->z_start_mm; };
     std::stable_sort(longest.begin(), longest.end(),
                      [&](const auto* a, const auto* b) { return length(a) > length(b); });
-    longest.resize(std::min(longest.size(), kMostNamed));
+    longest.resize(std::min(longest.size(), mostNamesShown));
     for (const RecognizedRow* row : longest)
         plot.marks.push_back({row->z_start_mm + kNameAt * length(row), row->start_diameter_mm / 2,
-                              "⌀ " + shownNumber(row->start_diameter_mm, mm, 3, language)});
+                              "⌀ " + shownNumber(row->start_diameter_mm, unit::mm, 3, language)});
     for (const RecognizedFeature& feature : result.features) {
-        if (feature.designation.empty() || plot.marks.size() >= 2 * kMostNamed || feature.rows.empty()) continue;
+        if (feature.designation.empty() || plot.marks.size() >= 2 * mostNamesShown || feature.rows.empty()) continue;
         const auto row = static_cast<std::size_t>(feature.rows.front() - 1);
         if (row >= result.segments.size()) continue;
         const RecognizedRow& first = result.segments[row];
@@ -256,7 +254,7 @@ report::Caption captionOf(const Value& name)
 }
 
 /// Marks and stretches without data, each name once in the legend.
-void addStretches(report::Plot& plot, const Recognition& result)
+void plotStretches(report::Plot& plot, const Recognition& result)
 {
     bool named = false;
     for (const Gap& gap : result.gaps) {
@@ -303,7 +301,7 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Meridian");
     plot.x = zAxis(result);
-    plot.y = {LT_TEXT("Engine", "Radius"), mm};
+    plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     plot.equal_scales = !isShort(result);
     if (!plot.equal_scales) plot.remark = LT_TEXT("Engine", "z is drawn larger than the radius");
     plot.curves.push_back(binsOf(result));
@@ -313,7 +311,7 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     axis.colour = report::ColourRole::Neutral;
     axis.spoken = false;
     plot.curves.push_back(std::move(axis));
-    addStretches(plot, result);
+    plotStretches(plot, result);
     addNames(plot, result, language);
     if (const auto largest = largestDiameter(result)) {  // room for the names
         const double edge_mm = 0.65 * largest->diameter_mm;
@@ -327,7 +325,7 @@ report::Plot residualPlot(const Recognition& result)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Data minus rows");
     plot.x = zAxis(result);
-    plot.y = {LT_TEXT("Engine", "Residual of the radius"), um};
+    plot.y = {LT_TEXT("Engine", "Residual of the radius"), unit::um};
     Curve band{LT_TEXT("Engine", "±2 σ of a bin"), {}, {}, Curve::Style::Band};
     band.colour = report::ColourRole::Neutral;
     std::array<Curve, 3> kinds;
@@ -358,10 +356,7 @@ report::Plot residualPlot(const Recognition& result)
     if (!means.x.empty()) plot.curves.push_back(std::move(means));
     double edge_um = 1;
     if (!sizes.empty()) {
-        const auto at =
-            sizes.begin() + static_cast<std::ptrdiff_t>(kShownShare * static_cast<double>(sizes.size() - 1));
-        std::nth_element(sizes.begin(), at, sizes.end());
-        edge_um = std::max(edge_um, *at);
+        edge_um = std::max(edge_um, lowerQuantileInPlace(sizes, kShownShare));
     }
     const double tolerance_um = 1e3 * result.parameters.form_tolerance_mm;
     if (tolerance_um > 0) {
@@ -374,7 +369,7 @@ report::Plot residualPlot(const Recognition& result)
         edge_um = std::max(edge_um, tolerance_um);
     }
     plot.y.range = Interval{-1.3 * edge_um, 1.3 * edge_um};
-    addStretches(plot, result);
+    plotStretches(plot, result);
     return plot;
 }
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "engine/core/units.h"
+
 namespace lathelier::features {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
-const Text percent = LT_TEXT("Engine", "%");
 
 Value named(const std::string& key, const std::vector<std::pair<const char*, Text>>& names)
 {
@@ -73,24 +72,24 @@ const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*)
 {
     using R = Recognition;
     static const auto all = describedBy<R>(
-        quantity<R>("length_mm", &R::length_mm, {LT_TEXT("Engine", "Length"), mm, 4}),
+        quantity<R>("length_mm", &R::length_mm, {LT_TEXT("Engine", "Length"), unit::mm, 4}),
         quantity<R>("length_uncertainty_mm",
                     [](const R& r) { return r.length_mm ? Value(r.length_uncertainty_mm) : Value(); },
-                    {LT_TEXT("Engine", "Its expanded uncertainty (k = 2)"), mm, 4}),
+                    {LT_TEXT("Engine", "Its expanded uncertainty (k = 2)"), unit::mm, 4}),
         quantity<R>("largest_diameter_mm",
                     [](const R& r) {
                         const auto largest = largestDiameter(r);
                         return largest ? Value(largest->diameter_mm) : Value();
                     },
-                    {LT_TEXT("Engine", "Largest diameter"), mm, 4}),
+                    {LT_TEXT("Engine", "Largest diameter"), unit::mm, 4}),
         quantity<R>("coverage_percent", &R::coverage_percent,
-                    {LT_TEXT("Engine", "Share of the length that rows cover"), percent, 1}),
+                    {LT_TEXT("Engine", "Share of the length that rows cover"), unit::percent, 1}),
         quantity<R>("residual_rmse_mm", &R::residual_rmse_mm,
-                    {LT_TEXT("Engine", "Residual of the meridian (RMS)"), mm, 5}),
+                    {LT_TEXT("Engine", "Residual of the meridian (RMS)"), unit::mm, 5}),
         quantity<R>("chi2_per_bin", &R::chi2_per_bin, {LT_TEXT("Engine", "χ² per bin"), {}, 2}),
-        quantity<R>("spot_mm", &R::spot_mm, {LT_TEXT("Engine", "Width that edges are blurred by"), mm, 3}),
-        quantity<R>("noise_mm", &R::noise_mm, {LT_TEXT("Engine", "Noise of single points"), mm, 4}),
-        quantity<R>("volume_mm3", &R::volume_mm3, {LT_TEXT("Engine", "Volume"), LT_TEXT("Engine", "mm³"), 1}),
+        quantity<R>("spot_mm", &R::spot_mm, {LT_TEXT("Engine", "Width that edges are blurred by"), unit::mm, 3}),
+        quantity<R>("noise_mm", &R::noise_mm, {LT_TEXT("Engine", "Noise of single points"), unit::mm, 4}),
+        quantity<R>("volume_mm3", &R::volume_mm3, {LT_TEXT("Engine", "Volume"), unit::mm3, 1}),
         quantity<R>("points_used", &R::points_used, {LT_TEXT("Engine", "Points"), {}, 0}));
     return all;
 }

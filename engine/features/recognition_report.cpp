@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/features/recognition_plots.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/io/io_codes.h"
@@ -15,8 +16,6 @@
 namespace lathelier::features {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
 constexpr double kUm = 1e-3;  ///< mm
 
 /// Two digits of the uncertainty, from hundredths of a millimetre to tenths of a micrometre.
@@ -51,9 +50,9 @@ std::string wordsOf(const RecognizedRow& row, const Language& language)
 std::string diameterOf(const RecognizedRow& row, const Language& language)
 {
     const SizeUncertainty& u = row.uncertainty;
-    std::string text = withUncertainty(row.start_diameter_mm, mmOf(u.start_diameter_um), mm, language);
+    std::string text = withUncertainty(row.start_diameter_mm, mmOf(u.start_diameter_um), unit::mm, language);
     if (row.kind != RowKind::Cylinder)
-        text += " → " + withUncertainty(row.end_diameter_mm, mmOf(u.end_diameter_um), mm, language);
+        text += " → " + withUncertainty(row.end_diameter_mm, mmOf(u.end_diameter_um), unit::mm, language);
     return text;
 }
 
@@ -62,7 +61,7 @@ Value shapeOf(const RecognizedRow& row, const Language& language)
 {
     if (row.kind == RowKind::Arc && row.arc_radius_mm) {
         return std::string("R ").append(
-            withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), mm, language));
+            withUncertainty(std::abs(*row.arc_radius_mm), mmOf(row.uncertainty.arc_radius_um), unit::mm, language));
     }
     if (row.kind != RowKind::Cone) return {};
     const int decimals = row.uncertainty.angle_deg ? decimalsFor(*row.uncertainty.angle_deg) : 3;
@@ -83,8 +82,8 @@ report::Table marksTable(const Recognition& result, const Language& language)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Marks that are no body of revolution");
-    table.columns = {LT_TEXT("Engine", "Mark"), report::Labelled{LT_TEXT("Engine", "z from"), mm},
-                     report::Labelled{LT_TEXT("Engine", "z to"), mm}, LT_TEXT("Engine", "Sizes")};
+    table.columns = {LT_TEXT("Engine", "Mark"), report::Labelled{LT_TEXT("Engine", "z from"), unit::mm},
+                     report::Labelled{LT_TEXT("Engine", "z to"), unit::mm}, LT_TEXT("Engine", "Sizes")};
     table.decimals = {0, 2, 2, 0};
     for (const ShaftMark& mark : result.marks) {
         std::string sizes = mark.designation;
@@ -105,11 +104,11 @@ report::Table marksTable(const Recognition& result, const Language& language)
 
 report::Labelled fromColumn()
 {
-    return {LT_TEXT("Engine", "z from"), mm};
+    return {LT_TEXT("Engine", "z from"), unit::mm};
 }
 report::Labelled toColumn()
 {
-    return {LT_TEXT("Engine", "z to"), mm};
+    return {LT_TEXT("Engine", "z to"), unit::mm};
 }
 
 report::Table featuresTable(const Recognition& result)
@@ -135,8 +134,8 @@ report::Table gapsTable(const Recognition& result)
 report::Table endsTable(const Recognition& result)
 {
     report::Table table{LT_TEXT("Engine", "Free end and chuck end"),
-                        {report::Labelled{LT_TEXT("Engine", "z"), mm},
-                         report::Labelled{LT_TEXT("Engine", "± (k = 2)"), mm}, LT_TEXT("Engine", "Closed by")},
+                        {report::Labelled{LT_TEXT("Engine", "z"), unit::mm},
+                         report::Labelled{LT_TEXT("Engine", "± (k = 2)"), unit::mm}, LT_TEXT("Engine", "Closed by")},
                         {},
                         {4, 4, 0}};
     for (const RecognizedEnd& end : result.ends)
@@ -192,7 +191,7 @@ report::Answer answer(const Recognition& result)
 {
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Length");
-    answer.unit = mm;
+    answer.unit = unit::mm;
     answer.value = result.length_mm;
     answer.verdict_words = result.complete ? LT_TEXT("Engine", "complete") : LT_TEXT("Engine", "not complete");
     if (result.length_mm && result.length_uncertainty_mm > 0) {
@@ -221,10 +220,10 @@ std::string suggestionText(const Suggestion& suggestion, const Language& languag
         if (suggestion.quantity == "length_mm") size = "L ";
         if (suggestion.quantity == "z_mm") size = "z ";
         const int decimals = suggestion.grid_mm >= 1 ? 0 : suggestion.grid_mm >= 0.1 ? 1 : 2;
-        size += shownNumber(suggestion.nominal_mm, mm, decimals, language);
+        size += shownNumber(suggestion.nominal_mm, unit::mm, decimals, language);
     }
-    std::string beside =
-        shownNumber(suggestion.difference_um, um, 1, language) + " " + text(shownUnit(um, language).unit, language);
+    std::string beside = shownNumber(suggestion.difference_um, unit::um, 1, language) + " " +
+                         text(shownUnit(unit::um, language).unit, language);
     if (suggestion.difference_um > 0) beside.insert(0, 1, '+');
     if (!suggestion.fits.empty()) beside += ", " + suggestion.fits.front();
     return size + " (" + beside + ")";
@@ -236,21 +235,21 @@ report::Table rowsTable(const Recognition& result, const Language& language)
     table.title = LT_TEXT("Engine", "Rows from the free end, ± k = 2");
     table.columns = {LT_TEXT("Engine", "Row"),
                      LT_TEXT("Engine", "Kind"),
-                     report::Labelled{LT_TEXT("Engine", "Diameter"), mm},
+                     report::Labelled{LT_TEXT("Engine", "Diameter"), unit::mm},
                      LT_TEXT("Engine", "Nominal"),
-                     report::Labelled{LT_TEXT("Engine", "z from"), mm},
-                     report::Labelled{LT_TEXT("Engine", "z to"), mm},
+                     report::Labelled{LT_TEXT("Engine", "z from"), unit::mm},
+                     report::Labelled{LT_TEXT("Engine", "z to"), unit::mm},
                      LT_TEXT("Engine", "R or half angle"),
-                     report::Labelled{LT_TEXT("Engine", "Residual"), um},
-                     report::Labelled{LT_TEXT("Engine", "Form"), um}};
+                     report::Labelled{LT_TEXT("Engine", "Residual"), unit::um},
+                     report::Labelled{LT_TEXT("Engine", "Form"), unit::um}};
     table.decimals = {0, 0, 0, 0, 0, 0, 0, 2, 1};
     const auto add = [&](Value number, const RecognizedRow& row) {
         const SizeUncertainty& u = row.uncertainty;
-        table.rows.push_back({std::move(number), wordsOf(row, language), diameterOf(row, language),
-                              suggestionsOf(row, language),
-                              withUncertainty(row.z_start_mm, mmOf(u.z_start_um), mm, language),
-                              withUncertainty(row.z_end_mm, mmOf(u.z_end_um), mm, language), shapeOf(row, language),
-                              row.residual_um, row.form_pv_um > 0 ? Value(row.form_pv_um) : Value()});
+        table.rows.push_back(
+            {std::move(number), wordsOf(row, language), diameterOf(row, language), suggestionsOf(row, language),
+             withUncertainty(row.z_start_mm, mmOf(u.z_start_um), unit::mm, language),
+             withUncertainty(row.z_end_mm, mmOf(u.z_end_um), unit::mm, language), shapeOf(row, language),
+             row.residual_um, row.form_pv_um > 0 ? Value(row.form_pv_um) : Value()});
     };
     std::int64_t number = 0;
     for (const RecognizedRow& row : result.segments) add(++number, row);
@@ -265,10 +264,11 @@ report::Table stepsTable(const std::vector<ShaftStep>& steps)
 {
     report::Table table{
         LT_TEXT("Engine", "Steps as published, chamfers folded in"),
-        {report::Labelled{LT_TEXT("Engine", "x"), mm}, report::Labelled{LT_TEXT("Engine", "y"), mm},
-         report::Labelled{LT_TEXT("Engine", "Radius"), mm}, report::Labelled{LT_TEXT("Engine", "z from"), mm},
-         report::Labelled{LT_TEXT("Engine", "z to"), mm}, report::Labelled{LT_TEXT("Engine", "Chamfer, start"), mm},
-         report::Labelled{LT_TEXT("Engine", "Chamfer, end"), mm}},
+        {report::Labelled{LT_TEXT("Engine", "x"), unit::mm}, report::Labelled{LT_TEXT("Engine", "y"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "Radius"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "z from"), unit::mm}, report::Labelled{LT_TEXT("Engine", "z to"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "Chamfer, start"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "Chamfer, end"), unit::mm}},
         {},
         {4, 4, 4, 3, 3, 3, 3}};
     for (const ShaftStep& step : steps)

@@ -2,13 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::features {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-const Text degree = LT_TEXT("Engine", "°");
-const Text percent = LT_TEXT("Engine", "%");
 
 /// U of a row by the keys of SizeUncertainty.
 std::vector<QuantityOf<RecognizedRow>> uncertainties()
@@ -17,15 +14,16 @@ std::vector<QuantityOf<RecognizedRow>> uncertainties()
     const auto of = [](const char* name, std::optional<double> SizeUncertainty::*member, Text label, Text unit) {
         return quantity<R>(name, [member](const R& row) { return row.uncertainty.*member; }, {label, unit, 1});
     };
-    return {
-        of("uncertainty.z_start_um", &SizeUncertainty::z_start_um, LT_TEXT("Engine", "U of its start"), um),
-        of("uncertainty.z_end_um", &SizeUncertainty::z_end_um, LT_TEXT("Engine", "U of its end"), um),
-        of("uncertainty.length_um", &SizeUncertainty::length_um, LT_TEXT("Engine", "U of its length"), um),
-        of("uncertainty.start_diameter_um", &SizeUncertainty::start_diameter_um, LT_TEXT("Engine", "U of the start ⌀"),
-           um),
-        of("uncertainty.end_diameter_um", &SizeUncertainty::end_diameter_um, LT_TEXT("Engine", "U of the end ⌀"), um),
-        of("uncertainty.arc_radius_um", &SizeUncertainty::arc_radius_um, LT_TEXT("Engine", "U of the radius"), um),
-        of("uncertainty.angle_deg", &SizeUncertainty::angle_deg, LT_TEXT("Engine", "U of the angle"), degree)};
+    return {of("uncertainty.z_start_um", &SizeUncertainty::z_start_um, LT_TEXT("Engine", "U of its start"), unit::um),
+            of("uncertainty.z_end_um", &SizeUncertainty::z_end_um, LT_TEXT("Engine", "U of its end"), unit::um),
+            of("uncertainty.length_um", &SizeUncertainty::length_um, LT_TEXT("Engine", "U of its length"), unit::um),
+            of("uncertainty.start_diameter_um", &SizeUncertainty::start_diameter_um,
+               LT_TEXT("Engine", "U of the start ⌀"), unit::um),
+            of("uncertainty.end_diameter_um", &SizeUncertainty::end_diameter_um, LT_TEXT("Engine", "U of the end ⌀"),
+               unit::um),
+            of("uncertainty.arc_radius_um", &SizeUncertainty::arc_radius_um, LT_TEXT("Engine", "U of the radius"),
+               unit::um),
+            of("uncertainty.angle_deg", &SizeUncertainty::angle_deg, LT_TEXT("Engine", "U of the angle"), unit::deg)};
 }
 
 template <class T>
@@ -93,14 +91,14 @@ const char* key(RowKind kind)
 const std::vector<QuantityOf<Suggestion>>& quantitiesOf(const Suggestion*)
 {
     using S = Suggestion;
-    static const auto all =
-        describedBy<S>(quantity<S>("quantity", &S::quantity, {LT_TEXT("Engine", "Quantity")}),
-                       quantity<S>("measured_mm", &S::measured_mm, {LT_TEXT("Engine", "Measured"), mm, 4}),
-                       quantity<S>("nominal_mm", &S::nominal_mm, {LT_TEXT("Engine", "Nominal"), mm, 3}),
-                       quantity<S>("difference_um", &S::difference_um, {LT_TEXT("Engine", "Difference"), um, 1}),
-                       quantity<S>("grid_mm", &S::grid_mm, {LT_TEXT("Engine", "Grid"), mm, 2}),
-                       quantity<S>("chance_percent", &S::chance_percent, {LT_TEXT("Engine", "Chance"), percent, 1}),
-                       quantity<S>("designation", &S::designation, {LT_TEXT("Engine", "Designation")}));
+    static const auto all = describedBy<S>(
+        quantity<S>("quantity", &S::quantity, {LT_TEXT("Engine", "Quantity")}),
+        quantity<S>("measured_mm", &S::measured_mm, {LT_TEXT("Engine", "Measured"), unit::mm, 4}),
+        quantity<S>("nominal_mm", &S::nominal_mm, {LT_TEXT("Engine", "Nominal"), unit::mm, 3}),
+        quantity<S>("difference_um", &S::difference_um, {LT_TEXT("Engine", "Difference"), unit::um, 1}),
+        quantity<S>("grid_mm", &S::grid_mm, {LT_TEXT("Engine", "Grid"), unit::mm, 2}),
+        quantity<S>("chance_percent", &S::chance_percent, {LT_TEXT("Engine", "Chance"), unit::percent, 1}),
+        quantity<S>("designation", &S::designation, {LT_TEXT("Engine", "Designation")}));
     return all;
 }
 
@@ -110,17 +108,17 @@ const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*)
     static const auto all = describedBy<R>(
         quantity<R>("kind", [](const R& row) { return key(row.kind); }, {LT_TEXT("Engine", "Kind")}),
         quantity<R>("role", &R::role, {LT_TEXT("Engine", "Role")}),
-        quantity<R>("z_start_mm", &R::z_start_mm, {LT_TEXT("Engine", "Start z"), mm, 3}),
-        quantity<R>("z_end_mm", &R::z_end_mm, {LT_TEXT("Engine", "End z"), mm, 3}),
-        quantity<R>("start_diameter_mm", &R::start_diameter_mm, {LT_TEXT("Engine", "Start ⌀"), mm, 4}),
-        quantity<R>("end_diameter_mm", &R::end_diameter_mm, {LT_TEXT("Engine", "End ⌀"), mm, 4}),
-        quantity<R>("arc_radius_mm", &R::arc_radius_mm, {LT_TEXT("Engine", "Arc radius"), mm, 3}),
-        quantity<R>("half_angle_deg", &R::half_angle_deg, {LT_TEXT("Engine", "Half angle"), degree, 3}),
+        quantity<R>("z_start_mm", &R::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 3}),
+        quantity<R>("z_end_mm", &R::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 3}),
+        quantity<R>("start_diameter_mm", &R::start_diameter_mm, {LT_TEXT("Engine", "Start ⌀"), unit::mm, 4}),
+        quantity<R>("end_diameter_mm", &R::end_diameter_mm, {LT_TEXT("Engine", "End ⌀"), unit::mm, 4}),
+        quantity<R>("arc_radius_mm", &R::arc_radius_mm, {LT_TEXT("Engine", "Arc radius"), unit::mm, 3}),
+        quantity<R>("half_angle_deg", &R::half_angle_deg, {LT_TEXT("Engine", "Half angle"), unit::deg, 3}),
         quantity<R>("ties", &R::ties), quantity<R>("points", &R::points, {LT_TEXT("Engine", "Points")}),
-        quantity<R>("coverage_deg", &R::coverage_deg, {LT_TEXT("Engine", "Seen of the circle"), degree, 0}),
-        quantity<R>("residual_um", &R::residual_um, {LT_TEXT("Engine", "Residual"), um, 1}),
-        quantity<R>("form_pv_um", &R::form_pv_um, {LT_TEXT("Engine", "Form"), um, 1}),
-        quantity<R>("taper_um", &R::taper_um, {LT_TEXT("Engine", "Taper of the radius"), um, 1}),
+        quantity<R>("coverage_deg", &R::coverage_deg, {LT_TEXT("Engine", "Seen of the circle"), unit::deg, 0}),
+        quantity<R>("residual_um", &R::residual_um, {LT_TEXT("Engine", "Residual"), unit::um, 1}),
+        quantity<R>("form_pv_um", &R::form_pv_um, {LT_TEXT("Engine", "Form"), unit::um, 1}),
+        quantity<R>("taper_um", &R::taper_um, {LT_TEXT("Engine", "Taper of the radius"), unit::um, 1}),
         quantity<R>("fully_visible", &R::fully_visible), uncertainties());
     return all;
 }
@@ -130,8 +128,8 @@ const std::vector<QuantityOf<RecognizedFeature>>& quantitiesOf(const RecognizedF
     using F = RecognizedFeature;
     static const auto all =
         describedBy<F>(quantity<F>("kind", &F::kind, {LT_TEXT("Engine", "Kind")}),
-                       quantity<F>("z_start_mm", &F::z_start_mm, {LT_TEXT("Engine", "Start z"), mm, 3}),
-                       quantity<F>("z_end_mm", &F::z_end_mm, {LT_TEXT("Engine", "End z"), mm, 3}),
+                       quantity<F>("z_start_mm", &F::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 3}),
+                       quantity<F>("z_end_mm", &F::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 3}),
                        quantity<F>("rows", &F::rows, {LT_TEXT("Engine", "Rows")}),
                        quantity<F>("designation", &F::designation, {LT_TEXT("Engine", "Designation")}));
     return all;
@@ -141,8 +139,8 @@ const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*)
 {
     using E = RecognizedEnd;
     static const auto all =
-        describedBy<E>(quantity<E>("z_mm", &E::z_mm, {LT_TEXT("Engine", "z"), mm, 3}),
-                       quantity<E>("uncertainty_mm", &E::uncertainty_mm, {LT_TEXT("Engine", "U"), mm, 3}),
+        describedBy<E>(quantity<E>("z_mm", &E::z_mm, {LT_TEXT("Engine", "z"), unit::mm, 3}),
+                       quantity<E>("uncertainty_mm", &E::uncertainty_mm, {LT_TEXT("Engine", "U"), unit::mm, 3}),
                        quantity<E>("closed_by", &E::closed_by, {LT_TEXT("Engine", "Closed by")}));
     return all;
 }
@@ -150,8 +148,8 @@ const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*)
 const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*)
 {
     static const auto all =
-        describedBy<Gap>(quantity<Gap>("z_start_mm", &Gap::z_start_mm, {LT_TEXT("Engine", "Start z"), mm, 3}),
-                         quantity<Gap>("z_end_mm", &Gap::z_end_mm, {LT_TEXT("Engine", "End z"), mm, 3}));
+        describedBy<Gap>(quantity<Gap>("z_start_mm", &Gap::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 3}),
+                         quantity<Gap>("z_end_mm", &Gap::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 3}));
     return all;
 }
 
@@ -159,9 +157,9 @@ const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction
 {
     using M = MergedJunction;
     static const auto all =
-        describedBy<M>(quantity<M>("z_mm", &M::z_mm, {LT_TEXT("Engine", "z"), mm, 3}),
-                       quantity<M>("step_um", &M::step_um, {LT_TEXT("Engine", "Step"), um, 1}),
-                       quantity<M>("angle_deg", &M::angle_deg, {LT_TEXT("Engine", "Bend"), degree, 3}));
+        describedBy<M>(quantity<M>("z_mm", &M::z_mm, {LT_TEXT("Engine", "z"), unit::mm, 3}),
+                       quantity<M>("step_um", &M::step_um, {LT_TEXT("Engine", "Step"), unit::um, 1}),
+                       quantity<M>("angle_deg", &M::angle_deg, {LT_TEXT("Engine", "Bend"), unit::deg, 3}));
     return all;
 }
 

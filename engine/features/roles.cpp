@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSteep_deg = 10, kFlat_deg = 80;
 constexpr double kLargestLeg_mm = 6, kLargestRound_mm = 10;
-constexpr double kOnAxis_mm = 0.01;
+constexpr double noDiameter_mm = 0.01;
 
 /// Does this boundary of row i drop away from the row: an end of the part, or a shoulder that falls further?
 bool fallsAway(const RowChain& chain, std::size_t i, bool at_start)
@@ -46,7 +46,7 @@ std::string roleOfCone(const RowChain& chain, std::size_t i)
 {
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2, angle = chain.angle_deg(i);
     const RecognizedRow& row = chain.row(i);
-    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < kOnAxis_mm || radial == 0) return "";
+    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm || radial == 0) return "";
     if (angle > kSteep_deg && angle < kFlat_deg && std::min(radial, std::abs(chain.length_mm(i))) <= kLargestLeg_mm &&
         breaksAnEdge(chain, i))
         return "chamfer";
@@ -56,7 +56,7 @@ std::string roleOfCone(const RowChain& chain, std::size_t i)
 std::string roleOfArc(const RowChain& chain, std::size_t i)
 {
     const RecognizedRow& row = chain.row(i);
-    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < kOnAxis_mm) return "";
+    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm) return "";
     const bool inside = turns(chain, i);
     if (chain.isConcave(i)) return inside ? "saddle" : "fillet";
     if (inside || std::abs(*row.arc_radius_mm) > kLargestRound_mm) return "";

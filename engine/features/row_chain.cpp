@@ -8,7 +8,7 @@ namespace lathelier::features {
 namespace {
 
 constexpr double kSameDiameter_mm = 1e-4;
-constexpr double kGap_mm = 1e-3, kRelief_mm = 1e-6;
+constexpr double joinGap_mm = 1e-3, kRelief_mm = 1e-6;
 
 double inMillimetres(const std::optional<double>& value_um)
 {
@@ -58,7 +58,7 @@ void RowChain::findJoints()
     for (std::size_t i = 1; i < size(); ++i) {
         const double ahead = start_mm(i) - end_mm(i - 1);
         const double step = std::abs(row(i).start_diameter_mm - row(i - 1).end_diameter_mm);
-        joints_[i] = ahead > kGap_mm            ? Joint::Gap
+        joints_[i] = ahead > joinGap_mm         ? Joint::Gap
                      : ahead < -kRelief_mm      ? Joint::Relieved
                      : step <= kSameDiameter_mm ? Joint::Joined
                                                 : Joint::Plane;

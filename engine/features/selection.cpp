@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/features/model_fit.h"
 #include "engine/features/selection_criterion.h"
@@ -10,9 +11,8 @@ namespace lathelier::features {
 namespace {
 
 constexpr double kShortCone_mm = 4;
-constexpr double kMargin = 8;       // beyond its price, what a new element must gain
 constexpr double kShort_mm = 0.45;  // shorter elements are dropped when that costs little
-constexpr double kBend = 3.4 * 3.14159265358979323846 / 180;
+constexpr double kBend = 3.4 * std::numbers::pi / 180;
 
 /// A run tried in place of the one that is there.
 struct Trial {
@@ -111,7 +111,7 @@ bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<El
     const double without = fitWindow(model, {r, first, last}, from, to, 6);
     const double price_without = price(model, slotsOf(model, r, first, last).size());
     const Run kept = model.runs[r];
-    Trial best{before, without + price_without - kMargin};
+    Trial best{before, without + price_without - leastGain};
     bool found = false;
     for (const Element& element : elements) {
         model.runs[r] = kept;

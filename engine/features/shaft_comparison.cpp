@@ -27,8 +27,8 @@ void addNew(const Notes& more, Notes& notes)
 }
 
 /// Without what was recognised every size with a limit is undecided.
-std::vector<ComparedRow> rowsOf(const Shaft& nominal, const Scan& copy, registration::CompareResult& surface,
-                                const Progress& progress)
+std::vector<ComparedRow> comparedRowsOf(const Shaft& nominal, const Scan& copy, registration::CompareResult& surface,
+                                        const Progress& progress)
 {
     RecognitionParameters parameters;
     parameters.snap = Snap::None;
@@ -45,7 +45,7 @@ std::vector<ComparedRow> rowsOf(const Shaft& nominal, const Scan& copy, registra
                        surface.alignment.reference_T_copy * measured.part_T_scan.inverse());
 }
 
-Value nameOf(const std::optional<Verdict>& verdict)
+Value verdictWord(const std::optional<Verdict>& verdict)
 {
     return verdict ? Value(name(*verdict)) : Value();
 }
@@ -179,7 +179,7 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
     result.surface = compare(reference, copy, parameters,
                              progress.part(0.05, 0.8, LT_TEXT("Engine", "Comparing the surface")), detail);
     result.rows =
-        rowsOf(nominal, copy, result.surface, progress.part(0.8, 1, LT_TEXT("Engine", "Comparing the sizes")));
+        comparedRowsOf(nominal, copy, result.surface, progress.part(0.8, 1, LT_TEXT("Engine", "Comparing the sizes")));
     result.verdict = worstVerdict(result.rows);
     if (const auto& surface = result.surface.verdict) result.verdict = together(result.verdict, *surface);
     return result;
@@ -210,9 +210,9 @@ report::Table sizesTable(const ShaftComparison& result)
 report::Section sizesSection(const ShaftComparison& result)
 {
     report::QuantityTable verdicts{LT_TEXT("Engine", "Verdicts"), {}};
-    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), nameOf(result.surface.verdict), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), nameOf(worstVerdict(result.rows)), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), nameOf(result.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), verdictWord(result.surface.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), verdictWord(worstVerdict(result.rows)), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), verdictWord(result.verdict), {}});
     return {LT_TEXT("Engine", "Sizes against the drawing"), {verdicts, sizesTable(result)}};
 }
 

@@ -12,8 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kOnAxis_mm = 1e-9;  // a radius no larger than this is none
+constexpr double noRadius_mm = 1e-9;  // a radius no larger than this is none
 constexpr int kLeastSides = 12;
 constexpr int kLeastChords = 3;  // of an arc: with two the point between them would lie beyond the sagitta
 constexpr double kCoarser = 1.5;
@@ -57,7 +56,7 @@ int sidesFor(const std::vector<Vector2d>& polygon, double sagitta_mm)
 {
     double largest = 0;
     for (const Vector2d& point : polygon) largest = std::max(largest, point.y());
-    return largest > 0 ? std::max(kLeastSides, chordsOf(2 * kPi, largest, sagitta_mm)) : kLeastSides;
+    return largest > 0 ? std::max(kLeastSides, chordsOf(2 * std::numbers::pi, largest, sagitta_mm)) : kLeastSides;
 }
 
 /// The vertices of one point of the meridian: a ring, or a single one on the axis.
@@ -84,13 +83,13 @@ ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm, const Progress& progr
         polygon = polygonOf(contour, made.sagitta_mm);
         sides = sidesFor(polygon, made.sagitta_mm);
     }
-    const double turn = 2 * kPi / sides;
+    const double turn = 2 * std::numbers::pi / sides;
     const double outward = std::sqrt(turn / std::sin(turn));  // area of the polygon = area of the circle
     std::vector<Ring> rings;
     auto& points = made.scan.points_mm;
     for (const Vector2d& point : polygon) {
         progress.check();
-        Ring ring{static_cast<std::uint32_t>(points.size()), point.y() <= kOnAxis_mm};
+        Ring ring{static_cast<std::uint32_t>(points.size()), point.y() <= noRadius_mm};
         const double radius = ring.on_axis ? 0 : point.y() * outward;
         for (int side = 0; side < (ring.on_axis ? 1 : sides); ++side)
             points.emplace_back(radius * std::cos(turn * side), radius * std::sin(turn * side), point.x());

@@ -54,7 +54,7 @@ Made outsideOf(const Recognition& recognition, const Flags& in_place, bool keep_
     return made;
 }
 
-void addBores(Shaft& shaft, const Recognition& recognition, bool in_place)
+void addPlacedBores(Shaft& shaft, const Recognition& recognition, bool in_place)
 {
     for (std::size_t i = 0; i < recognition.bores.size(); ++i) {
         if (recognition.bores[i].empty()) continue;
@@ -102,7 +102,7 @@ bool isSound(const Shaft& shaft)
 Shaft measuredShaft(const Recognition& recognition)
 {
     Made made = outsideOf(recognition, Flags(recognition.segments.size(), false), false);
-    addBores(made.shaft, recognition, false);
+    addPlacedBores(made.shaft, recognition, false);
     return std::move(made.shaft);
 }
 
@@ -122,7 +122,7 @@ Shaft appliedNominal(const Recognition& recognition)
     }
     for (const bool nominal_bores : {true, false}) {
         Shaft shaft = made.shaft;
-        addBores(shaft, recognition, nominal_bores);
+        addPlacedBores(shaft, recognition, nominal_bores);
         if (isSound(shaft)) return shaft;
     }
     return measuredShaft(recognition);

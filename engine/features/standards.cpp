@@ -91,11 +91,11 @@ struct Step {
     double to_mm, tolerance;
 };
 constexpr std::array<Step, 5> kAngular_arcmin{{{10, 60}, {50, 30}, {120, 20}, {400, 10}, {kAny, 5}}};
-constexpr double kLeast_mm = 0.5;
+constexpr double smallestSize_mm = 0.5;
 
 std::optional<double> toleranceIn(std::span<const Classes> table, double size_mm, GeneralClass general)
 {
-    if (!(size_mm >= kLeast_mm)) return {};
+    if (!(size_mm >= smallestSize_mm)) return {};
     for (const Classes& range : table) {
         const double tolerance_mm = range.tolerance_mm[static_cast<std::size_t>(general)];
         if (size_mm <= range.to_mm) return tolerance_mm > 0 ? std::optional(tolerance_mm) : std::nullopt;

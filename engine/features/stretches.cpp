@@ -5,13 +5,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/statistics.h"
 #include "engine/features/crest.h"
 #include "engine/features/selection.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double kGap_mm = 1.2;  // a longer stretch without data is no edge
+constexpr double dataGap_mm = 1.2;  // a longer stretch without data is no edge
 constexpr double kRoughLeast_mm = 2.5;
 constexpr double kRough = 1.3;              // times the scatter that noise and slope explain, beyond chance
 constexpr double kLongestLead_mm = 4;       // of the cone that leads into a rough zone
@@ -163,8 +164,7 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
             right += row * r;
         }
         found = normal.ldlt().solve(right);
-        std::nth_element(offs.begin(), offs.begin() + static_cast<std::ptrdiff_t>(offs.size() / 2), offs.end());
-        circle.sigma_mm = 1.4826 * offs[offs.size() / 2];
+        circle.sigma_mm = mad_to_sigma * upperMedianInPlace(offs);
         limit = 4 * circle.sigma_mm;
     }
     circle.radius_mm = found[0];
@@ -173,9 +173,7 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     radii.reserve(points.size());
     for (const auto& point : points) radii.push_back(static_cast<float>(point.second));
     circle.crest = crestOf(radii, sigma_mm);
-    const auto root = radii.begin() + static_cast<std::ptrdiff_t>(0.02 * static_cast<double>(radii.size()));
-    std::nth_element(radii.begin(), root, radii.end());
-    circle.root_mm = static_cast<double>(*root);
+    circle.root_mm = static_cast<double>(quantileInPlace(radii, 0.02));
     return circle;
 }
 
@@ -270,7 +268,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         bool trim_end = false;
         if (c + 1 < chains.size()) {
             const double apart = chains[c + 1]->zFirst_mm() - walls.back().z_mm;
-            after = apart > kGap_mm ? Border::Gap : Border::Shoulder;
+            after = apart > dataGap_mm ? Border::Gap : Border::Shoulder;
             trim_end = after == Border::Shoulder;
         }
         const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;

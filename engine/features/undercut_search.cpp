@@ -12,7 +12,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kMargin = 8;      // beyond its price, what an undercut must gain
 constexpr double kLongest_mm = 8;  // of an undercut (DIN 509: 7 mm and its run-out)
 constexpr double kLeastDepth_mm = 0.05;
 constexpr std::size_t kMostRows = 3;  // that it may stand in place of
@@ -40,18 +39,19 @@ Element line(double z_mm, double level_mm, double slope)
 
 /// Three elements and the places where they begin, away from the plane (at `plane_mm`) first; `sense` +1: the plane is
 /// at the end of the run.
-struct Undercut {
+struct FoundUndercut {
     std::array<Element, 3> elements;
     std::array<double, 3> from_mm{};
 };
 
-std::optional<Undercut> undercutOf(double from_mm, double plane_mm, double level_mm, double depth_mm, double radius_mm)
+std::optional<FoundUndercut> fittedUndercut(double from_mm, double plane_mm, double level_mm, double depth_mm,
+                                            double radius_mm)
 {
     const double sense = plane_mm > from_mm ? 1 : -1, length = std::abs(plane_mm - from_mm);
     const double run_out = depth_mm / kRunOut;
     if (!(run_out + radius_mm < 0.95 * length)) return std::nullopt;
     const double bottom = level_mm - depth_mm, tangent = plane_mm - sense * radius_mm;
-    Undercut made;
+    FoundUndercut made;
     made.from_mm = {from_mm, from_mm + sense * run_out, tangent};
     made.elements[0] = line(from_mm, level_mm, -sense * kRunOut);
     made.elements[1] = line((made.from_mm[1] + tangent) / 2, bottom, 0);
@@ -64,7 +64,7 @@ std::optional<Undercut> undercutOf(double from_mm, double plane_mm, double level
 }
 
 /// The run with its last `rows` elements (its first ones at the start) replaced.
-Run replaced(const Run& run, bool start, std::size_t rows, Undercut undercut)
+Run replaced(const Run& run, bool start, std::size_t rows, FoundUndercut undercut)
 {
     Run result = run;
     if (start) {
@@ -120,7 +120,7 @@ bool tryUndercut(Model& model, std::size_t r, bool start)
         if (depth < std::max(kLeastDepth_mm, model.sigma_mm)) continue;
         const Scope scope = scopeOf(before, r, first, last);
         model.runs[r] = before;
-        double best = criterion(model, scope, 8) - kMargin;
+        double best = criterion(model, scope, 8) - leastGain;
         if (found) {  // what was found with fewer rows is judged over the same stretch
             model.runs[r] = chosen;
             Scope wider = scope;
@@ -128,7 +128,7 @@ bool tryUndercut(Model& model, std::size_t r, bool start)
             best = std::min(best, criterion(model, wider, 8));
         }
         for (const double radius : {0.3, 0.6, 1.0, 1.6}) {
-            const auto undercut = undercutOf(from, plane, level, depth, radius);
+            const auto undercut = fittedUndercut(from, plane, level, depth, radius);
             if (!undercut) continue;
             model.runs[r] = replaced(before, start, rows, *undercut);
             resolve(model, model.runs[r]);

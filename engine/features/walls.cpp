@@ -7,14 +7,14 @@
 #include <numeric>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/revolution/quick_turn.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr int kSectors = 144;
-constexpr double kRobust = 1.4826;
-using Sectors = std::bitset<kSectors>;
+constexpr int wallSectors = 144;
+using Sectors = std::bitset<wallSectors>;
 
 struct Cluster {
     Wall wall;
@@ -24,9 +24,7 @@ struct Cluster {
 
 double medianOf(std::vector<float>& values)
 {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return static_cast<double>(*middle);
+    return static_cast<double>(upperMedianInPlace(values));
 }
 
 /// Points of the cloud by bins: `order[start[b] … start[b+1]]`.
@@ -105,11 +103,7 @@ std::vector<std::uint32_t> withoutMarks(const MeridianCloud& cloud, const std::v
 Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points, double sigma_mm, double bin_mm)
 {
     std::vector<float> radii, offs;
-    const auto at = [&](double share) {
-        const auto place = radii.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(radii.size() - 1));
-        std::nth_element(radii.begin(), place, radii.end());
-        return static_cast<double>(*place);
-    };
+    const auto at = [&](double share) { return static_cast<double>(lowerQuantileInPlace(radii, share)); };
     const auto takeRadii = [&] {
         radii.clear();
         radii.reserve(points.size());
@@ -123,7 +117,7 @@ Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points,
         median = takeRadii();
     }
     for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
-    const double sigma = std::max(kRobust * medianOf(offs), 0.3 * sigma_mm);
+    const double sigma = std::max(mad_to_sigma * medianOf(offs), 0.3 * sigma_mm);
     Cluster cluster;
     cluster.wall.compact = at(0.92) - at(0.08) <= 4.2 * sigma_mm + 1.2 * bin_mm + 0.15;
     double n = 0, sz = 0, szz = 0, sr = 0, srr = 0;
@@ -139,7 +133,8 @@ Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points,
         srr += (r - median) * (r - median);
         cluster.low_mm = std::min(cluster.low_mm, r);
         cluster.high_mm = std::max(cluster.high_mm, r);
-        cluster.sectors.set(std::min<std::size_t>(kSectors - 1, static_cast<std::size_t>(cloud.turn[i] * kSectors)));
+        cluster.sectors.set(
+            std::min<std::size_t>(wallSectors - 1, static_cast<std::size_t>(cloud.turn[i] * wallSectors)));
     }
     Wall& wall = cluster.wall;
     wall.points = n;
@@ -147,7 +142,7 @@ Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points,
     wall.r_mm = sr / n;
     wall.width_mm = std::sqrt(12 * std::max(0.0, szz / n - wall.z_mm * wall.z_mm));
     wall.sigma_mm = std::sqrt(std::max(0.0, srr / n - (wall.r_mm - median) * (wall.r_mm - median)));
-    wall.coverage = static_cast<double>(cluster.sectors.count()) / kSectors;
+    wall.coverage = static_cast<double>(cluster.sectors.count()) / wallSectors;
     return cluster;
 }
 
@@ -203,7 +198,7 @@ void splitAtGrooves(std::vector<Chain>& chains, double bin_mm)
 /// Share of the sectors that so many points see when they lie evenly about the circle.
 double expectedCoverage(double points)
 {
-    return 1 - std::exp(-points / kSectors);
+    return 1 - std::exp(-points / wallSectors);
 }
 
 }  // namespace

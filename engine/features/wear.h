@@ -1,6 +1,7 @@
 // Worn seats: what lies within the form tolerance of one element is one row.
 #pragma once
 
+#include <numbers>
 #include <vector>
 
 #include "engine/features/model.h"
@@ -10,7 +11,7 @@
 namespace lathelier::features {
 
 /// A junction between neighbours that bend by less than this may be wear.
-inline constexpr double kWearBend = 3.4 * 3.14159265358979323846 / 180;
+inline constexpr double kWearBend = 3.4 * std::numbers::pi / 180;
 
 /// What a part of a worn seat was before it became one with its neighbours, and what it is now.
 struct Wear {

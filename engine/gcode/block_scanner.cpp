@@ -26,7 +26,7 @@ bool isSpace(char c)
 {
     return c == ' ' || c == '\t' || c == '\f' || c == '\v' || c == '\0' || c == '\x1A' || c == '\x7F';
 }
-char upper(char c)
+char capital(char c)
 {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
@@ -35,7 +35,7 @@ bool startsWith(std::string_view text, std::string_view word)
 {
     if (text.size() < word.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i)
-        if (upper(text[i]) != word[i]) return false;
+        if (capital(text[i]) != word[i]) return false;
     return true;
 }
 
@@ -125,7 +125,7 @@ void BlockScanner::scanWord()
     } else if (isAlpha(c)) {
         const char next = from + 1 < end_ ? text_[from + 1] : ' ';
         if ((isAlpha(next) || next == '_') && scanControl(from)) return;
-        if (isLinuxCnc_ && upper(c) == 'O' && scanControl(from)) return;
+        if (isLinuxCnc_ && capital(c) == 'O' && scanControl(from)) return;
         if (isSinumerik_ && (isAlpha(next) || next == '_' || next == ':')) {
             scanName(from);
         } else if (isSinumerik_ && isDigit(next)) {
@@ -138,14 +138,14 @@ void BlockScanner::scanWord()
             if (isExtended || isLabel)
                 scanName(from);
             else
-                scanAddress(upper(c), from + 1);
+                scanAddress(capital(c), from + 1);
         } else {
-            scanAddress(upper(c), from + 1);
+            scanAddress(capital(c), from + 1);
         }
     } else if (c == ',' && isFanuc_) {
         const std::size_t at = skipBlanks(from + 1);
         if (at < end_ && isAlpha(text_[at])) {
-            scanAddress(static_cast<char>(upper(text_[at]) - 'A' + 'a'), at + 1);
+            scanAddress(static_cast<char>(capital(text_[at]) - 'A' + 'a'), at + 1);
             Word& word = program_.words.back();
             word.length += word.begin - static_cast<std::uint32_t>(from);
             word.begin = static_cast<std::uint32_t>(from);
@@ -290,7 +290,7 @@ bool BlockScanner::scanControl(std::size_t from)
 {
     const std::string_view rest = std::string_view(text_).substr(from, end_ - from);
     if (isLinuxCnc_) {
-        if (upper(rest.front()) != 'O') return false;
+        if (capital(rest.front()) != 'O') return false;
         std::size_t at = skipBlanks(from + 1);
         if (at < end_ && text_[at] == '<')
             while (at < end_ && text_[at] != '>') ++at;
@@ -346,7 +346,7 @@ void BlockScanner::scanName(std::size_t from)
         const std::size_t value = skipBlanks(sign + 1);
         const std::size_t to = afterExpression(value);
         if (to <= value) return fail(errors::ncNumberMissing, from, sign + 1);
-        const bool isVariable = upper(text_[from]) == 'R' && at > from + 1 && isDigit(text_[from + 1]);
+        const bool isVariable = capital(text_[from]) == 'R' && at > from + 1 && isDigit(text_[from + 1]);
         Word& word =
             add(from, to, isVariable ? WordKind::Assignment : WordKind::Expression, isVariable ? 'R' : char{0});
         word.value_begin = static_cast<std::uint32_t>(value);

@@ -10,7 +10,7 @@ namespace {
 /// In millimetres: how far above the last depth a drill comes back at rapid (LinuxCNC: 0.01 in).
 constexpr double peckClearance_mm = 0.254;
 
-CycleMove to(MoveKind kind, const Point& point)
+CycleMove moveTo(MoveKind kind, const Point& point)
 {
     CycleMove move;
     move.kind = kind;
@@ -20,16 +20,16 @@ CycleMove to(MoveKind kind, const Point& point)
 
 CycleMove rest(double seconds, const Point& at)
 {
-    CycleMove move = to(MoveKind::Dwell, at);
+    CycleMove move = moveTo(MoveKind::Dwell, at);
     move.dwell_s = seconds;
     return move;
 }
 
 CycleMoves alongZ(MoveKind cut, const Point& start, const Point& end, double taper_mm)
 {
-    return {to(MoveKind::Rapid, {end.x_mm + taper_mm, start.z_mm}), to(cut, end),
-            to(cut == MoveKind::Thread ? MoveKind::Rapid : MoveKind::Feed, {start.x_mm, end.z_mm}),
-            to(MoveKind::Rapid, start)};
+    return {moveTo(MoveKind::Rapid, {end.x_mm + taper_mm, start.z_mm}), moveTo(cut, end),
+            moveTo(cut == MoveKind::Thread ? MoveKind::Rapid : MoveKind::Feed, {start.x_mm, end.z_mm}),
+            moveTo(MoveKind::Rapid, start)};
 }
 
 }  // namespace
@@ -46,8 +46,8 @@ CycleMoves threadCycle(const Point& start, const Point& end, double taper_mm)
 
 CycleMoves facingCycle(const Point& start, const Point& end, double taper_mm)
 {
-    return {to(MoveKind::Rapid, {start.x_mm, end.z_mm + taper_mm}), to(MoveKind::Feed, end),
-            to(MoveKind::Feed, {end.x_mm, start.z_mm}), to(MoveKind::Rapid, start)};
+    return {moveTo(MoveKind::Rapid, {start.x_mm, end.z_mm + taper_mm}), moveTo(MoveKind::Feed, end),
+            moveTo(MoveKind::Feed, {end.x_mm, start.z_mm}), moveTo(MoveKind::Rapid, start)};
 }
 
 CycleMoves multiThread(const Point& start, const MultiThread& thread)
@@ -59,11 +59,11 @@ CycleMoves multiThread(const Point& start, const MultiThread& thread)
     const auto pass = [&](double depth) {
         const double x = thread.end.x_mm + outward * (thread.height_mm - depth);
         const double run = std::min(thread.run_out_mm, std::abs(start.z_mm - thread.end.z_mm));
-        moves.push_back(to(MoveKind::Rapid, {x + thread.taper_mm, start.z_mm}));
-        if (run > 0) moves.push_back(to(MoveKind::Thread, {x, thread.end.z_mm + backward * run}));
-        moves.push_back(to(MoveKind::Thread, {run > 0 ? x + outward * run : x, thread.end.z_mm}));
-        moves.push_back(to(MoveKind::Rapid, {start.x_mm, thread.end.z_mm}));
-        moves.push_back(to(MoveKind::Rapid, start));
+        moves.push_back(moveTo(MoveKind::Rapid, {x + thread.taper_mm, start.z_mm}));
+        if (run > 0) moves.push_back(moveTo(MoveKind::Thread, {x, thread.end.z_mm + backward * run}));
+        moves.push_back(moveTo(MoveKind::Thread, {run > 0 ? x + outward * run : x, thread.end.z_mm}));
+        moves.push_back(moveTo(MoveKind::Rapid, {start.x_mm, thread.end.z_mm}));
+        moves.push_back(moveTo(MoveKind::Rapid, start));
     };
     double depth = 0;
     for (int n = 1; moves.size() < mostCycleMoves; ++n) {
@@ -93,16 +93,16 @@ CycleMoves driveThread(const Point& start, const DriveThread& thread)
         const double x = start.x_mm + inward * depth, rest = start.x_mm + inward * (depth - full);
         const double z0 = start.z_mm + shift, z1 = thread.end_z_mm - forward * thread.height_mm * lean + shift;
         const double shallow = x - inward * thread.height_mm;
-        moves.push_back(to(MoveKind::Rapid, {rest, z0}));
+        moves.push_back(moveTo(MoveKind::Rapid, {rest, z0}));
         if (hasEntry) {
-            moves.push_back(to(MoveKind::Thread, {shallow, z0}));
-            moves.push_back(to(MoveKind::Thread, {x, z0 + forward * taper}));
+            moves.push_back(moveTo(MoveKind::Thread, {shallow, z0}));
+            moves.push_back(moveTo(MoveKind::Thread, {x, z0 + forward * taper}));
         } else {
-            moves.push_back(to(MoveKind::Rapid, {x, z0}));
+            moves.push_back(moveTo(MoveKind::Rapid, {x, z0}));
         }
-        if (hasExit) moves.push_back(to(MoveKind::Thread, {x, z1 - forward * taper}));
-        moves.push_back(to(MoveKind::Thread, {hasExit ? shallow : x, z1}));
-        moves.push_back(to(MoveKind::Rapid, {rest, z1}));
+        if (hasExit) moves.push_back(moveTo(MoveKind::Thread, {x, z1 - forward * taper}));
+        moves.push_back(moveTo(MoveKind::Thread, {hasExit ? shallow : x, z1}));
+        moves.push_back(moveTo(MoveKind::Rapid, {rest, z1}));
     };
     const double degression = thread.degression > 0 ? thread.degression : 1;
     for (int n = 1; moves.size() < mostCycleMoves; ++n) {
@@ -111,7 +111,7 @@ CycleMoves driveThread(const Point& start, const DriveThread& thread)
         pass(depth);
     }
     for (int k = 0; k <= thread.springs; ++k) pass(full);
-    moves.push_back(to(MoveKind::Rapid, {start.x_mm, thread.end_z_mm}));
+    moves.push_back(moveTo(MoveKind::Rapid, {start.x_mm, thread.end_z_mm}));
     return moves;
 }
 
@@ -119,24 +119,24 @@ CycleMoves drilling(const Point& start, const Drilling& hole)
 {
     const double x = start.x_mm;
     const double down = hole.bottom_z_mm < hole.level_z_mm ? -1 : 1;
-    CycleMoves moves{to(MoveKind::Rapid, {x, hole.level_z_mm})};
+    CycleMoves moves{moveTo(MoveKind::Rapid, {x, hole.level_z_mm})};
     const MoveKind cut = hole.is_tap ? MoveKind::Thread : MoveKind::Feed;
     double reached = hole.level_z_mm;
     while (hole.peck_mm > 0 && std::abs(hole.bottom_z_mm - reached) > hole.peck_mm + 1e-9 &&
            moves.size() < mostCycleMoves) {
         reached += down * hole.peck_mm;
-        moves.push_back(to(cut, {x, reached}));
+        moves.push_back(moveTo(cut, {x, reached}));
         const double clear = reached - down * std::min(peckClearance_mm, hole.peck_mm);
-        if (!hole.chip_break) moves.push_back(to(MoveKind::Rapid, {x, hole.level_z_mm}));
-        moves.push_back(to(MoveKind::Rapid, {x, clear}));
+        if (!hole.chip_break) moves.push_back(moveTo(MoveKind::Rapid, {x, hole.level_z_mm}));
+        moves.push_back(moveTo(MoveKind::Rapid, {x, clear}));
     }
-    moves.push_back(to(cut, {x, hole.bottom_z_mm}));
+    moves.push_back(moveTo(cut, {x, hole.bottom_z_mm}));
     if (hole.dwell_s > 0) moves.push_back(rest(hole.dwell_s, {x, hole.bottom_z_mm}));
     if (hole.is_tap || hole.feeds_out) {
-        moves.push_back(to(cut, {x, hole.level_z_mm}));
-        if (!hole.to_level) moves.push_back(to(MoveKind::Rapid, start));
+        moves.push_back(moveTo(cut, {x, hole.level_z_mm}));
+        if (!hole.to_level) moves.push_back(moveTo(MoveKind::Rapid, start));
     } else {
-        moves.push_back(to(MoveKind::Rapid, {x, hole.to_level ? hole.level_z_mm : start.z_mm}));
+        moves.push_back(moveTo(MoveKind::Rapid, {x, hole.to_level ? hole.level_z_mm : start.z_mm}));
     }
     return moves;
 }
@@ -154,22 +154,22 @@ CycleMoves pecking(const Point& start, const Pecking& groove)
         double reached = a0;
         while (groove.peck_mm > 0 && std::abs(a1 - reached) > groove.peck_mm + 1e-9 && moves.size() < mostCycleMoves) {
             reached += down * groove.peck_mm;
-            moves.push_back(to(MoveKind::Feed, point(reached, b)));
+            moves.push_back(moveTo(MoveKind::Feed, point(reached, b)));
             if (groove.retreat_mm > 0)
-                moves.push_back(to(MoveKind::Rapid, point(reached - down * groove.retreat_mm, b)));
+                moves.push_back(moveTo(MoveKind::Rapid, point(reached - down * groove.retreat_mm, b)));
         }
-        moves.push_back(to(MoveKind::Feed, point(a1, b)));
+        moves.push_back(moveTo(MoveKind::Feed, point(a1, b)));
         double out = b;
         if (groove.relief_mm != 0 && b != b0) {
             out = b - side * groove.relief_mm;
-            moves.push_back(to(MoveKind::Rapid, point(a1, out)));
+            moves.push_back(moveTo(MoveKind::Rapid, point(a1, out)));
         }
-        moves.push_back(to(MoveKind::Rapid, point(a0, out)));
+        moves.push_back(moveTo(MoveKind::Rapid, point(a0, out)));
         if (!(groove.step_mm > 0) || std::abs(b1 - b) < 1e-9) break;
         b = std::abs(b1 - b) <= groove.step_mm ? b1 : b + side * groove.step_mm;
-        moves.push_back(to(MoveKind::Rapid, point(a0, b)));
+        moves.push_back(moveTo(MoveKind::Rapid, point(a0, b)));
     }
-    moves.push_back(to(MoveKind::Rapid, start));
+    moves.push_back(moveTo(MoveKind::Rapid, start));
     return moves;
 }
 
@@ -182,14 +182,14 @@ CycleMoves pattern(const Point& start, const std::vector<ContourPiece>& contour,
         const double dx = pattern.relief_x_mm * share + pattern.allowance_x_mm;
         const double dz = pattern.relief_z_mm * share + pattern.allowance_z_mm;
         const auto shift = [&](const Point& p) { return Point{p.x_mm + dx, p.z_mm + dz}; };
-        CycleMove first = to(MoveKind::Rapid, shift(start));
+        CycleMove first = moveTo(MoveKind::Rapid, shift(start));
         first.line = contour.empty() ? 0 : contour.front().line;
         moves.push_back(first);
         for (const ContourPiece& part : contour) {
-            CycleMove move = to(part.is_rapid        ? MoveKind::Rapid
-                                : part.piece.isArc() ? MoveKind::Arc
-                                                     : MoveKind::Feed,
-                                shift(part.piece.to));
+            CycleMove move = moveTo(part.is_rapid        ? MoveKind::Rapid
+                                    : part.piece.isArc() ? MoveKind::Arc
+                                                         : MoveKind::Feed,
+                                    shift(part.piece.to));
             if (part.piece.isArc()) move.centre = shift(part.piece.centre);
             move.clockwise = part.piece.clockwise;
             move.line = part.line;
@@ -199,10 +199,10 @@ CycleMoves pattern(const Point& start, const std::vector<ContourPiece>& contour,
     if (!contour.empty()) {
         // Out along X before back along Z, where the start lies further out.
         const Point last = moves.back().to;
-        CycleMove out = to(MoveKind::Rapid, {start.x_mm, last.z_mm});
+        CycleMove out = moveTo(MoveKind::Rapid, {start.x_mm, last.z_mm});
         out.line = contour.back().line;
         moves.push_back(out);
-        CycleMove home = to(MoveKind::Rapid, start);
+        CycleMove home = moveTo(MoveKind::Rapid, start);
         home.line = contour.back().line;
         moves.push_back(home);
     }

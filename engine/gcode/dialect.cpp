@@ -88,7 +88,7 @@ bool has(std::string_view text, std::string_view part)
     return text.find(part) != std::string_view::npos;
 }
 
-void add(int& score, int points, Scores& scores, std::size_t which, long line)
+void addPoints(int& score, int points, Scores& scores, std::size_t which, long line)
 {
     score += points;
     if (scores.line[which] == 0) scores.line[which] = line;
@@ -100,13 +100,13 @@ void scoreNames(std::string_view code, long line, Scores& scores)
     if (code.empty()) return;
     if (code.starts_with("BEGIN PGM") || code.starts_with("TOOL CALL") || code.starts_with("BLK FORM") ||
         code.starts_with("CYCL DEF") || code.starts_with("END PGM") || has(code, " FMAX") || has(code, "DIN/ISO"))
-        add(scores.heidenhain, 10, scores, 3, line);
+        addPoints(scores.heidenhain, 10, scores, 3, line);
     if ((code.front() == '$' && code.back() == '%') || has(code, "NLAP") || has(code, "NAT0") || has(code, "NOEX") ||
         has(code, "VZOF") || has(code, "CALL O") || has(code, "G140 ") || has(code, "VLMON"))
-        add(scores.okuma, 6, scores, 2, line);
-    if (has(code, "MAZATROL") || code.starts_with("UNIT ")) add(scores.mazatrol, 6, scores, 4, line);
+        addPoints(scores.okuma, 6, scores, 2, line);
+    if (has(code, "MAZATROL") || code.starts_with("UNIT ")) addPoints(scores.mazatrol, 6, scores, 4, line);
     if (code.starts_with("%") && code.size() > 4 && has(code, ",M") && has(code, ",MX"))
-        add(scores.fagor, 8, scores, 5, line);
+        addPoints(scores.fagor, 8, scores, 5, line);
     for (const char* word :
          {"%_N_",   "DIAMON", "DIAMOF", "DIAM90", "LIMS=",    "CR=",      "MSG",       "CYCLE9", "CYCLE8",
           "T=\"",   "GOTOF",  "GOTOB",  "ENDIF",  "ENDWHILE", "DEF REAL", "=IC(",      "=AC(",   "SUPA",
@@ -133,14 +133,15 @@ struct Words {
 void scoreFanucB(const Words& words, long line, Scores& scores)
 {
     const bool axes = words.hasLetter('X') || words.hasLetter('Z') || words.hasLetter('U') || words.hasLetter('W');
-    if (words.g[92] && words.hasLetter('S') && !axes) add(scores.fanuc_b, 3, scores, 0, line);
-    if ((words.g[90] || words.g[91]) && (!axes || words.g[0] || words.g[1])) add(scores.fanuc_b, 2, scores, 0, line);
-    if ((words.g[94] || words.g[95]) && !axes) add(scores.fanuc_b, 1, scores, 0, line);
-    if (words.g[95]) add(scores.fanuc_b, 1, scores, 0, line);
+    if (words.g[92] && words.hasLetter('S') && !axes) addPoints(scores.fanuc_b, 3, scores, 0, line);
+    if ((words.g[90] || words.g[91]) && (!axes || words.g[0] || words.g[1]))
+        addPoints(scores.fanuc_b, 2, scores, 0, line);
+    if ((words.g[94] || words.g[95]) && !axes) addPoints(scores.fanuc_b, 1, scores, 0, line);
+    if (words.g[95]) addPoints(scores.fanuc_b, 1, scores, 0, line);
     if ((words.g[70] || words.g[71]) && !axes && !words.hasLetter('P') && !words.hasLetter('D'))
-        add(scores.fanuc_c, 2, scores, 1, line);
+        addPoints(scores.fanuc_c, 2, scores, 1, line);
     if ((words.g[20] || words.g[21]) && axes && words.hasLetter('F') && !words.g[0] && !words.g[1])
-        add(scores.fanuc_c, 5, scores, 1, line);
+        addPoints(scores.fanuc_c, 5, scores, 1, line);
 }
 
 void scoreWords(const std::vector<Sign>& signs, long line, Scores& scores)
@@ -187,8 +188,9 @@ void scoreWords(const std::vector<Sign>& signs, long line, Scores& scores)
     if (words.g[53] && !words.g[28]) haas += 4;
     if (words.g[154] || words.g[187] || words.g[103] || words.g[112] || words.g[199]) haas += 4;
     if (words.hasLetter('M') && (words.of('M') == 97 || words.of('M') == 24)) haas += 2;
-    if (words.g[85] && words.hasLetter('N') && !axes && words.hasLetter('D')) add(scores.okuma, 3, scores, 2, line);
-    if (words.g[13] || words.g[14] || words.g[140] || words.g[141]) add(scores.okuma, 3, scores, 2, line);
+    if (words.g[85] && words.hasLetter('N') && !axes && words.hasLetter('D'))
+        addPoints(scores.okuma, 3, scores, 2, line);
+    if (words.g[13] || words.g[14] || words.g[140] || words.g[141]) addPoints(scores.okuma, 3, scores, 2, line);
     scoreFanucB(words, line, scores);
 }
 

@@ -3,13 +3,13 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::gcode {
 namespace {
 
 constexpr int deepest = 100;
-constexpr double degree = std::numbers::pi / 180;
 
 /// Recursive descent over one expression; a vacant variable is an empty value until it is used.
 class Parser {
@@ -273,23 +273,23 @@ private:
             take(',');
             const double y = plain(logical());
             take(close);
-            return std::atan2(x, y) / degree;
+            return std::atan2(x, y) / rad_per_deg;
         }
         if (which == "ATAN" && peek() == ',') {  // ATAN[a,b] of newer Fanuc
             ++at_;
             const double y = plain(logical());
             take(close);
-            return std::atan2(x, y) / degree;
+            return std::atan2(x, y) / rad_per_deg;
         }
         take(close);
         if (which == "ATAN") {
             skip();
             if (peek() != '/' || at_ + 1 >= text_.size() || text_.find_first_of("[(", at_) == std::string_view::npos)
-                return std::atan(x) / degree;
+                return std::atan(x) / rad_per_deg;
             ++at_;
             skip();
             if (peek() != '[') fail(LT_TEXT("Engine", "a bracket is missing"));
-            return std::atan2(x, plain(bracket())) / degree;
+            return std::atan2(x, plain(bracket())) / rad_per_deg;
         }
         if (which == "IC") incremental_ = true;
         if (which == "AC") absolute_ = true;
@@ -300,11 +300,11 @@ private:
 
     static double ofOne(std::string_view which, double x)
     {
-        if (which == "SIN") return std::sin(x * degree);
-        if (which == "COS") return std::cos(x * degree);
-        if (which == "TAN") return std::tan(x * degree);
-        if (which == "ASIN") return std::asin(x) / degree;
-        if (which == "ACOS") return std::acos(x) / degree;
+        if (which == "SIN") return std::sin(x * rad_per_deg);
+        if (which == "COS") return std::cos(x * rad_per_deg);
+        if (which == "TAN") return std::tan(x * rad_per_deg);
+        if (which == "ASIN") return std::asin(x) / rad_per_deg;
+        if (which == "ACOS") return std::acos(x) / rad_per_deg;
         if (which == "SQRT") return std::sqrt(x);
         if (which == "SQR" || which == "POT") return x * x;
         if (which == "ABS") return std::abs(x);

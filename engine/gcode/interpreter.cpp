@@ -1,24 +1,13 @@
 #include "engine/gcode/interpreter.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
+#include "engine/core/units.h"
+#include "engine/gcode/flow_text.h"
 #include "engine/gcode/gcode_codes.h"
 
 namespace lathelier::gcode {
-namespace {
-
-constexpr double inch_mm = 25.4;
-
-std::string capitals(std::string_view text)
-{
-    std::string result(text);
-    for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    return result;
-}
-
-}  // namespace
 
 Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters, const Noses& noses,
                          const Progress& progress)
@@ -150,8 +139,8 @@ void Interpreter::takeName(const Word& word, BlockWords& words)
         words.has_axis_zero = true;
     } else if (word.kind == WordKind::Expression || word.kind == WordKind::Number) {
         if (name == "T") return;
-        const double value = valueOf(word).value_or(none);
-        const double scale = modal_.is_inch ? inch_mm : 1;
+        const double value = valueOf(word).value_or(notANumber);
+        const double scale = modal_.is_inch ? mm_per_inch : 1;
         if (name == "LIMS")
             modal_.limit_rpm = value;
         else if (name == "CR")

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/units.h"
 #include "engine/gcode/cycles.h"
 #include "engine/gcode/expression.h"
 #include "engine/gcode/path_builder.h"
@@ -26,16 +27,16 @@ struct Modal {
     bool per_revolution = true;
     bool is_css = false;
     bool is_stopped = false;
-    double feed = none;  ///< in mm, per revolution or minute
+    double feed = notANumber;  ///< in mm, per revolution or minute
     bool feed_is_stale = false;
-    double speed = none;  ///< 1/min or m/min
-    double limit_rpm = none;
+    double speed = notANumber;  ///< 1/min or m/min
+    double limit_rpm = notANumber;
     int tool = 0;
     int offset = 0;  ///< number of the tool offset
     int work_offset = 540;
     G motion = G::Unknown;  ///< of the group of motions; cycles too
     NoseSide side = NoseSide::Off;
-    double nose_radius_mm = none;  ///< G41.1 D
+    double nose_radius_mm = notANumber;  ///< G41.1 D
     int nose_tip = 9;
     double round_mm = 0;  ///< RNDM
     Point at;             ///< programmed position
@@ -55,7 +56,8 @@ struct BlockWords {
     int m_count = 0;
     std::uint32_t incremental = 0;  ///< letters given as IC(…)
     std::uint32_t absolute = 0;     ///< as AC(…)
-    double cr = none, ar = none, i1 = none, k1 = none, chf = none, chr = none, rnd = none;
+    double cr = notANumber, ar = notANumber, i1 = notANumber, k1 = notANumber, chf = notANumber, chr = notANumber,
+           rnd = notANumber;
     bool is_through = false;     ///< CIP
     bool is_machine = false;     ///< SUPA
     bool has_axis_zero = false;  ///< X1=, Z1=
@@ -147,8 +149,8 @@ private:
     double plain(BlockWords& words, char letter, double otherwise = 0);
     Corner cornerOf(BlockWords& words);
     void emit(MoveKind kind, const Point& to, const Corner& corner = {}, const Point& centre = {},
-              bool clockwise = false, double lead = none);
-    void emitCycle(const CycleMoves& moves, double lead = none);
+              bool clockwise = false, double lead = notANumber);
+    void emitCycle(const CycleMoves& moves, double lead = notANumber);
     void updateNose();
     Move filled(MoveKind kind, const Point& to) const;
 
@@ -200,9 +202,9 @@ private:
 
     // what modal cycles and two-block cycles remember
     std::optional<Point> cycleStart_;
-    double cycleX_ = none, cycleZ_ = none, cycleR_ = 0;
+    double cycleX_ = notANumber, cycleZ_ = notANumber, cycleR_ = 0;
     Drilling drilling_;
-    double roughDepth_mm_ = none, roughRetreat_mm_ = 0.5;
+    double roughDepth_mm_ = notANumber, roughRetreat_mm_ = 0.5;
     double patternX_mm_ = 0, patternZ_mm_ = 0;
     int patternCount_ = 1;
     double threadLeast_mm_ = 0, threadFinish_mm_ = 0, threadRun_ = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
 #include "engine/gcode/interpreter.h"
 
@@ -43,7 +44,7 @@ void Interpreter::singleCycle(BlockWords& words)
     if (!hasAxes(words) && !words.has('R') && !words.has('I') && !words.has('K')) return;
     if (!cycleStart_ || isNew) {
         cycleStart_ = modal_.at;
-        if (isNew) cycleX_ = cycleZ_ = none;
+        if (isNew) cycleX_ = cycleZ_ = notANumber;
         cycleR_ = 0;
     }
     const Point to = target(words);
@@ -54,7 +55,7 @@ void Interpreter::singleCycle(BlockWords& words)
             cycleR_ = length_mm(words, letter);
     if (words.has('Q')) plain(words, 'Q');
     double lead = modal_.feed;
-    if (words.has('E')) lead = 25.4 / plain(words, 'E');
+    if (words.has('E')) lead = mm_per_inch / plain(words, 'E');
     const Point end{isKnown(cycleX_) ? cycleX_ : cycleStart_->x_mm, isKnown(cycleZ_) ? cycleZ_ : cycleStart_->z_mm};
     if (!isKnown(*cycleStart_)) warn(notes::ncPositionUnknown);
     if (modal_.motion == G::ThreadCycle) {
@@ -157,7 +158,7 @@ void Interpreter::threadMulti(BlockWords& words)
         cut.last_passes = threadLast_;
         if (words.has('R')) cut.taper_mm = length_mm(words, 'R');
     }
-    const double lead = words.has('E') ? 25.4 / plain(words, 'E') : modal_.feed;
+    const double lead = words.has('E') ? mm_per_inch / plain(words, 'E') : modal_.feed;
     cut.run_out_mm = isOneBlock ? 0 : threadRun_ * lead;
     if (!(lead > 0)) return error(errors::ncFeedMissing);
     if (!(cut.height_mm > 0) || !(cut.first_mm > 0)) {

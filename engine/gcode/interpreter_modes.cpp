@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
 #include "engine/gcode/interpreter.h"
 
 namespace lathelier::gcode {
 namespace {
 
-constexpr double inch_mm = 25.4;
 constexpr double foot_m = 0.3048;
 
 }  // namespace
@@ -26,17 +26,17 @@ void Interpreter::takeSpindle(BlockWords& words)
     }
     if (words.hasG(G::CssOff)) {
         modal_.is_css = false;
-        if (dialect_ == Dialect::LinuxCnc) modal_.limit_rpm = none;
+        if (dialect_ == Dialect::LinuxCnc) modal_.limit_rpm = notANumber;
         if (wasCss && !words.has('S')) {  // the speed of the moment stays
-            const double diameter_m = isKnown(modal_.at.x_mm) ? 2e-3 * std::abs(modal_.at.x_mm) : none;
+            const double diameter_m = isKnown(modal_.at.x_mm) ? 2e-3 * std::abs(modal_.at.x_mm) : notANumber;
             double rpm = modal_.speed / (std::acos(-1.0) * diameter_m);
             if (isKnown(modal_.limit_rpm) && !(rpm < modal_.limit_rpm)) rpm = modal_.limit_rpm;
-            modal_.speed = std::isfinite(rpm) ? rpm : none;
+            modal_.speed = std::isfinite(rpm) ? rpm : notANumber;
         }
     }
-    if (words.hasG(G::CssOn) && !wasCss && !words.has('S')) modal_.speed = none;
+    if (words.hasG(G::CssOn) && !wasCss && !words.has('S')) modal_.speed = notANumber;
     if (words.hasG(G::CssOn) && dialect_ == Dialect::LinuxCnc)
-        modal_.limit_rpm = words.has('D') ? plain(words, 'D') : none;
+        modal_.limit_rpm = words.has('D') ? plain(words, 'D') : notANumber;
     if (!words.has('S')) return;
     if (words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik) return;
     const double value = plain(words, 'S');
@@ -92,9 +92,9 @@ void Interpreter::takeModes(BlockWords& words)
             case G::NoseLeft:
             case G::NoseRight:
                 modal_.side = words.g[at] == G::NoseLeft ? NoseSide::Left : NoseSide::Right;
-                modal_.nose_radius_mm = none;
+                modal_.nose_radius_mm = notANumber;
                 if (words.g10[at] == 411 || words.g10[at] == 421) {
-                    modal_.nose_radius_mm = plain(words, 'D') / 2 * (modal_.is_inch ? inch_mm : 1);
+                    modal_.nose_radius_mm = plain(words, 'D') / 2 * (modal_.is_inch ? mm_per_inch : 1);
                     const int turned[] = {9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
                     modal_.nose_tip = turned[std::clamp(static_cast<int>(plain(words, 'L')), 0, 9)];
                 } else if (words.has('D')) {
@@ -115,12 +115,12 @@ void Interpreter::takeModes(BlockWords& words)
         }
     }
     if (words.has('F') && !(words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik)) {
-        modal_.feed =
-            plain(words, 'F') * (modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed) ? inch_mm : 1);
+        modal_.feed = plain(words, 'F') *
+                      (modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed) ? mm_per_inch : 1);
         modal_.feed_is_stale = false;
     } else if (wasPerRevolution != modal_.per_revolution && isKnown(modal_.feed)) {
         if (dialect_ == Dialect::LinuxCnc)
-            modal_.feed = none;
+            modal_.feed = notANumber;
         else
             modal_.feed_is_stale = true;
     }

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
 #include "engine/gcode/interpreter.h"
 
 namespace lathelier::gcode {
 namespace {
 
-constexpr double inch_mm = 25.4;
 constexpr double tightEnd_mm = 0.0127;  ///< LinuxCNC's limits for the end of an arc off its circle
 constexpr double looseEnd_mm = 0.127;
 constexpr double relativeEnd = 0.001;
@@ -30,7 +30,7 @@ double Interpreter::length_mm(BlockWords& words, char letter)
 {
     const double value = plain(words, letter);
     const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
-    double scale = modal_.is_inch ? inch_mm : 1;
+    double scale = modal_.is_inch ? mm_per_inch : 1;
     if (isFanuc_ && word && word->kind == WordKind::Number && !word->has_point && value != 0) {
         if (parameters_.integer_words == IntegerWords::Micrometre) scale *= modal_.is_inch ? 1e-4 : 1e-3;
         warn(notes::ncIntegerWord, word, {{"found", shownWord(*word)}, {"read_as_mm", value * scale}});
@@ -44,7 +44,7 @@ double Interpreter::micro_mm(BlockWords& words, char letter)
     const double value = plain(words, letter);
     const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
     const bool isMicro = isFanuc_ && word && word->kind == WordKind::Number && !word->has_point;
-    return value * (modal_.is_inch ? inch_mm : 1) * (isMicro ? (modal_.is_inch ? 1e-4 : 1e-3) : 1);
+    return value * (modal_.is_inch ? mm_per_inch : 1) * (isMicro ? (modal_.is_inch ? 1e-4 : 1e-3) : 1);
 }
 
 bool Interpreter::hasAxes(const BlockWords& words) const
@@ -230,8 +230,8 @@ void Interpreter::reference(BlockWords& words)
     }
     if (!isHome && all && !words.has_axis_zero && words.hasG(G::MachineMove)) return;
     Point to = modal_.at;
-    if (all || words.has('X') || words.has('U')) to.x_mm = none;
-    if (all || words.has('Z') || words.has('W')) to.z_mm = none;
+    if (all || words.has('X') || words.has('U')) to.x_mm = notANumber;
+    if (all || words.has('Z') || words.has('W')) to.z_mm = notANumber;
     MoveKind kind = MoveKind::Rapid;
     if (!isHome && words.hasG(G::MachineMove) && modal_.motion == G::Line) kind = MoveKind::Feed;
     if (!isHome && modal_.motion == G::Rapid) kind = MoveKind::Rapid;
@@ -243,11 +243,11 @@ void Interpreter::thread(BlockWords& words)
     const bool hasMove = hasAxes(words);
     double lead = modal_.feed;
     if (!isFanuc_) {
-        const double along = words.has('K') ? length_mm(words, 'K') : none;
-        const double across = words.has('I') ? length_mm(words, 'I') : none;
+        const double along = words.has('K') ? length_mm(words, 'K') : notANumber;
+        const double across = words.has('I') ? length_mm(words, 'I') : notANumber;
         lead = isKnown(along) ? along : across;
     } else if (words.has('E')) {
-        lead = plain(words, 'E') > 0 ? 25.4 / plain(words, 'E') : none;
+        lead = plain(words, 'E') > 0 ? mm_per_inch / plain(words, 'E') : notANumber;
     }
     if (words.has('Q')) plain(words, 'Q');
     if (!hasMove) return;
@@ -263,7 +263,7 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     const Corner corner = cornerOf(words);
     if (!isKnown(from)) warn(notes::ncPositionUnknown);
     Point centre;
-    double radius = none;
+    double radius = notANumber;
     if (modal_.motion == G::ArcThrough) {
         const Point by{modal_.is_diameter ? words.i1 / 2 : words.i1, words.k1};
         const auto found = isKnown(by) ? centreThrough(from, by, end) : std::nullopt;
@@ -292,7 +292,7 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     }
     if (!words.has('I') && !words.has('K')) return error(errors::ncArcIncomplete);
     const auto offset = [&](char letter, double start, bool isX) {
-        if (!words.has(letter)) return modal_.arc_is_absolute ? none : start;
+        if (!words.has(letter)) return modal_.arc_is_absolute ? notANumber : start;
         const double value = length_mm(words, letter);
         const bool isAbsolute = modal_.arc_is_absolute || (words.absolute >> BlockWords::slot(letter) & 1U) != 0;
         if (!isAbsolute) return start + value;

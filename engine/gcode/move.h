@@ -3,12 +3,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-namespace lathelier::gcode {
+#include "engine/core/units.h"
 
-inline constexpr double none = std::numeric_limits<double>::quiet_NaN();  ///< a number that does not exist
+namespace lathelier::gcode {
 
 enum class MoveKind : std::uint8_t { Rapid, Feed, Arc, Thread, Dwell };
 
@@ -18,21 +17,21 @@ const char* key(MoveKind kind);
 /// End of a move in program coordinates. What does not exist is NaN: coordinates of a reference point, the centre of a
 /// straight line, the feed of a rapid move.
 struct Move {
-    std::int64_t line = 0;              ///< of the block that caused it, from 1
-    MoveKind kind = MoveKind::Rapid;    ///< how the tool moves
-    bool clockwise = false;             ///< of an arc: G2, seen with Z to the right and X upward
-    double x_mm = none;                 ///< radius
-    double z_mm = none;                 ///< as programmed
-    double centre_x_mm = none;          ///< of an arc, radius
-    double centre_z_mm = none;          ///< of an arc
-    double feed_mm_rev = none;          ///< feed or lead of a thread
-    double feed_mm_min = none;          ///< feed, where it is per minute
-    double speed_rpm = none;            ///< of the spindle (G97)
-    double cutting_speed_m_min = none;  ///< constant surface speed (G96)
-    double speed_limit_rpm = none;      ///< of G96: G50 S, LIMS=, D
-    double dwell_s = none;              ///< of a dwell
-    int tool = 0;                       ///< number of the tool; 0: none yet
-    bool passes_point = false;          ///< the intermediate point of G28
+    std::int64_t line = 0;                    ///< of the block that caused it, from 1
+    MoveKind kind = MoveKind::Rapid;          ///< how the tool moves
+    bool clockwise = false;                   ///< of an arc: G2, seen with Z to the right and X upward
+    double x_mm = notANumber;                 ///< radius
+    double z_mm = notANumber;                 ///< as programmed
+    double centre_x_mm = notANumber;          ///< of an arc, radius
+    double centre_z_mm = notANumber;          ///< of an arc
+    double feed_mm_rev = notANumber;          ///< feed or lead of a thread
+    double feed_mm_min = notANumber;          ///< feed, where it is per minute
+    double speed_rpm = notANumber;            ///< of the spindle (G97)
+    double cutting_speed_m_min = notANumber;  ///< constant surface speed (G96)
+    double speed_limit_rpm = notANumber;      ///< of G96: G50 S, LIMS=, D
+    double dwell_s = notANumber;              ///< of a dwell
+    int tool = 0;                             ///< number of the tool; 0: none yet
+    bool passes_point = false;                ///< the intermediate point of G28
 };
 
 inline bool isKnown(double value)
@@ -42,8 +41,8 @@ inline bool isKnown(double value)
 
 /// A point of the plane of turning.
 struct Point {
-    double x_mm = none;  ///< radius
-    double z_mm = none;  ///< along the axis
+    double x_mm = notANumber;  ///< radius
+    double z_mm = notANumber;  ///< along the axis
 };
 
 inline bool isKnown(const Point& point)

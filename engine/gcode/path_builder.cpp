@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
 
 namespace lathelier::gcode {
@@ -9,7 +10,6 @@ namespace {
 
 constexpr double leastTurn_rad = 0.05;     ///< below it an outside corner gets no arc
 constexpr double leastInside_rad = 0.001;  ///< below it pieces are tangent
-constexpr double nothing_mm = 1e-9;
 
 /// Angle by which the path turns, + to the left.
 double turnAngle(const Direction& a, const Direction& b)
@@ -19,7 +19,7 @@ double turnAngle(const Direction& a, const Direction& b)
 
 bool isPoint(const Piece& piece)
 {
-    return !piece.isArc() && distance_mm(piece.from, piece.to) < nothing_mm;
+    return !piece.isArc() && distance_mm(piece.from, piece.to) < meet_mm;
 }
 
 Move moved(const Move& move, const Piece& piece)
@@ -98,7 +98,7 @@ void PathBuilder::join(Waiting& next)
     if (isCutting && isKnown(first.programmed.from) && isKnown(corner) && isKnown(next.programmed.to) &&
         !isPoint(first.programmed) && !isPoint(next.programmed)) {
         const double turn = turnAngle(directionAtEnd(first.programmed), directionAtStart(next.programmed));
-        if (std::abs(turn) < nothing_mm) {  // no corner there
+        if (std::abs(turn) < meet_mm) {  // no corner there
             hand(first.move, first.programmed);
             return;
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/gcode/arc.h"
 
 namespace lathelier::gcode {
@@ -49,7 +50,7 @@ void addStraight(const Move& move, const Point& from, const Point& to, double& l
     if (distance_mm(from, to) > 0) time_s += feedTime_s(move, from, to);
 }
 
-void addArc(const Move& move, const Point& from, double& length_mm, double& time_s)
+void addArcTime(const Move& move, const Point& from, double& length_mm, double& time_s)
 {
     const Point centre{move.centre_x_mm, move.centre_z_mm};
     const double radius = distance_mm(from, centre);
@@ -76,7 +77,7 @@ void addFeed(const Move& move, const Point& from, ToolTime& sum)
     const Point to{move.x_mm, move.z_mm};
     double time_s = 0;
     if (move.kind == MoveKind::Arc && isKnown(Point{move.centre_x_mm, move.centre_z_mm}))
-        addArc(move, from, sum.feed_length_mm, time_s);
+        addArcTime(move, from, sum.feed_length_mm, time_s);
     else
         addStraight(move, from, to, sum.feed_length_mm, time_s);
     if (std::isfinite(time_s))
@@ -93,7 +94,7 @@ void addRapid(const Point& from, const Point& to, const RapidRates& rates, ToolT
         std::max(std::abs(to.x_mm - from.x_mm) / rates.x_m_min, std::abs(to.z_mm - from.z_mm) / rates.z_m_min);
 }
 
-void add(const ToolTime& one, ToolTime& sum)
+void addTool(const ToolTime& one, ToolTime& sum)
 {
     sum.moves += one.moves;
     sum.feed_length_mm += one.feed_length_mm;
@@ -137,7 +138,7 @@ ProgramTimes timesOf(std::span<const Move> moves, const RapidRates& rates)
         }
         at = to;
     }
-    for (const ToolTime& time : times.tools) add(time, times.all);
+    for (const ToolTime& time : times.tools) addTool(time, times.all);
     if (!times.tools.empty()) times.all.line = times.tools.front().line;
     return times;
 }
@@ -145,19 +146,18 @@ ProgramTimes timesOf(std::span<const Move> moves, const RapidRates& rates)
 const std::vector<QuantityOf<ToolTime>>& quantitiesOf(const ToolTime*)
 {
     using T = ToolTime;
-    const Text mm = LT_TEXT("Engine", "mm"), s = LT_TEXT("Engine", "s");
-    static const auto all =
-        describedBy<T>(quantity<T>("tool", &T::tool, {LT_TEXT("Engine", "Tool"), {}, 0}),
-                       quantity<T>("line", &T::line, {LT_TEXT("Engine", "Line"), {}, 0}),
-                       quantity<T>("moves", &T::moves, {LT_TEXT("Engine", "Moves"), {}, 0}),
-                       quantity<T>("time_s", &T::time_s, {LT_TEXT("Engine", "Time"), s, 1}),
-                       quantity<T>("feed_time_s", &T::feed_time_s, {LT_TEXT("Engine", "Time in feed"), s, 1}),
-                       quantity<T>("rapid_time_s", &T::rapid_time_s, {LT_TEXT("Engine", "Time in rapid"), s, 1}),
-                       quantity<T>("dwell_time_s", &T::dwell_time_s, {LT_TEXT("Engine", "Dwell"), s, 1}),
-                       quantity<T>("feed_length_mm", &T::feed_length_mm, {LT_TEXT("Engine", "Way in feed"), mm, 1}),
-                       quantity<T>("rapid_length_mm", &T::rapid_length_mm, {LT_TEXT("Engine", "Way in rapid"), mm, 1}),
-                       quantity<T>("moves_without_time", &T::moves_without_time,
-                                   {LT_TEXT("Engine", "Feed moves without feed or speed"), {}, 0}));
+    static const auto all = describedBy<T>(
+        quantity<T>("tool", &T::tool, {LT_TEXT("Engine", "Tool"), {}, 0}),
+        quantity<T>("line", &T::line, {LT_TEXT("Engine", "Line"), {}, 0}),
+        quantity<T>("moves", &T::moves, {LT_TEXT("Engine", "Moves"), {}, 0}),
+        quantity<T>("time_s", &T::time_s, {LT_TEXT("Engine", "Time"), unit::s, 1}),
+        quantity<T>("feed_time_s", &T::feed_time_s, {LT_TEXT("Engine", "Time in feed"), unit::s, 1}),
+        quantity<T>("rapid_time_s", &T::rapid_time_s, {LT_TEXT("Engine", "Time in rapid"), unit::s, 1}),
+        quantity<T>("dwell_time_s", &T::dwell_time_s, {LT_TEXT("Engine", "Dwell"), unit::s, 1}),
+        quantity<T>("feed_length_mm", &T::feed_length_mm, {LT_TEXT("Engine", "Way in feed"), unit::mm, 1}),
+        quantity<T>("rapid_length_mm", &T::rapid_length_mm, {LT_TEXT("Engine", "Way in rapid"), unit::mm, 1}),
+        quantity<T>("moves_without_time", &T::moves_without_time,
+                    {LT_TEXT("Engine", "Feed moves without feed or speed"), {}, 0}));
     return all;
 }
 

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
 #include "engine/gcode/word_tables.h"
 
 namespace lathelier::gcode {
 namespace {
-
-constexpr double inch_mm = 25.4;
 
 /// The G word of a motion in a block, nullptr where it is modal.
 const Word* motionWord(const Program& program, const Block& block)
@@ -106,7 +105,7 @@ int Rewriter::digitsOf(const BlockState& state, bool isX) const
 double Rewriter::rounded_mm(std::size_t block, double x_mm) const
 {
     const BlockState& state = path_.blocks.at(block);
-    const double scale = (state.is_diameter ? 2 : 1) / (state.is_inch ? inch_mm : 1);
+    const double scale = (state.is_diameter ? 2 : 1) / (state.is_inch ? mm_per_inch : 1);
     const double grid = std::pow(10.0, digitsOf(state, true));
     return std::round(x_mm * scale * grid) / grid / scale;
 }
@@ -126,7 +125,7 @@ void Rewriter::split(std::size_t block, std::vector<Point> points)
 std::string Rewriter::number(std::size_t block, double value_mm, bool isX, const Word* like) const
 {
     const BlockState& state = path_.blocks[block];
-    const double value = value_mm * (isX && state.is_diameter ? 2 : 1) / (state.is_inch ? inch_mm : 1);
+    const double value = value_mm * (isX && state.is_diameter ? 2 : 1) / (state.is_inch ? mm_per_inch : 1);
     std::string text = fmt::format("{:.{}f}", value, digitsOf(state, isX));
     if (text.find('.') != std::string::npos) {
         const std::size_t last = text.find_last_not_of('0');

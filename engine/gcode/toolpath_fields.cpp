@@ -1,5 +1,7 @@
 #include "engine/gcode/toolpath.h"
 
+#include "engine/core/units.h"
+
 namespace lathelier::gcode {
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*)
@@ -9,8 +11,7 @@ const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*
         field("dialect", &P::dialect, dialectChoices(),
               Label{LT_TEXT("Engine", "Control"), LT_TEXT("Engine", "Language of the program.")}),
         field("nose_radius_mm", &P::nose_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of every tool, for G41 and G42."),
-                    LT_TEXT("Engine", "mm")}),
+              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of every tool, for G41 and G42."), unit::mm}),
         field("tip", &P::tip, {1, 9},
               Label{LT_TEXT("Engine", "Tip"),
                     LT_TEXT("Engine",

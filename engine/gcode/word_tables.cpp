@@ -18,12 +18,12 @@ struct Entry {
     G meaning;
 };
 
-void fill(Table& table, std::initializer_list<Entry> entries)
+void fillTable(Table& table, std::initializer_list<Entry> entries)
 {
     for (const Entry& entry : entries) table.at(static_cast<std::size_t>(entry.code10)) = entry.meaning;
 }
 
-void fill(Table& table, G meaning, std::initializer_list<int> codes)
+void fillTable(Table& table, G meaning, std::initializer_list<int> codes)
 {
     for (const int code : codes) table.at(static_cast<std::size_t>(code) * 10) = meaning;
 }
@@ -31,43 +31,43 @@ void fill(Table& table, G meaning, std::initializer_list<int> codes)
 Table common()
 {
     Table table{};
-    fill(table, {{0, G::Rapid},
-                 {10, G::Line},
-                 {20, G::ArcCw},
-                 {30, G::ArcCcw},
-                 {40, G::Dwell},
-                 {170, G::PlaneOther},
-                 {180, G::PlaneZX},
-                 {190, G::PlaneOther},
-                 {400, G::NoseOff},
-                 {410, G::NoseLeft},
-                 {420, G::NoseRight},
-                 {960, G::CssOn},
-                 {970, G::CssOff}});
+    fillTable(table, {{0, G::Rapid},
+                      {10, G::Line},
+                      {20, G::ArcCw},
+                      {30, G::ArcCcw},
+                      {40, G::Dwell},
+                      {170, G::PlaneOther},
+                      {180, G::PlaneZX},
+                      {190, G::PlaneOther},
+                      {400, G::NoseOff},
+                      {410, G::NoseLeft},
+                      {420, G::NoseRight},
+                      {960, G::CssOn},
+                      {970, G::CssOff}});
     return table;
 }
 
 Table fanuc(bool isHaas)
 {
     Table table = common();
-    fill(table, {{200, G::Inch},      {210, G::Metric},        {280, G::Home},        {300, G::Home},
-                 {320, G::Thread},    {500, G::SpeedLimit},    {520, G::Shift},       {530, G::MachineMove},
-                 {650, G::MacroCall}, {700, G::Finish},        {710, G::RoughTurn},   {720, G::RoughFace},
-                 {730, G::Pattern},   {740, G::FacePeck},      {750, G::TurnPeck},    {760, G::ThreadMulti},
-                 {800, G::CycleOff},  {900, G::TurnCycle},     {920, G::ThreadCycle}, {940, G::FaceCycle},
-                 {980, G::PerMinute}, {990, G::PerRevolution}, {330, G::Thread}});
-    fill(table, G::Drill, {81, 82, 83, 84, 85, 86, 87, 88, 89});
-    fill(table, G::WorkOffset, {54, 55, 56, 57, 58, 59});
-    fill(table, G::NoEffect, {9, 22, 23, 25, 26, 61, 64, 67, 69, 27, 43, 44, 49, 63, 62});
-    fill(table, G::NotModelled, {5, 7, 8, 10, 11, 12, 13, 31, 34, 35, 36, 37, 51, 66, 68, 107, 112, 113});
-    fill(
+    fillTable(table, {{200, G::Inch},      {210, G::Metric},        {280, G::Home},        {300, G::Home},
+                      {320, G::Thread},    {500, G::SpeedLimit},    {520, G::Shift},       {530, G::MachineMove},
+                      {650, G::MacroCall}, {700, G::Finish},        {710, G::RoughTurn},   {720, G::RoughFace},
+                      {730, G::Pattern},   {740, G::FacePeck},      {750, G::TurnPeck},    {760, G::ThreadMulti},
+                      {800, G::CycleOff},  {900, G::TurnCycle},     {920, G::ThreadCycle}, {940, G::FaceCycle},
+                      {980, G::PerMinute}, {990, G::PerRevolution}, {330, G::Thread}});
+    fillTable(table, G::Drill, {81, 82, 83, 84, 85, 86, 87, 88, 89});
+    fillTable(table, G::WorkOffset, {54, 55, 56, 57, 58, 59});
+    fillTable(table, G::NoEffect, {9, 22, 23, 25, 26, 61, 64, 67, 69, 27, 43, 44, 49, 63, 62});
+    fillTable(table, G::NotModelled, {5, 7, 8, 10, 11, 12, 13, 31, 34, 35, 36, 37, 51, 66, 68, 107, 112, 113});
+    fillTable(
         table,
         {{71, G::NotModelled}, {121, G::NotModelled}, {131, G::NoEffect}, {102, G::NotModelled}, {541, G::WorkOffset}});
     if (isHaas) {
-        fill(table, G::NoEffect, {14, 103, 105, 187, 199, 29, 47, 160, 161});
-        fill(table, G::NotModelled, {77, 95, 101, 114, 115, 178, 179, 184, 186, 195, 196, 198});
-        fill(table, G::WorkOffset, {154, 110, 111});
-        fill(table, {{950, G::Drill}, {1130, G::NoEffect}});
+        fillTable(table, G::NoEffect, {14, 103, 105, 187, 199, 29, 47, 160, 161});
+        fillTable(table, G::NotModelled, {77, 95, 101, 114, 115, 178, 179, 184, 186, 195, 196, 198});
+        fillTable(table, G::WorkOffset, {154, 110, 111});
+        fillTable(table, {{950, G::Drill}, {1130, G::NoEffect}});
     }
     return table;
 }
@@ -75,65 +75,65 @@ Table fanuc(bool isHaas)
 Table linuxCnc()
 {
     Table table = common();
-    fill(table, {{70, G::Diameter},        {80, G::Radius},       {200, G::Inch},        {210, G::Metric},
-                 {280, G::Home},           {300, G::Home},        {330, G::Thread},      {411, G::NoseLeft},
-                 {421, G::NoseRight},      {530, G::MachineMove}, {520, G::Shift},       {760, G::ThreadMulti},
-                 {800, G::CycleOff},       {900, G::Absolute},    {910, G::Incremental}, {901, G::ArcAbsolute},
-                 {911, G::ArcIncremental}, {930, G::InverseTime}, {940, G::PerMinute},   {950, G::PerRevolution},
-                 {920, G::Shift}});
-    fill(table, G::Drill, {73, 81, 82, 83, 84, 85, 86, 87, 88, 89});
-    fill(table, G::WorkOffset, {54, 55, 56, 57, 58, 59});
-    fill(table, {{591, G::WorkOffset}, {592, G::WorkOffset}, {593, G::WorkOffset}});
-    fill(table, G::NoEffect, {43, 49, 61, 64, 98, 99});
-    fill(table, {{431, G::NoEffect},
-                 {432, G::NoEffect},
-                 {611, G::NoEffect},
-                 {281, G::NoEffect},
-                 {301, G::NoEffect},
-                 {921, G::NoEffect},
-                 {922, G::NoEffect},
-                 {923, G::NoEffect}});
-    fill(table, G::NotModelled, {5, 10, 70, 71, 72});
-    fill(table, {{51, G::NotModelled},
-                 {52, G::NotModelled},
-                 {53, G::NotModelled},
-                 {331, G::NotModelled},
-                 {382, G::NotModelled},
-                 {383, G::NotModelled},
-                 {384, G::NotModelled},
-                 {385, G::NotModelled},
-                 {711, G::NotModelled},
-                 {712, G::NotModelled},
-                 {721, G::NotModelled},
-                 {722, G::NotModelled},
-                 {171, G::PlaneOther},
-                 {181, G::PlaneOther},
-                 {191, G::PlaneOther}});
+    fillTable(table, {{70, G::Diameter},        {80, G::Radius},       {200, G::Inch},        {210, G::Metric},
+                      {280, G::Home},           {300, G::Home},        {330, G::Thread},      {411, G::NoseLeft},
+                      {421, G::NoseRight},      {530, G::MachineMove}, {520, G::Shift},       {760, G::ThreadMulti},
+                      {800, G::CycleOff},       {900, G::Absolute},    {910, G::Incremental}, {901, G::ArcAbsolute},
+                      {911, G::ArcIncremental}, {930, G::InverseTime}, {940, G::PerMinute},   {950, G::PerRevolution},
+                      {920, G::Shift}});
+    fillTable(table, G::Drill, {73, 81, 82, 83, 84, 85, 86, 87, 88, 89});
+    fillTable(table, G::WorkOffset, {54, 55, 56, 57, 58, 59});
+    fillTable(table, {{591, G::WorkOffset}, {592, G::WorkOffset}, {593, G::WorkOffset}});
+    fillTable(table, G::NoEffect, {43, 49, 61, 64, 98, 99});
+    fillTable(table, {{431, G::NoEffect},
+                      {432, G::NoEffect},
+                      {611, G::NoEffect},
+                      {281, G::NoEffect},
+                      {301, G::NoEffect},
+                      {921, G::NoEffect},
+                      {922, G::NoEffect},
+                      {923, G::NoEffect}});
+    fillTable(table, G::NotModelled, {5, 10, 70, 71, 72});
+    fillTable(table, {{51, G::NotModelled},
+                      {52, G::NotModelled},
+                      {53, G::NotModelled},
+                      {331, G::NotModelled},
+                      {382, G::NotModelled},
+                      {383, G::NotModelled},
+                      {384, G::NotModelled},
+                      {385, G::NotModelled},
+                      {711, G::NotModelled},
+                      {712, G::NotModelled},
+                      {721, G::NotModelled},
+                      {722, G::NotModelled},
+                      {171, G::PlaneOther},
+                      {181, G::PlaneOther},
+                      {191, G::PlaneOther}});
     return table;
 }
 
 Table sinumerik()
 {
     Table table = common();
-    fill(table, {{330, G::Thread},
-                 {700, G::Inch},
-                 {710, G::Metric},
-                 {740, G::FixedPoint},
-                 {750, G::FixedPoint},
-                 {900, G::Absolute},
-                 {910, G::Incremental},
-                 {940, G::PerMinute},
-                 {950, G::PerRevolution},
-                 {930, G::InverseTime},
-                 {530, G::MachineMove},
-                 {1530, G::MachineMove},
-                 {250, G::NoEffect},
-                 {260, G::SpeedLimit},
-                 {961, G::CssOn},
-                 {971, G::CssOff}});
-    fill(table, G::WorkOffset, {54, 55, 56, 57});
-    fill(table, G::NoEffect, {9, 60, 64, 450, 451, 452});
-    fill(table, G::NotModelled, {34, 35, 63, 331, 332, 110, 111, 112, 58, 59});
+    fillTable(table, {{330, G::Thread},
+                      {700, G::Inch},
+                      {710, G::Metric},
+                      {740, G::FixedPoint},
+                      {750, G::FixedPoint},
+                      {900, G::Absolute},
+                      {910, G::Incremental},
+                      {940, G::PerMinute},
+                      {950, G::PerRevolution},
+                      {930, G::InverseTime},
+                      {530, G::MachineMove},
+                      {1530, G::MachineMove},
+                      {250, G::NoEffect},
+                      {260, G::SpeedLimit},
+                      {961, G::CssOn},
+                      {971, G::CssOff}});
+    fillTable(table, G::WorkOffset, {54, 55, 56, 57});
+    fillTable(table, G::NoEffect, {9, 60, 64, 450, 451, 452});
+    fillTable(table, G::NotModelled, {34, 35, 63, 331, 332, 110, 111, 112, 58, 59});
     return table;
 }
 

@@ -159,7 +159,7 @@ int readVersion(const io::JsonCursor& root)
     return static_cast<int>(*whole);
 }
 
-Json toJson(const Source& source, const fs::path& folder)
+Json sourceJson(const Source& source, const fs::path& folder)
 {
     Json result = Json::object();
     if (source.item.empty())
@@ -172,7 +172,7 @@ Json toJson(const Source& source, const fs::path& folder)
     return result;
 }
 
-Json toJson(const Item& item)
+Json itemJson(const Item& item)
 {
     return {{"kind", item.kind},
             {"values", toJson(item.values)},
@@ -203,11 +203,11 @@ std::string toJsonText(const Project& project, const fs::path& folder)
     for (const auto& [id, panel] : project.panels) {
         Json& state = json["panels"][id] = Json::object();
         state["inputs"] = Json::object();
-        for (const auto& [role, source] : panel.inputs) state["inputs"][role] = toJson(source, folder);
+        for (const auto& [role, source] : panel.inputs) state["inputs"][role] = sourceJson(source, folder);
         state["parameters"] = toJson(panel.parameters);
     }
     json["items"] = Json::object();
-    for (const auto& [name, item] : project.items) json["items"][name] = toJson(item);
+    for (const auto& [name, item] : project.items) json["items"][name] = itemJson(item);
     json["views"] = Json::object();
     for (const auto& [id, view] : project.views) json["views"][id] = toJson(view);
     json["title_block"] = toJson(project.title_block);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double standsOut = 2.5;       ///< a resonance, above the lowest lines on both sides
 constexpr double belowResonance = 0.4;  ///< of its frequency, where its own rise is small
-constexpr std::size_t fewestLines = 6;
+constexpr std::size_t fewestSlopeLines = 6;
 constexpr double leastSpan = 2;         ///< last over first frequency
 constexpr double mostUncertain = 0.15;  ///< of the power, standard
 constexpr double nearPower = 0.35;      ///< a slope belongs to a whole power so near
@@ -98,7 +98,7 @@ std::optional<LowSlope> lowSlope(const Frf& frf)
         xy += lx * ly;
         yy += ly * ly;
     }
-    if (n < static_cast<double>(fewestLines) || end < leastSpan * lines.frequency_hz.front()) return std::nullopt;
+    if (n < static_cast<double>(fewestSlopeLines) || end < leastSpan * lines.frequency_hz.front()) return std::nullopt;
     const double sxx = xx - x * x / n, sxy = xy - x * y / n, syy = yy - y * y / n;
     const double power = sxy / sxx, variance = std::max(0.0, syy - power * sxy) / (n - 2);
     if (std::sqrt(variance / sxx) > mostUncertain) return std::nullopt;

@@ -3,14 +3,20 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 
 namespace lathelier::receptance {
+
+report::Axis frequencyAxis()
+{
+    return {LT_TEXT("Engine", "Frequency"), unit::hz};
+}
 
 report::Plot magnitudePlot(const Frf& frf)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Magnitude of the receptance");
-    plot.x = {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz"), report::Axis::Scale::Logarithmic};
+    plot.x = {LT_TEXT("Engine", "Frequency"), unit::hz, report::Axis::Scale::Logarithmic};
     plot.y = {LT_TEXT("Engine", "Magnitude"), LT_TEXT("Engine", "mm/N"), report::Axis::Scale::Logarithmic};
     report::Curve curve{{}, frf.frequency_hz, {}};
     for (const auto& value : frf.value) curve.y.push_back(std::abs(value));
@@ -22,7 +28,7 @@ report::Plot realImaginaryPlot(const Frf& frf, std::optional<double> least_hz, c
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Real and imaginary part of the receptance");
-    plot.x = {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz")};
+    plot.x = frequencyAxis();
     plot.y = {LT_TEXT("Engine", "Receptance"), LT_TEXT("Engine", "µm/N")};
     report::Curve real{LT_TEXT("Engine", "real part"), frf.frequency_hz, {}};
     report::Curve imaginary{LT_TEXT("Engine", "imaginary part"), frf.frequency_hz, {}};

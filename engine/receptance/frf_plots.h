@@ -8,6 +8,9 @@
 
 namespace lathelier::receptance {
 
+/// The linear axis of all plots over the frequency.
+report::Axis frequencyAxis();
+
 /// Magnitude of the receptance over the frequency, both logarithmic.
 report::Plot magnitudePlot(const Frf& frf);
 

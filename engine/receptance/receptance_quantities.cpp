@@ -1,5 +1,7 @@
 #include "engine/receptance/receptance_quantities.h"
 
+#include "engine/core/units.h"
+
 namespace lathelier::receptance {
 namespace {
 
@@ -23,9 +25,9 @@ const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftRe
 {
     using R = ShaftReceptanceResult;
     static const auto all = describedBy<R>(
-        quantity<R>("length_mm", &R::length_mm, {LT_TEXT("Engine", "Length"), LT_TEXT("Engine", "mm")}),
+        quantity<R>("length_mm", &R::length_mm, {LT_TEXT("Engine", "Length"), unit::mm}),
         quantity<R>("natural_frequencies_hz", &R::natural_frequencies_hz,
-                    {LT_TEXT("Engine", "Natural frequencies"), LT_TEXT("Engine", "Hz"), 2}),
+                    {LT_TEXT("Engine", "Natural frequencies"), unit::hz, 2}),
         quantity<R>("receptance.frequency_hz", [](const R& r) { return r.frf.frequency_hz; }),
         quantity<R>("receptance.real_mm_N", realParts), quantity<R>("receptance.imag_mm_N", imaginaryParts));
     return all;

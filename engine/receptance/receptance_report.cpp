@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
+#include "engine/receptance/receptance_units.h"
 #include "engine/receptance/receptance_verification.h"
 #include "engine/receptance/shaft_report.h"
 #include "engine/receptance/spindle_plots.h"
@@ -12,12 +14,6 @@
 #include "engine/report/parameters_table.h"
 
 namespace lathelier::receptance {
-namespace {
-
-const Text hz = LT_TEXT("Engine", "Hz");
-constexpr double millionth = 1e6;
-
-}  // namespace
 
 report::Answer answer(const ShaftReceptanceResult& result, const Language& language)
 {
@@ -31,14 +27,14 @@ report::Answer answer(const ShaftReceptanceResult& result, const Language& langu
     if (result.natural_frequencies_hz && !result.natural_frequencies_hz->empty()) {
         answer.quantity = LT_TEXT("Engine", "First natural frequency");
         answer.value = result.natural_frequencies_hz->front();
-        answer.unit = hz;
+        answer.unit = unit::hz;
         answer.decimals = 2;
     } else {
         answer.quantity = LT_TEXT("Engine", "Receptance");
     }
     if (frf.value.empty() || !std::isfinite(std::abs(frf.value[peak]))) return answer;
     answer.sentence = LT_TEXT("Engine", "Largest receptance {magnitude} nm/N at {frequency} Hz · lines: {lines}");
-    answer.values = {{"magnitude", fixed(millionth * std::abs(frf.value[peak]), 2, language)},
+    answer.values = {{"magnitude", fixed(nm_per_mm * std::abs(frf.value[peak]), 2, language)},
                      {"frequency", fixed(frf.frequency_hz[peak], 1, language)},
                      {"lines", static_cast<std::int64_t>(frf.value.size())}};
     return answer;
@@ -51,7 +47,7 @@ report::Answer answer(const SpindleIdentification& result, const Language& langu
     answer.verdict_words = LT_TEXT("Engine", "computed");
     answer.quantity = LT_TEXT("Engine", "Residual of the identification");
     answer.value = result.residual_rms_percent;
-    answer.unit = LT_TEXT("Engine", "%");
+    answer.unit = unit::percent;
     answer.decimals = 2;
     answer.values = {{"responses", static_cast<std::int64_t>(result.frfs)},
                      {"lines", static_cast<std::int64_t>(result.frequency_hz.size())}};

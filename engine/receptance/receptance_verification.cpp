@@ -20,7 +20,7 @@ using beam::ShearModel;
 constexpr double rigid = std::numeric_limits<double>::infinity();
 constexpr double mm_N = 1e-3;  ///< in m/N
 
-Shaft shaftOf(const std::vector<std::pair<double, double>>& length_and_diameter_mm)
+Shaft steppedShaft(const std::vector<std::pair<double, double>>& length_and_diameter_mm)
 {
     Shaft shaft;
     shaft.segments.reserve(length_and_diameter_mm.size());
@@ -84,8 +84,8 @@ VerifyKind verifyNaturalFrequencies()
         if (found.size() < known.size()) return tally.take(std::nan(""));
         for (std::size_t i = 0; i < known.size(); ++i) tally.compare(found[i] / known[i], 1);
     };
-    compare(shaftOf({{250, 40}}), cowper(), {2768.36, 6937.89, 12207.47});
-    compare(shaftOf({{98, 30}, {10, 37}, {75, 33.8}}), cowper(), {3998.26, 10105.76, 17399.64});
+    compare(steppedShaft({{250, 40}}), cowper(), {2768.36, 6937.89, 12207.47});
+    compare(steppedShaft({{98, 30}, {10, 37}, {75, 33.8}}), cowper(), {3998.26, 10105.76, 17399.64});
     // So slender that Euler's beam holds: β² √(EI/ρA) / (2π L²).
     const double length_mm = 4000, diameter_mm = 2;
     const double speed = std::sqrt(210000 / 7.85e-9) * diameter_mm / 4;
@@ -95,8 +95,8 @@ VerifyKind verifyNaturalFrequencies()
         for (const double b : beta) f.push_back(b * b * speed / (2 * std::numbers::pi * length_mm * length_mm));
         return f;
     };
-    compare(shaftOf({{length_mm, diameter_mm}}), cowper(), euler({4.730040744862704, 7.853204624095838}));
-    compare(shaftOf({{length_mm, diameter_mm}}), cowper({{length_mm, rigid, rigid, 0}}),
+    compare(steppedShaft({{length_mm, diameter_mm}}), cowper(), euler({4.730040744862704, 7.853204624095838}));
+    compare(steppedShaft({{length_mm, diameter_mm}}), cowper({{length_mm, rigid, rigid, 0}}),
             euler({1.875104068711961, 4.694091132974175}));
     return tally.done();
 }
@@ -108,13 +108,13 @@ VerifyKind verifyBeamReceptances()
         tally.nextSet();
         tally.compare(at(shaft, cowper(), {respond_z_mm, excite_z_mm}, 1000)[1](0, 0).real() * mm_N / known_m_N, 1);
     };
-    compare(shaftOf({{250, 40}}), 0, 0, -3.377508e-8);
-    const Shaft stepped = shaftOf({{98, 30}, {10, 37}, {75, 33.8}});
+    compare(steppedShaft({{250, 40}}), 0, 0, -3.377508e-8);
+    const Shaft stepped = steppedShaft({{98, 30}, {10, 37}, {75, 33.8}});
     compare(stepped, 0, 0, -8.721604e-8);
     compare(stepped, 183, 183, -7.422992e-8);
     compare(stepped, 0, 183, 4.770384e-8);
     // At rest and clamped: P L³/3EI + P L/κGA.
-    Shaft rod = shaftOf({{250, 40}});
+    Shaft rod = steppedShaft({{250, 40}});
     rod.material->loss_factor = 0;
     const ReceptanceMatrix g = at(rod, cowper({{250, rigid, rigid, 0}}), {0}, 0).front();
     const double bending = 210000 * std::numbers::pi * std::pow(40, 4) / 64;  // EI
@@ -129,8 +129,8 @@ VerifyKind verifyBeamReceptances()
 VerifyKind verifyCoupling()
 {
     VerifyTally tally("receptance_coupling", LT_TEXT("Engine", "Two halves of a shaft coupled"), {}, 1e-8);
-    const Shaft whole = shaftOf({{98, 30}, {10, 37}, {75, 33.8}, {60, 40}});
-    const Shaft outer = shaftOf({{98, 30}, {10, 37}, {75, 33.8}}), inner = shaftOf({{60, 40}});
+    const Shaft whole = steppedShaft({{98, 30}, {10, 37}, {75, 33.8}, {60, 40}});
+    const Shaft outer = steppedShaft({{98, 30}, {10, 37}, {75, 33.8}}), inner = steppedShaft({{60, 40}});
     const std::vector<double> places{0, 60, 183};
     for (const double f : {150.0, 700.0, 3000.0, 9000.0}) {
         const auto free = at(outer, cowper(), places, f);
@@ -149,7 +149,7 @@ VerifyKind verifyCoupledRod()
     parameters.from_hz = 200;
     parameters.to_hz = 250;
     parameters.step_hz = 0.25;
-    const Shaft rod = shaftOf({{250, 40}});
+    const Shaft rod = steppedShaft({{250, 40}});
     const Frf frf =
         receptanceOf(rod, *rod.material, parameters, {SpindleReceptance{SpindleSprings{15000, 1.974e8, 0.06}}, {}});
     std::size_t peak = 0, least = 0;
@@ -173,7 +173,7 @@ VerifyKind verifyInverseCoupling(const Progress& progress)
     SpindleMeasurements measurements;
     for (const auto& [length_mm, distances_mm] :
          {std::pair{150.0, std::vector{50.0, 100.0, 150.0}}, {260.0, std::vector{80.0, 170.0, 260.0}}}) {
-        const Shaft rod = shaftOf({{length_mm, 40}});
+        const Shaft rod = steppedShaft({{length_mm, 40}});
         measurements.rods.push_back({rod, distances_mm});
         for (std::size_t a = 0; a < distances_mm.size(); ++a)
             for (std::size_t b = a; b < distances_mm.size(); ++b) {

@@ -5,6 +5,7 @@
 
 #include "engine/beam/segment_contour.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -123,7 +124,7 @@ int decimalsOf(double value)
 void addDimensions(report::Plot& plot, const Shaft& shaft, double largest_mm, const Language& language)
 {
     const auto number = [&](double value_mm) {
-        return shownNumber(value_mm, millimetre, decimalsOf(value_mm), language);
+        return shownNumber(value_mm, unit::mm, decimalsOf(value_mm), language);
     };
     double z_mm = 0;
     for (const ShaftSegment& segment : shaft.segments) {
@@ -175,8 +176,8 @@ report::Plot shaftDrawing(const Shaft& shaft, const ShaftHolding& holding, bool 
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Shaft");
-    plot.x = {LT_TEXT("Engine", "z from the free end"), LT_TEXT("Engine", "mm")};
-    plot.y = {LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
+    plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     plot.equal_scales = true;
     const Contour contour = contourOf(shaft);
     if (contour.z_mm.empty()) return plot;
@@ -238,7 +239,7 @@ report::Plot modeShapesPlot(const ShaftStudy& study, double swing, const Languag
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Mode shapes");
-    plot.x = {LT_TEXT("Engine", "z from the free end"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "z from the free end"), unit::mm};
     plot.y = {LT_TEXT("Engine", "Deflection, largest 1"), Text{}};
     plot.y.range = Interval{-1.1, 1.1};
     for (std::size_t i = 0; i < study.modes.size(); ++i) {

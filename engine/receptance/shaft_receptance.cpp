@@ -14,8 +14,8 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double mostLines = 1e6;
-constexpr std::size_t linesAtOnce = 64;
+constexpr double mostShaftLines = 1e6;
+constexpr std::size_t linesPerShaftTask = 64;
 constexpr std::size_t places = 3;  // response, excitation, chuck face
 constexpr double singular = 1e-14;
 
@@ -67,7 +67,7 @@ std::vector<double> linesOf(const ReceptanceParameters& parameters)
         reject("to_hz", parameters.to_hz, LT_TEXT("Engine", "not less than the first frequency"));
     constexpr double rounding = 1e-9;
     const double steps = std::floor((parameters.to_hz - parameters.from_hz) / parameters.step_hz * (1 + rounding));
-    if (!(steps < mostLines)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "at most a million lines"));
+    if (!(steps < mostShaftLines)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "at most a million lines"));
     std::vector<double> result;
     result.reserve(static_cast<std::size_t>(steps) + 1);
     for (double i = 0; i <= steps; ++i) result.push_back(parameters.from_hz + i * parameters.step_hz);
@@ -102,7 +102,7 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
     const std::vector<double>& frequency_hz = frf.frequency_hz;
     std::vector<Complex>& value = frf.value;
     value.resize(frequency_hz.size());
-    parallelFor(frequency_hz.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(frequency_hz.size(), linesPerShaftTask, progress, [&](std::size_t begin, std::size_t end) {
         beam::BeamReceptance mine = prepared;
         std::array<ReceptanceMatrix, places * places> g;
         for (std::size_t line = begin; line < end; ++line) {

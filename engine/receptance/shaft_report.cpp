@@ -4,12 +4,11 @@
 
 #include "engine/core/texts.h"
 #include "engine/receptance/receptance_report.h"
+#include "engine/receptance/receptance_units.h"
 #include "engine/receptance/shaft_plots.h"
 
 namespace lathelier::receptance {
 namespace {
-
-constexpr double nanometres = 1e6;  ///< per mm
 
 report::Table segmentsTable(const Shaft& shaft)
 {
@@ -51,7 +50,7 @@ report::Answer answer(const ShaftStudy& study, const Language& language)
     report::Finding compliance{LT_TEXT("Engine", "Not held: no static compliance"), {}, {}, {}};
     if (study.static_mm_N) {
         compliance.pattern = LT_TEXT("Engine", "Static compliance {compliance} nm/N");
-        compliance.values = {{"compliance", fixed(nanometres * *study.static_mm_N, 1, language)}};
+        compliance.values = {{"compliance", fixed(nm_per_mm * *study.static_mm_N, 1, language)}};
     } else if (!study.response.natural_frequencies_hz) {
         compliance.pattern = LT_TEXT("Engine", "Static compliance not known: the spindle is a table of receptances");
     }

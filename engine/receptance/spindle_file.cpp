@@ -8,12 +8,12 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t mostLines = 1000000;
+constexpr std::size_t mostSpindleLines = 1000000;
 
 std::vector<double> ascending(const io::JsonCursor& list)
 {
     std::vector<double> result;
-    list.items(mostLines, [&result](const io::JsonCursor& item) {
+    list.items(mostSpindleLines, [&result](const io::JsonCursor& item) {
         const double value = item.number();
         if (!(value >= 0) || (!result.empty() && !(value > result.back())))
             item.reject(LT_TEXT("Engine", "frequencies that ascend from 0 or more"));
@@ -35,7 +35,7 @@ std::vector<Complex> complexList(const io::JsonCursor& root, const char* key, st
 {
     const io::JsonCursor list = root.at(key, LT_TEXT("Engine", "pairs [real, imaginary], one for each frequency"));
     std::vector<Complex> result;
-    list.items(mostLines, [&result](const io::JsonCursor& pair) { result.push_back(complexOf(pair)); });
+    list.items(mostSpindleLines, [&result](const io::JsonCursor& pair) { result.push_back(complexOf(pair)); });
     if (result.size() != lines) list.reject(LT_TEXT("Engine", "as many pairs as frequencies"));
     return result;
 }
@@ -71,7 +71,7 @@ std::string spindleText(const SpindleReceptance& spindle)
 {
     Json root = Json::object();
     if (const SpindleSprings* springs = spindle.springs()) {
-        root["springs"] = io::objectOf(infos<SpindleSprings>(), toValues(*springs));
+        root["springs"] = io::objectOf(infos<SpindleSprings>(), lathelier::toValues(*springs));
         return root.dump(2) + "\n";
     }
     const auto& table = std::get<SpindleTable>(spindle.source);

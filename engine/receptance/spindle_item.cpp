@@ -20,7 +20,7 @@ constexpr Entry entries[] = {{"H_real_mm_N", "H_imag_mm_N", &SpindleTable::H_mm_
                              {"L_real_mm_Nmm", "L_imag_mm_Nmm", &SpindleTable::L_mm_Nmm},
                              {"P_real_rad_Nmm", "P_imag_rad_Nmm", &SpindleTable::P_rad_Nmm}};
 
-std::optional<SpindleTable> tableOf(const Values& values)
+std::optional<SpindleTable> tableFromValues(const Values& values)
 {
     SpindleTable table;
     auto frequency_hz = numbersIn(values, "frequency_hz");
@@ -65,7 +65,7 @@ Values toValues(const SpindleReceptance& spindle)
 std::optional<SpindleReceptance> spindleOf(const Values& values)
 {
     if (find(values, "frequency_hz")) {
-        auto table = tableOf(values);
+        auto table = tableFromValues(values);
         return table ? std::optional(SpindleReceptance{std::move(*table)}) : std::nullopt;
     }
     for (const FieldInfo& info : infos<SpindleSprings>())

@@ -4,17 +4,12 @@
 #include <numbers>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/receptance/eirc/spindle_line.h"
+#include "engine/receptance/frf_plots.h"
 
 namespace lathelier::receptance {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
-
-report::Axis frequencyAxis()
-{
-    return {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz")};
-}
 
 /// Receptances of one size, so that one axis shows all three.
 struct ScaledTable {
@@ -79,9 +74,8 @@ report::Plot spindleMagnitudePlot(const SpindleReceptance& spindle)
 
 report::Plot spindlePhasePlot(const SpindleReceptance& spindle)
 {
-    return entriesPlot(spindle, LT_TEXT("Engine", "Phase of the chuck face"),
-                       {LT_TEXT("Engine", "Phase"), LT_TEXT("Engine", "°")},
-                       [](const Complex& value) { return degrees * std::arg(value); });
+    return entriesPlot(spindle, LT_TEXT("Engine", "Phase of the chuck face"), {LT_TEXT("Engine", "Phase"), unit::deg},
+                       [](const Complex& value) { return deg_per_rad * std::arg(value); });
 }
 
 report::Plot conditionPlot(const SpindleIdentification& found)
@@ -99,7 +93,7 @@ report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Residual of each line");
     plot.x = frequencyAxis();
-    plot.y = {LT_TEXT("Engine", "Residual"), LT_TEXT("Engine", "%")};
+    plot.y = {LT_TEXT("Engine", "Residual"), unit::percent};
     plot.curves = {{{}, found.frequency_hz, check.residual_percent}};
     return plot;
 }

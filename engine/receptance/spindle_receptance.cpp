@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/units.h"
 #include "engine/receptance/receptance_codes.h"
 
 namespace lathelier::receptance {
@@ -50,7 +51,7 @@ const std::vector<Field<SpindleSprings>>& fieldsOf(const SpindleSprings*)
     static const auto all = described<S>(
         field("radial_N_mm", &S::radial_N_mm, {1e-6, 1e12},
               label(LT_TEXT("Engine", "Radial stiffness"), LT_TEXT("Engine", "Of the chuck face against deflection."),
-                    LT_TEXT("Engine", "N/mm"))),
+                    unit::N_mm)),
         field("tilt_N_mm_rad", &S::tilt_N_mm_rad, {1e-6, 1e15},
               label(LT_TEXT("Engine", "Tilt stiffness"), LT_TEXT("Engine", "Of the chuck face against rotation."),
                     LT_TEXT("Engine", "N·mm/rad"))),

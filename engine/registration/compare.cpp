@@ -116,8 +116,8 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     return plan;
 }
 
-std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose,
-                            const Progress& progress)
+std::vector<Vector3d> movedPoints(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose,
+                                  const Progress& progress)
 {
     std::vector<Vector3d> result(points.size());
     parallelFor(points.size(), 65536, progress, [&](std::size_t begin, std::size_t end) {
@@ -128,9 +128,9 @@ std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Is
 
 /// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud; of the
 /// last two also the direction in which it was measured.
-void measure(const Scan& reference, const GeneralReference* prepared, const Plan& plan, const MeridianLine* line,
-             const std::vector<Vector3d>& moved_copy, double max_distance_mm, CompareResult& result,
-             std::vector<Eigen::Vector3f>& direction, const Progress& progress)
+void measureDeviations(const Scan& reference, const GeneralReference* prepared, const Plan& plan,
+                       const MeridianLine* line, const std::vector<Vector3d>& moved_copy, double max_distance_mm,
+                       CompareResult& result, std::vector<Eigen::Vector3f>& direction, const Progress& progress)
 {
     const auto toMeridian = [&] {
         return meridianDeviation(plan.reference, *line, moved_copy, max_distance_mm, progress);
@@ -277,7 +277,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
     if (!plan.reference_turned) refuseAlongAxis(parameters);
 
     const Progress measuring = progress.part(0.5, 0.75, LT_TEXT("Engine", "Deviations"));
-    const std::vector<Vector3d> moved_copy = moved(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
+    const std::vector<Vector3d> moved_copy =
+        movedPoints(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
     std::optional<MeridianLine> line;
     if (plan.reference_turned) line.emplace(plan.reference, reference_points, measuring);
     const double size_mm = robustSize_mm(reference_points);
@@ -288,8 +289,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
     std::vector<Eigen::Vector3f> direction;
     const auto remeasure = [&](const Progress& own) {
         if (drawn) return measureDrawn(*drawn, moved_copy, reach_mm, result, direction, own);
-        measure(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy, reach_mm,
-                result, direction, own);
+        measureDeviations(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy,
+                          reach_mm, result, direction, own);
     };
     remeasure(measuring.part(0, 0.8));
     // The scatter of a part of any shape is known only now, and what was out of reach adds to it.

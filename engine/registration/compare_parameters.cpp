@@ -1,6 +1,7 @@
 #include "engine/registration/compare.h"
 
 #include "engine/core/decision_field.h"
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 
@@ -14,18 +15,18 @@ const std::vector<Field<ZoneLimits>>& fieldsOf(const ZoneLimits*)
               Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "What the zone is called."), {}, false, true}),
         field("z_start_mm", &P::z_start_mm, along,
               Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "Along the axis, from the reference's first data."),
-                    LT_TEXT("Engine", "mm"), false, true}),
+                    unit::mm, false, true}),
         field("z_end_mm", &P::z_end_mm, along,
               Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "Along the axis, from the reference's first data."),
-                    LT_TEXT("Engine", "mm"), false, true}),
+                    unit::mm, false, true}),
         field("lower_mm", &P::lower_mm, limit,
               Label{LT_TEXT("Engine", "Lower limit"),
                     LT_TEXT("Engine", "Smallest deviation allowed; without both limits the zone is left out."),
-                    LT_TEXT("Engine", "mm"), false, true}),
+                    unit::mm, false, true}),
         field("upper_mm", &P::upper_mm, limit,
               Label{LT_TEXT("Engine", "Upper limit"),
-                    LT_TEXT("Engine", "Largest deviation allowed; without both limits the zone is left out."),
-                    LT_TEXT("Engine", "mm"), false, true}),
+                    LT_TEXT("Engine", "Largest deviation allowed; without both limits the zone is left out."), unit::mm,
+                    false, true}),
     };
     return all;
 }
@@ -57,7 +58,7 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
                     true}),
         field("tolerance_mm", &P::tolerance_mm, Range{1e-6, 1000},
               Label{LT_TEXT("Engine", "Tolerance ±"), LT_TEXT("Engine", "Largest deviation allowed to either side."),
-                    LT_TEXT("Engine", "mm")}),
+                    unit::mm}),
         field(
             "verdict_rule", &P::verdict_rule,
             {{"surface", LT_TEXT("Engine", "Surface")}, {"points", LT_TEXT("Engine", "Points")}},
@@ -74,7 +75,7 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
         field("pass_percent", &P::pass_percent, Range{0, 100},
               Label{LT_TEXT("Engine", "Pass from"),
                     LT_TEXT("Engine", "Rule points: share of points that must lie within the tolerance."),
-                    LT_TEXT("Engine", "%"), true}),
+                    unit::percent, true}),
         rows("zones", &P::zones, Range{0, 1000},
              Label{LT_TEXT("Engine", "Zones"),
                    LT_TEXT("Engine", "Limits of their own along the axis, counted from the reference's first data."),
@@ -82,17 +83,17 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
                    true}),
         field("scanner_accuracy_mm", &P::scanner_accuracy_mm, Range{0, 100},
               Label{LT_TEXT("Engine", "Scanner accuracy"), LT_TEXT("Engine", "One standard deviation of the scanner."),
-                    LT_TEXT("Engine", "mm")}),
+                    unit::mm}),
         field("max_distance_mm", &P::max_distance_mm, Range{1e-6, 100000},
               Label{LT_TEXT("Engine", "Largest distance"),
                     LT_TEXT("Engine",
                             "Points further from the reference are left out; by default 0.6 % of its size or 10 "
                             "standard deviations."),
-                    LT_TEXT("Engine", "mm"), true}),
+                    unit::mm, true}),
         field("exclude_z_mm", &P::exclude_z_mm, Range{-100000, 100000},
               Label{LT_TEXT("Engine", "Excluded zones"),
                     LT_TEXT("Engine", "Clamping areas along the axis, counted from the reference's first data."),
-                    LT_TEXT("Engine", "mm"), true}),
+                    unit::mm, true}),
     };
     return all;
 }

@@ -4,15 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/registration/surface_form.h"
 #include "engine/report/colours.h"
 
 namespace lathelier::registration {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const report::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), mm};
-const report::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), mm};
+const report::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), unit::mm};
+const report::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), unit::mm};
 
 /// The share of the largest values that may run over the edge of a plot: single bins at shoulders.
 constexpr double ordinaryShare = 0.98;
@@ -24,10 +25,7 @@ double quantileOfSize(const std::vector<T>& values, double share)
     std::vector<double> sizes;
     for (const T value : values)
         if (std::isfinite(value)) sizes.push_back(std::abs(value));
-    if (sizes.empty()) return 0;
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), at, sizes.end());
-    return *at;
+    return sizes.empty() ? 0 : lowerQuantileInPlace(sizes, share);
 }
 
 /// The same length for map and curves, so that they can be read below each other.
@@ -102,7 +100,7 @@ report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, 
     map.title = with_tolerance ? LT_TEXT("Engine", "Unrolled surface: tolerance")
                                : LT_TEXT("Engine", "Unrolled surface: form of the deviation");
     map.x = zAxis;
-    map.y = {LT_TEXT("Engine", "Angle about the axis"), LT_TEXT("Engine", "°")};
+    map.y = {LT_TEXT("Engine", "Angle about the axis"), unit::deg};
     map.value = deviationAxis;
     map.x_from = source.z_start_mm;
     map.x_to = source.z_start_mm + source.z_step_mm * source.z_count;
@@ -194,7 +192,7 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
     plot.remark = fill(text(LT_TEXT("Engine", "error drawn × {factor}"), language), {{"factor", factor}}, language);
     plot.x = zAxis;
     plot.x.range = axisRange(result);
-    plot.y = {LT_TEXT("Engine", "Radius"), mm};
+    plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     /// The original's radius with something of each place, magnified, on it.
     const auto curve = [&](const report::Caption& name, report::Curve::Style style, report::ChartColour colour,
                            const auto& added_mm) {
@@ -213,7 +211,7 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
                          [](std::size_t) { return 0; }),
                    curve(LT_TEXT("Engine", "copy"), report::Curve::Style::Line, report::ColourRole::Copy, deviation)};
     plot.curves.back().said = meridian.deviation_mm;
-    plot.curves.back().said_unit = mm;
+    plot.curves.back().said_unit = unit::mm;
     if (tolerance_mm)
         for (const double sign : {1.0, -1.0})
             plot.curves.push_back(curve(sign > 0 ? "± " + text(Value(*tolerance_mm), language) + " mm" : std::string(),

@@ -2,15 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::registration {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-const Text percent = LT_TEXT("Engine", "%");
-const Text degree = LT_TEXT("Engine", "°");
-
-const char* key(CompareMethod method)
+const char* methodKey(CompareMethod method)
 {
     switch (method) {
         case CompareMethod::Auto: return "auto";
@@ -45,19 +42,20 @@ const std::vector<QuantityOf<DeviationStatistics>>& quantitiesOf(const Deviation
     using S = DeviationStatistics;
     static const auto all = describedBy<S>(
         quantity<S>("overlap_percent", &S::overlap_percent,
-                    {LT_TEXT("Engine", "Overlap (points of the copy that were used)"), percent, 2}),
+                    {LT_TEXT("Engine", "Overlap (points of the copy that were used)"), unit::percent, 2}),
         quantity<S>("points_used", &S::points_used, {LT_TEXT("Engine", "Points used")}),
         quantity<S>("points_excluded", &S::points_excluded, {LT_TEXT("Engine", "Points left out")}),
-        quantity<S>("rmse_mm", &S::rmse_mm, {LT_TEXT("Engine", "Root mean square"), mm, 4}),
-        quantity<S>("mean_mm", &S::mean_mm, {LT_TEXT("Engine", "Mean"), mm, 4}),
-        quantity<S>("std_mm", &S::std_mm, {LT_TEXT("Engine", "Standard deviation"), mm, 4}),
-        quantity<S>("min_mm", &S::min_mm, {LT_TEXT("Engine", "Smallest"), mm, 4}),
-        quantity<S>("max_mm", &S::max_mm, {LT_TEXT("Engine", "Largest"), mm, 4}),
-        quantity<S>("p95_abs_mm", &S::p95_abs_mm, {LT_TEXT("Engine", "95 % of the sizes lie below"), mm, 4}),
-        quantity<S>("median_mm", &S::median_mm, {LT_TEXT("Engine", "Median"), mm, 4}),
-        quantity<S>("mad_sigma_mm", &S::mad_sigma_mm, {LT_TEXT("Engine", "Robust standard deviation (MAD)"), mm, 4}),
-        quantity<S>("p2_5_mm", &S::p2_5_mm, {LT_TEXT("Engine", "95 % of the points lie between"), mm, 4}),
-        quantity<S>("p97_5_mm", &S::p97_5_mm, {LT_TEXT("Engine", "… and"), mm, 4}));
+        quantity<S>("rmse_mm", &S::rmse_mm, {LT_TEXT("Engine", "Root mean square"), unit::mm, 4}),
+        quantity<S>("mean_mm", &S::mean_mm, {LT_TEXT("Engine", "Mean"), unit::mm, 4}),
+        quantity<S>("std_mm", &S::std_mm, {LT_TEXT("Engine", "Standard deviation"), unit::mm, 4}),
+        quantity<S>("min_mm", &S::min_mm, {LT_TEXT("Engine", "Smallest"), unit::mm, 4}),
+        quantity<S>("max_mm", &S::max_mm, {LT_TEXT("Engine", "Largest"), unit::mm, 4}),
+        quantity<S>("p95_abs_mm", &S::p95_abs_mm, {LT_TEXT("Engine", "95 % of the sizes lie below"), unit::mm, 4}),
+        quantity<S>("median_mm", &S::median_mm, {LT_TEXT("Engine", "Median"), unit::mm, 4}),
+        quantity<S>("mad_sigma_mm", &S::mad_sigma_mm,
+                    {LT_TEXT("Engine", "Robust standard deviation (MAD)"), unit::mm, 4}),
+        quantity<S>("p2_5_mm", &S::p2_5_mm, {LT_TEXT("Engine", "95 % of the points lie between"), unit::mm, 4}),
+        quantity<S>("p97_5_mm", &S::p97_5_mm, {LT_TEXT("Engine", "… and"), unit::mm, 4}));
     return all;
 }
 
@@ -65,12 +63,13 @@ const std::vector<QuantityOf<WorstPlace>>& quantitiesOf(const WorstPlace*)
 {
     using W = WorstPlace;
     static const auto all = describedBy<W>(
-        quantity<W>("z_mm", &W::z_mm, {LT_TEXT("Engine", "… along the axis at"), mm, 2}),
+        quantity<W>("z_mm", &W::z_mm, {LT_TEXT("Engine", "… along the axis at"), unit::mm, 2}),
         quantity<W>("point_mm", &W::point_mm),
-        quantity<W>("angle_deg", &W::angle_deg, {LT_TEXT("Engine", "… at the angle"), degree, 1}),
-        quantity<W>("deviation_mm", &W::deviation_mm, {LT_TEXT("Engine", "Worst place: mean deviation"), mm, 4}),
-        quantity<W>("uncertainty_mm", &W::uncertainty_mm, {LT_TEXT("Engine", "… its uncertainty (k = 2)"), mm, 4}),
-        quantity<W>("cell_mm", &W::cell_mm, {LT_TEXT("Engine", "… mean over a square of"), mm, 2}));
+        quantity<W>("angle_deg", &W::angle_deg, {LT_TEXT("Engine", "… at the angle"), unit::deg, 1}),
+        quantity<W>("deviation_mm", &W::deviation_mm, {LT_TEXT("Engine", "Worst place: mean deviation"), unit::mm, 4}),
+        quantity<W>("uncertainty_mm", &W::uncertainty_mm,
+                    {LT_TEXT("Engine", "… its uncertainty (k = 2)"), unit::mm, 4}),
+        quantity<W>("cell_mm", &W::cell_mm, {LT_TEXT("Engine", "… mean over a square of"), unit::mm, 2}));
     return all;
 }
 
@@ -81,11 +80,11 @@ const std::vector<QuantityOf<Finding>>& quantitiesOf(const Finding*)
         describedBy<F>(quantity<F>("kind", [](const F& f) { return key(f.kind); }),
                        quantity<F>("difference", [](const F& f) { return name(f.kind); },
                                    {LT_TEXT("Engine", "difference"), {}, 0, false}),
-                       quantity<F>("z_start_mm", &F::z_start_mm, {LT_TEXT("Engine", "from"), mm, 2}),
-                       quantity<F>("z_end_mm", &F::z_end_mm, {LT_TEXT("Engine", "to"), mm, 2}),
-                       quantity<F>("value_mm", &F::value_mm, {LT_TEXT("Engine", "value"), mm, 4}),
-                       quantity<F>("uncertainty_mm", &F::uncertainty_mm, {LT_TEXT("Engine", "U"), mm, 4}),
-                       quantity<F>("limit_mm", &F::limit_mm, {LT_TEXT("Engine", "limit"), mm, 4}),
+                       quantity<F>("z_start_mm", &F::z_start_mm, {LT_TEXT("Engine", "from"), unit::mm, 2}),
+                       quantity<F>("z_end_mm", &F::z_end_mm, {LT_TEXT("Engine", "to"), unit::mm, 2}),
+                       quantity<F>("value_mm", &F::value_mm, {LT_TEXT("Engine", "value"), unit::mm, 4}),
+                       quantity<F>("uncertainty_mm", &F::uncertainty_mm, {LT_TEXT("Engine", "U"), unit::mm, 4}),
+                       quantity<F>("limit_mm", &F::limit_mm, {LT_TEXT("Engine", "limit"), unit::mm, 4}),
                        quantity<F>("verdict", verdictKey<F>),
                        quantity<F>("judged", verdictName<F>, {LT_TEXT("Engine", "verdict"), {}, 0, false}));
     return all;
@@ -97,15 +96,15 @@ const std::vector<QuantityOf<Zone>>& quantitiesOf(const Zone*)
     static const auto all =
         describedBy<Z>(quantity<Z>("name", [](const Z& z) { return z.name.empty() ? Value() : Value(z.name); },
                                    {LT_TEXT("Engine", "name"), {}, 0}),
-                       quantity<Z>("z_start_mm", &Z::z_start_mm, {LT_TEXT("Engine", "from"), mm, 2}),
-                       quantity<Z>("z_end_mm", &Z::z_end_mm, {LT_TEXT("Engine", "to"), mm, 2}),
-                       quantity<Z>("mean_mm", &Z::mean_mm, {LT_TEXT("Engine", "mean"), mm, 4}),
-                       quantity<Z>("std_mm", &Z::std_mm, {LT_TEXT("Engine", "std. dev."), mm, 4}),
+                       quantity<Z>("z_start_mm", &Z::z_start_mm, {LT_TEXT("Engine", "from"), unit::mm, 2}),
+                       quantity<Z>("z_end_mm", &Z::z_end_mm, {LT_TEXT("Engine", "to"), unit::mm, 2}),
+                       quantity<Z>("mean_mm", &Z::mean_mm, {LT_TEXT("Engine", "mean"), unit::mm, 4}),
+                       quantity<Z>("std_mm", &Z::std_mm, {LT_TEXT("Engine", "std. dev."), unit::mm, 4}),
                        quantity<Z>("points", &Z::points, {LT_TEXT("Engine", "points"), {}, 0}),
-                       quantity<Z>("uncertainty_mm", &Z::uncertainty_mm, {LT_TEXT("Engine", "U"), mm, 4}),
+                       quantity<Z>("uncertainty_mm", &Z::uncertainty_mm, {LT_TEXT("Engine", "U"), unit::mm, 4}),
                        quantity<Z>("verdict", verdictKey<Z>),
-                       quantity<Z>("lower_mm", &Z::lower_mm, {LT_TEXT("Engine", "lower"), mm, 4}),
-                       quantity<Z>("upper_mm", &Z::upper_mm, {LT_TEXT("Engine", "upper"), mm, 4}),
+                       quantity<Z>("lower_mm", &Z::lower_mm, {LT_TEXT("Engine", "lower"), unit::mm, 4}),
+                       quantity<Z>("upper_mm", &Z::upper_mm, {LT_TEXT("Engine", "upper"), unit::mm, 4}),
                        quantity<Z>("judged", verdictName<Z>, {LT_TEXT("Engine", "verdict"), {}, 0, false}));
     return all;
 }
@@ -129,9 +128,9 @@ const std::vector<QuantityOf<FreeMotion>>& quantitiesOf(const FreeMotion*)
         coordinate("direction_x", &M::direction, 0, {LT_TEXT("Engine", "direction x"), {}, 5, false}),
         coordinate("direction_y", &M::direction, 1, {LT_TEXT("Engine", "y"), {}, 5, false}),
         coordinate("direction_z", &M::direction, 2, {LT_TEXT("Engine", "z"), {}, 5, false}),
-        coordinate("point_x_mm", &M::point_mm, 0, {LT_TEXT("Engine", "through x"), mm, 3, false}),
-        coordinate("point_y_mm", &M::point_mm, 1, {LT_TEXT("Engine", "y"), mm, 3, false}),
-        coordinate("point_z_mm", &M::point_mm, 2, {LT_TEXT("Engine", "z"), mm, 3, false}));
+        coordinate("point_x_mm", &M::point_mm, 0, {LT_TEXT("Engine", "through x"), unit::mm, 3, false}),
+        coordinate("point_y_mm", &M::point_mm, 1, {LT_TEXT("Engine", "y"), unit::mm, 3, false}),
+        coordinate("point_z_mm", &M::point_mm, 2, {LT_TEXT("Engine", "z"), unit::mm, 3, false}));
     return all;
 }
 
@@ -146,10 +145,11 @@ const std::vector<QuantityOf<AlignmentUncertainty>>& quantitiesOf(const Alignmen
 {
     using U = AlignmentUncertainty;
     static const auto all = describedBy<U>(
-        quantity<U>("axial_um", &U::axial_um, {LT_TEXT("Engine", "Uncertainty along the axis (k = 2)"), um, 2}),
-        quantity<U>("radial_um", &U::radial_um, {LT_TEXT("Engine", "Uncertainty across the axis (k = 2)"), um, 2}),
+        quantity<U>("axial_um", &U::axial_um, {LT_TEXT("Engine", "Uncertainty along the axis (k = 2)"), unit::um, 2}),
+        quantity<U>("radial_um", &U::radial_um,
+                    {LT_TEXT("Engine", "Uncertainty across the axis (k = 2)"), unit::um, 2}),
         quantity<U>("axis_deg", &U::axis_deg,
-                    {LT_TEXT("Engine", "Uncertainty of the axis's direction (k = 2)"), degree, 5}));
+                    {LT_TEXT("Engine", "Uncertainty of the axis's direction (k = 2)"), unit::deg, 5}));
     return all;
 }
 
@@ -178,11 +178,12 @@ const std::vector<QuantityOf<CompareResult>>& quantitiesOf(const CompareResult*)
     using P = CompareParameters;
     const auto asked = [](auto P::*member) { return [member](const C& c) { return c.parameters.*member; }; };
     static const auto all = describedBy<C>(
-        quantity<C>("method_used", [](const C& c) { return key(c.method_used); }), included(&C::alignment),
+        quantity<C>("method_used", [](const C& c) { return methodKey(c.method_used); }), included(&C::alignment),
         statisticsWithin(),
         quantity<C>("within_tolerance_percent", &C::within_tolerance_percent,
-                    {LT_TEXT("Engine", "Share within tolerance"), percent, 2}),
-        quantity<C>("scatter_mm", &C::scatter_mm, {LT_TEXT("Engine", "Noise of the points about the surface"), mm, 4}),
+                    {LT_TEXT("Engine", "Share within tolerance"), unit::percent, 2}),
+        quantity<C>("scatter_mm", &C::scatter_mm,
+                    {LT_TEXT("Engine", "Noise of the points about the surface"), unit::mm, 4}),
         quantity<C>("verdict_rule", [](const C& c) { return key(c.parameters.verdict_rule); }),
         quantity<C>("decision_rule", [](const C& c) { return key(c.parameters.decision); }),
         quantity<C>("verdict", verdictKey<C>), part("worst", &C::worst),
@@ -190,18 +191,18 @@ const std::vector<QuantityOf<CompareResult>>& quantitiesOf(const CompareResult*)
         quantity<C>("distinguishable_from_scanner", &C::distinguishable_from_scanner,
                     {LT_TEXT("Engine", "Difference told from the scanner's accuracy")}),
         quantity<C>("cloud_to_cloud_rmse_mm", &C::cloud_to_cloud_rmse_mm,
-                    {LT_TEXT("Engine", "Cloud-to-cloud RMSE"), mm, 4}),
+                    {LT_TEXT("Engine", "Cloud-to-cloud RMSE"), unit::mm, 4}),
         quantity<C>("cloud_to_cloud_rmse_standard_error_mm", &C::cloud_to_cloud_rmse_error_mm),
         quantity<C>("sampling_floor_mm", &C::sampling_floor_mm,
-                    {LT_TEXT("Engine", "Its floor: what sampling alone gives"), mm, 4}),
+                    {LT_TEXT("Engine", "Its floor: what sampling alone gives"), unit::mm, 4}),
         quantity<C>("zones", [](const C& c) { return listed(c.zones); }), part("histogram", &C::histogram),
         // In tables beside the results; JSON has them under "parameters".
         quantity<C>("tolerance_mm", asked(&P::tolerance_mm),
-                    {LT_TEXT("Engine", "Tolerance, plus and minus"), mm, 3, false}),
+                    {LT_TEXT("Engine", "Tolerance, plus and minus"), unit::mm, 3, false}),
         quantity<C>("pass_percent", asked(&P::pass_percent),
-                    {LT_TEXT("Engine", "Share needed to pass"), percent, 2, false}),
+                    {LT_TEXT("Engine", "Share needed to pass"), unit::percent, 2, false}),
         quantity<C>("scanner_accuracy_mm", asked(&P::scanner_accuracy_mm),
-                    {LT_TEXT("Engine", "Scanner's accuracy"), mm, 3, false}));
+                    {LT_TEXT("Engine", "Scanner's accuracy"), unit::mm, 3, false}));
     return all;
 }
 

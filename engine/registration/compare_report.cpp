@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/compare_quantities.h"
@@ -12,8 +13,6 @@
 
 namespace lathelier::registration {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
 
 Text methodName(CompareMethod method)
 {
@@ -117,7 +116,7 @@ report::Table transformTable(const CompareResult& result)
 {
     report::Table table{LT_TEXT("Engine", "From the copy's coordinates to the original's"),
                         {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z"),
-                         report::Labelled{LT_TEXT("Engine", "shift"), LT_TEXT("Engine", "mm")}},
+                         report::Labelled{LT_TEXT("Engine", "shift"), unit::mm}},
                         {},
                         {9, 9, 9, 6}};
     const Eigen::Matrix4d matrix = result.alignment.reference_T_copy.matrix();
@@ -242,7 +241,7 @@ report::Answer answer(const CompareResult& result, const Language& language)
     const DeviationStatistics& s = result.statistics;
     const bool by_surface = result.worst && result.parameters.verdict_rule == VerdictRule::Surface;
     report::Answer answer;
-    answer.unit = mm;
+    answer.unit = unit::mm;
     answer.verdict = result.verdict;
     if (by_surface) {
         const WorstPlace& worst = *result.worst;

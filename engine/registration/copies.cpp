@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::registration {
 
 CopySummary summaryOf(std::string name, const CompareResult& result)
@@ -18,16 +20,14 @@ CopySummary summaryOf(std::string name, const CompareResult& result)
 
 report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language)
 {
-    report::Table table{LT_TEXT("Engine", "Copies of the same original"),
-                        {LT_TEXT("Engine", "copy"), LT_TEXT("Engine", "verdict"),
-                         report::Labelled{LT_TEXT("Engine", "worst"), LT_TEXT("Engine", "mm")},
-                         report::Labelled{LT_TEXT("Engine", "U"), LT_TEXT("Engine", "mm")},
-                         report::Labelled{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "mm")},
-                         report::Labelled{LT_TEXT("Engine", "mean"), LT_TEXT("Engine", "mm")},
-                         report::Labelled{LT_TEXT("Engine", "RMS"), LT_TEXT("Engine", "mm")},
-                         report::Labelled{LT_TEXT("Engine", "noise"), LT_TEXT("Engine", "mm")}},
-                        {},
-                        {0, 0, 4, 4, 1, 4, 4, 4}};
+    report::Table table{
+        LT_TEXT("Engine", "Copies of the same original"),
+        {LT_TEXT("Engine", "copy"), LT_TEXT("Engine", "verdict"),
+         report::Labelled{LT_TEXT("Engine", "worst"), unit::mm}, report::Labelled{LT_TEXT("Engine", "U"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "z"), unit::mm}, report::Labelled{LT_TEXT("Engine", "mean"), unit::mm},
+         report::Labelled{LT_TEXT("Engine", "RMS"), unit::mm}, report::Labelled{LT_TEXT("Engine", "noise"), unit::mm}},
+        {},
+        {0, 0, 4, 4, 1, 4, 4, 4}};
     const auto number = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
     for (const CopySummary& copy : copies) {
         if (copy.error) {
@@ -47,13 +47,12 @@ report::Table copiesTable(const std::vector<CopySummary>& copies, const Language
 report::Plot copiesTrend(const std::vector<CopySummary>& copies, const CompareParameters& parameters,
                          const Language& language)
 {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Trend of the copies");
     plot.x = {LT_TEXT("Engine", "Number of the copy"), Text{}};
     plot.x.scale = report::Axis::Scale::Whole;
     plot.x.range = Interval{0.5, static_cast<double>(copies.size()) + 0.5};
-    plot.y = {LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")};
+    plot.y = {LT_TEXT("Engine", "Deviation"), unit::mm};
     report::Curve worst{LT_TEXT("Engine", "worst local deviation"), {}, {}, report::Curve::Style::Points};
     report::Curve mean{LT_TEXT("Engine", "mean"), {}, {}};
     report::Curve reach{LT_TEXT("Engine", "± U (k = 2)"), {}, {}};
@@ -66,9 +65,9 @@ report::Plot copiesTrend(const std::vector<CopySummary>& copies, const ComparePa
         mean.x.push_back(number);
         mean.y.push_back(copy.mean_mm);
         worst.x.push_back(number);
-        worst.y.push_back(copy.worst ? copy.worst->deviation_mm : none);
+        worst.y.push_back(copy.worst ? copy.worst->deviation_mm : notANumber);
         if (!copy.worst) continue;
-        for (const double end : {-1.0, 1.0, none}) {
+        for (const double end : {-1.0, 1.0, notANumber}) {
             reach.x.push_back(number);
             reach.y.push_back(copy.worst->deviation_mm + end * copy.worst->uncertainty_mm);
         }

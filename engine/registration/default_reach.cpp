@@ -2,21 +2,15 @@
 
 #include <algorithm>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/general/general_reference.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double near = 0.006;
+constexpr double leastReachShare = 0.006;
 constexpr double farthest = 0.02;
 constexpr double no_surface = 0.01;
-
-double quantile(std::vector<double>& values, std::size_t tenths)
-{
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * tenths / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
 
 }  // namespace
 
@@ -27,16 +21,16 @@ double robustSize_mm(const std::vector<Eigen::Vector3d>& points_mm)
     std::vector<double> values(some.size());
     for (int a = 0; a < 3; ++a) {
         std::transform(some.begin(), some.end(), values.begin(), [a](const auto& p) { return p[a]; });
-        middle[a] = quantile(values, 5);
+        middle[a] = upperMedianInPlace(values);
     }
     std::transform(some.begin(), some.end(), values.begin(), [&](const auto& p) { return (p - middle).norm(); });
-    return 2 * quantile(values, 9);
+    return 2 * quantileInPlace(values, 0.9);
 }
 
 double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm)
 {
     const double noise = noise_mm <= no_surface * size_mm ? noise_mm : 0;
-    return std::max({near * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
+    return std::max({leastReachShare * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
 }
 
 }  // namespace lathelier::registration

@@ -6,12 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/core/units.h"
 #include "engine/registration/compare.h"
 
 namespace lathelier::registration {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
 
 struct Corner {
     double z_mm;
@@ -60,7 +59,7 @@ std::vector<Corner> shaftCorners(double collar_oversize_mm)
     return {{0, tip_mm}, {0, 12}, {40, 12}, {40, collar_mm}, {52, collar_mm}, {52, 14}, {90, 14}, {90, tip_mm}};
 }
 
-Scan moved(Scan scan, const Eigen::Isometry3d& motion)
+Scan movedScan(Scan scan, const Eigen::Isometry3d& motion)
 {
     for (Eigen::Vector3d& point : scan.points_mm) point = motion * point;
     return scan;
@@ -103,7 +102,7 @@ Eigen::Isometry3d nearPose(int set)
 }
 
 /// A closed L with unequal legs: turned in no way does it fit itself.
-Scan angle()
+Scan angleSection()
 {
     Scan mesh;
     for (const double z : {0.0, 25.0})
@@ -125,15 +124,15 @@ Scan angle()
 
 VerifyKind verifySelfComparison(const Progress& progress)
 {
-    VerifyTally tally("mesh_with_itself", LT_TEXT("Engine", "A mesh laid on itself"), mm, 1e-6);
-    const Scan part = angle();
+    VerifyTally tally("mesh_with_itself", LT_TEXT("Engine", "A mesh laid on itself"), unit::mm, 1e-6);
+    const Scan part = angleSection();
     for (int set = 0; set < 2; ++set) {
         tally.nextSet();
         CompareParameters parameters;
         parameters.method = CompareMethod::Plane;
         parameters.symmetry = Symmetry::None;
         parameters.initial = InitialPose::Identity;
-        const CompareResult result = compare(part, moved(part, nearPose(set)), parameters, progress.quiet());
+        const CompareResult result = compare(part, movedScan(part, nearPose(set)), parameters, progress.quiet());
         tally.take(result.statistics.rmse_mm);
     }
     return tally.done();
@@ -142,7 +141,7 @@ VerifyKind verifySelfComparison(const Progress& progress)
 /// The mean deviation on the collar, whose oversize is known, by the points alone: facets would lie inside the circle.
 VerifyKind verifyCollar(const Progress& progress)
 {
-    VerifyTally tally("known_deviation", LT_TEXT("Engine", "A collar with known oversize"), mm, 1e-5);
+    VerifyTally tally("known_deviation", LT_TEXT("Engine", "A collar with known oversize"), unit::mm, 1e-5);
     const auto points = [](double oversize_mm) {
         Scan scan = turned(shaftCorners(oversize_mm), 180);
         scan.triangles.clear();
@@ -151,7 +150,7 @@ VerifyKind verifyCollar(const Progress& progress)
     const Scan reference = points(0);
     for (const double oversize_mm : {0.05, -0.03}) {
         tally.nextSet();
-        const Scan copy = moved(points(oversize_mm), otherPose());
+        const Scan copy = movedScan(points(oversize_mm), otherPose());
         const CompareResult result = compare(reference, copy, {}, progress.quiet());
         double sum = 0;
         int count = 0;

@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t kGrain = 65536;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t valuesPerTask = 65536;
 
 /// Bits in the order of the values.
 std::uint32_t ordered(float value)
@@ -34,7 +35,7 @@ double roundUp(double width)
 std::vector<double> quantiles(std::span<const float> values, const std::vector<double>& shares)
 {
     std::vector<double> result;
-    if (values.empty()) return std::vector<double>(shares.size(), kNone);
+    if (values.empty()) return std::vector<double>(shares.size(), notANumber);
     std::vector<std::size_t> counts(
         65536);  // by the upper half of the bits; each quantile then looks at one such group
     for (const float v : values) ++counts[ordered(v) >> 16];
@@ -65,13 +66,13 @@ DeviationStatistics summarise(std::span<const float> values, const Progress& pro
 {
     DeviationStatistics s;
     s.points_used = static_cast<std::int64_t>(values.size());
-    struct Sums {
+    struct Totals {
         double sum = 0, squares = 0, low = std::numeric_limits<double>::infinity(), high = -low;
     };
-    const Sums sums = parallelReduce(
-        values.size(), kGrain, progress, Sums{},
+    const Totals sums = parallelReduce(
+        values.size(), valuesPerTask, progress, Totals{},
         [&](std::size_t begin, std::size_t end) {
-            Sums part;
+            Totals part;
             for (std::size_t i = begin; i < end; ++i) {
                 const double v = values[i];
                 part.sum += v;
@@ -81,17 +82,17 @@ DeviationStatistics summarise(std::span<const float> values, const Progress& pro
             }
             return part;
         },
-        [](Sums all, const Sums& part) {
-            return Sums{all.sum + part.sum, all.squares + part.squares, std::min(all.low, part.low),
-                        std::max(all.high, part.high)};
+        [](Totals all, const Totals& part) {
+            return Totals{all.sum + part.sum, all.squares + part.squares, std::min(all.low, part.low),
+                          std::max(all.high, part.high)};
         });
     const auto n = static_cast<double>(values.size());
     const bool any = !values.empty();
-    s.mean_mm = any ? sums.sum / n : kNone;
-    s.rmse_mm = any ? std::sqrt(sums.squares / n) : kNone;
-    s.std_mm = any ? std::sqrt(std::max(0.0, sums.squares / n - s.mean_mm * s.mean_mm)) : kNone;
-    s.min_mm = any ? sums.low : kNone;
-    s.max_mm = any ? sums.high : kNone;
+    s.mean_mm = any ? sums.sum / n : notANumber;
+    s.rmse_mm = any ? std::sqrt(sums.squares / n) : notANumber;
+    s.std_mm = any ? std::sqrt(std::max(0.0, sums.squares / n - s.mean_mm * s.mean_mm)) : notANumber;
+    s.min_mm = any ? sums.low : notANumber;
+    s.max_mm = any ? sums.high : notANumber;
 
     const auto offFrom = [&](double middle, double share) {
         std::vector<float> off(values.size());
@@ -104,7 +105,7 @@ DeviationStatistics summarise(std::span<const float> values, const Progress& pro
             s.p2_5_mm = own[0];
             s.median_mm = own[1];
             s.p97_5_mm = own[2];
-            s.mad_sigma_mm = 1.4826 * offFrom(s.median_mm, 0.5);
+            s.mad_sigma_mm = mad_to_sigma * offFrom(s.median_mm, 0.5);
         } else {
             s.p95_abs_mm = offFrom(0, 0.95);
         }
@@ -127,7 +128,7 @@ Histogram histogramOf(std::span<const float> values, const Progress& progress)
     const double first = std::floor(*low / width);
     const auto bins = static_cast<std::size_t>(std::floor(*high / width) - first) + 1;
     histogram.counts = parallelReduce(
-        values.size(), kGrain, progress, std::vector<std::int64_t>(bins),
+        values.size(), valuesPerTask, progress, std::vector<std::int64_t>(bins),
         [&](std::size_t begin, std::size_t end) {
             std::vector<std::int64_t> part(bins);
             for (std::size_t i = begin; i < end; ++i)

@@ -7,6 +7,8 @@
 #include <span>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/registration/neighbours/neighbours.h"
 
 namespace lathelier::registration {
@@ -15,7 +17,7 @@ namespace {
 constexpr double kOutside_mm = 1;  // a place so far outside a window is still coloured by it
 constexpr double kForm = 4;        // standard uncertainties: more between a window and the next is form
 constexpr std::uint32_t kReachPlaces = 4096;
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t windowsPerTask = 16384;
 constexpr std::size_t kRun = 256;  // queries that are asked together: neighbours in the file mostly are in space
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
@@ -23,7 +25,7 @@ constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 double radiusAt_mm(const Meridian& meridian, double z_mm)
 {
     const auto after = std::lower_bound(meridian.z_mm.begin(), meridian.z_mm.end(), z_mm);
-    if (after == meridian.z_mm.end()) return std::numeric_limits<double>::quiet_NaN();
+    if (after == meridian.z_mm.end()) return notANumber;
     return meridian.reference_radius_mm[static_cast<std::size_t>(after - meridian.z_mm.begin())];
 }
 
@@ -95,8 +97,7 @@ private:
     /// straight line.
     double surfaceRadius_mm(const MeridianStretch& stretch, double z_mm) const
     {
-        const double known =
-            meridian_ && !stretch.is_bore ? radiusAt_mm(*meridian_, z_mm) : std::numeric_limits<double>::quiet_NaN();
+        const double known = meridian_ && !stretch.is_bore ? radiusAt_mm(*meridian_, z_mm) : notANumber;
         if (!std::isnan(known)) return known;
         return stretch.radius_mm + stretch.slope * (z_mm - (stretch.start_mm + stretch.end_mm) / 2);
     }
@@ -121,7 +122,7 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
     if (!hasSmallest(all)) return windows;
     const SmallestWindows smallest(result, true, progress);
     const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
-    parallelFor(windows.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(windows.size(), windowsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Eigen::Vector3d> places;
         std::vector<std::uint32_t> numbers, found;
         const auto flush = [&] {
@@ -219,9 +220,7 @@ double formReach_mm(const SurfaceWindows& all, double share)
             if (!std::isnan(mean)) sizes.push_back(std::abs(mean));
         }
         if (sizes.empty() || sizes.size() * 10 < places * 9) break;  // finer than the data carry
-        const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-        std::nth_element(sizes.begin(), at, sizes.end());
-        const auto size = static_cast<double>(*at);
+        const auto size = static_cast<double>(lowerQuantileInPlace(sizes, share));
         if (sure_mm <= kSureShareOfScale * size) return size;
         reach_mm = sure_mm / kSureShareOfScale;
     }

@@ -9,12 +9,12 @@ namespace lathelier::report {
 namespace {
 
 template <class T>
-std::string number(T value)
+std::string csvNumber(T value)
 {
     return std::isfinite(value) ? fmt::format("{}", value) : std::string();
 }
 
-std::string quoted(const std::string& text, bool always = false)
+std::string csvQuoted(const std::string& text, bool always = false)
 {
     if (!always && text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string result(1, '"');
@@ -33,14 +33,14 @@ struct Column {
 
 std::string pathsAsCsv(const Plot& plot, const Language& language)
 {
-    std::string out = "curve," + quoted(axisLabel(plot.along, language)) + ",x,y\n";
+    std::string out = "curve," + csvQuoted(axisLabel(plot.along, language)) + ",x,y\n";
     for (std::size_t c = 0; c < plot.curves.size(); ++c) {
         const Curve& curve = plot.curves[c];
         const std::string name = captionText(curve.name, language);
-        const std::string head = quoted(name.empty() ? std::to_string(c + 1) : name, true);
+        const std::string head = csvQuoted(name.empty() ? std::to_string(c + 1) : name, true);
         for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i)
-            out += head + ',' + number(i < curve.along.size() ? curve.along[i] : NAN) + ',' + number(curve.x[i]) + ',' +
-                   number(curve.y[i]) + '\n';
+            out += head + ',' + csvNumber(i < curve.along.size() ? curve.along[i] : NAN) + ',' + csvNumber(curve.x[i]) +
+                   ',' + csvNumber(curve.y[i]) + '\n';
     }
     return out;
 }
@@ -71,14 +71,14 @@ std::string toCsv(const Plot& plot, const Language& of_screen)
     std::size_t rows = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (i) out += ',';
-        out += quoted(columns[i].head);
+        out += csvQuoted(columns[i].head);
         rows = std::max(rows, columns[i].values->size());
     }
     out += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             if (i) out += ',';
-            if (row < columns[i].values->size()) out += number((*columns[i].values)[row]);
+            if (row < columns[i].values->size()) out += csvNumber((*columns[i].values)[row]);
         }
         out += '\n';
     }
@@ -88,8 +88,8 @@ std::string toCsv(const Plot& plot, const Language& of_screen)
 std::string toCsv(const ColourMap& map, const Language& of_screen)
 {
     const Language language = inEngineUnits(of_screen);
-    std::string out = quoted(axisLabel(map.x, language)) + ',' + quoted(axisLabel(map.y, language)) + ',' +
-                      quoted(axisLabel(map.value, language)) + '\n';
+    std::string out = csvQuoted(axisLabel(map.x, language)) + ',' + csvQuoted(axisLabel(map.y, language)) + ',' +
+                      csvQuoted(axisLabel(map.value, language)) + '\n';
     const double dx = (map.x_to - map.x_from) / map.columns;
     const double dy = (map.y_to - map.y_from) / map.rows;
     for (int row = 0; row < map.rows; ++row)
@@ -97,8 +97,8 @@ std::string toCsv(const ColourMap& map, const Language& of_screen)
             const float value = map.values[static_cast<std::size_t>(row) * static_cast<std::size_t>(map.columns) +
                                            static_cast<std::size_t>(column)];
             if (std::isnan(value)) continue;
-            out += number(map.x_from + (column + 0.5) * dx) + ',' + number(map.y_from + (row + 0.5) * dy) + ',' +
-                   number(value) + '\n';
+            out += csvNumber(map.x_from + (column + 0.5) * dx) + ',' + csvNumber(map.y_from + (row + 0.5) * dy) + ',' +
+                   csvNumber(value) + '\n';
         }
     return out;
 }

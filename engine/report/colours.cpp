@@ -14,7 +14,7 @@ struct Oklab {
 };
 
 constexpr Oklab blueEnd{0.43, -0.020, -0.170};
-constexpr Oklab middle{0.905, 0, 0};
+constexpr Oklab middleColour{0.905, 0, 0};
 constexpr Oklab redEnd{0.46, 0.165, 0.080};
 
 constexpr Oklab insideMiddle{0.83, -0.095, 0.040};
@@ -83,8 +83,8 @@ Rgb divergingColour(double share)
     const double t = std::isnan(share) ? 0 : std::clamp(share, -1.0, 1.0);
     const Oklab& end = t < 0 ? blueEnd : redEnd;
     const double w = std::abs(t);
-    return toRgb({middle.lightness + w * (end.lightness - middle.lightness), middle.a + w * (end.a - middle.a),
-                  middle.b + w * (end.b - middle.b)});
+    return toRgb({middleColour.lightness + w * (end.lightness - middleColour.lightness),
+                  middleColour.a + w * (end.a - middleColour.a), middleColour.b + w * (end.b - middleColour.b)});
 }
 
 Rgb insideColour(double share)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/version.h"
 #include "engine/report/abbreviations.h"
 #include "engine/report/answer_ruler.h"
 #include "engine/report/cells.h"
@@ -201,9 +202,9 @@ std::string toHtml(const Document& document, const Language& language)
     std::string result = "<!DOCTYPE html>\n<html lang=\"" + writer.phrase(LT_TEXT("Engine", "en")) +
                          "\">\n<head>\n<meta charset=\"utf-8\">\n"
                          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                         "<meta name=\"generator\" content=\"Lathelier " LATHELIER_VERSION "\">\n" +
-                         element("title", title) + "<style>\n" + std::string(reportStyle) +
-                         "</style>\n</head>\n<body>\n";
+                         "<meta name=\"generator\" content=\"Lathelier " +
+                         std::string(programVersion) + "\">\n" + element("title", title) + "<style>\n" +
+                         std::string(reportStyle) + "</style>\n</head>\n<body>\n";
     result += "<header>";
     if (!document.logo_png_base64.empty())
         result +=
@@ -212,7 +213,7 @@ std::string toHtml(const Document& document, const Language& language)
     if (document.synthetic)
         result += "<p class=\"synthetic\">" +
                   writer.phrase(LT_TEXT("Engine", "Synthetic data: made by a program, not measured")) + "</p>\n";
-    result += "</div><p class=\"origin\"><b>Lathelier</b> " LATHELIER_VERSION;
+    result += "</div><p class=\"origin\"><b>Lathelier</b> " + std::string(programVersion);
     if (!document.created.empty())
         result += "<br><time datetime=\"" + escaped(document.created) + "\">" + escaped(readable(document.created)) +
                   "</time>";

@@ -8,7 +8,7 @@ namespace lathelier::report {
 namespace {
 
 constexpr int mostColumns = 900;
-constexpr int mostRows = 450;
+constexpr int mostImageRows = 450;
 constexpr std::uint8_t nothingIndex = mapLevels;
 
 double levelValue(const ColourMap& map, int level)
@@ -67,7 +67,7 @@ IndexedImage imageOf(const ColourMap& map)
 {
     IndexedImage image;
     image.width = std::min(map.columns, mostColumns);
-    image.height = std::min(map.rows, mostRows);
+    image.height = std::min(map.rows, mostImageRows);
     image.palette = paletteOf(map);
     image.transparent = nothingIndex;
     const auto edge = [](int i, int cells, int pixels) { return static_cast<int>(std::int64_t{i} * cells / pixels); };

@@ -10,11 +10,10 @@ namespace lathelier::report {
 namespace {
 
 constexpr double mapHeight = 350;
-constexpr double bottomRoom = 52;
 
 /// The colour bar at the right, with its own ticks; the tolerance is marked on it.
-void drawScale(Svg& svg, const PlotFrame& frame, const ColourMap& map, const std::string& title,
-               const Language& language)
+void drawColourScale(Svg& svg, const PlotFrame& frame, const ColourMap& map, const std::string& title,
+                     const Language& language)
 {
     const double left = frame.right + 18;
     const double width = 16;
@@ -44,14 +43,14 @@ std::string toSvg(const ColourMap& map, const Language& language)
     const std::string title = captionText(map.title, language);
     Svg svg(sheetWidth, mapHeight, title);
     PlotFrame frame;
-    frame.bottom = mapHeight - bottomRoom;
+    frame.bottom = mapHeight - frameBottomRoom;
     frame.x = isDrawable(map) ? Interval{map.x_from, map.x_to} : Interval{0, 1};
     frame.y = isDrawable(map) ? Interval{map.y_from, map.y_to} : Interval{0, 1};
     frame.x_factor = shownUnit(map.x.unit, language).factor;
     frame.y_factor = shownUnit(map.y.unit, language).factor;
     if (isDrawable(map)) {
         svg.png(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, encodePng(imageOf(map)));
-        drawScale(svg, frame, map, axisLabel(map.value, language), language);
+        drawColourScale(svg, frame, map, axisLabel(map.value, language), language);
     }
     drawFrame(svg, frame, {title, {}, axisLabel(map.x, language), axisLabel(map.y, language)}, language, false);
     drawOutline(svg, frame);

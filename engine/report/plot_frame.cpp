@@ -5,7 +5,6 @@
 namespace lathelier::report {
 namespace {
 
-constexpr std::string_view gridColour = "#e3e7eb";
 constexpr std::string_view frameColour = "#7b8794";
 constexpr double boldFactor = 1.1;  ///< how much wider bold type runs
 

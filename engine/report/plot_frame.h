@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "engine/report/chart.h"
 #include "engine/report/svg.h"
@@ -14,9 +15,11 @@ inline constexpr double sheetWidth = 960;  ///< of every plot, so that plots bel
 inline constexpr double frameLeft = 78;
 inline constexpr double frameRight = 840;  ///< the room beyond is for colour scales
 inline constexpr double frameTop = 44;
+inline constexpr double frameBottomRoom = 52;  ///< below the frame, for ticks and the title of the axis
 inline constexpr double titleSize = 16;
 inline constexpr double textSize = 13;
 inline constexpr double tickSize = 12;
+inline constexpr std::string_view gridColour = "#e3e7eb";
 
 /// The plotting rectangle and the ranges shown in it.
 struct PlotFrame {

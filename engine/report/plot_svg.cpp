@@ -12,7 +12,6 @@ namespace lathelier::report {
 namespace {
 
 constexpr double plotHeight = 330;
-constexpr double bottomRoom = 52;
 constexpr std::string_view limitDashes = "6 4";
 constexpr std::string_view curveDashes = "7 4";
 constexpr double bandOpacity = 0.3;
@@ -31,7 +30,7 @@ std::string limitColour()
 PlotFrame frameOf(const Plot& plot, const Language& language)
 {
     PlotFrame frame;
-    frame.bottom = plotHeight - bottomRoom;
+    frame.bottom = plotHeight - frameBottomRoom;
     frame.x = shownX(plot);
     frame.y = shownY(plot);
     frame.x_scale = plot.x.scale;
@@ -144,9 +143,9 @@ void drawHandle(Svg& svg, const PlotFrame& frame, const Handle& handle, const st
 }
 
 /// One row at the right of the title, from right to left.
-class Legend {
+class PlotLegend {
 public:
-    Legend(Svg& svg, const PlotFrame& frame) : svg_(svg), right_(frame.right), y_(frame.top - 13) {}
+    PlotLegend(Svg& svg, const PlotFrame& frame) : svg_(svg), right_(frame.right), y_(frame.top - 13) {}
 
     /// Makes room for `name`; draws it and hands out where its sample starts.
     double place(const std::string& name)
@@ -181,9 +180,9 @@ private:
     double y_;
 };
 
-void drawLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language)
+void drawPlotLegend(Svg& svg, const PlotFrame& frame, const Plot& plot, const Language& language)
 {
-    Legend legend(svg, frame);
+    PlotLegend legend(svg, frame);
     for (std::size_t i = plot.regions.size(); i-- > 0;) {
         const std::string name = captionText(plot.regions[i].name, language);
         if (!name.empty()) legend.addArea(name, hex(colourOf(plot.regions[i].colour, i)), regionOpacity);
@@ -234,7 +233,7 @@ std::string toSvg(const Plot& plot, const Language& language)
     }
     for (const Handle& handle : plot.handles) drawHandle(svg, frame, handle, words(handle.name), names);
     drawOutline(svg, frame);
-    drawLegend(svg, frame, plot, language);
+    drawPlotLegend(svg, frame, plot, language);
     return svg.finish();
 }
 

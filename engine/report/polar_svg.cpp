@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/report/plot_frame.h"
 #include "engine/report/ring_labels.h"
 
@@ -20,13 +21,10 @@ constexpr double centreY = 340;
 constexpr double rimPx = 270;  ///< nothing is drawn beyond
 constexpr double corePx = 75;  ///< nor inside
 constexpr double legendX = 650;
-constexpr double degree = std::numbers::pi / 180;
-constexpr double micrometresPerMillimetre = 1000;
 
-constexpr std::string_view gridColour = "#e3e7eb";
 constexpr std::string_view baseColour = "#9aa5b1";
 constexpr std::string_view markColour = "#1f2933";
-constexpr std::string_view dashes = "7 4";
+constexpr std::string_view polarDashes = "7 4";
 constexpr double ringOpacity = 0.16;
 
 std::string strokeOf(const ChartColour& colour, std::size_t position)
@@ -123,7 +121,7 @@ std::string tracePath(const Polar& polar, const PolarPlot::Trace& trace)
         for (std::size_t i = 0; i < kept.size(); ++i) {
             if (i > 0 && kept[i] == kept[i - 1]) continue;
             data += open ? 'L' : 'M';
-            data += polar.point(trace.angle_deg[kept[i]] * degree, trace.deviation_um[kept[i]]);
+            data += polar.point(trace.angle_deg[kept[i]] * rad_per_deg, trace.deviation_um[kept[i]]);
             open = true;
         }
         begin = end;
@@ -135,7 +133,7 @@ std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& ci
 {
     std::string data;
     for (int angle = 0; angle < 360; angle += 2)
-        data += (angle ? 'L' : 'M') + polar.point(angle * degree, deviationAt(circle, angle * degree));
+        data += (angle ? 'L' : 'M') + polar.point(angle * rad_per_deg, deviationAt(circle, angle * rad_per_deg));
     return data + "Z";
 }
 
@@ -147,7 +145,8 @@ std::string ringPath(const Polar& polar, const PolarPlot::Ring& ring)
         for (int step = 0; step < 360; step += 2) {
             const int angle = back ? 358 - step : step;
             data += (step ? 'L' : 'M') +
-                    polar.point(angle * degree, deviationAt({{}, ring.x_um, ring.y_um, deviation_um}, angle * degree));
+                    polar.point(angle * rad_per_deg,
+                                deviationAt({{}, ring.x_um, ring.y_um, deviation_um}, angle * rad_per_deg));
         }
         return data + "Z";
     };
@@ -158,7 +157,7 @@ std::string ringPath(const Polar& polar, const PolarPlot::Ring& ring)
 void nameContact(Svg& svg, const Polar& polar, const PolarPlot::Mark& mark, const std::string& words)
 {
     if (words.empty()) return;
-    const double a = mark.angle_deg * degree;
+    const double a = mark.angle_deg * rad_per_deg;
     const double radius = polar.radius(mark.deviation_um) + (mark.outer ? 22 : -22);
     const double half = textWidth(words, 11) / 2;
     const double x = centreX + radius * std::cos(a) + (mark.outer ? half : -half) * std::cos(a);
@@ -177,7 +176,7 @@ std::string markPath(double angle_rad, double radius_px, bool outer)
 void drawGrid(Svg& svg, const Polar& polar, const Ticks& divisions, const Language& language)
 {
     for (int angle = 0; angle < 360; angle += 30) {
-        const double a = angle * degree;
+        const double a = angle * rad_per_deg;
         svg.path(fmt::format("M{}L{}", Polar::at(a, corePx), Polar::at(a, rimPx)), gridColour, 1);
         svg.text(centreX + (rimPx + 22) * std::cos(a), centreY - (rimPx + 22) * std::sin(a) + 4, Svg::Anchor::Middle,
                  tickSize, fixed(angle, 0, language) + "°");
@@ -199,19 +198,20 @@ std::vector<PolarPlace> drawnPlaces(const Polar& polar, const PolarPlot& plot)
         const std::size_t step = std::max<std::size_t>(1, count / 1440);
         for (std::size_t i = 0; i < count; i += step)
             if (isDrawable(trace.angle_deg[i]) && isDrawable(trace.deviation_um[i]))
-                places.push_back(polar.place(trace.angle_deg[i] * degree, trace.deviation_um[i]));
+                places.push_back(polar.place(trace.angle_deg[i] * rad_per_deg, trace.deviation_um[i]));
     }
     for (const PolarPlot::ReferenceLine& circle : plot.circles)
         for (int angle = 0; angle < 360 && circle.asked.empty(); ++angle)
-            places.push_back(polar.place(angle * degree, deviationAt(circle, angle * degree)));
+            places.push_back(polar.place(angle * rad_per_deg, deviationAt(circle, angle * rad_per_deg)));
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
-            places.push_back(polar.place(mark.angle_deg * degree, mark.deviation_um));
+            places.push_back(polar.place(mark.angle_deg * rad_per_deg, mark.deviation_um));
     return places;
 }
 
 /// Beneath the data: a number may be crossed by a curve, never the other way round.
-void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks& divisions, const Language& language)
+void drawRingScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks& divisions,
+                   const Language& language)
 {
     std::vector<RingLabel> labels;
     std::vector<std::string> words;
@@ -221,7 +221,7 @@ void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks&
         const double radius = polar.radius(value);
         if (radius <= corePx + 6 || radius >= rimPx - 8) continue;
         std::string number = fmt::format("{}{}", value > 0 ? "+" : "", tickLabel(value, divisions, language));
-        if (value == 0) number.append(1, ' ').append(text(shownUnit(micrometre, language).unit, language));
+        if (value == 0) number.append(1, ' ').append(text(shownUnit(unit::um, language).unit, language));
         words.push_back(std::move(number));
         labels.push_back({radius, textWidth(words.back(), 11) + 4, 14});
     }
@@ -235,9 +235,9 @@ void drawScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks&
 }
 
 /// The column at the right: one line for each thing drawn, then the scale in words.
-class Legend {
+class PolarLegend {
 public:
-    explicit Legend(Svg& svg) : svg_(svg) {}
+    explicit PolarLegend(Svg& svg) : svg_(svg) {}
 
     void line(const std::string& name, std::string_view colour, double width, std::string_view pattern = {})
     {
@@ -280,9 +280,10 @@ std::string phrase(Text words, const Values& values, const Language& language)
     return fill(text(words, language), values, language);
 }
 
-void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Ticks& divisions, const Language& language)
+void drawPolarLegend(Svg& svg, const PolarPlot& plot, double magnification, const Ticks& divisions,
+                     const Language& language)
 {
-    Legend legend(svg);
+    PolarLegend legend(svg);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
         const std::string name = captionText(plot.traces[i].name, language);
         if (!name.empty()) legend.line(name, strokeOf(plot.traces[i].colour, i), plot.traces[i].thin ? 1 : 2.2);
@@ -290,7 +291,7 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
     for (std::size_t i = 0; i < plot.circles.size(); ++i) {
         const PolarPlot::ReferenceLine& circle = plot.circles[i];
         const std::string name = circle.asked.empty() ? captionText(circle.name, language) : std::string();
-        if (!name.empty()) legend.line(name, strokeOf(circle.colour, i + 1), 1.6, circle.dashed ? dashes : "");
+        if (!name.empty()) legend.line(name, strokeOf(circle.colour, i + 1), 1.6, circle.dashed ? polarDashes : "");
     }
     for (std::size_t i = 0; i < plot.rings.size(); ++i) {
         const std::string name = captionText(plot.rings[i].name, language);
@@ -317,7 +318,7 @@ void drawLegend(Svg& svg, const PolarPlot& plot, double magnification, const Tic
 
 double pxPerUm(const PolarPlot& plot, double magnification)
 {
-    const double base_um = plot.base_radius_mm > 0 ? plot.base_radius_mm * micrometresPerMillimetre : 1;
+    const double base_um = plot.base_radius_mm > 0 ? plot.base_radius_mm * um_per_mm : 1;
     return magnification * basePx(plot) / base_um;
 }
 
@@ -345,11 +346,11 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     const double base = basePx(plot);
     const Polar polar(base, scale);
     const Ticks divisions = axisTicks(Axis::Scale::Linear, {(corePx - base) / scale, (rimPx - base) / scale}, 8,
-                                      shownUnit(micrometre, language).factor);
+                                      shownUnit(unit::um, language).factor);
     Svg svg(sheetWidth, sheetHeight, title);
     svg.text(20, 24, Svg::Anchor::Start, titleSize, title, true);
     drawGrid(svg, polar, divisions, language);
-    drawScale(svg, polar, plot, divisions, language);
+    drawRingScale(svg, polar, plot, divisions, language);
     for (std::size_t i = 0; i < plot.rings.size(); ++i)
         svg.path(ringPath(polar, plot.rings[i]), "none", 0, strokeOf(plot.rings[i].colour, i), ringOpacity);
     for (std::size_t i = 0; i < plot.traces.size(); ++i) {
@@ -359,15 +360,15 @@ std::string toSvg(const PolarPlot& plot, const Language& language)
     for (std::size_t i = 0; i < plot.circles.size(); ++i)
         if (plot.circles[i].asked.empty())
             svg.path(referencePath(polar, plot.circles[i]), strokeOf(plot.circles[i].colour, i + 1), 1.4, "none", 1,
-                     plot.circles[i].dashed ? dashes : "");
+                     plot.circles[i].dashed ? polarDashes : "");
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
-            svg.path(markPath(mark.angle_deg * degree, polar.radius(mark.deviation_um), mark.outer), "none", 0,
+            svg.path(markPath(mark.angle_deg * rad_per_deg, polar.radius(mark.deviation_um), mark.outer), "none", 0,
                      markColour);
     for (const PolarPlot::Mark& mark : plot.contacts)
         if (isDrawable(mark.deviation_um) && isDrawable(mark.angle_deg))
             nameContact(svg, polar, mark, captionText(mark.name, language));
-    drawLegend(svg, plot, magnification, divisions, language);
+    drawPolarLegend(svg, plot, magnification, divisions, language);
     return svg.finish();
 }
 

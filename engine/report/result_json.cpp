@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/version.h"
 #include "engine/core/visible.h"
 
 namespace lathelier::report {
@@ -94,7 +95,7 @@ void write(const Json& json, const std::string& indent, Sink& out)
 
 Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters)
 {
-    Json head{{"command", command}, {"version", LATHELIER_VERSION}, {"inputs", Json::array()}};
+    Json head{{"command", command}, {"version", programVersion}, {"inputs", Json::array()}};
     for (const InputFile& file : inputs)
         head["inputs"].push_back({{"path", file.path}, {"bytes", file.bytes}, {"sha256", file.sha256}});
     head["parameters"] = toJson(parameters);

@@ -5,10 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::report {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 bool overlap(const PolarPlace& a, const PolarPlace& b, double width_px, double height_px)
 {
@@ -70,7 +70,7 @@ void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlac
     // From the usual place on: three rays between any two spokes.
     for (const int spoke : {60, 90, 240, 270, 30, 120, 210, 300, 0, 150, 180, 330})
         for (const int beside : {15, 9, 21}) {
-            const double cost = placeOnRay(labels, drawn, (spoke + beside) * degree, rim_px);
+            const double cost = placeOnRay(labels, drawn, (spoke + beside) * rad_per_deg, rim_px);
             if (cost >= least) continue;
             least = cost;
             best = labels;

@@ -16,8 +16,8 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr double barrel_um = 14;  ///< wear of the long seat, on the radius
-constexpr double taper_um = -10;  ///< wear of the second one, on the radius along it
+constexpr double longSeatBarrel_um = 14;    ///< wear of the long seat, on the radius
+constexpr double secondSeatTaper_um = -10;  ///< wear of the second one, on the radius along it
 
 Shaft drawing()
 {
@@ -144,16 +144,19 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
 {
     const Shaft part = drawing();
     ShaftModel worn = nominalShaft(), copy = nominalShaft();
-    worn.front().barrel_um = barrel_um;
-    worn[2].taper_end_um = taper_um;
-    for (std::size_t i = 3; i < worn.size(); ++i) worn[i].oversize_um = taper_um;  // the chamfer goes on there
+    worn.front().barrel_um = longSeatBarrel_um;
+    worn[2].taper_end_um = secondSeatTaper_um;
+    for (std::size_t i = 3; i < worn.size(); ++i)
+        worn[i].oversize_um = secondSeatTaper_um;  // the chamfer goes on there
     bend(copy, part, progress.part(0, 0.2));
     SampleContent content;
     content.texts = {scanPly(scanShaft(worn, scanner(2000 + seed), progress.part(0.2, 0.6))), io::shaftText(part),
                      cam::jobText(job()), deflection::setupText(setup()),
                      scanPly(scanShaft(copy, scanner(3000 + seed), progress.part(0.6, 1)))};
-    content.truth = std::make_shared<Json>(Json{
-        {"chain", {{"about", syntheticScan}, {"barrel_of_row_1_um", barrel_um}, {"taper_of_row_3_um", taper_um}}}});
+    content.truth = std::make_shared<Json>(Json{{"chain",
+                                                 {{"about", syntheticScan},
+                                                  {"barrel_of_row_1_um", longSeatBarrel_um},
+                                                  {"taper_of_row_3_um", secondSeatTaper_um}}}});
     content.panels["turning"] = {
         .inputs = {{"job", "chain_job.json"}, {"shaft", "chain_drawing.json"}, {"spindle", "spindle.json"}},
         .parameters = {}};

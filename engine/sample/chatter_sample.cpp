@@ -11,9 +11,9 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr char kSynthetic[] = "synthetic: computed by Lathelier, not measured";
-constexpr double noise = 0.01;  ///< of the tap tests, relative
-constexpr double step_hz = 5;   ///< of the tap tests
+constexpr char syntheticComputed[] = "synthetic: computed by Lathelier, not measured";
+constexpr double tapNoise = 0.01;  ///< of the tap tests, relative
+constexpr double tapStep_hz = 5;   ///< of the tap tests
 
 /// Springs with which both papers' numbers come out (Jasiewicz and Miądlicki; Miądlicki et al.).
 receptance::SpindleReceptance machine()
@@ -27,7 +27,7 @@ receptance::SpindleReceptance machine()
 Shaft shaftOfThePaper()
 {
     Shaft shaft;
-    shaft.name = "half-finished shaft (" + std::string(kSynthetic) + ")";
+    shaft.name = "half-finished shaft (" + std::string(syntheticComputed) + ")";
     shaft.segments = {
         {98, 30, 30, 0, {}, {}}, {10, 37, 37, 0, {}, {}}, {75, 33.8, 33.8, 0, {}, {}}, {17, 40, 40, 0, {}, {}}};
     shaft.material = Material{};
@@ -42,7 +42,7 @@ Frf responseOf(const Shaft& shaft, double respond_z_mm, double excite_z_mm, doub
     asked.to_hz = 1500;
     asked.step_hz = step;
     Frf frf = shaftReceptance(shaft, asked, machine()).frf;
-    frf.name = kSynthetic;
+    frf.name = syntheticComputed;
     return frf;
 }
 
@@ -66,11 +66,11 @@ std::string tapTests(std::uint64_t seed, const Progress& progress)
         for (int a = 0; a < 3; ++a)
             for (int b = a; b < 3; ++b) {
                 Frf frf = responseOf(shaft, rod.length_mm - rod.from_chuck_mm[a], rod.length_mm - rod.from_chuck_mm[b],
-                                     step_hz);
+                                     tapStep_hz);
                 const std::uint64_t stream = 1000 * responses.size() + 1;
                 for (std::size_t i = 0; i < frf.value.size(); ++i)
-                    frf.value[i] *= std::complex<double>(1 + noise * randomNormal(seed, stream, 2 * i),
-                                                         noise * randomNormal(seed, stream, 2 * i + 1));
+                    frf.value[i] *= std::complex<double>(1 + tapNoise * randomNormal(seed, stream, 2 * i),
+                                                         tapNoise * randomNormal(seed, stream, 2 * i + 1));
                 responses.push_back({std::move(frf), node + a + 1, 1, node + b + 1, 1});
             }
     }
@@ -103,9 +103,9 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
                      io::toUff({&tip, 1}), measurements().dump(2) + "\n", tapTests(seed, progress)};
     content.truth = std::make_shared<Json>(
         Json{{"chatter",
-              {{"about", kSynthetic},
+              {{"about", syntheticComputed},
                {"spindle", {{"radial_N_mm", 14850}, {"tilt_N_mm_rad", 198.3e6}, {"loss_factor", 0.06}}},
-               {"tap_test_noise", noise},
+               {"tap_test_noise", tapNoise},
                {"recommended_rpm", 2154},
                {"recommended_for", "diameter 30 mm, 190 m/min, published relation"}}}});
     SamplePanel panel;

@@ -9,7 +9,7 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr char kSynthetic[] = "synthetic: probe record made by Lathelier, not a measurement";
+constexpr char syntheticRecord[] = "synthetic: probe record made by Lathelier, not a measurement";
 
 Json wavesOf(const std::vector<MotionWave>& waves)
 {
@@ -31,7 +31,7 @@ Json truthOf(const SpindleModel& model)
         sections.push_back({{"section", i + 1},
                             {"z_mm", sectionMiddle_mm(model, i)},
                             {"circles", nestedJson(describedValues(form::fitCircles(trueImage_mm(model, i))))}});
-    return {{"about", kSynthetic},
+    return {{"about", syntheticRecord},
             {"workpiece_diameter_mm", model.workpiece_diameter_mm},
             {"taper_diameter_um", model.taper_diameter_um},
             {"barrel_um", model.barrel_um},

@@ -11,10 +11,10 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Streams of random numbers, so that switching one effect on leaves the others as they are.
-enum Stream : std::uint64_t { Phase, Noise, Spot, Dropout, Patch, Spurious };
+enum ScanStream : std::uint64_t { Phase, Noise, Spot, Dropout, Patch, Spurious };
 
 double pieceRadius_mm(const ShaftPiece& piece, double z_mm)
 {
@@ -225,7 +225,7 @@ Scan scanShaft(const ShaftModel& shaft, const ScannerModel& scanner, const Progr
                 const std::size_t ray = row * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
                 if (lost[ray]) continue;
                 if (single_share > 0 && randomUniform(scanner.seed, Dropout, ray) < single_share) continue;
-                const double angle = 2 * kPi * (column + angle_phase) / columns;
+                const double angle = 2 * pi * (column + angle_phase) / columns;
                 const Eigen::Vector3d direction(-std::cos(angle), -std::sin(angle), 0);
                 const Eigen::Vector3d origin = Eigen::Vector3d(0, 0, height) - away * direction;
                 const double spot = scanner.spot_mm * (randomUniform(scanner.seed, Spot, ray) - 0.5);
@@ -259,7 +259,7 @@ Scan shaftMesh(const ShaftModel& shaft, int sides)
         first[i] = static_cast<std::uint32_t>(mesh.points_mm.size());
         const int count = line[i].y() > 0 ? sides : 1;
         for (int k = 0; k < count; ++k) {
-            const double angle = 2 * kPi * k / sides;
+            const double angle = 2 * pi * k / sides;
             mesh.points_mm.emplace_back(line[i].y() * std::cos(angle), line[i].y() * std::sin(angle), line[i].x());
         }
     }

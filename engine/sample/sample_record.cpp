@@ -13,14 +13,15 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
+
 constexpr double markerLow_V = 0.05;
 constexpr double markerHigh_V = 3.5;
 constexpr double pulseTurns = 0.05;  ///< length of the marker's pulse
 constexpr double whirlRatio = 0.43;  ///< of an oil film, about
 
 /// Streams of random numbers, so that switching one effect on leaves the others as they are.
-enum Stream : std::uint64_t { MarkerNoise, AxisNoise, ToolNoise = AxisNoise + 2, Averages = ToolNoise + 2 };
+enum RecordStream : std::uint64_t { MarkerNoise, AxisNoise, ToolNoise = AxisNoise + 2, Averages = ToolNoise + 2 };
 
 struct Displacements {
     double X3 = 0, Y3 = 0, Xp = 0, Yp = 0;
@@ -29,8 +30,8 @@ struct Displacements {
 void add(const std::vector<MotionWave>& waves, double turn, double& x, double& y)
 {
     for (const MotionWave& wave : waves) {
-        x += wave.x_um * std::cos(2 * kPi * wave.upr * turn - wave.x_phase_rad);
-        y += wave.y_um * std::cos(2 * kPi * wave.upr * turn - wave.y_phase_rad);
+        x += wave.x_um * std::cos(2 * pi * wave.upr * turn - wave.x_phase_rad);
+        y += wave.y_um * std::cos(2 * pi * wave.upr * turn - wave.y_phase_rad);
     }
 }
 
@@ -151,7 +152,7 @@ io::ProbeRecord makeProbeRecord(const SpindleModel& model)
                        {"Yp", io::ProbeChannel::Unit::Micrometre, 1, {}}};
     for (io::ProbeChannel& channel : record.channels) channel.values.resize(frames);
     record.time_s.resize(frames);
-    const auto noise = [&](Stream stream, int which, std::size_t frame, double sigma) {
+    const auto noise = [&](RecordStream stream, int which, std::size_t frame, double sigma) {
         return sigma > 0 ? sigma * randomNormal(model.seed, stream + static_cast<std::uint64_t>(which), frame) : 0;
     };
     for (std::size_t i = 0; i < frames; ++i) {
@@ -159,7 +160,7 @@ io::ProbeRecord makeProbeRecord(const SpindleModel& model)
         const auto turnOf = [&](int channel) {
             return turns_per_s * (record.time_s[i] + channel * model.channel_skew_s) - model.lead_turns;
         };
-        const double whirl = 2 * kPi * whirlRatio;
+        const double whirl = 2 * pi * whirlRatio;
         const double drift = model.drift_um_per_rev;
         record.channels[0].values[i] = marker_V(turnOf(0), edgeTurns) + noise(MarkerNoise, 0, i, model.marker_noise_V);
         const std::array<double, 4> um{
@@ -218,7 +219,7 @@ std::vector<Eigen::Vector2d> trueImage_mm(const SpindleModel& model, int section
         const Displacements d = meanOf(model, section, turn);
         const std::complex<double> tool(model.workpiece_diameter_mm / 2 + 1e-3 * d.Xp, 1e-3 * d.Yp);
         const std::complex<double> axis(1e-3 * d.X3, 1e-3 * d.Y3);
-        const std::complex<double> point = std::conj(tool - axis) * std::polar(1.0, 2 * kPi * turn);
+        const std::complex<double> point = std::conj(tool - axis) * std::polar(1.0, 2 * pi * turn);
         image.emplace_back(point.real(), point.imag());
     }
     return image;

@@ -8,8 +8,8 @@
 namespace lathelier::sample {
 namespace {
 
-constexpr double barrel_um = 15;  ///< of the first bearing seat, on the radius
-constexpr double taper_um = -12;  ///< of the second one, on the radius along it
+constexpr double firstBearingBarrel_um = 15;   ///< of the first bearing seat, on the radius
+constexpr double secondBearingTaper_um = -12;  ///< of the second one, on the radius along it
 
 /// Chamfer, seat 20, groove of a circlip, 20, cone 1:10 to 24, collar 34, seat 25, chamfer.
 ShaftModel wornShaft()
@@ -29,10 +29,10 @@ ShaftModel wornShaft()
         piece.radius_end_mm = row.end_mm / 2;
         shaft.push_back(piece);
     }
-    shaft[1].barrel_um = barrel_um;
-    shaft[6].taper_end_um = taper_um;
+    shaft[1].barrel_um = firstBearingBarrel_um;
+    shaft[6].taper_end_um = secondBearingTaper_um;
     // The chamfer goes on where the worn seat ends.
-    shaft[7].oversize_um = taper_um;
+    shaft[7].oversize_um = secondBearingTaper_um;
     return shaft;
 }
 
@@ -54,8 +54,8 @@ SampleContent makeWorn(std::uint64_t seed, const Progress& progress)
     content.truth = std::make_shared<Json>(Json{{"worn",
                                                  {{"about", syntheticScan},
                                                   {"segments", rows},
-                                                  {"barrel_of_row_2_um", barrel_um},
-                                                  {"taper_of_row_7_um", taper_um}}}});
+                                                  {"barrel_of_row_2_um", firstBearingBarrel_um},
+                                                  {"taper_of_row_7_um", secondBearingTaper_um}}}});
     content.panels["recognise"] = {.inputs = {{"scan", "worn.ply"}}, .parameters = {}};
     return content;
 }

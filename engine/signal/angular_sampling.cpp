@@ -8,12 +8,11 @@
 #include <utility>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier::signal {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the weights bound the condition
 constexpr double mostLeakage = 0.1;
@@ -62,7 +61,7 @@ std::vector<std::size_t> ascending(const std::vector<double>& values)
 /// Whether angles so far apart count as two among n.
 bool areTwo(double spacing, std::size_t n)
 {
-    return !(spacing <= 1e-9 * turn / static_cast<double>(n));
+    return !(spacing <= 1e-9 * turn_rad / static_cast<double>(n));
 }
 
 /// Largest distance of the `different` angles from evenly spaced ones, in their spacing.
@@ -70,7 +69,7 @@ double displacementOf(const AngularSampling& sampling)
 {
     const std::vector<double>& angle = sampling.angle_rad;
     const std::size_t n = angle.size();
-    const double step = turn / static_cast<double>(sampling.different);
+    const double step = turn_rad / static_cast<double>(sampling.different);
     double least = std::numeric_limits<double>::infinity(), most = -least;
     double place = 0;
     const auto count = [&](double at) {
@@ -82,12 +81,12 @@ double displacementOf(const AngularSampling& sampling)
     std::size_t last = n;  // the last of the different ones
     double spacing = 0;
     while (last-- > 0) {
-        spacing = (last + 1 < n ? angle[last + 1] : angle[0] + turn) - angle[last];
+        spacing = (last + 1 < n ? angle[last + 1] : angle[0] + turn_rad) - angle[last];
         if (areTwo(spacing, n)) break;
     }
     // A point near 2π that belongs before the first would spoil the comparison with even steps.
     const bool before = sampling.different > 1 && spacing < 0.5 * step;
-    if (before) count(angle[last] - turn);
+    if (before) count(angle[last] - turn_rad);
     for (std::size_t i = 0; i < last; ++i)
         if (areTwo(angle[i + 1] - angle[i], n)) count(angle[i]);
     if (!before) count(angle[last]);
@@ -101,13 +100,13 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
     AngularSampling result;
     const std::size_t n = angle_rad.size();
     std::vector<double> wrapped(n);
-    for (std::size_t i = 0; i < n; ++i) wrapped[i] = angle_rad[i] - turn * std::floor(angle_rad[i] / turn);
+    for (std::size_t i = 0; i < n; ++i) wrapped[i] = angle_rad[i] - turn_rad * std::floor(angle_rad[i] / turn_rad);
     result.order = ascending(wrapped);
     result.angle_rad = inOrder(result, wrapped);
     wrapped = {};
 
     const auto spacingAfter = [&](std::size_t i) {
-        return (i + 1 < n ? result.angle_rad[i + 1] : result.angle_rad[0] + turn) - result.angle_rad[i];
+        return (i + 1 < n ? result.angle_rad[i + 1] : result.angle_rad[0] + turn_rad) - result.angle_rad[i];
     };
     std::vector<double> different;
     different.reserve(n);
@@ -125,7 +124,7 @@ AngularSampling sampleAngles(std::span<const double> angle_rad)
     double before = spacingAfter(n - 1);
     for (std::size_t i = 0; i < n; ++i) {
         const double after = spacingAfter(i);
-        result.weight[i] = (std::min(before, widest) + std::min(after, widest)) / (2 * turn);
+        result.weight[i] = (std::min(before, widest) + std::min(after, widest)) / (2 * turn_rad);
         before = after;
         if (after > gap) {
             ++result.gaps;
@@ -151,7 +150,7 @@ CarriedOrders carriedOrders(const AngularSampling& sampling)
                                                                              : below(sampling.largest_gap_rad);
     // Nearly even samples tell of their last order what they see of it.
     result.estimated = sampling.displacement <= AngularSampling::nearlyEven ? different / 2 : result.determined;
-    result.leakage = sampling.missing_rad / (turn - sampling.missing_rad);
+    result.leakage = sampling.missing_rad / (turn_rad - sampling.missing_rad);
     if (sampling.gaps > 0 && result.leakage <= mostLeakage)
         result.estimated = std::max(result.determined, below(sampling.largest_regular_rad));
     return result;

@@ -5,10 +5,11 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::signal {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr double evenEnough = 2;  ///< largest over smallest spacing that a cubic through four points takes
 
 }  // namespace
@@ -21,7 +22,7 @@ ClosedInterpolation::ClosedInterpolation(const AngularSampling& sampling, const 
 double ClosedInterpolation::operator()(double angle_rad) const
 {
     // Begun where even spacing would have the place.
-    const double turns = (angle_rad - angle_.front()) / turn;
+    const double turns = (angle_rad - angle_.front()) / turn_rad;
     auto place = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(angle_.size()));
     return (*this)(angle_rad, place);
 }
@@ -29,13 +30,13 @@ double ClosedInterpolation::operator()(double angle_rad) const
 double ClosedInterpolation::operator()(double angle_rad, std::size_t& place) const
 {
     const std::size_t n = angle_.size();
-    const double angle = angle_rad - turn * std::floor((angle_rad - angle_.front()) / turn);
+    const double angle = angle_rad - turn_rad * std::floor((angle_rad - angle_.front()) / turn_rad);
     place = firstBeyond(angle, place);
     const Neighbours p = about(place);
-    const double near = 1e-6 * turn / static_cast<double>(n);
+    const double near = 1e-6 * turn_rad / static_cast<double>(n);
     if (angle - p.angle[1] <= near) return p.value[1];
     if (p.angle[2] - angle <= near) return p.value[2];
-    if (p.spacing(1) > widest_) return std::numeric_limits<double>::quiet_NaN();
+    if (p.spacing(1) > widest_) return notANumber;
     const auto [narrowest, broadest] = std::minmax({p.spacing(0), p.spacing(1), p.spacing(2)});
     if (n < 5 || broadest > widest_) {
         const double share = (angle - p.angle[1]) / p.spacing(1);
@@ -67,7 +68,7 @@ ClosedInterpolation::Neighbours ClosedInterpolation::about(std::size_t right) co
         const double turns = i < 0 ? -1 : i >= n ? 1 : 0;
         while (i < 0) i += n;
         while (i >= n) i -= n;
-        p.angle[k] = angle_[static_cast<std::size_t>(i)] + turn * turns;
+        p.angle[k] = angle_[static_cast<std::size_t>(i)] + turn_rad * turns;
         p.value[k] = values_[static_cast<std::size_t>(i)];
     }
     return p;

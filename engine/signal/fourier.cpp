@@ -19,8 +19,18 @@ std::size_t largestPrimeFactor(std::size_t n)
     return std::max(largest, n);
 }
 
+/// Without the tests for infinity that * makes.
+Complex times(const Complex& a, const Complex& b)
+{
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 /// Above this factor a direct transform of the factor costs more than Bluestein's three.
 constexpr std::size_t largestDirectFactor = 60;
+
+}  // namespace
+
+namespace detail {
 
 /// A complex transform of any length.
 class ComplexTransform {
@@ -73,12 +83,6 @@ private:
     mutable Eigen::FFT<double> fft_;  // holds scratch space
 };
 
-/// Without the tests for infinity that * makes.
-Complex times(const Complex& a, const Complex& b)
-{
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
-
 /// e^{-2πik/n} as the product of two out of short tables.
 class Turns {
 public:
@@ -100,7 +104,7 @@ private:
     std::vector<Complex> coarse_, fine_;
 };
 
-}  // namespace
+}  // namespace detail
 
 /// An even number of real values is transformed as half as many complex ones, of which the even values are the real
 /// parts and the odd ones the imaginary.
@@ -112,8 +116,8 @@ struct FourierTransform::Plan {
 
     std::size_t n;
     bool halved;
-    ComplexTransform transform;
-    Turns turns;
+    detail::ComplexTransform transform;
+    detail::Turns turns;
 };
 
 FourierTransform::FourierTransform(std::size_t length) : plan_(std::make_unique<Plan>(length)) {}

@@ -7,13 +7,12 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 
 namespace lathelier::signal {
 namespace {
 
-constexpr double normalPerMedian = 1.4826;
-
-constexpr std::size_t grain = 8192;
+constexpr std::size_t valuesPerTask = 8192;
 
 /// The finite values about a place that moves along, in ascending order.
 class MovingWindow {
@@ -69,7 +68,7 @@ private:
     double at(std::ptrdiff_t j) const
     {
         const std::ptrdiff_t n = std::ssize(values_);
-        if (!closed_ && (j < 0 || j >= n)) return std::numeric_limits<double>::quiet_NaN();
+        if (!closed_ && (j < 0 || j >= n)) return notANumber;
         return values_[static_cast<std::size_t>(j < 0 ? j + n : j >= n ? j - n : j)];
     }
     void enter(double value)
@@ -110,21 +109,21 @@ double robustSpread(const std::vector<double>& values, double centre)
     std::vector<double> distances;
     distances.reserve(values.size());
     for (const double value : values) distances.push_back(std::abs(value - centre));
-    return normalPerMedian * median(std::move(distances));
+    return mad_to_sigma * median(std::move(distances));
 }
 
 std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options,
                                          const Progress& progress)
 {
     std::vector<std::uint8_t> result(values.size(), 0);
-    std::vector<double> distance(values.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> distance(values.size(), notANumber);
     const bool moving = options.half_window > 0;
     std::vector<double> whole;
     if (!moving)
         std::copy_if(values.begin(), values.end(), std::back_inserter(whole),
                      [](double v) { return std::isfinite(v); });
     const double centre = moving ? 0 : median(std::move(whole));
-    parallelFor(values.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(values.size(), valuesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::optional<MovingWindow> window;
         if (moving) window.emplace(values, options, begin);
         for (std::size_t i = begin; i < end; ++i) {
@@ -136,8 +135,8 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
     finite.reserve(distance.size());
     for (const double d : distance)
         if (std::isfinite(d)) finite.push_back(d);
-    const double overall = std::max(normalPerMedian * median(std::move(finite)), options.least_spread);
-    parallelFor(values.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    const double overall = std::max(mad_to_sigma * median(std::move(finite)), options.least_spread);
+    parallelFor(values.size(), valuesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             // The last bits of equal values are no outliers.
             const double rounding = 1e-12 * std::abs(values[i]);
@@ -146,7 +145,7 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
             double spread = 0;
             if (moving && std::isfinite(values[i])) {
                 const MovingWindow window(values, options, i);
-                spread = normalPerMedian * window.medianDistance(window.median());
+                spread = mad_to_sigma * window.medianDistance(window.median());
             }
             result[i] = !(distance[i] <= options.threshold * std::max(spread, overall) + rounding);
         }

@@ -7,14 +7,15 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/signal/fourier.h"
 
 namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
-constexpr std::size_t grain = 1 << 15;
+using std::numbers::pi;
+constexpr std::size_t anglesPerTask = 1 << 15;
 
 /// std::floor() without a call, of what an integer holds.
 double wholeBelow(double x)
@@ -33,7 +34,7 @@ public:
         : limit_(limit),
           size_(quickTransformLength(
               std::max<std::size_t>(2 * (2 * static_cast<std::size_t>(limit) + 1), 4 * std::size_t{reach}))),
-          step_(2 * pi / static_cast<double>(size_))
+          step_(turn_rad / static_cast<double>(size_))
     {
         const double modes = 2.0 * limit + 1;
         const double ratio = static_cast<double>(size_) / modes;
@@ -50,7 +51,7 @@ public:
     template <class Visit>
     void around(double angle, Visit visit) const
     {
-        double turns = angle / (2 * pi);
+        double turns = angle / turn_rad;
         turns -= wholeBelow(turns);
         const double position = turns * static_cast<double>(size_);
         const double base = wholeBelow(position);
@@ -109,7 +110,7 @@ public:
     };
     Place placeOf(double angle) const
     {
-        double turns = angle / (2 * pi);
+        double turns = angle / turn_rad;
         turns -= wholeBelow(turns);
         const double position = turns * static_cast<double>(size_), nearest = wholeBelow(position + 0.5);
         const auto node = static_cast<std::size_t>(nearest);
@@ -146,7 +147,7 @@ private:
     /// (±ikh)^p / p! with the nodes' spacing h.
     Complex term(std::size_t k, std::size_t p, int sign) const
     {
-        const double kh = 2 * pi * static_cast<double>(k) / static_cast<double>(size_);
+        const double kh = turn_rad * static_cast<double>(k) / static_cast<double>(size_);
         Complex result = 1;
         for (std::size_t i = 1; i <= p; ++i) result *= Complex(0, sign * kh / static_cast<double>(i));
         return result;
@@ -170,7 +171,7 @@ std::vector<Complex> expandedSums(std::span<const double> angle_rad, std::span<c
     const Expansion expansion(limit);
     const std::size_t size = expansion.size() * powers;
     return expansion.sums(parallelReduce(
-        values.size(), std::max(grain, size), progress, std::vector<double>(size, 0.0),
+        values.size(), std::max(anglesPerTask, size), progress, std::vector<double>(size, 0.0),
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> moments(size, 0.0);
             // Neighbours mostly belong to one node: its sums are added up before they are laid down.
@@ -208,7 +209,7 @@ std::vector<double> expandedSeries(std::span<const Complex> coefficients, std::s
     const Expansion expansion(static_cast<int>(coefficients.size()) - 1);
     const std::vector<double> derivatives = expansion.derivatives(coefficients);
     std::vector<double> result(angle_rad.size());
-    parallelFor(result.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(result.size(), anglesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j) {
             const Expansion::Place place = expansion.placeOf(angle_rad[j]);
             const double* factor = &derivatives[place.node * powers];
@@ -229,7 +230,7 @@ std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<co
     const Grid grid(limit);
     // A grid for each chunk: no more grids than there is room for as many numbers as values.
     const std::vector<double> spread = parallelReduce(
-        values.size(), std::max(grain, grid.size()), progress, std::vector<double>(grid.size(), 0.0),
+        values.size(), std::max(anglesPerTask, grid.size()), progress, std::vector<double>(grid.size(), 0.0),
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> part(grid.size(), 0.0);
             for (std::size_t j = begin; j < end; ++j) {
@@ -256,7 +257,7 @@ std::vector<double> fourierSeries(std::span<const Complex> coefficients, std::sp
         half[static_cast<std::size_t>(k)] = coefficients[static_cast<std::size_t>(k)] * grid.sharpen(k);
     const std::vector<double> smooth = FourierTransform(grid.size()).series(half);
     std::vector<double> result(angle_rad.size(), 0.0);
-    parallelFor(result.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(result.size(), anglesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t j = begin; j < end; ++j) {
             double sum = 0;
             grid.around(angle_rad[j], [&](std::size_t index, double weight) { sum += smooth[index] * weight; });

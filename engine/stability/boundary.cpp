@@ -16,7 +16,7 @@ constexpr double straightTurns = 1e-6;   ///< of the phase, in turns
 constexpr double straightSpeed = 1e-6;   ///< of the speed
 constexpr std::size_t mostLeftOut = 64;  ///< of points in a row, and one more
 
-void check(const Frf& frf)
+void checkReceptance(const Frf& frf)
 {
     if (frf.quantity != FrfQuantity::Receptance) throw Error(errors::notAReceptance, {});
     if (frf.frequency_hz.size() < fewestLines || frf.value.size() != frf.frequency_hz.size())
@@ -61,7 +61,7 @@ double phaseTurns(const std::complex<double>& g)
 
 std::complex<double> interpolated(const Frf& frf, double frequency_hz)
 {
-    check(frf);
+    checkReceptance(frf);
     const auto above = std::upper_bound(frf.frequency_hz.begin(), frf.frequency_hz.end(), frequency_hz);
     if (above == frf.frequency_hz.begin()) return frf.value.front();
     if (above == frf.frequency_hz.end()) return frf.value.back();
@@ -70,7 +70,7 @@ std::complex<double> interpolated(const Frf& frf, double frequency_hz)
 
 Boundary boundaryOf(const Frf& frf, double factor, int steps)
 {
-    check(frf);
+    checkReceptance(frf);
     Boundary boundary(1);
     const auto take = [&](double f, const std::complex<double>& g) {
         if (g.real() < 0 && f > 0)
@@ -127,7 +127,7 @@ std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch)
 
 LeastRealPart leastRealPart(const Frf& frf, double factor)
 {
-    check(frf);
+    checkReceptance(frf);
     std::size_t least = 0;
     for (std::size_t i = 1; i < frf.value.size(); ++i)
         if (factor * frf.value[i].real() < factor * frf.value[least].real()) least = i;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::stability {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 int leastLobe(SpeedRelation relation)
 {
@@ -25,7 +25,10 @@ public:
         : from_(speed_rpm.from), to_(speed_rpm.to), step_((to_ - from_) / (points - 1)), last_(points - 1)
     {
         const auto count = static_cast<std::size_t>(points);
-        limit_ = {{}, std::vector<double>(count, none), std::vector<double>(count, none), std::vector<int>(count, -1)};
+        limit_ = {{},
+                  std::vector<double>(count, notANumber),
+                  std::vector<double>(count, notANumber),
+                  std::vector<int>(count, -1)};
         limit_.speed_rpm.reserve(count);
         for (int i = 0; i < points; ++i) limit_.speed_rpm.push_back(i + 1 == points ? to_ : from_ + i * step_);
     }
@@ -142,7 +145,7 @@ LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Inter
 double depthAt(const LobeLimit& limit, double speed_rpm)
 {
     const std::size_t count = limit.speed_rpm.size();
-    if (count < 2 || speed_rpm < limit.speed_rpm.front() || speed_rpm > limit.speed_rpm.back()) return none;
+    if (count < 2 || speed_rpm < limit.speed_rpm.front() || speed_rpm > limit.speed_rpm.back()) return notANumber;
     const double step = (limit.speed_rpm.back() - limit.speed_rpm.front()) / static_cast<double>(count - 1);
     const double place = (speed_rpm - limit.speed_rpm.front()) / step;
     const auto i = std::min(static_cast<std::size_t>(place), count - 2);

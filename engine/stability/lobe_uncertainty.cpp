@@ -5,12 +5,12 @@
 
 #include "engine/core/random.h"
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/stability/envelope.h"
 
 namespace lathelier::stability {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint64_t draws = 1000;
 constexpr double widest = 1.5;  ///< a drawn natural frequency differs by less than this factor
 
@@ -56,7 +56,7 @@ LobeBand bandOf(const LobeParameters& p, const LobeLimit& limit, const LimitOver
             const double depth = draw.depth * depthAt(band.whole, limit.speed_rpm[i] / draw.frequency);
             depths.push_back(std::isnan(depth) ? HUGE_VAL : depth);
         }
-        const auto finite = [](double depth) { return std::isfinite(depth) ? depth : none; };
+        const auto finite = [](double depth) { return std::isfinite(depth) ? depth : notANumber; };
         band.low_mm.push_back(finite(quantileInPlace(depths, 0.025)));
         band.high_mm.push_back(finite(quantileInPlace(depths, 0.975)));
     }

@@ -5,6 +5,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/stability/envelope.h"
 #include "engine/stability/lobe_uncertainty.h"
 #include "engine/stability/process_damping.h"
@@ -13,7 +14,6 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int stepsOfMeasured = 8;          ///< between lines
 constexpr std::size_t denseEnough = 20000;  ///< lines that need no steps between them
 
@@ -37,7 +37,7 @@ Lobe shownPart(const LobeCurve& curve, const Interval& speed_rpm, double per_N_m
         for (const CurvePoint& point : stretch) {
             if (point.speed_rpm < speed_rpm.from || point.speed_rpm > speed_rpm.to) continue;
             if (apart) {
-                for (auto* list : {&lobe.speed_rpm, &lobe.depth_mm, &lobe.frequency_hz}) list->push_back(none);
+                for (auto* list : {&lobe.speed_rpm, &lobe.depth_mm, &lobe.frequency_hz}) list->push_back(notANumber);
                 apart = false;
             }
             lobe.speed_rpm.push_back(point.speed_rpm);
@@ -116,11 +116,10 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
 {
     using P = LobeParameters;
     static const std::vector<Field<P>> all = [] {
-        const Text percent = LT_TEXT("Engine", "%");
         const auto uncertainty = [&](const char* key, double P::*member, Text label) {
             return field(key, member, Range{0, 15},
                          Label{label, LT_TEXT("Engine", "One standard deviation; gives the 95 % band of the limit."),
-                               percent, true});
+                               unit::percent, true});
         };
         return std::vector<Field<P>>{
             field("cutting_coefficient_N_mm2", &P::cutting_coefficient_N_mm2, Range{1e-3, 1e6},
@@ -128,7 +127,7 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
                         LT_TEXT("Engine",
                                 "Force along the chip thickness over its area; without it depths are multiples of the "
                                 "least."),
-                        LT_TEXT("Engine", "N/mm²")}),
+                        unit::N_mm2}),
             field(
                 "relation", &P::relation,
                 {{"exact", LT_TEXT("Engine", "Exact")}, {"published", LT_TEXT("Engine", "As published (N = 60 f/k)")}},
@@ -136,8 +135,7 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
                       LT_TEXT("Engine", "Exact keeps the phase of the regeneration; the papers set it to zero.")}),
             field("speed_rpm", &P::speed_rpm, Range{1, 1e6},
                   Label{LT_TEXT("Engine", "Speeds"),
-                        LT_TEXT("Engine", "Range that is shown, 1000:4000. Default: the first lobes."),
-                        LT_TEXT("Engine", "1/min")}),
+                        LT_TEXT("Engine", "Range that is shown, 1000:4000. Default: the first lobes."), unit::rpm}),
             field(
                 "points", &P::points, Range{2, 100000},
                 Label{
@@ -154,11 +152,10 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
                         LT_TEXT("Engine",
                                 "Of the force C (a/v) ẋ, v the cutting speed; needs coefficient, diameter and the "
                                 "exact relation."),
-                        LT_TEXT("Engine", "N/mm"), true}),
+                        unit::N_mm, true}),
             field("diameter_mm", &P::diameter_mm, Range{1e-3, 1e5},
                   Label{LT_TEXT("Engine", "Diameter"),
-                        LT_TEXT("Engine", "Of the turned surface; for the process damping."), LT_TEXT("Engine", "mm"),
-                        true}),
+                        LT_TEXT("Engine", "Of the turned surface; for the process damping."), unit::mm, true}),
             uncertainty("uncertainty_frequency_percent", &P::uncertainty_frequency_percent,
                         LT_TEXT("Engine", "Uncertainty of the frequencies")),
             uncertainty("uncertainty_compliance_percent", &P::uncertainty_compliance_percent,

@@ -4,7 +4,6 @@
 // reproduce them. Terms: J. Tlusty, "Manufacturing Processes and Equipment"; Y. Altintas, "Manufacturing Automation".
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
 #include "engine/core/progress.h"
+#include "engine/core/units.h"
 #include "engine/stability/boundary.h"
 
 namespace lathelier::stability {
@@ -84,11 +84,11 @@ LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Inter
 
 /// What is known of a point of the chart.
 struct PointOfWork {
-    double limit_mm = std::numeric_limits<double>::quiet_NaN();      ///< limiting depth there; NaN: none
-    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< chatter frequency at that limit
-    int k = -1;                                                      ///< lobe that limits
-    bool stable = true;                                              ///< depth below the limit
-    double probability_stable = 1;  ///< under the stated uncertainties; 0 or 1 without any
+    double limit_mm = notANumber;      ///< limiting depth there; NaN: none
+    double frequency_hz = notANumber;  ///< chatter frequency at that limit
+    int k = -1;                        ///< lobe that limits
+    bool stable = true;                ///< depth below the limit
+    double probability_stable = 1;     ///< under the stated uncertainties; 0 or 1 without any
 };
 PointOfWork pointOfWork(const LobeResult& result, double speed_rpm, double depth_mm);
 

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::stability {
 namespace {
 
 constexpr double perWidth = 16;      ///< lines in half a resonance's width ζ f_n
 constexpr double widthsAround = 12;  ///< so many of these widths on each side are dense
-constexpr double ratio = 1.004;      ///< of neighbouring lines elsewhere
+constexpr double lineRatio = 1.004;  ///< of neighbouring lines elsewhere
 constexpr double belowLowest = 0.1;  ///< first line over the lowest natural frequency
 constexpr double aboveHighest = 5;   ///< last line over the highest natural frequency, at least
 
@@ -18,13 +20,12 @@ const std::vector<Field<Mode>>& fieldsOf(const Mode*)
 {
     static const std::vector<Field<Mode>> all{
         field("frequency_hz", &Mode::frequency_hz, {1e-3, 1e6},
-              Label{LT_TEXT("Engine", "Natural frequency"), LT_TEXT("Engine", "Undamped."), LT_TEXT("Engine", "Hz"),
-                    false, true}),
+              Label{LT_TEXT("Engine", "Natural frequency"), LT_TEXT("Engine", "Undamped."), unit::hz, false, true}),
         field("damping_ratio", &Mode::damping_ratio, {1e-6, 1},
               Label{LT_TEXT("Engine", "Damping ratio"), LT_TEXT("Engine", "ζ, of critical damping."), {}, false, true}),
         field("stiffness_N_mm", &Mode::stiffness_N_mm, {1e-6, 1e12},
               Label{LT_TEXT("Engine", "Modal stiffness"), LT_TEXT("Engine", "Force over displacement at rest."),
-                    LT_TEXT("Engine", "N/mm"), false, true})};
+                    unit::N_mm, false, true})};
     return all;
 }
 
@@ -49,7 +50,7 @@ Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm)
     }
     // The lobe k = 0 carries frequencies up to N/60.
     const double end = std::max(aboveHighest * highest, 1.1 * highest_speed_rpm / 60);
-    for (double f = belowLowest * lowest; f < end; f *= ratio) frf.frequency_hz.push_back(f);
+    for (double f = belowLowest * lowest; f < end; f *= lineRatio) frf.frequency_hz.push_back(f);
     frf.frequency_hz.push_back(end);
     for (const Mode& mode : modes) {
         const double step = mode.damping_ratio * mode.frequency_hz / perWidth;

@@ -5,6 +5,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
+#include "engine/core/units.h"
 
 namespace lathelier::stability {
 
@@ -14,8 +15,7 @@ const std::vector<Field<PointParameters>>& fieldsOf(const PointParameters*)
     static const std::vector<Field<P>> all{
         field("operating_speed_rpm", &P::operating_speed_rpm, Range{1, 1e6},
               Label{LT_TEXT("Engine", "Operating speed"),
-                    LT_TEXT("Engine", "Of a point that is asked about: is it stable, and how surely?"),
-                    LT_TEXT("Engine", "1/min")}),
+                    LT_TEXT("Engine", "Of a point that is asked about: is it stable, and how surely?"), unit::rpm}),
         field("operating_depth", &P::operating_depth, Range{1e-6, 1e6},
               Label{LT_TEXT("Engine", "Operating depth of cut"),
                     LT_TEXT("Engine",
@@ -52,17 +52,17 @@ report::QuantityTable pointTable(const LobeResult& result, const OperatingPoint&
 {
     const PointOfWork work = pointOfWork(result, point.speed_rpm, point.depth_mm);
     const auto number = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
-    const Text depth_unit = result.isRelative() ? Text{} : LT_TEXT("Engine", "mm");
+    const Text depth_unit = result.isRelative() ? Text{} : unit::mm;
     report::QuantityTable table{
         LT_TEXT("Engine", "Operating point"),
-        {{LT_TEXT("Engine", "Spindle speed"), point.speed_rpm, LT_TEXT("Engine", "1/min"), 0},
+        {{LT_TEXT("Engine", "Spindle speed"), point.speed_rpm, unit::rpm, 0},
          {LT_TEXT("Engine", "Depth of cut"), point.depth_mm, depth_unit, 3},
          {LT_TEXT("Engine", "Limit at this speed"), number(work.limit_mm), depth_unit, 3},
-         {LT_TEXT("Engine", "Chatter frequency at the limit"), number(work.frequency_hz), LT_TEXT("Engine", "Hz"), 1},
+         {LT_TEXT("Engine", "Chatter frequency at the limit"), number(work.frequency_hz), unit::hz, 1},
          {LT_TEXT("Engine", "Stable"), work.stable ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"), Text{}}}};
     if (result.band)
-        table.rows.push_back({LT_TEXT("Engine", "Probability that it is stable"), 100 * work.probability_stable,
-                              LT_TEXT("Engine", "%"), 1});
+        table.rows.push_back(
+            {LT_TEXT("Engine", "Probability that it is stable"), 100 * work.probability_stable, unit::percent, 1});
     return table;
 }
 

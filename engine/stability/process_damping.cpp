@@ -7,9 +7,10 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int mostSteps = 80;
-constexpr double exact = 1e-14;  ///< of an angle
+using std::numbers::pi;
+
+constexpr int mostNewtonSteps = 80;
+constexpr double angleExact_rad = 1e-14;
 
 /// One lobe: φ = kπ + t, t in (0, π).
 struct DampedLobe {
@@ -30,7 +31,7 @@ DampedLobe dampedLobe(int k, double beta)
 {
     DampedLobe lobe{beta, k * pi, 0};
     double low = 0, high = pi;
-    while (high - low > exact) {
+    while (high - low > angleExact_rad) {
         const double t = (low + high) / 2;
         if (t <= low || t >= high) break;
         const double slope = (beta - 1) * std::sin(t) - 2 * beta * (lobe.turned + t) * std::cos(t);
@@ -45,19 +46,19 @@ DampedLobe dampedLobe(int k, double beta)
 double solve(const DampedLobe& lobe, double rho, double inside, double outside, double start)
 {
     double t = start > std::min(inside, outside) && start < std::max(inside, outside) ? start : (inside + outside) / 2;
-    for (int step = 0; step < mostSteps; ++step) {
+    for (int step = 0; step < mostNewtonSteps; ++step) {
         const double value = lobe.excess(t, rho);
         (value < 0 ? inside : outside) = t;
         double next = t - value / lobe.excessSlope(t, rho);
         if (!(next > std::min(inside, outside) && next < std::max(inside, outside))) next = (inside + outside) / 2;
         const double change = std::abs(next - t);
         t = next;
-        if (change < exact * (1 + t)) break;
+        if (change < angleExact_rad * (1 + t)) break;
     }
     return t;
 }
 
-CurvePoint pointAt(const BoundaryPoint& point, const DampedLobe& lobe, double t)
+CurvePoint curvePointAt(const BoundaryPoint& point, const DampedLobe& lobe, double t)
 {
     const double ratio = std::sin(pi * point.phase_turns) / std::sin(t);
     return {60 * pi * point.frequency_hz / (lobe.turned + t), ratio * ratio / point.compliance_mm_N,
@@ -107,8 +108,8 @@ LobeCurve dampedLobeCurve(const Boundary& boundary, int k, double beta)
             }
             early = solve(lobe, rho, lobe.fold, 0, early);
             late = solve(lobe, rho, lobe.fold, pi, late);
-            run.early.push_back(pointAt(point, lobe, early));
-            run.late.push_back(pointAt(point, lobe, late));
+            run.early.push_back(curvePointAt(point, lobe, early));
+            run.late.push_back(curvePointAt(point, lobe, late));
         }
         run.finish(false, curve.stretches);
     }

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
+#include "engine/stability/refusal.h"
 #include "engine/stability/stability_codes.h"
 
 namespace lathelier::stability {
@@ -15,12 +17,6 @@ constexpr double robustShare = 0.02;  ///< of the speed, either way
 constexpr int pocketPoints = 4001;    ///< of the limit over a pocket
 constexpr int beyond = 4;             ///< candidates above the selected lobe's k
 constexpr int mostLobes = 500;        ///< candidates at most
-
-[[noreturn]] void refuse(const char* parameter, Value found, Text expected)
-{
-    throw Error(errors::valueNotUnderstood,
-                {{"parameter", parameter}, {"found", std::move(found)}, {"expected", expected}});
-}
 
 double selectedSpeed(const SpeedParameters& p)
 {
@@ -103,7 +99,7 @@ std::vector<SpeedCandidate> candidatesOf(const Frf& frf, const SpeedResult& resu
     return candidates;
 }
 
-[[noreturn]] void refuse(const SpeedResult& result, Text reason)
+[[noreturn]] void refuseSpeed(const SpeedResult& result, Text reason)
 {
     Rows rows;
     for (const SpeedCandidate& candidate : result.candidates)
@@ -134,18 +130,17 @@ double spindleSpeed(double cutting_speed_m_min, double diameter_mm)
 const std::vector<Field<SpeedParameters>>& fieldsOf(const SpeedParameters*)
 {
     using P = SpeedParameters;
-    const Text m_min = LT_TEXT("Engine", "m/min");
     static const std::vector<Field<P>> all{
-        field(
-            "diameter_mm", &P::diameter_mm, Range{1e-3, 1e5},
-            Label{LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned surface."), LT_TEXT("Engine", "mm")}),
+        field("diameter_mm", &P::diameter_mm, Range{1e-3, 1e5},
+              Label{LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned surface."), unit::mm}),
         field("cutting_speed_m_min", &P::cutting_speed_m_min, Range{1e-3, 1e5},
-              Label{LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "That is selected."), m_min}),
+              Label{LT_TEXT("Engine", "Cutting speed"), LT_TEXT("Engine", "That is selected."), unit::m_min}),
         field("speed_rpm", &P::speed_rpm, Range{1e-3, 1e6},
               Label{LT_TEXT("Engine", "Spindle speed"),
-                    LT_TEXT("Engine", "That is selected, in place of a cutting speed."), LT_TEXT("Engine", "1/min")}),
-        field("range_m_min", &P::range_m_min, Range{1e-3, 1e5},
-              Label{LT_TEXT("Engine", "Cutting speeds of the tool"), LT_TEXT("Engine", "Range, 200:350."), m_min}),
+                    LT_TEXT("Engine", "That is selected, in place of a cutting speed."), unit::rpm}),
+        field(
+            "range_m_min", &P::range_m_min, Range{1e-3, 1e5},
+            Label{LT_TEXT("Engine", "Cutting speeds of the tool"), LT_TEXT("Engine", "Range, 200:350."), unit::m_min}),
         field("peak_shift", &P::peak_shift, Range{0, 1},
               Label{LT_TEXT("Engine", "Peak shift P_sh"),
                     LT_TEXT("Engine", "Place within the lobe, published relation only. Default 0.7."),
@@ -179,16 +174,16 @@ SpeedResult chooseSpeed(const Frf& frf, const SpeedParameters& parameters)
                LT_TEXT("Engine", "nothing: the exact relation has its own optimum"));
     const LeastRealPart least = leastRealPart(frf, parameters.direction_factor);
     result.frequency_hz = least.frequency_hz;
-    if (!(least.real_mm_N < 0)) refuse(result, LT_TEXT("Engine", "nothing chatters: every speed is stable"));
+    if (!(least.real_mm_N < 0)) refuseSpeed(result, LT_TEXT("Engine", "nothing chatters: every speed is stable"));
     if (least.at_edge) result.notes.push_back({notes::minimumAtEdge, {{"frequency_hz", least.frequency_hz}}});
     result.k = lobeOf(least.frequency_hz, result.selected_rpm, parameters.relation);
     result.candidates = candidatesOf(frf, result, range);
     const int first = parameters.relation == SpeedRelation::Published ? 2 : 1;
     if (result.k < first)
-        refuse(result, LT_TEXT("Engine", "it lies above the last lobe, which has no upper neighbour"));
+        refuseSpeed(result, LT_TEXT("Engine", "it lies above the last lobe, which has no upper neighbour"));
     result.lobe_rpm = lobeEnds(least.frequency_hz, result.k, parameters.relation);
     const SpeedCandidate* best = nearest(result);
-    if (!best) refuse(result, LT_TEXT("Engine", "no candidate lies in the range of cutting speeds"));
+    if (!best) refuseSpeed(result, LT_TEXT("Engine", "no candidate lies in the range of cutting speeds"));
     if (parameters.rule == SpeedRule::Lobe) {
         const auto own = std::find_if(result.candidates.begin(), result.candidates.end(),
                                       [&](const SpeedCandidate& candidate) { return candidate.k == result.k; });

@@ -12,6 +12,7 @@
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
+#include "engine/core/units.h"
 #include "engine/stability/lobes.h"
 
 namespace lathelier::stability {
@@ -39,12 +40,12 @@ struct SpeedCandidate {
 };
 
 struct SpeedResult {
-    SpeedParameters parameters;  ///< as asked
-    double frequency_hz = 0;     ///< f_m: where Re G is least
-    double selected_rpm = 0;     ///< as asked, or from the cutting speed
-    double recommended_rpm = 0;  ///< instead of it
-    double recommended_cutting_speed_m_min = std::numeric_limits<double>::quiet_NaN();  ///< NaN without a diameter
-    int k = 0;                                                                          ///< lobe of the selected speed
+    SpeedParameters parameters;                           ///< as asked
+    double frequency_hz = 0;                              ///< f_m: where Re G is least
+    double selected_rpm = 0;                              ///< as asked, or from the cutting speed
+    double recommended_rpm = 0;                           ///< instead of it
+    double recommended_cutting_speed_m_min = notANumber;  ///< NaN without a diameter
+    int k = 0;                                            ///< lobe of the selected speed
     Interval lobe_rpm;                       ///< its ends: 60 f_m/k and 60 f_m/(k-1), or those of the pocket
     std::vector<SpeedCandidate> candidates;  ///< k ascending
     Notes notes;                             ///< fromAnotherLobe, minimumAtEdge

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/cells.h"
 
 namespace lathelier::stability {
@@ -14,7 +15,7 @@ constexpr std::size_t named = 3;  ///< pockets
 
 report::Axis speedAxis(const Interval& speed_rpm)
 {
-    report::Axis axis{LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "1/min")};
+    report::Axis axis{LT_TEXT("Engine", "Spindle speed"), unit::rpm};
     axis.range = speed_rpm;
     return axis;
 }
@@ -23,7 +24,7 @@ report::Axis depthAxis(const LobeResult& result)
 {
     report::Axis axis = result.isRelative()
                             ? report::Axis{LT_TEXT("Engine", "Depth of cut, in multiples of the least limit"), Text{}}
-                            : report::Axis{LT_TEXT("Engine", "Depth of cut"), LT_TEXT("Engine", "mm")};
+                            : report::Axis{LT_TEXT("Engine", "Depth of cut"), unit::mm};
     axis.range = Interval{0, shownDepth * result.minimum_depth_mm.value_or(1)};
     return axis;
 }
@@ -55,9 +56,9 @@ void addSpeed(report::Plot& plot, const SpeedResult& speed, bool has_point, cons
     const SpeedParameters& p = speed.parameters;
     if (p.range_m_min.empty() || !p.diameter_mm) return;
     const Interval& range = p.range_m_min.front();
-    const Interval rpm{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
-    plot.regions.push_back(report::stretch(LT_TEXT("Engine", "below the tool's range"), {-HUGE_VAL, rpm.from}));
-    plot.regions.push_back(report::stretch(LT_TEXT("Engine", "above the tool's range"), {rpm.to, HUGE_VAL}));
+    const Interval range_rpm{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
+    plot.regions.push_back(report::stretch(LT_TEXT("Engine", "below the tool's range"), {-HUGE_VAL, range_rpm.from}));
+    plot.regions.push_back(report::stretch(LT_TEXT("Engine", "above the tool's range"), {range_rpm.to, HUGE_VAL}));
 }
 
 }  // namespace
@@ -113,7 +114,7 @@ report::Plot chatterFrequencyPlot(const LobeResult& result)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Chatter frequency at the limit");
     plot.x = speedAxis(result.speed_rpm);
-    plot.y = {LT_TEXT("Engine", "Chatter frequency"), LT_TEXT("Engine", "Hz")};
+    plot.y = {LT_TEXT("Engine", "Chatter frequency"), unit::hz};
     plot.curves = {{{}, result.limit.speed_rpm, result.limit.frequency_hz}};
     // Neighbouring speeds of different lobes are not joined.
     for (std::size_t i = 1; i < result.limit.k.size(); ++i)

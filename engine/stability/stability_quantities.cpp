@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::stability {
 namespace {
-
-const Text rpm = LT_TEXT("Engine", "1/min");
 
 Json numbers(const std::vector<double>& values)
 {
@@ -22,7 +22,7 @@ const std::vector<QuantityOf<SpeedCandidate>>& quantitiesOf(const SpeedCandidate
     using C = SpeedCandidate;
     static const auto all =
         describedBy<C>(quantity<C>("k", &C::k, {LT_TEXT("Engine", "Lobe"), {}, 0}),
-                       quantity<C>("speed_rpm", &C::speed_rpm, {LT_TEXT("Engine", "Stable speed"), rpm, 0}),
+                       quantity<C>("speed_rpm", &C::speed_rpm, {LT_TEXT("Engine", "Stable speed"), unit::rpm, 0}),
                        quantity<C>("in_range", &C::in_range, {LT_TEXT("Engine", "In the tool's range"), {}, 0}));
     return all;
 }
@@ -32,16 +32,16 @@ const std::vector<QuantityOf<SpeedResult>>& quantitiesOf(const SpeedResult*)
     using R = SpeedResult;
     static const auto all = describedBy<R>(
         quantity<R>("frequency_hz", &R::frequency_hz,
-                    {LT_TEXT("Engine", "Frequency of the least real part"), LT_TEXT("Engine", "Hz"), 2}),
-        quantity<R>("selected_rpm", &R::selected_rpm, {LT_TEXT("Engine", "Selected speed"), rpm, 1}),
-        quantity<R>("recommended_rpm", &R::recommended_rpm, {LT_TEXT("Engine", "Recommended speed"), rpm, 1}),
+                    {LT_TEXT("Engine", "Frequency of the least real part"), unit::hz, 2}),
+        quantity<R>("selected_rpm", &R::selected_rpm, {LT_TEXT("Engine", "Selected speed"), unit::rpm, 1}),
+        quantity<R>("recommended_rpm", &R::recommended_rpm, {LT_TEXT("Engine", "Recommended speed"), unit::rpm, 1}),
         quantity<R>("recommended_cutting_speed_m_min", &R::recommended_cutting_speed_m_min,
-                    {LT_TEXT("Engine", "Its cutting speed"), LT_TEXT("Engine", "m/min"), 1}),
+                    {LT_TEXT("Engine", "Its cutting speed"), unit::m_min, 1}),
         quantity<R>("lobe.k", &R::k, {LT_TEXT("Engine", "Lobe of the selected speed"), {}, 0}),
         quantity<R>("lobe.low_rpm", [](const R& r) { return r.lobe_rpm.from; },
-                    {LT_TEXT("Engine", "Its lower end"), rpm, 1}),
+                    {LT_TEXT("Engine", "Its lower end"), unit::rpm, 1}),
         quantity<R>("lobe.high_rpm", [](const R& r) { return r.lobe_rpm.to; },
-                    {LT_TEXT("Engine", "Its upper end"), rpm, 1}),
+                    {LT_TEXT("Engine", "Its upper end"), unit::rpm, 1}),
         quantity<R>("candidates", [](const R& r) { return listed(r.candidates); }));
     return all;
 }
@@ -53,9 +53,9 @@ const std::vector<QuantityOf<LobeResult>>& quantitiesOf(const LobeResult*)
         quantity<R>("relation",
                     [](const R& r) { return r.parameters.relation == SpeedRelation::Exact ? "exact" : "published"; }),
         quantity<R>("minimum_depth_mm", [](const R& r) { return r.isRelative() ? std::nullopt : r.minimum_depth_mm; },
-                    {LT_TEXT("Engine", "Least limiting depth"), LT_TEXT("Engine", "mm"), 4}),
+                    {LT_TEXT("Engine", "Least limiting depth"), unit::mm, 4}),
         quantity<R>("frequency_of_minimum_hz", &R::frequency_of_minimum_hz,
-                    {LT_TEXT("Engine", "Its chatter frequency"), LT_TEXT("Engine", "Hz"), 2}));
+                    {LT_TEXT("Engine", "Its chatter frequency"), unit::hz, 2}));
     return all;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
@@ -63,7 +64,7 @@ report::Answer answer(const LobeResult& result, const Language& language)
         return answer;
     }
     answer.value = result.minimum_depth_mm;
-    answer.unit = LT_TEXT("Engine", "mm");
+    answer.unit = unit::mm;
     answer.sentence = LT_TEXT("Engine", "Chatter at {frequency} Hz · lobes in the range: {lobes}");
     return answer;
 }
@@ -74,7 +75,7 @@ report::Answer answer(const SpeedResult& result, const Language& language)
     answer.quantity = LT_TEXT("Engine", "Recommended spindle speed");
     answer.verdict_words = LT_TEXT("Engine", "recommended");
     answer.value = result.recommended_rpm;
-    answer.unit = LT_TEXT("Engine", "1/min");
+    answer.unit = unit::rpm;
     answer.decimals = 0;
     answer.sentence =
         std::isfinite(result.recommended_cutting_speed_m_min)

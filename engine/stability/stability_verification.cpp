@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/core/units.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/modes.h"
 #include "engine/stability/process_damping.h"
@@ -30,17 +31,17 @@ std::vector<Mode> threeModes()
     return {{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
 }
 
-template <VerifyKind (*check)()>
+template <VerifyKind (*verification)()>
 VerifyKind quick(const Progress&)
 {
-    return check();
+    return verification();
 }
 
 }  // namespace
 
 VerifyKind verifyLobeLimits()
 {
-    VerifyTally tally("lobe_limit", LT_TEXT("Engine", "Limits of the worked example"), LT_TEXT("Engine", "mm"), 1.1e-4);
+    VerifyTally tally("lobe_limit", LT_TEXT("Engine", "Limits of the worked example"), unit::mm, 1.1e-4);
     const std::array speeds{2600.0, 2800.0, 2885.0, 3250.0, 3444.0, 4200.0};
     const std::array exact{.5249, .3789, .3098, .6487, .6035, .7003};
     const std::array published{.9325, .3410, .4702, 1.2155, .3090, 1.4660};
@@ -98,8 +99,7 @@ VerifyKind verifyDampedLobes()
 
 VerifyKind verifyRecommendedSpeeds()
 {
-    VerifyTally tally("recommended_speed", LT_TEXT("Engine", "Speeds of the source papers"), LT_TEXT("Engine", "1/min"),
-                      1);
+    VerifyTally tally("recommended_speed", LT_TEXT("Engine", "Speeds of the source papers"), unit::rpm, 1);
     SpeedParameters a;
     a.diameter_mm = 32;
     a.cutting_speed_m_min = 290;

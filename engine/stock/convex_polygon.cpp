@@ -7,11 +7,6 @@
 namespace lathelier::stock {
 namespace {
 
-double cross(const Corner& a, const Corner& b)
-{
-    return a.z_mm * b.x_mm - a.x_mm * b.z_mm;
-}
-
 /// The part of a polygon to the left of the line through `at` along `direction`, which has length 1.
 ConvexPolygon leftOf(const ConvexPolygon& polygon, const Corner& at, const Corner& direction)
 {

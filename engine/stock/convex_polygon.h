@@ -28,6 +28,12 @@ inline Corner operator*(double factor, const Corner& a)
     return {factor * a.z_mm, factor * a.x_mm};
 }
 
+/// Twice the area of the triangle that both span: above 0 where `b` lies to the left of `a`.
+inline double cross(const Corner& a, const Corner& b)
+{
+    return a.z_mm * b.x_mm - a.x_mm * b.z_mm;
+}
+
 double length_mm(const Corner& displacement);
 
 /// Corners anticlockwise. Fewer than three: nothing. Corners on a straight edge are allowed.

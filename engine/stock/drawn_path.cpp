@@ -5,13 +5,13 @@
 #include <limits>
 #include <unordered_set>
 
+#include "engine/core/units.h"
 #include "engine/stock/stock_work.h"
 #include "engine/stock/tool_travel.h"
 
 namespace lathelier::stock {
 namespace {
 
-constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 constexpr double nearness_px = 0.5;
 constexpr std::size_t fewPieces = 20000;  ///< are drawn without a search for equal ones
 
@@ -51,13 +51,13 @@ private:
     std::unordered_set<std::uint64_t> seen_;
 };
 
-void append(report::Curve& curve, const Corner& from, const Corner& to)
+void appendPiece(report::Curve& curve, const Corner& from, const Corner& to)
 {
     const bool continues = !curve.x.empty() && curve.x.back() == from.z_mm && curve.y.back() == from.x_mm;
     if (!continues) {
         if (!curve.x.empty()) {
-            curve.x.push_back(gap);
-            curve.y.push_back(gap);
+            curve.x.push_back(notANumber);
+            curve.y.push_back(notANumber);
         }
         curve.x.push_back(from.z_mm);
         curve.y.push_back(from.x_mm);
@@ -151,7 +151,7 @@ std::vector<report::Curve> DrawnPath::curves(const PathWindow& window) const
         if (is_thinned && !is_end && is_near(last, corners_[i])) continue;
         if (overlaps(last.z_mm, corners_[i].z_mm, window.z_mm) && overlaps(last.x_mm, corners_[i].x_mm, window.x_mm) &&
             (!is_thinned || drawn.isNew(last, corners_[i])))
-            append(is_rapid_[i] ? rapid : feed, last, corners_[i]);
+            appendPiece(is_rapid_[i] ? rapid : feed, last, corners_[i]);
         last = corners_[i];
     }
     std::vector<report::Curve> both;

@@ -4,13 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::stock {
-namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
-constexpr double longest_mm = 1e5;
-
-}  // namespace
 
 ConvexPolygon regionOf(const ChuckBody& chuck, double stock_length_mm)
 {
@@ -49,10 +45,10 @@ const std::vector<Field<ChuckBody>>& fieldsOf(const ChuckBody*)
     static const auto all =
         described<C>(field("face_z_mm", &C::face_z_mm, {-longest_mm, longest_mm},
                            Label{LT_TEXT("Engine", "z of the chuck face"),
-                                 LT_TEXT("Engine", "From the free end; empty: the end of the stock."), mm}),
+                                 LT_TEXT("Engine", "From the free end; empty: the end of the stock."), unit::mm}),
                      field("radius_mm", &C::radius_mm, {0, longest_mm},
                            Label{LT_TEXT("Engine", "Radius of the jaws"),
-                                 LT_TEXT("Engine", "0: everything beyond the chuck face is the chuck."), mm}));
+                                 LT_TEXT("Engine", "0: everything beyond the chuck face is the chuck."), unit::mm}));
     return all;
 }
 
@@ -63,13 +59,13 @@ const std::vector<Field<TailstockBody>>& fieldsOf(const TailstockBody*)
         field("end_z_mm", &T::end_z_mm, {-longest_mm, longest_mm},
               Label{LT_TEXT("Engine", "z of the supported end"),
                     LT_TEXT("Engine", "Of the faced end that the centre stands in, from the free end of the stock."),
-                    mm}),
+                    unit::mm}),
         field("centre_hole_mm", &T::centre_hole_mm, {0, longest_mm},
-              Label{LT_TEXT("Engine", "Centre hole ⌀"), LT_TEXT("Engine", "Its largest diameter."), mm}),
+              Label{LT_TEXT("Engine", "Centre hole ⌀"), LT_TEXT("Engine", "Its largest diameter."), unit::mm}),
         field("cone_angle_deg", &T::cone_angle_deg, {1, 179},
-              Label{LT_TEXT("Engine", "Angle of the centre"), LT_TEXT("Engine", "Included."), LT_TEXT("Engine", "°")}),
+              Label{LT_TEXT("Engine", "Angle of the centre"), LT_TEXT("Engine", "Included."), unit::deg}),
         field("quill_diameter_mm", &T::quill_diameter_mm, {0, longest_mm},
-              Label{LT_TEXT("Engine", "Quill ⌀"), LT_TEXT("Engine", "Of the body behind the centre."), mm}));
+              Label{LT_TEXT("Engine", "Quill ⌀"), LT_TEXT("Engine", "Of the body behind the centre."), unit::mm}));
     return all;
 }
 

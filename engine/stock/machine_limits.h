@@ -13,6 +13,9 @@ namespace lathelier::stock {
 /// How far regions reach that end nowhere.
 inline constexpr double endless_mm = 1e6;
 
+/// The farthest place and the largest size that may be stated.
+inline constexpr double longest_mm = 1e5;
+
 /// The chuck with its jaws: everything beyond its face, up to a radius.
 struct ChuckBody {
     std::optional<double> face_z_mm;  ///< none: the end of the stock

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/gcode/toolpath_files.h"
 #include "engine/report/quantity_table.h"
 #include "engine/stock/stock_codes.h"
@@ -146,8 +147,8 @@ report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const
     }
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Path of the tool");
-    plot.x = {LT_TEXT("Engine", "z, from the program's zero toward the chuck"), LT_TEXT("Engine", "mm")};
-    plot.y = {LT_TEXT("Engine", "Radius"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "z, from the program's zero toward the chuck"), unit::mm};
+    plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
     plot.curves = check.drawn.curves(parts.window);
     return plot;
 }

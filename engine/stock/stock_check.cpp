@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/stock/move_findings.h"
 #include "engine/stock/stock_codes.h"
 #include "engine/stock/stock_work.h"
@@ -14,8 +15,7 @@ namespace {
 
 constexpr std::size_t mostNotes = 50;     ///< of one kind
 constexpr double longestStrokes = 20000;  ///< steps of one straight move
-constexpr double onAxis_mm = 1e-6;
-constexpr std::size_t reportEvery = 64;  ///< moves
+constexpr std::size_t reportEvery = 64;   ///< moves
 
 /// A straight way of the tip.
 struct Leg {
@@ -69,7 +69,7 @@ private:
         if (!travel.has_start && starts_unknown_++ == 0) first_unknown_line_ = travel.line;
         if (travel.is_rapid || travel.tool != pass_tool_) finishPass();
         pass_tool_ = travel.tool;
-        const bool is_on_axis = std::abs(from.x_mm) < onAxis_mm && std::abs(to.x_mm) < onAxis_mm;
+        const bool is_on_axis = std::abs(from.x_mm) < same_mm && std::abs(to.x_mm) < same_mm;
         if (is_on_axis && !tool.is_stated) {
             if (!travel.is_rapid && !is_drilling_noted_)
                 result_.notes.push_back(
@@ -225,7 +225,7 @@ private:
     void noteAirCut(const MountedTool& tool, const ToolTravel& travel)
     {
         const Corner from = travel.corners.front(), to = travel.corners.back();
-        if (to.x_mm > from.x_mm + onAxis_mm) return;  // a retract
+        if (to.x_mm > from.x_mm + same_mm) return;  // a retract
         const double a_mm = std::clamp(from.z_mm, 0.0, stock_.length_mm());
         const double b_mm = std::clamp(to.z_mm, 0.0, stock_.length_mm());
         if (std::abs(b_mm - a_mm) < airCut_mm) return;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "engine/core/units.h"
 
 namespace lathelier::stock {
 namespace {
@@ -143,11 +144,6 @@ double squaredDistance(const Corner& point, const Corner& a, const Corner& b)
     return squaredLength(beside - std::clamp(share, 0.0, 1.0) * along);
 }
 
-double cross(const Corner& a, const Corner& b)
-{
-    return a.z_mm * b.x_mm - a.x_mm * b.z_mm;
-}
-
 /// Leaves out corners in one pass: from the last one kept, all that follow are seen within a wedge that each narrows to
 /// the directions that pass it within the tolerance (J. Sklansky, V. Gonzalez, "Fast polygonal approximation of
 /// digitized curves", 1980). O(corners), while halving costs their square where it splits off few.
@@ -216,8 +212,8 @@ StockOutline outlineOf(const MeridianStock& stock, double tolerance_mm)
     StockOutline outline;
     for (const std::vector<Corner>& loop : Boundary(stock).loops()) {
         if (!outline.z_mm.empty()) {
-            outline.z_mm.push_back(std::numeric_limits<double>::quiet_NaN());
-            outline.x_mm.push_back(std::numeric_limits<double>::quiet_NaN());
+            outline.z_mm.push_back(notANumber);
+            outline.x_mm.push_back(notANumber);
         }
         for (const Corner& corner : simplified(loop, tolerance_mm)) {
             outline.z_mm.push_back(corner.z_mm);

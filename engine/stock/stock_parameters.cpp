@@ -1,10 +1,9 @@
 #include "engine/stock/stock_check.h"
 
+#include "engine/core/units.h"
+
 namespace lathelier::stock {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm"), m_min = LT_TEXT("Engine", "m/min");
-constexpr double longest_mm = 1e5;
 
 Label folded(Text name, Text help, Text unit = {})
 {
@@ -21,7 +20,8 @@ const std::vector<Field<StockParameters>>& fieldsOf(const StockParameters*)
     static const auto all = described<P>(
         field("z_zero_mm", &P::z_zero_mm, {-longest_mm, longest_mm},
               Label{LT_TEXT("Engine", "z of the program's zero"),
-                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."), mm}),
+                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."),
+                    unit::mm}),
         rows("tools", &P::tools, {0, 1000},
              Label{LT_TEXT("Engine", "Tools"), LT_TEXT("Engine", "By the numbers of the program.")}),
         group("chuck", &P::chuck,
@@ -33,17 +33,19 @@ const std::vector<Field<StockParameters>>& fieldsOf(const StockParameters*)
                     LT_TEXT("Engine", "Test the path of a control that moves each axis at its own rate, too.")}),
         field("rapid_x_m_min", &P::rapid_x_m_min, {0.001, 1000},
               folded(LT_TEXT("Engine", "Rapid rate along x"),
-                     LT_TEXT("Engine", "Of the slide, on radius; the ratio of both rates shapes the dog-leg."), m_min)),
+                     LT_TEXT("Engine", "Of the slide, on radius; the ratio of both rates shapes the dog-leg."),
+                     unit::m_min)),
         field("rapid_z_m_min", &P::rapid_z_m_min, {0.001, 1000},
-              folded(LT_TEXT("Engine", "Rapid rate along z"), LT_TEXT("Engine", "Of the slide."), m_min)),
+              folded(LT_TEXT("Engine", "Rapid rate along z"), LT_TEXT("Engine", "Of the slide."), unit::m_min)),
         field("stock_step_mm", &P::step_mm, {1e-3, 10},
               folded(LT_TEXT("Engine", "Column of stock"),
-                     LT_TEXT("Engine", "Width along z; wider where stock or program are long."), mm)),
+                     LT_TEXT("Engine", "Width along z; wider where stock or program are long."), unit::mm)),
         field("feed_step_mm", &P::feed_step_mm, {1e-2, 100},
               folded(LT_TEXT("Engine", "Step of a feed move"),
-                     LT_TEXT("Engine", "Longest step between two tests of the holder."), mm)),
-        field("touch_mm", &P::touch_mm, {0, 1},
-              folded(LT_TEXT("Engine", "Touching"), LT_TEXT("Engine", "What meets no deeper is no finding."), mm)));
+                     LT_TEXT("Engine", "Longest step between two tests of the holder."), unit::mm)),
+        field(
+            "touch_mm", &P::touch_mm, {0, 1},
+            folded(LT_TEXT("Engine", "Touching"), LT_TEXT("Engine", "What meets no deeper is no finding."), unit::mm)));
     return all;
 }
 

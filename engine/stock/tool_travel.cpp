@@ -18,8 +18,8 @@ bool isPlace(double z_mm, double x_mm)
 
 /// Chords of an arc without its start. Where start and end differ in their distance from the centre, the radius runs
 /// over evenly.
-void appendArc(const Corner& from, const Corner& to, const Corner& centre, bool clockwise, double chord_mm,
-               std::vector<Corner>& corners)
+void appendPathArc(const Corner& from, const Corner& to, const Corner& centre, bool clockwise, double chord_mm,
+                   std::vector<Corner>& corners)
 {
     const double first_mm = length_mm(from - centre), last_mm = length_mm(to - centre);
     const double begin = std::atan2(from.x_mm - centre.x_mm, from.z_mm - centre.z_mm);
@@ -61,7 +61,7 @@ void TipFollower::take(const gcode::Move& move, double chord_mm, ToolTravel& tra
     const bool is_arc = move.kind == MoveKind::Arc && is_known_ && isPlace(centre.z_mm, centre.x_mm);
     // Z and z run in opposite directions, so what is clockwise in one plane is not in the other.
     if (is_arc)
-        appendArc(at_, end, centre, !move.clockwise, chord_mm, travel.corners);
+        appendPathArc(at_, end, centre, !move.clockwise, chord_mm, travel.corners);
     else
         travel.corners.push_back(end);
     at_ = end;

@@ -4,15 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/stock/stock_codes.h"
 
 namespace lathelier::stock {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double quarter = std::numbers::pi / 2;
+constexpr double quarterTurn_rad = std::numbers::pi / 2;
 constexpr double shankLength_mm = 100;
-const Text mm = LT_TEXT("Engine", "mm"), deg = LT_TEXT("Engine", "°");
 
 Corner unit(double angle)
 {
@@ -34,17 +33,17 @@ private:
 };
 
 /// Corners of a polygon within an arc, from angle to angle, and at the multiples of 90° between.
-void appendArc(std::vector<Corner>& corners, const Corner& centre, double radius_mm, double from, double to)
+void appendCornerArc(std::vector<Corner>& corners, const Corner& centre, double radius_mm, double from, double to)
 {
     if (!(radius_mm > 0)) {
         corners.push_back(centre);
         return;
     }
-    const double widest = radius_mm > noseChord_mm ? 2 * std::acos(1 - noseChord_mm / radius_mm) : quarter;
+    const double widest = radius_mm > noseChord_mm ? 2 * std::acos(1 - noseChord_mm / radius_mm) : quarterTurn_rad;
     double begin = from;
     corners.push_back(centre + radius_mm * unit(from));
     while (begin < to) {
-        const double next = std::min(to, (std::floor(begin / quarter + 1e-9) + 1) * quarter);
+        const double next = std::min(to, (std::floor(begin / quarterTurn_rad + 1e-9) + 1) * quarterTurn_rad);
         const int parts = std::max(1, static_cast<int>(std::ceil((next - begin) / widest)));
         for (int i = 1; i <= parts; ++i)
             corners.push_back(centre + radius_mm * unit(begin + (next - begin) * i / parts));
@@ -67,7 +66,7 @@ ConvexPolygon rhombus(double radius_mm, double main, double back, double edge_mm
     const Corner apex = -radius_mm / std::sin(tip / 2) * unit(main + tip / 2);
     std::vector<Corner> corners{apex + edge_mm * unit(main), apex + edge_mm * unit(back),
                                 apex + edge_mm * unit(main) + edge_mm * unit(back)};
-    appendArc(corners, {}, radius_mm, back + quarter, main + 3 * quarter);
+    appendCornerArc(corners, {}, radius_mm, back + quarterTurn_rad, main + 3 * quarterTurn_rad);
     return hullOf(std::move(corners));
 }
 
@@ -82,20 +81,20 @@ ConvexPolygon insertOf(const TurningTool& tool, Stated& stated, ToolOutline& use
     const double entering_deg =
         is_straight ? 90 - tip_deg / 2 : stated(tool.entering_angle_deg, assumedEnteringAngle_deg);
     const bool is_possible = entering_deg > 0 && tip_deg > 0 && entering_deg + tip_deg < 180 && radius_mm >= 0 &&
-                             edge_mm * std::tan(tip_deg / 2 * degree) > radius_mm;
+                             edge_mm * std::tan(tip_deg / 2 * rad_per_deg) > radius_mm;
     if (!is_possible) refuse(tool, entering_deg, tip_deg, radius_mm);
     used.corner_radius_mm = radius_mm;
     used.entering_angle_deg = entering_deg;
     used.tip_angle_deg = tip_deg;
     used.edge_length_mm = edge_mm;
-    return rhombus(radius_mm, entering_deg * degree, (entering_deg + tip_deg) * degree, edge_mm);
+    return rhombus(radius_mm, entering_deg * rad_per_deg, (entering_deg + tip_deg) * rad_per_deg, edge_mm);
 }
 
 ConvexPolygon discOf(const TurningTool& tool, Stated& stated, ToolOutline& used)
 {
     used.corner_radius_mm = stated(tool.corner_radius_mm, assumedCornerRadius_mm);
     std::vector<Corner> corners;
-    appendArc(corners, {}, used.corner_radius_mm, 0, 4 * quarter);
+    appendCornerArc(corners, {}, used.corner_radius_mm, 0, 4 * quarterTurn_rad);
     return hullOf(std::move(corners));
 }
 
@@ -110,8 +109,8 @@ ConvexPolygon bladeOf(const TurningTool& tool, Stated& stated, ToolOutline& used
     used.corner_radius_mm = radius_mm;
     used.edge_length_mm = reach_mm;
     std::vector<Corner> corners{{0, reach_mm}, {-width_mm, reach_mm}};
-    appendArc(corners, {radius_mm - width_mm, radius_mm}, radius_mm, 2 * quarter, 3 * quarter);
-    appendArc(corners, {-radius_mm, radius_mm}, radius_mm, 3 * quarter, 4 * quarter);
+    appendCornerArc(corners, {radius_mm - width_mm, radius_mm}, radius_mm, 2 * quarterTurn_rad, 3 * quarterTurn_rad);
+    appendCornerArc(corners, {-radius_mm, radius_mm}, radius_mm, 3 * quarterTurn_rad, 4 * quarterTurn_rad);
     return hullOf(std::move(corners));
 }
 
@@ -122,7 +121,7 @@ ConvexPolygon drillOf(const TurningTool& tool, Stated& stated, ToolOutline& used
     const double point_deg = stated(tool.tip_angle_deg, assumedPointAngle_deg);
     const double length_mm = stated(tool.edge_length_mm, assumedReach_mm);
     if (!(radius_mm > 0 && point_deg > 0 && point_deg <= 180)) refuse(tool, 0, point_deg, radius_mm);
-    const double cone_mm = radius_mm / std::tan(point_deg / 2 * degree);
+    const double cone_mm = radius_mm / std::tan(point_deg / 2 * rad_per_deg);
     if (!(length_mm > cone_mm)) refuse(tool, 0, point_deg, radius_mm);
     used.tip_angle_deg = point_deg;
     used.edge_length_mm = length_mm;
@@ -216,9 +215,9 @@ const std::vector<Field<HolderCorner>>& fieldsOf(const HolderCorner*)
     using H = HolderCorner;
     static const auto all = described<H>(
         field("dz_mm", &H::dz_mm, {-1e4, 1e4},
-              Label{LT_TEXT("Engine", "From the tip along z"), LT_TEXT("Engine", "Toward the chuck."), mm}),
+              Label{LT_TEXT("Engine", "From the tip along z"), LT_TEXT("Engine", "Toward the chuck."), unit::mm}),
         field("dx_mm", &H::dx_mm, {-1e4, 1e4},
-              Label{LT_TEXT("Engine", "From the tip along x"), LT_TEXT("Engine", "Away from the axis."), mm}));
+              Label{LT_TEXT("Engine", "From the tip along x"), LT_TEXT("Engine", "Away from the axis."), unit::mm}));
     return all;
 }
 
@@ -241,21 +240,22 @@ const std::vector<Field<TurningTool>>& fieldsOf(const TurningTool*)
                             "Where the imaginary tip lies seen from the nose centre, as Fanuc counts: 3 towards the "
                             "axis and the chuck.")}),
         field("corner_radius_mm", &T::corner_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the corner that cuts."), mm}),
+              Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the corner that cuts."), unit::mm}),
         field("entering_angle_deg", &T::entering_angle_deg, {1, 178},
               Label{LT_TEXT("Engine", "Entering angle"),
-                    LT_TEXT("Engine", "Between main edge and feed: 90° less the lead angle."), deg}),
+                    LT_TEXT("Engine", "Between main edge and feed: 90° less the lead angle."), unit::deg}),
         field("tip_angle_deg", &T::tip_angle_deg, {1, 180},
               Label{LT_TEXT("Engine", "Tip angle"),
-                    LT_TEXT("Engine", "Between both edges: C 80°, D 55°, V 35°; of a drill, its point."), deg}),
+                    LT_TEXT("Engine", "Between both edges: C 80°, D 55°, V 35°; of a drill, its point."), unit::deg}),
         field("edge_length_mm", &T::edge_length_mm, {0.01, 1000},
               Label{LT_TEXT("Engine", "Length of the edge"),
-                    LT_TEXT("Engine", "Of an insert; the reach of a blade, the length of a drill."), mm}),
+                    LT_TEXT("Engine", "Of an insert; the reach of a blade, the length of a drill."), unit::mm}),
         field("width_mm", &T::width_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "Of a blade; the diameter of a drill."), mm}),
-        field("shank_width_mm", &T::shank_width_mm, {0, 500},
-              Label{LT_TEXT("Engine", "Width of the shank"),
-                    LT_TEXT("Engine", "A shank across the axis behind the insert; empty: the insert alone."), mm}),
+              Label{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "Of a blade; the diameter of a drill."), unit::mm}),
+        field(
+            "shank_width_mm", &T::shank_width_mm, {0, 500},
+            Label{LT_TEXT("Engine", "Width of the shank"),
+                  LT_TEXT("Engine", "A shank across the axis behind the insert; empty: the insert alone."), unit::mm}),
         rows("holder", &T::holder, {0, 1000},
              Label{LT_TEXT("Engine", "Holder"),
                    LT_TEXT("Engine", "Corners from the tip; their convex hull must not meet stock.")}),

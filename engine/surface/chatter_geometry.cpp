@@ -6,7 +6,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

@@ -14,7 +14,7 @@ constexpr double supporting =
 constexpr int mostOrders = 4;  // of the feed, to either side, where lines of the lattice are looked for
 constexpr int mostMultiples = 3;
 constexpr int aliases = 150;  // harmonics of the feed that pixels fold back
-constexpr double leastPeriods = 4;
+constexpr double leastShownPeriods = 4;
 
 /// Is it a harmonic of the feed marks, or one that the pixels have folded back? Those fall as 1/j.
 bool belongsToFeed(const WindowedPicture& picture, const FeedComb& feed, Vector frequency, double amplitude)
@@ -47,7 +47,7 @@ bool isImageOfFeed(const WindowedPicture& picture, const FeedComb& feed, Vector 
 bool isShown(const WindowedPicture& picture, Vector frequency)
 {
     return std::abs(frequency.x) < 0.48 && std::abs(frequency.y) < 0.48 &&
-           picture.binsBetween(frequency, {}) >= leastPeriods;
+           picture.binsBetween(frequency, {}) >= leastShownPeriods;
 }
 
 /// The lines of a lattice that exceed `supporting` and stand where they should, within a bin. Where two of them cannot

@@ -9,7 +9,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double leastNu = 5e-4;    // standard uncertainty that irregular tracks leave
 constexpr double certainWaves = 2;  // across the picture: fewer do not settle m…
 constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m comes out near a whole number

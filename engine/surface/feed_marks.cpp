@@ -8,8 +8,8 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr int combLines = 5;
-constexpr std::size_t mostCandidates = 12;
+constexpr int combHarmonics = 5;
+constexpr std::size_t mostTriedCombs = 12;
 
 constexpr double merged_bins = 1.6;  // lines closer than this fall together under the window
 constexpr std::size_t pairedPeaks = 12;
@@ -54,7 +54,7 @@ FeedComb combOf(const WindowedPicture& picture, Vector frequency, double signifi
 {
     FeedComb comb{frequency, significance, picture.amplitudeAt(frequency), 0};
     comb.comb = comb.amplitude;
-    for (int j = 2; j <= combLines; ++j) {
+    for (int j = 2; j <= combHarmonics; ++j) {
         const Vector line = double(j) * frequency;
         if (std::abs(line.x) >= 0.5 || std::abs(line.y) >= 0.5) break;
         comb.comb += picture.amplitudeAt(line);
@@ -109,7 +109,7 @@ std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vect
     for (const SpectralPeak& peak : peaks) {  // largest first
         const double radius = length(peak.frequency);
         if (expected && std::abs(radius / *expected - 1) > tolerance + 0.5 / picture.columns() / *expected) continue;
-        if (++tried > mostCandidates) break;
+        if (++tried > mostTriedCombs) break;
         const Vector frequency = picture.refined(peak.frequency);
         if (expected && std::abs(length(frequency) / *expected - 1) > tolerance) continue;
         const FeedComb comb = combOf(picture, frequency, peak.significance);
@@ -128,7 +128,7 @@ std::optional<FeedComb> feedCombAlong(const WindowedPicture& picture, const std:
     for (const SpectralPeak& peak : peaks) {  // largest first
         const double off_deg = angleModulo180(angle_deg(peak.frequency) - direction_deg);
         if (std::abs(off_deg) > directionTolerance_deg) continue;
-        if (++tried > mostCandidates) break;
+        if (++tried > mostTriedCombs) break;
         const FeedComb comb = combOf(picture, picture.refined(peak.frequency), peak.significance);
         const double off = angleModulo180(angle_deg(comb.frequency) - direction_deg) / usual_deg;
         const double score = comb.comb * std::exp(-0.5 * off * off);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 
+#include "engine/surface/picture_kernel.h"
 #include "engine/surface/surface_codes.h"
 
 namespace lathelier::surface {
@@ -26,7 +26,7 @@ double direction_deg(const ImageMarks& image)
 }
 
 /// Width and height of the largest rectangle of the common size's proportion that a turned view still fills, roughly.
-cv::Size2d shown(const ImageMarks& image, double scale)
+Vector shown(const ImageMarks& image, double scale)
 {
     const double angle = std::abs(direction_deg(image)) * std::numbers::pi / 180;
     const double zoom = scaleOf(image, scale > 0) / (scale > 0 ? scale : 1);
@@ -35,33 +35,24 @@ cv::Size2d shown(const ImageMarks& image, double scale)
     return {std::max(width * c - height * s, 0.5 * width), std::max(height * c - width * s, 0.5 * height)};
 }
 
-Grid brought(const ImageMarks& image, double scale, const cv::Size& size, Vector shift)
+Grid brought(const ImageMarks& image, double scale, int columns, int rows, Vector shift)
 {
     const double zoom = scaleOf(image, scale > 0) / (scale > 0 ? scale : 1);
     const double angle = -direction_deg(image) * std::numbers::pi / 180;
     const Grid& flat = image.view.flat;
     const double c = zoom * std::cos(angle), s = zoom * std::sin(angle);
     const double cx = 0.5 * (flat.columns - 1), cy = 0.5 * (flat.rows - 1);
-    const cv::Matx23d move(c, -s, 0.5 * (size.width - 1) - c * cx + s * cy - shift.x, s, c,
-                           0.5 * (size.height - 1) - s * cx - c * cy - shift.y);
-    Grid result(size.width, size.height);
-    cv::Mat out(size.height, size.width, CV_32F, result.values.data());
-    cv::warpAffine(cv::Mat(flat.rows, flat.columns, CV_32F, const_cast<float*>(flat.values.data())), out, move, size,
-                   cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);
-    return result;
+    const AffineMap move{c, -s, 0.5 * (columns - 1) - c * cx + s * cy - shift.x,
+                         s, c,  0.5 * (rows - 1) - s * cx - c * cy - shift.y};
+    return pictureKernel().moved(flat, move, columns, rows, Interpolation::Linear);
 }
 
 /// Where the second picture lies against the first, with the response.
 Vector shiftBetween(const Grid& first, const Grid& second, double& response)
 {
-    const auto view = [](const Grid& grid) {
-        return cv::Mat(grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data()));
-    };
-    cv::Mat window;
-    cv::createHanningWindow(window, {first.columns, first.rows}, CV_32F);
-    const cv::Point2d shift = cv::phaseCorrelate(view(first), view(second), window, &response);
+    const Vector shift = pictureKernel().shift(first, second, response);
     response = std::isfinite(response) ? std::clamp(response, 0.0, 1.0) : 0;
-    return {shift.x, shift.y};
+    return shift;
 }
 
 }  // namespace
@@ -74,14 +65,14 @@ AlignedPictures aligned(const std::vector<ImageMarks>& images, Vector shift)
         for (const ImageMarks& image : images) result.mm_per_px = std::max(result.mm_per_px, scaleOf(image, true));
     double width = mostShared_px, height = mostShared_px;
     for (const ImageMarks& image : images) {
-        const cv::Size2d size = shown(image, result.mm_per_px);
-        width = std::min(width, size.width);
-        height = std::min(height, size.height);
+        const Vector size = shown(image, result.mm_per_px);
+        width = std::min(width, size.x);
+        height = std::min(height, size.y);
     }
-    const cv::Size size(std::max(leastShared_px, static_cast<int>(width)),
-                        std::max(leastShared_px, static_cast<int>(height)));
+    const int columns = std::max(leastShared_px, static_cast<int>(width));
+    const int rows = std::max(leastShared_px, static_cast<int>(height));
     for (std::size_t i = 0; i < images.size(); ++i)
-        result.pictures.push_back(brought(images[i], result.mm_per_px, size, i == 1 ? shift : Vector{}));
+        result.pictures.push_back(brought(images[i], result.mm_per_px, columns, rows, i == 1 ? shift : Vector{}));
     return result;
 }
 

@@ -51,7 +51,7 @@ Weight weightOf(const PowerSpectrum& spectrum, const std::vector<Vector>& lines)
             all > 0 ? std::min(1.0, family / all) : 0};
 }
 
-std::vector<Vector> combLines(const FeedComb& feed)
+std::vector<Vector> linesOfComb(const FeedComb& feed)
 {
     std::vector<Vector> lines;
     for (int j = 1; std::abs(j * feed.frequency.x) < 0.5 && std::abs(j * feed.frequency.y) < 0.5 && j <= 10; ++j)
@@ -59,7 +59,7 @@ std::vector<Vector> combLines(const FeedComb& feed)
     return lines;
 }
 
-std::vector<Vector> latticeLines(const ChatterLattice& lattice)
+std::vector<Vector> linesOfLattice(const ChatterLattice& lattice)
 {
     std::vector<Vector> lines;
     for (const LatticeLine& line : lattice.lines) lines.push_back(line.frequency);
@@ -114,11 +114,11 @@ PictureLines findLines(const Grid& flat, const LineSearch& search, const Progres
         std::max(search.least_chatter * found.feed->amplitude,
                  2 * std::sqrt(found.threshold * significance.typicalLevel(length(found.feed->frequency))) /
                      picture.windowSum());
-    found.feed_weight = weightOf(found.spectrum, combLines(*found.feed));
+    found.feed_weight = weightOf(found.spectrum, linesOfComb(*found.feed));
     found.chatter = chatterLattice(picture, significance, *found.feed, further,
                                    {found.threshold, search.least_chatter, search.old_grid});
     if (found.chatter) found.feed->frequency = found.chatter->feed;
-    if (found.chatter) found.chatter_weight = weightOf(found.spectrum, latticeLines(*found.chatter));
+    if (found.chatter) found.chatter_weight = weightOf(found.spectrum, linesOfLattice(*found.chatter));
     progress.report(1);
     return found;
 }

@@ -1,60 +1,23 @@
 #include "engine/surface/preparation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
+
+#include "engine/surface/picture_kernel.h"
 
 namespace lathelier::surface {
-namespace {
-
-cv::Mat viewOf(const Grid& grid)
-{
-    return {grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data())};
-}
-
-/// A Gaussian mean of any width in the time of a narrow one: on means of blocks, interpolated back.
-cv::Mat wideMean(const cv::Mat& picture, double sigma)
-{
-    const double factor = std::max(1.0, std::floor(sigma / 6));
-    cv::Mat small, mean;
-    const cv::Size size(std::max(2, static_cast<int>(std::lround(picture.cols / factor))),
-                        std::max(2, static_cast<int>(std::lround(picture.rows / factor))));
-    cv::resize(picture, small, size, 0, 0, cv::INTER_AREA);
-    cv::GaussianBlur(small, small, {}, sigma / factor, sigma / factor, cv::BORDER_REFLECT);
-    cv::resize(small, mean, picture.size(), 0, 0, cv::INTER_LINEAR);
-    return mean;
-}
-
-}  // namespace
 
 Grid reduced(const GridView& picture, double factor)
 {
-    Grid small(std::max(1, static_cast<int>(std::lround(picture.columns / factor))),
-               std::max(1, static_cast<int>(std::lround(picture.rows / factor))));
-    cv::Mat out = viewOf(small);
-    const cv::Mat source(picture.rows, picture.columns, CV_32F, const_cast<float*>(picture.first),
-                         static_cast<std::size_t>(picture.stride) * sizeof(float));
-    cv::resize(source, out, out.size(), 0, 0, cv::INTER_AREA);
-    return small;
+    return pictureKernel().resized(picture, std::max(1, static_cast<int>(std::lround(picture.columns / factor))),
+                                   std::max(1, static_cast<int>(std::lround(picture.rows / factor))));
 }
 
 Grid flattened(const Grid& picture, const Progress& progress)
 {
-    const double sigma = std::min(picture.columns, picture.rows) / 8.0;
-    const cv::Mat source = viewOf(picture);
-    constexpr double darkest = 1e-4;  // of full scale: no division by black
-    Grid result(picture.columns, picture.rows);
-    cv::Mat flat = viewOf(result);
-    cv::Mat ratio;
-    cv::divide(source, cv::max(wideMean(source, sigma), darkest), ratio);
-    cv::subtract(ratio, 1.0, flat);
-    progress.report(0.5);
-    cv::Mat spread;
-    cv::sqrt(cv::max(wideMean(flat.mul(flat), 2 * sigma), 1e-12), spread);
-    cv::divide(flat, spread, flat);
-    progress.report(1);
-    return result;
+    return pictureKernel().flattened(picture, progress);
 }
 
 Grid unrolled(const Grid& picture, const Cylinder& cylinder)
@@ -92,20 +55,17 @@ Grid unrolled(const Grid& picture, const Cylinder& cylinder)
     const double from_phi = low < 0 ? angleWithin(low) : 0, to_phi = high > 0 ? angleWithin(high) : 0;
     const int rows = std::max(1, static_cast<int>(std::floor((to_phi - from_phi) * radius)) + 1);
     const int columns = std::max(1, static_cast<int>(std::floor(right - left)) + 1);
-    cv::Mat map(rows, columns, CV_32FC2);
+    std::vector<std::array<float, 2>> map;
+    map.reserve(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
     for (int row = 0; row < rows; ++row) {
         const double phi = from_phi + row / radius;
         const double v = seen(phi), scale = shrink(phi);
-        auto* line = map.ptr<cv::Vec2f>(row);
         for (int column = 0; column < columns; ++column) {
             const Vector place = cylinder.axis_point + scale * (left + column) * along + v * across;
-            line[column] = {static_cast<float>(place.x), static_cast<float>(place.y)};
+            map.push_back({static_cast<float>(place.x), static_cast<float>(place.y)});
         }
     }
-    Grid result(columns, rows);
-    cv::Mat out = viewOf(result);
-    cv::remap(viewOf(picture), out, map, cv::noArray(), cv::INTER_LANCZOS4, cv::BORDER_REPLICATE);
-    return result;
+    return pictureKernel().remapped(picture, map, columns, rows);
 }
 
 }  // namespace lathelier::surface

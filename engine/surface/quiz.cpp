@@ -7,7 +7,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double tolerance = 0.1;  // of n
+constexpr double quizTolerance = 0.1;  // of n
 constexpr int mostWavesOff = 4;
 
 /// A value between two ends, on a step.
@@ -41,7 +41,7 @@ SyntheticParameters quizPicture(int number, const SyntheticParameters& frame)
 QuizAnswer checkedAnswer(double frequency_hz, const SyntheticParameters& picture)
 {
     const double n = picture.speed_rpm / 60, f = picture.frequency_hz;
-    const auto is = [&](double wanted) { return std::abs(frequency_hz - wanted) <= tolerance * n; };
+    const auto is = [&](double wanted) { return std::abs(frequency_hz - wanted) <= quizTolerance * n; };
     if (is(f)) return {QuizVerdict::Right};
     const Waves waves = wavesPerRevolution(f, picture.speed_rpm);
     if (is(n * (waves.m - waves.nu))) return {QuizVerdict::OtherSign};

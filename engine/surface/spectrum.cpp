@@ -4,23 +4,24 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
+
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
+#include "engine/surface/picture_kernel.h"
 
 namespace lathelier::surface {
 namespace {
 
-constexpr double twoPi = 2 * std::numbers::pi;
-
-struct Waves {
+struct WaveSamples {
     std::vector<float> cosine, sine;
 };
 
-Waves wavesOf(double frequency, int count)
+WaveSamples wavesOf(double frequency, int count)
 {
-    Waves waves{std::vector<float>(static_cast<std::size_t>(count)),
-                std::vector<float>(static_cast<std::size_t>(count))};
+    WaveSamples waves{std::vector<float>(static_cast<std::size_t>(count)),
+                      std::vector<float>(static_cast<std::size_t>(count))};
     for (std::size_t i = 0; i < waves.cosine.size(); ++i) {
-        const double phase = twoPi * frequency * static_cast<double>(i);
+        const double phase = turn_rad * frequency * static_cast<double>(i);
         waves.cosine[i] = static_cast<float>(std::cos(phase));
         waves.sine[i] = static_cast<float>(std::sin(phase));
     }
@@ -28,7 +29,7 @@ Waves wavesOf(double frequency, int count)
 }
 
 /// Sums in eight lanes, which the compiler may take side by side, always in the same order.
-double product(const float* a, const float* b, std::size_t count)
+double dotProduct(const float* a, const float* b, std::size_t count)
 {
     constexpr std::size_t lanes = 8;
     std::array<float, lanes> sums{};
@@ -44,12 +45,12 @@ double product(const float* a, const float* b, std::size_t count)
 /// The transform along x of every row.
 std::vector<std::complex<double>> alongRows(const Grid& grid, double fx)
 {
-    const Waves waves = wavesOf(fx, grid.columns);
+    const WaveSamples waves = wavesOf(fx, grid.columns);
     std::vector<std::complex<double>> sums(static_cast<std::size_t>(grid.rows));
     const auto count = static_cast<std::size_t>(grid.columns);
     for (int y = 0; y < grid.rows; ++y)
-        sums[static_cast<std::size_t>(y)] = {product(grid.row(y), waves.cosine.data(), count),
-                                             -product(grid.row(y), waves.sine.data(), count)};
+        sums[static_cast<std::size_t>(y)] = {dotProduct(grid.row(y), waves.cosine.data(), count),
+                                             -dotProduct(grid.row(y), waves.sine.data(), count)};
     return sums;
 }
 
@@ -57,7 +58,7 @@ std::complex<double> alongColumn(const std::vector<std::complex<double>>& sums, 
 {
     std::complex<double> total = 0;
     for (std::size_t y = 0; y < sums.size(); ++y)
-        total += sums[y] * std::polar(1.0, -twoPi * fy * static_cast<double>(y));
+        total += sums[y] * std::polar(1.0, -turn_rad * fy * static_cast<double>(y));
     return total;
 }
 
@@ -73,7 +74,7 @@ std::vector<double> hann(int count)
 {
     std::vector<double> window(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
-        window[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(twoPi * (i + 0.5) / count);
+        window[static_cast<std::size_t>(i)] = 0.5 - 0.5 * std::cos(turn_rad * (i + 0.5) / count);
     return window;
 }
 
@@ -166,33 +167,23 @@ Vector PowerSpectrum::frequencyOf(int column, int row) const
 PowerSpectrum powerSpectrum(const WindowedPicture& picture, double turn_deg)
 {
     const Grid& grid = picture.values();
-    const cv::Mat source(grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data()));
     const double angle = turn_deg * std::numbers::pi / 180;
     const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
     // room for the whole turned picture, which its window has brought to zero at its edges
-    const int columns = cv::getOptimalDFTSize(static_cast<int>(std::ceil(grid.columns * c + grid.rows * s - 1e-6)));
-    const int rows = cv::getOptimalDFTSize(static_cast<int>(std::ceil(grid.columns * s + grid.rows * c - 1e-6)));
-    cv::Mat turned(rows, columns, CV_32F);
-    const double cx = 0.5 * (grid.columns - 1), cy = 0.5 * (grid.rows - 1);
-    const cv::Matx23d move(std::cos(angle), -std::sin(angle),
-                           0.5 * (columns - 1) - std::cos(angle) * cx + std::sin(angle) * cy, std::sin(angle),
-                           std::cos(angle), 0.5 * (rows - 1) - std::sin(angle) * cx - std::cos(angle) * cy);
-    if (turn_deg == 0)
-        cv::copyMakeBorder(source, turned, 0, rows - grid.rows, 0, columns - grid.columns, cv::BORDER_CONSTANT, 0);
-    else
-        cv::warpAffine(source, turned, move, turned.size(), cv::INTER_CUBIC, cv::BORDER_CONSTANT, 0);
-    cv::Mat plane;
-    cv::dft(turned, plane, cv::DFT_COMPLEX_OUTPUT);
-    PowerSpectrum result{Grid(columns, rows), turn_deg};
-    for (int y = 0; y < rows; ++y) {
-        const auto* line = plane.ptr<cv::Vec2f>(y);
-        float* out = result.power.row((y + rows / 2) % rows);
-        for (int x = 0; x < columns; ++x) {
-            const double re = double(line[x][0]), im = double(line[x][1]);
-            out[(x + columns / 2) % columns] = static_cast<float>(re * re + im * im);
-        }
+    const PictureKernel& kernel = pictureKernel();
+    const int columns = kernel.fast_size(static_cast<int>(std::ceil(grid.columns * c + grid.rows * s - 1e-6)));
+    const int rows = kernel.fast_size(static_cast<int>(std::ceil(grid.columns * s + grid.rows * c - 1e-6)));
+    Grid turned(columns, rows);
+    if (turn_deg == 0) {
+        for (int y = 0; y < grid.rows; ++y) std::copy_n(grid.row(y), grid.columns, turned.row(y));
+    } else {
+        const double cx = 0.5 * (grid.columns - 1), cy = 0.5 * (grid.rows - 1);
+        const AffineMap move{
+            std::cos(angle), -std::sin(angle), 0.5 * (columns - 1) - std::cos(angle) * cx + std::sin(angle) * cy,
+            std::sin(angle), std::cos(angle),  0.5 * (rows - 1) - std::sin(angle) * cx - std::cos(angle) * cy};
+        turned = kernel.moved(grid, move, columns, rows, Interpolation::Cubic);
     }
-    return result;
+    return {kernel.power(turned), turn_deg};
 }
 
 double turnToAxis_deg(double direction_deg)
@@ -221,11 +212,7 @@ std::vector<double> ringMedians(const PowerSpectrum& spectrum)
     double last = 0;
     for (std::size_t i = 0; i < rings.size(); ++i) {
         std::vector<float>& ring = rings[i];
-        if (!ring.empty()) {
-            const auto middle = ring.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2);
-            std::nth_element(ring.begin(), middle, ring.end());
-            last = double(*middle);
-        }
+        if (!ring.empty()) last = double(upperMedianInPlace(ring));
         medians[i] = std::max(last, 1e-30);
     }
     return medians;

@@ -11,7 +11,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The part of a line within the picture. `point`: on it; `along`: its direction.
 std::optional<Stripe> clipped(Vector point, Vector along, double width, double height)

@@ -1,5 +1,7 @@
 #include "engine/surface/surface.h"
 
+#include "engine/core/units.h"
+
 namespace lathelier::surface {
 
 const std::vector<Field<Region>>& fieldsOf(const Region*)
@@ -35,10 +37,9 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
     static const std::vector<Field<P>> all{
         field("feed_mm_rev", &P::feed_mm_rev, {0.001, 10},
               {LT_TEXT("Engine", "Feed"),
-               LT_TEXT("Engine", "Feed of the cut; none: the best comb of lines is taken for it."),
-               LT_TEXT("Engine", "mm/rev")}),
+               LT_TEXT("Engine", "Feed of the cut; none: the best comb of lines is taken for it."), unit::mm_rev}),
         field("diameter_mm", &P::diameter_mm, {0.5, 5000},
-              {LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned part."), LT_TEXT("Engine", "mm")}),
+              {LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned part."), unit::mm}),
         rows("speed_rpm", &P::speed_rpm, {0, 1000},
              {LT_TEXT("Engine", "Spindle speed"),
               LT_TEXT("Engine", "Of the cut: one for all pictures, or one for each in their order; 0: not known."),
@@ -67,7 +68,7 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
               LT_TEXT("Engine", "Part of the picture that is evaluated: one for all pictures, or one for each.")}),
         field("feed_direction_deg", &P::feed_direction_deg, {-360, 360},
               {LT_TEXT("Engine", "Direction of feed"),
-               LT_TEXT("Engine", "In the picture, from right toward down; none: not known."), LT_TEXT("Engine", "°")}),
+               LT_TEXT("Engine", "In the picture, from right toward down; none: not known."), unit::deg}),
         field("cut_direction", &P::cut_direction,
               {{"unknown", LT_TEXT("Engine", "not known")},
                {"down", LT_TEXT("Engine", "down")},
@@ -80,7 +81,7 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
             "expect_hz", &P::expect_hz, {0.1, 100000},
             {LT_TEXT("Engine", "Expected frequency"),
              LT_TEXT("Engine", "Of a model or a tap test: chooses among the candidates that the picture leaves open."),
-             LT_TEXT("Engine", "Hz")}),
+             unit::hz}),
         field("alpha", &P::alpha, {1e-9, 0.5},
               {LT_TEXT("Engine", "False alarms"),
                LT_TEXT("Engine", "Chance of a false line in a picture of noise."),
@@ -88,7 +89,7 @@ const std::vector<Field<SurfaceParameters>>& fieldsOf(const SurfaceParameters*)
                true}),
         field("speed_uncertainty_percent", &P::speed_uncertainty_percent, {0, 20},
               {LT_TEXT("Engine", "Uncertainty of the speed"),
-               LT_TEXT("Engine", "Standard uncertainty of the spindle speed."), LT_TEXT("Engine", "%"), true}),
+               LT_TEXT("Engine", "Standard uncertainty of the spindle speed."), unit::percent, true}),
     };
     return all;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/core/units.h"
 #include "engine/report/svg.h"
 #include "engine/surface/picture_comparison.h"
 #include "engine/surface/preparation.h"
@@ -32,7 +33,7 @@ std::string hexOf(const report::ChartColour& colour, std::size_t position = 0)
 void scaleBar(report::Svg& svg, double mm_per_unit, double right, double bottom, const Language& language)
 {
     const double mm = roundBelow(0.25 * sheet * mm_per_unit), units = mm / mm_per_unit;
-    const Text unit = LT_TEXT("Engine", "mm"), shown = shownUnit(unit, language).unit;
+    const Text unit = unit::mm, shown = shownUnit(unit, language).unit;
     svg.rect(right - units - 16, bottom - 34, units + 12, 30, "#ffffff");
     svg.rect(right - units - 10, bottom - 12, units, 4, "#000000");
     svg.text(right - 10 - units / 2, bottom - 17, report::Svg::Anchor::Middle, textSize,

@@ -3,23 +3,25 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+
 namespace lathelier::surface {
 
 const std::vector<QuantityOf<FeedMarks>>& quantitiesOf(const FeedMarks*)
 {
     using R = FeedMarks;
     static const std::vector<QuantityOf<R>> all{
-        quantity<R>("pitch_mm", &R::pitch_mm, {LT_TEXT("Engine", "Pitch"), LT_TEXT("Engine", "mm"), 4}),
+        quantity<R>("pitch_mm", &R::pitch_mm, {LT_TEXT("Engine", "Pitch"), unit::mm, 4}),
         quantity<R>("pitch_px", &R::pitch_px, {LT_TEXT("Engine", "Pitch in the picture"), LT_TEXT("Engine", "px"), 2}),
         quantity<R>("pitch_error_percent", &R::pitch_error_percent,
-                    {LT_TEXT("Engine", "Pitch against the feed"), LT_TEXT("Engine", "%"), 2}),
+                    {LT_TEXT("Engine", "Pitch against the feed"), unit::percent, 2}),
         quantity<R>("direction_deg", &R::direction_deg,
-                    {LT_TEXT("Engine", "Direction across the marks"), LT_TEXT("Engine", "°"), 2}),
+                    {LT_TEXT("Engine", "Direction across the marks"), unit::deg, 2}),
         quantity<R>("significance", &R::significance, {LT_TEXT("Engine", "Significance"), {}, 0}),
         quantity<R>("amplitude", &R::amplitude),
         quantity<R>("regularity", &R::regularity, {LT_TEXT("Engine", "Regularity"), {}, 2}),
         quantity<R>("share_percent", &R::share_percent,
-                    {LT_TEXT("Engine", "Share of the picture's variance"), LT_TEXT("Engine", "%"), 0})};
+                    {LT_TEXT("Engine", "Share of the picture's variance"), unit::percent, 0})};
     return all;
 }
 
@@ -30,29 +32,26 @@ const std::vector<QuantityOf<ChatterMarks>>& quantitiesOf(const ChatterMarks*)
         quantity<R>("nu", &R::nu, {LT_TEXT("Engine", "Rest of a wave, ν"), {}, 4}),
         quantity<R>("m", &R::m, {LT_TEXT("Engine", "Whole waves in a revolution, m")}),
         quantity<R>("m_certain", &R::m_certain, {LT_TEXT("Engine", "The picture decides m")}),
-        quantity<R>("phase_deg", &R::phase_deg,
-                    {LT_TEXT("Engine", "Phase of the regeneration, ε"), LT_TEXT("Engine", "°"), 1}),
-        quantity<R>("axial_period_mm", &R::axial_period_mm,
-                    {LT_TEXT("Engine", "Period along the axis"), LT_TEXT("Engine", "mm"), 3}),
+        quantity<R>("phase_deg", &R::phase_deg, {LT_TEXT("Engine", "Phase of the regeneration, ε"), unit::deg, 1}),
+        quantity<R>("axial_period_mm", &R::axial_period_mm, {LT_TEXT("Engine", "Period along the axis"), unit::mm, 3}),
         quantity<R>("circumferential_pitch_mm", &R::circumferential_pitch_mm,
-                    {LT_TEXT("Engine", "Pitch round the part"), LT_TEXT("Engine", "mm"), 2}),
-        quantity<R>("inclination_deg", &R::inclination_deg,
-                    {LT_TEXT("Engine", "Crests to the axis"), LT_TEXT("Engine", "°"), 1}),
-        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz"), 2}),
+                    {LT_TEXT("Engine", "Pitch round the part"), unit::mm, 2}),
+        quantity<R>("inclination_deg", &R::inclination_deg, {LT_TEXT("Engine", "Crests to the axis"), unit::deg, 1}),
+        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency"), unit::hz, 2}),
         quantity<R>("frequency_uncertainty_hz", &R::frequency_uncertainty_hz,
-                    {LT_TEXT("Engine", "Standard uncertainty"), LT_TEXT("Engine", "Hz"), 2}),
-        quantity<R>("candidates_hz", &R::candidates_hz, {LT_TEXT("Engine", "Candidates"), LT_TEXT("Engine", "Hz"), 2}),
+                    {LT_TEXT("Engine", "Standard uncertainty"), unit::hz, 2}),
+        quantity<R>("candidates_hz", &R::candidates_hz, {LT_TEXT("Engine", "Candidates"), unit::hz, 2}),
         quantity<R>("harmonic_of_hz", &R::harmonic_of_hz,
-                    {LT_TEXT("Engine", "In symmetric light perhaps"), LT_TEXT("Engine", "Hz"), 2}),
+                    {LT_TEXT("Engine", "In symmetric light perhaps"), unit::hz, 2}),
         quantity<R>("nearest_other_hz", &R::nearest_other_hz,
-                    {LT_TEXT("Engine", "Distance of the next reading"), LT_TEXT("Engine", "Hz"), 1}),
+                    {LT_TEXT("Engine", "Distance of the next reading"), unit::hz, 1}),
         quantity<R>("amplitude", &R::amplitude),
         quantity<R>("relative_to_feed", &R::relative_to_feed,
                     {LT_TEXT("Engine", "Strength against the feed line"), {}, 2}),
         quantity<R>("significance", &R::significance, {LT_TEXT("Engine", "Significance"), {}, 0}),
         quantity<R>("regularity", &R::regularity, {LT_TEXT("Engine", "Regularity"), {}, 2}),
         quantity<R>("share_percent", &R::share_percent,
-                    {LT_TEXT("Engine", "Share of the picture's variance"), LT_TEXT("Engine", "%"), 0}),
+                    {LT_TEXT("Engine", "Share of the picture's variance"), unit::percent, 0}),
         quantity<R>("waves_measured", &R::waves_measured, {LT_TEXT("Engine", "m as measured"), {}, 2}),
         quantity<R>("waves_in_view", &R::waves_in_view, {LT_TEXT("Engine", "Waves in the picture"), {}, 2}),
         quantity<R>("lines", &R::lines, {LT_TEXT("Engine", "Lines seen")}),
@@ -74,9 +73,9 @@ const std::vector<QuantityOf<ImageMarks>>& quantitiesOf(const ImageMarks*)
         quantity<R>("mm_per_px_source", [](const R& marks) { return std::string(key(marks.mm_per_px_source)); }),
         quantity<R>("speed_rpm", &R::speed_rpm, {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "rpm"), 0}),
         quantity<R>("saturated_percent", &R::saturated_percent,
-                    {LT_TEXT("Engine", "Saturated pixels"), LT_TEXT("Engine", "%"), 2}),
+                    {LT_TEXT("Engine", "Saturated pixels"), unit::percent, 2}),
         quantity<R>("feed_direction_deg", &R::feed_direction_deg,
-                    {LT_TEXT("Engine", "Direction of feed"), LT_TEXT("Engine", "°"), 1}),
+                    {LT_TEXT("Engine", "Direction of feed"), unit::deg, 1}),
         quantity<R>("unrolled", &R::unrolled, {LT_TEXT("Engine", "Cylinder unrolled")}),
         quantity<R>("curved", &R::curved, {LT_TEXT("Engine", "Curved and not unrolled")}),
         quantity<R>("threshold", &R::threshold, {LT_TEXT("Engine", "Threshold of significance"), {}, 1}),

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
@@ -31,7 +32,7 @@ void tellChatter(report::Answer& answer, const ImageMarks& image, const Language
     }
     answer.value = chatter.frequency_hz;
     answer.expanded_uncertainty = 2 * *chatter.frequency_uncertainty_hz;
-    answer.unit = LT_TEXT("Engine", "Hz");
+    answer.unit = unit::hz;
     answer.decimals = 1;
     answer.values.emplace_back("m", std::int64_t{*chatter.m});
     answer.values.emplace_back("rpm", fixed(*image.speed_rpm, 0, language));

@@ -4,16 +4,17 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <opencv2/imgproc.hpp>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/report/png.h"
+#include "engine/surface/picture_kernel.h"
 
 namespace lathelier::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 enum Stream : std::uint64_t { TrackDepth = 1, GrooveLight = 2, PixelNoise = 3 };
 
 using Direction = std::array<double, 3>;  // along the axis, across it, toward the camera
@@ -24,7 +25,7 @@ Direction normalized(const Direction& v)
     return {v[0] / size, v[1] / size, v[2] / size};
 }
 
-double product(const Direction& a, const Direction& b)
+double scalarProduct(const Direction& a, const Direction& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
@@ -129,8 +130,8 @@ public:
         constexpr double ambient = 0.08, diffuse = 0.25, gloss = 0.75, sharpness = 30;
         double sum = 0;
         for (std::size_t i = 0; i < lamps_.size(); ++i)
-            sum += diffuse * std::max(0.0, product(normal, lamps_[i])) +
-                   gloss * std::pow(std::max(0.0, product(normal, halves_[i])), sharpness);
+            sum += diffuse * std::max(0.0, scalarProduct(normal, lamps_[i])) +
+                   gloss * std::pow(std::max(0.0, scalarProduct(normal, halves_[i])), sharpness);
         return ambient + sum / static_cast<double>(lamps_.size());
     }
 
@@ -141,14 +142,14 @@ private:
 constexpr int sub = 2;  // samples of a pixel in each direction
 
 /// The picture before optics and camera.
-cv::Mat seen(const SyntheticParameters& p, const Progress& progress)
+Grid renderedPicture(const SyntheticParameters& p, const Progress& progress)
 {
     const TurnedSurface surface(p);
     const Lamps lamps(p);
     const double radius = 0.5 * p.diameter_mm;
     const double hand = p.cut == CutDirection::Up ? -1 : 1;
     const Vector along = turned({1, 0}, p.feed_direction_deg), across = turned({0, hand}, p.feed_direction_deg);
-    cv::Mat picture(p.height, p.width, CV_32F);
+    Grid picture(p.width, p.height);
     const auto brightness = [&](double x, double y) {
         const Vector from{(x - 0.5 * p.width) * p.mm_per_px, (y - 0.5 * p.height) * p.mm_per_px};
         const double z = dot(from, along);
@@ -170,7 +171,7 @@ cv::Mat seen(const SyntheticParameters& p, const Progress& progress)
                 for (int i = 0; i < sub; ++i)
                     for (int k = 0; k < sub; ++k)
                         sum += brightness(x + (i + 0.5) / sub, static_cast<double>(y) + (k + 0.5) / sub);
-                picture.at<float>(static_cast<int>(y), x) = static_cast<float>(sum / (sub * sub));
+                picture.row(static_cast<int>(y))[x] = static_cast<float>(sum / (sub * sub));
             }
     });
     return picture;
@@ -208,8 +209,8 @@ void stamp(io::Image& image)
 
 io::Image syntheticPicture(const SyntheticParameters& p, const Progress& progress)
 {
-    cv::Mat picture = seen(p, progress);
-    if (p.blur_px > 0) cv::GaussianBlur(picture, picture, {}, p.blur_px, p.blur_px, cv::BORDER_REFLECT);
+    Grid picture = renderedPicture(p, progress);
+    if (p.blur_px > 0) pictureKernel().blur(picture, p.blur_px);
     io::Image image;
     image.format = "png";
     image.width = p.width;
@@ -218,7 +219,7 @@ io::Image syntheticPicture(const SyntheticParameters& p, const Progress& progres
     const double levels = p.bits == 16 ? 65535 : 255;
     image.grey.resize(static_cast<std::size_t>(p.width) * static_cast<std::size_t>(p.height));
     for (std::size_t i = 0; i < image.grey.size(); ++i) {
-        const double clean = double(picture.ptr<float>()[i]);
+        const double clean = double(picture.values[i]);
         const double noisy = clean + p.noise * randomNormal(static_cast<std::uint64_t>(p.seed), PixelNoise, i);
         image.grey[i] = static_cast<float>(std::round(std::clamp(noisy, 0.0, 1.0) * levels) / levels);
     }
@@ -241,23 +242,21 @@ const std::vector<Field<SyntheticParameters>>& fieldsOf(const SyntheticParameter
     using P = SyntheticParameters;
     static const std::vector<Field<P>> all{
         field("diameter_mm", &P::diameter_mm, {1, 1000},
-              {LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned part."), LT_TEXT("Engine", "mm")}),
+              {LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned part."), unit::mm}),
         field("feed_mm_rev", &P::feed_mm_rev, {0.005, 2},
-              {LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Of the tool in a revolution."),
-               LT_TEXT("Engine", "mm/rev")}),
+              {LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Of the tool in a revolution."), unit::mm_rev}),
         field("nose_radius_mm", &P::nose_radius_mm, {0.05, 10},
-              {LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of the tool."), LT_TEXT("Engine", "mm")}),
+              {LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of the tool."), unit::mm}),
         field("speed_rpm", &P::speed_rpm, {10, 20000},
               {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "While the surface was cut."),
                LT_TEXT("Engine", "rpm")}),
         field("frequency_hz", &P::frequency_hz, {1, 10000},
-              {LT_TEXT("Engine", "Vibration"), LT_TEXT("Engine", "Its frequency."), LT_TEXT("Engine", "Hz")}),
-        field(
-            "amplitude_um", &P::amplitude_um, {0, 200},
-            {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "Of the vibration; 0: none."), LT_TEXT("Engine", "µm")}),
+              {LT_TEXT("Engine", "Vibration"), LT_TEXT("Engine", "Its frequency."), unit::hz}),
+        field("amplitude_um", &P::amplitude_um, {0, 200},
+              {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "Of the vibration; 0: none."), unit::um}),
         field("feed_direction_deg", &P::feed_direction_deg, {-180, 180},
               {LT_TEXT("Engine", "Direction of feed"), LT_TEXT("Engine", "In the picture, from right toward down."),
-               LT_TEXT("Engine", "°")}),
+               unit::deg}),
         field("mm_per_px", &P::mm_per_px, {0.0005, 1},
               {LT_TEXT("Engine", "Scale"), LT_TEXT("Engine", "Of the picture."), LT_TEXT("Engine", "mm/px")}),
         field("cylinder", &P::cylinder,

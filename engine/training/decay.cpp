@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::training {
 namespace {
 
@@ -60,8 +62,8 @@ report::Plot decayPlot(const Decay& decay)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Decay after a blow");
-    plot.x = {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s")};
-    plot.y = {LT_TEXT("Engine", "Deflection"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "Time"), unit::s};
+    plot.y = {LT_TEXT("Engine", "Deflection"), unit::mm};
     report::Curve curve;
     curve.x.reserve(decay.deflection_mm.size());
     for (std::size_t i = 0; i < decay.deflection_mm.size(); ++i)

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/training/exercise_draw.h"
 
 namespace lathelier::training {
@@ -19,25 +20,24 @@ constexpr double frequencyShare = 0.03;  ///< tolerance, of the frequency
 
 NamedNumber speedGiven(const Exercise& exercise)
 {
-    return {"speed_rpm", LT_TEXT("Engine", "Spindle speed"), exercise.speed_rpm.from, LT_TEXT("Engine", "1/min"), 0};
+    return {"speed_rpm", LT_TEXT("Engine", "Spindle speed"), exercise.speed_rpm.from, unit::rpm, 0};
 }
 
 NamedNumber depthGiven(const Exercise& exercise)
 {
-    return {"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, LT_TEXT("Engine", "mm"), 2};
+    return {"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, unit::mm, 2};
 }
 
 void describeSafeSpeed(Exercise& exercise)
 {
-    const Text rpm = LT_TEXT("Engine", "1/min");
     exercise.givens = {
         depthGiven(exercise),
-        {"from_rpm", LT_TEXT("Engine", "Lowest speed"), exercise.speed_rpm.from, rpm, 0},
-        {"to_rpm", LT_TEXT("Engine", "Highest speed"), exercise.speed_rpm.to, rpm, 0},
+        {"from_rpm", LT_TEXT("Engine", "Lowest speed"), exercise.speed_rpm.from, unit::rpm, 0},
+        {"to_rpm", LT_TEXT("Engine", "Highest speed"), exercise.speed_rpm.to, unit::rpm, 0},
         {"cuts", LT_TEXT("Engine", "Cuts that may be listened to"), static_cast<double>(safeSpeedCuts), {}, 0}};
     exercise.cuts = safeSpeedCuts;
     exercise.answer = LT_TEXT("Engine", "Spindle speed");
-    exercise.unit = rpm;
+    exercise.unit = unit::rpm;
 }
 
 void describeLobeNumber(Exercise& exercise)
@@ -50,7 +50,7 @@ void describeLobeNumber(Exercise& exercise)
 void describeDamping(Exercise& exercise)
 {
     exercise.answer = LT_TEXT("Engine", "Damping ratio ζ");
-    exercise.unit = LT_TEXT("Engine", "%");
+    exercise.unit = unit::percent;
     exercise.decimals = 1;
     exercise.tolerance = dampingShare * 100 * exercise.hidden.modes.front().damping_ratio;
 }
@@ -60,7 +60,7 @@ void describeChatterFrequency(Exercise& exercise)
     exercise.givens = {speedGiven(exercise), depthGiven(exercise)};
     exercise.cuts = 1;
     exercise.answer = LT_TEXT("Engine", "Frequency of the chatter");
-    exercise.unit = LT_TEXT("Engine", "Hz");
+    exercise.unit = unit::hz;
     exercise.tolerance =
         frequencyShare * growthOf(exercise.hidden, exercise.speed_rpm.from, exercise.depth_mm).frequency_hz;
 }
@@ -73,8 +73,8 @@ void describePrediction(Exercise& exercise)
     exercise.givens = {speedGiven(exercise),
                        depthGiven(exercise),
                        {"bottom_hz", LT_TEXT("Engine", "Frequency of the chatter at the least limit"),
-                        mode.frequency_hz * std::sqrt(1 + 2 * mode.damping_ratio), LT_TEXT("Engine", "Hz"), 1},
-                       {"least_mm", LT_TEXT("Engine", "Limit at every speed"), least, LT_TEXT("Engine", "mm"), 2}};
+                        mode.frequency_hz * std::sqrt(1 + 2 * mode.damping_ratio), unit::hz, 1},
+                       {"least_mm", LT_TEXT("Engine", "Limit at every speed"), least, unit::mm, 2}};
     exercise.answer = LT_TEXT("Engine", "The cut is");
     exercise.choices = {LT_TEXT("Engine", "stable"), LT_TEXT("Engine", "chatter")};
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/training/decay.h"
 #include "engine/training/exercise.h"
 #include "engine/training/exercise_draw.h"
@@ -10,8 +11,6 @@ namespace {
 
 constexpr double fullPoints = 10;
 constexpr double fewWaves = 0.3;  ///< to which the amplitude of a decay falls in the explanation
-constexpr Text unit_rpm = LT_TEXT("Engine", "1/min");
-constexpr Text unit_hz = LT_TEXT("Engine", "Hz");
 
 /// Right within the tolerance, half the points within twice of it.
 void gradeNumber(Grade& grade, double expected, double tolerance, double answer)
@@ -55,17 +54,16 @@ std::vector<Interval> stableSpeeds(const Exercise& exercise, const stability::Lo
 void gradeSafeSpeed(const Exercise& exercise, double answer, Grade& grade)
 {
     constexpr double stablePoints = 8, closePoints = 3, close = 0.02;
-    const Text mm = LT_TEXT("Engine", "mm");
     const stability::LobeLimit limit = limitOver(exercise.hidden, exercise.speed_rpm);
     const BestSpeed best = bestSpeed(limit, exercise.speed_rpm, speedShare);
     const double natural = exercise.hidden.modes.front().frequency_hz;
     grade.expected = stableSpeeds(exercise, limit);
-    grade.numbers = {{"speed_rpm", LT_TEXT("Engine", "Speed answered"), answer, unit_rpm, 0},
-                     {"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, mm, 2},
-                     {"limit_mm", LT_TEXT("Engine", "Limit at this speed"), 0, mm, 3},
-                     {"best_rpm", LT_TEXT("Engine", "Best speed"), best.speed_rpm, unit_rpm, 0},
-                     {"best_mm", LT_TEXT("Engine", "Least limit within 1 % of it"), best.limit_mm, mm, 3},
-                     {"natural_hz", LT_TEXT("Engine", "Natural frequency"), natural, unit_hz, 1},
+    grade.numbers = {{"speed_rpm", LT_TEXT("Engine", "Speed answered"), answer, unit::rpm, 0},
+                     {"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, unit::mm, 2},
+                     {"limit_mm", LT_TEXT("Engine", "Limit at this speed"), 0, unit::mm, 3},
+                     {"best_rpm", LT_TEXT("Engine", "Best speed"), best.speed_rpm, unit::rpm, 0},
+                     {"best_mm", LT_TEXT("Engine", "Least limit within 1 % of it"), best.limit_mm, unit::mm, 3},
+                     {"natural_hz", LT_TEXT("Engine", "Natural frequency"), natural, unit::hz, 1},
                      {"best_waves", LT_TEXT("Engine", "60 f/N there"), 60 * natural / best.speed_rpm, {}, 2}};
     if (!(answer > 0) || answer > 1e6) return;
     const double here = limit_mm(exercise.hidden, answer, stability::SpeedRelation::Exact);
@@ -89,17 +87,15 @@ void gradeLobeNumber(const Exercise& exercise, double answer, Grade& grade)
     grade.expected = {{k, k}};
     grade.correct = answer == k;
     grade.points = grade.correct ? fullPoints : std::abs(answer - k) <= 1 ? besidePoints : 0;
-    grade.numbers = {
-        {"speed_rpm", LT_TEXT("Engine", "Spindle speed"), speed, unit_rpm, 0},
-        {"frequency_hz", LT_TEXT("Engine", "Frequency of the chatter"), f, unit_hz, 1},
-        {"waves", LT_TEXT("Engine", "Waves in a revolution"), waves, {}, 2},
-        {"k", LT_TEXT("Engine", "Whole waves k"), k, {}, 0},
-        {"phase_deg", LT_TEXT("Engine", "Phase ε between the waves"), 360 * (waves - k), LT_TEXT("Engine", "°"), 0}};
+    grade.numbers = {{"speed_rpm", LT_TEXT("Engine", "Spindle speed"), speed, unit::rpm, 0},
+                     {"frequency_hz", LT_TEXT("Engine", "Frequency of the chatter"), f, unit::hz, 1},
+                     {"waves", LT_TEXT("Engine", "Waves in a revolution"), waves, {}, 2},
+                     {"k", LT_TEXT("Engine", "Whole waves k"), k, {}, 0},
+                     {"phase_deg", LT_TEXT("Engine", "Phase ε between the waves"), 360 * (waves - k), unit::deg, 0}};
 }
 
 void gradeDamping(const Exercise& exercise, double answer, Grade& grade)
 {
-    const Text mm = LT_TEXT("Engine", "mm");
     const std::vector<Peak> peaks = peaksOf(listenToBlow(exercise));
     const double expected = 100 * exercise.hidden.modes.front().damping_ratio;
     gradeNumber(grade, expected, exercise.tolerance, answer);
@@ -107,32 +103,31 @@ void gradeDamping(const Exercise& exercise, double answer, Grade& grade)
     while (last + 1 < peaks.size() && peaks[last].deflection_mm > fewWaves * peaks[0].deflection_mm) ++last;
     if (last >= peaks.size()) return;
     const double first_mm = peaks[0].deflection_mm, last_mm = peaks[last].deflection_mm;
-    grade.numbers = {
-        {"periods", LT_TEXT("Engine", "Periods"), static_cast<double>(last), {}, 0},
-        {"first_mm", LT_TEXT("Engine", "Amplitude before"), first_mm, mm, 4},
-        {"last_mm", LT_TEXT("Engine", "Amplitude after"), last_mm, mm, 4},
-        {"decrement",
-         LT_TEXT("Engine", "Logarithmic decrement δ"),
-         logDecrement(first_mm, last_mm, static_cast<int>(last)),
-         {},
-         3},
-        {"damping_percent", LT_TEXT("Engine", "Damping ratio ζ"), expected, LT_TEXT("Engine", "%"), 2},
-        {"natural_hz", LT_TEXT("Engine", "Natural frequency"), exercise.hidden.modes.front().frequency_hz, unit_hz, 1}};
+    grade.numbers = {{"periods", LT_TEXT("Engine", "Periods"), static_cast<double>(last), {}, 0},
+                     {"first_mm", LT_TEXT("Engine", "Amplitude before"), first_mm, unit::mm, 4},
+                     {"last_mm", LT_TEXT("Engine", "Amplitude after"), last_mm, unit::mm, 4},
+                     {"decrement",
+                      LT_TEXT("Engine", "Logarithmic decrement δ"),
+                      logDecrement(first_mm, last_mm, static_cast<int>(last)),
+                      {},
+                      3},
+                     {"damping_percent", LT_TEXT("Engine", "Damping ratio ζ"), expected, unit::percent, 2},
+                     {"natural_hz", LT_TEXT("Engine", "Natural frequency"), exercise.hidden.modes.front().frequency_hz,
+                      unit::hz, 1}};
 }
 
 void gradeChatterFrequency(const Exercise& exercise, double answer, Grade& grade)
 {
     const double f = growthOf(exercise.hidden, exercise.speed_rpm.from, exercise.depth_mm).frequency_hz;
     gradeNumber(grade, f, exercise.tolerance, answer);
-    grade.numbers = {
-        {"frequency_hz", LT_TEXT("Engine", "Frequency of the chatter"), f, unit_hz, 1},
-        {"ten_ms", LT_TEXT("Engine", "Ten swings"), 1e4 / f, LT_TEXT("Engine", "ms"), 1},
-        {"natural_hz", LT_TEXT("Engine", "Natural frequency"), exercise.hidden.modes.front().frequency_hz, unit_hz, 1}};
+    grade.numbers = {{"frequency_hz", LT_TEXT("Engine", "Frequency of the chatter"), f, unit::hz, 1},
+                     {"ten_ms", LT_TEXT("Engine", "Ten swings"), 1e4 / f, LT_TEXT("Engine", "ms"), 1},
+                     {"natural_hz", LT_TEXT("Engine", "Natural frequency"), exercise.hidden.modes.front().frequency_hz,
+                      unit::hz, 1}};
 }
 
 void gradePrediction(const Exercise& exercise, double answer, Grade& grade)
 {
-    const Text mm = LT_TEXT("Engine", "mm");
     const double speed = exercise.speed_rpm.from;
     const double exact = limit_mm(exercise.hidden, speed, stability::SpeedRelation::Exact);
     const double published = limit_mm(exercise.hidden, speed, stability::SpeedRelation::Published);
@@ -141,10 +136,10 @@ void gradePrediction(const Exercise& exercise, double answer, Grade& grade)
     grade.expected = {{expected, expected}};
     grade.correct = answer == expected;
     grade.points = grade.correct ? fullPoints : 0;
-    grade.numbers = {{"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, mm, 2},
+    grade.numbers = {{"depth_mm", LT_TEXT("Engine", "Depth of cut"), exercise.depth_mm, unit::mm, 2},
                      {"waves", LT_TEXT("Engine", "Waves in a revolution"), 60 * growth.frequency_hz / speed, {}, 2},
-                     {"limit_mm", LT_TEXT("Engine", "Limit at this speed"), exact, mm, 3},
-                     {"published_mm", LT_TEXT("Engine", "Limit at this speed as published"), published, mm, 3},
+                     {"limit_mm", LT_TEXT("Engine", "Limit at this speed"), exact, unit::mm, 3},
+                     {"published_mm", LT_TEXT("Engine", "Limit at this speed as published"), published, unit::mm, 3},
                      {"growth", LT_TEXT("Engine", "Growth per revolution"), growth.per_revolution, {}, 3}};
 }
 

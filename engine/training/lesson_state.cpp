@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/stability/simulation/cut_views.h"
 #include "engine/stability/simulation/simulation_report.h"
 
@@ -76,35 +77,33 @@ const std::vector<FieldChoice>& relationChoices()
 const std::vector<QuantityOf<LessonState>>& quantitiesOf(const LessonState*)
 {
     using S = LessonState;
-    const Text rpm = LT_TEXT("Engine", "1/min"), hz = LT_TEXT("Engine", "Hz"), mm = LT_TEXT("Engine", "mm");
     static const auto all = describedBy<S>(
         quantity<S>("scenario", &S::scenario, {LT_TEXT("Engine", "Scenario")}),
-        quantity<S>("speed_rpm", &S::speed_rpm, {LT_TEXT("Engine", "Spindle speed"), rpm, 0}),
-        quantity<S>("depth_mm", &S::depth_mm, {LT_TEXT("Engine", "Depth of cut"), mm, 3}),
+        quantity<S>("speed_rpm", &S::speed_rpm, {LT_TEXT("Engine", "Spindle speed"), unit::rpm, 0}),
+        quantity<S>("depth_mm", &S::depth_mm, {LT_TEXT("Engine", "Depth of cut"), unit::mm, 3}),
         quantity<S>("growth", &S::growth_per_revolution, {LT_TEXT("Engine", "Growth per revolution"), {}, 3}),
         quantity<S>("verdict", [](const S& s) { return stability::key(s.verdict); }, {LT_TEXT("Engine", "Verdict")}),
-        quantity<S>("frequency_hz", &S::frequency_hz, {LT_TEXT("Engine", "Frequency of the vibration"), hz, 1}),
-        quantity<S>("amplitude_mm", &S::amplitude_mm, {LT_TEXT("Engine", "Amplitude at the end"), mm, 4}),
+        quantity<S>("frequency_hz", &S::frequency_hz, {LT_TEXT("Engine", "Frequency of the vibration"), unit::hz, 1}),
+        quantity<S>("amplitude_mm", &S::amplitude_mm, {LT_TEXT("Engine", "Amplitude at the end"), unit::mm, 4}),
         quantity<S>("lost_contact_percent", &S::lost_contact_percent,
-                    {LT_TEXT("Engine", "Time out of the cut at the end"), LT_TEXT("Engine", "%"), 1}),
+                    {LT_TEXT("Engine", "Time out of the cut at the end"), unit::percent, 1}),
         quantity<S>("waves", &S::waves_per_revolution, {LT_TEXT("Engine", "Waves in a revolution"), {}, 2}),
         quantity<S>("k", &S::k, {LT_TEXT("Engine", "Lobe k"), {}, 0}),
-        quantity<S>("phase_deg", &S::phase_deg,
-                    {LT_TEXT("Engine", "Phase ε between the waves"), LT_TEXT("Engine", "°"), 0}),
+        quantity<S>("phase_deg", &S::phase_deg, {LT_TEXT("Engine", "Phase ε between the waves"), unit::deg, 0}),
         quantity<S>("natural_frequency_hz", &S::natural_frequency_hz,
-                    {LT_TEXT("Engine", "Natural frequency next to it"), hz, 1}),
+                    {LT_TEXT("Engine", "Natural frequency next to it"), unit::hz, 1}),
         quantity<S>("relation",
                     [](const S& s) { return relationChoices().at(static_cast<std::size_t>(s.relation)).key; },
                     {LT_TEXT("Engine", "Speed relation")}),
-        quantity<S>("limit_mm", &S::limit_mm, {LT_TEXT("Engine", "Limit at this speed"), mm, 3}),
+        quantity<S>("limit_mm", &S::limit_mm, {LT_TEXT("Engine", "Limit at this speed"), unit::mm, 3}),
         quantity<S>("published_limit_mm", &S::published_limit_mm,
-                    {LT_TEXT("Engine", "Limit at this speed as published"), mm, 3}),
+                    {LT_TEXT("Engine", "Limit at this speed as published"), unit::mm, 3}),
         quantity<S>("robust_limit_mm", &S::robust_limit_mm,
-                    {LT_TEXT("Engine", "Least limit within 2 % of the speed"), mm, 3}),
-        quantity<S>("minimum_depth_mm", &S::minimum_depth_mm, {LT_TEXT("Engine", "Limit at every speed"), mm, 3}),
+                    {LT_TEXT("Engine", "Least limit within 2 % of the speed"), unit::mm, 3}),
+        quantity<S>("minimum_depth_mm", &S::minimum_depth_mm, {LT_TEXT("Engine", "Limit at every speed"), unit::mm, 3}),
         quantity<S>("view", [](const S& s) { return viewChoices().at(static_cast<std::size_t>(s.view)).key; },
                     {LT_TEXT("Engine", "View")}),
-        quantity<S>("heard_s", &S::heard_s, {LT_TEXT("Engine", "Heard"), LT_TEXT("Engine", "s"), 1}),
+        quantity<S>("heard_s", &S::heard_s, {LT_TEXT("Engine", "Heard"), unit::s, 1}),
         quantity<S>("score", &S::score, {LT_TEXT("Engine", "Points of the exercise"), {}, 1}));
     return all;
 }

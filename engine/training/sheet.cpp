@@ -5,6 +5,7 @@
 
 #include "engine/core/random.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/cells.h"
 #include "engine/report/quantity_table.h"
 
@@ -104,7 +105,7 @@ const std::vector<QuantityOf<SheetRow>>& quantitiesOf(const SheetRow*)
         quantity<R>("correct", [](const R& r) { return r.grade.correct; }),
         quantity<R>("points", [](const R& r) { return r.grade.points; }, {LT_TEXT("Engine", "Points"), {}, 0}),
         quantity<R>("needed_s", [](const R& r) { return r.answered.needed_s; },
-                    {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s"), 0}));
+                    {LT_TEXT("Engine", "Time"), unit::s, 0}));
     return all;
 }
 
@@ -117,7 +118,7 @@ const std::vector<QuantityOf<PupilTotal>>& quantitiesOf(const PupilTotal*)
                        quantity<T>("correct", &T::correct, {LT_TEXT("Engine", "Correct"), {}, 0}),
                        quantity<T>("points", &T::points, {LT_TEXT("Engine", "Points"), {}, 0}),
                        quantity<T>("most_points", &T::most_points, {LT_TEXT("Engine", "Most points"), {}, 0}),
-                       quantity<T>("needed_s", &T::needed_s, {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s"), 0}));
+                       quantity<T>("needed_s", &T::needed_s, {LT_TEXT("Engine", "Time"), unit::s, 0}));
     return all;
 }
 

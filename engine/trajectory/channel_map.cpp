@@ -48,7 +48,7 @@ std::string_view trimmed(std::string_view text)
                                              {"column", static_cast<std::int64_t>(column)}});
 }
 
-Entries parse(std::string_view map)
+Entries parseMap(std::string_view map)
 {
     Entries entries;
     std::size_t begin = 0;
@@ -178,7 +178,7 @@ const char* name(Probe probe)
 
 ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes)
 {
-    Entries entries = parse(parameters.channels);
+    Entries entries = parseMap(parameters.channels);
     if (parameters.channels == TrajectoryParameters{}.channels)
         if (const auto named = byHeadings(record)) entries = *named;
     ChannelMap map;

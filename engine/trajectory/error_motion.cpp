@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/signal/harmonics.h"
 
 namespace lathelier::trajectory {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double rad = std::numbers::pi / 180;
 
 struct Extent {
     double low = std::numeric_limits<double>::infinity();
@@ -24,7 +21,7 @@ struct Extent {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    double range() const { return high >= low ? high - low : nan; }
+    double range() const { return high >= low ? high - low : notANumber; }
 };
 
 /// c0 + c1 cosθ + c2 sinθ through the finite values by least squares.
@@ -34,16 +31,16 @@ Eigen::Vector3d firstHarmonic(std::span<const double> values, std::span<const do
     Eigen::Vector3d right = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (!std::isfinite(values[i])) continue;
-        const Eigen::Vector3d base(1, std::cos(rad * angle_deg[i]), std::sin(rad * angle_deg[i]));
+        const Eigen::Vector3d base(1, std::cos(rad_per_deg * angle_deg[i]), std::sin(rad_per_deg * angle_deg[i]));
         normal += base * base.transpose();
         right += values[i] * base;
     }
     return normal.ldlt().solve(right);
 }
 
-double at(const Eigen::Vector3d& c, double angle_deg)
+double harmonicAt(const Eigen::Vector3d& c, double angle_deg)
 {
-    return c[0] + c[1] * std::cos(rad * angle_deg) + c[2] * std::sin(rad * angle_deg);
+    return c[0] + c[1] * std::cos(rad_per_deg * angle_deg) + c[2] * std::sin(rad_per_deg * angle_deg);
 }
 
 }  // namespace
@@ -53,7 +50,7 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
     const auto p = static_cast<std::size_t>(probe);
     ProbeStatistics result;
     std::int64_t asked = 0;  // number of values that `student` is for: mostly that of the point before
-    double student = nan;
+    double student = notANumber;
     for (std::size_t i = 0; i < signals.points; ++i) {
         double sum = 0;
         std::int64_t count = 0;
@@ -65,17 +62,17 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
             ++count;
             extent.add(value);
         }
-        const double mean = count > 0 ? sum / static_cast<double>(count) : nan;
+        const double mean = count > 0 ? sum / static_cast<double>(count) : notANumber;
         double squares = 0;
         for (std::size_t k = 0; k < signals.revolutions(); ++k) {
             const double away = signals.at(p, k, i) - mean;
             if (std::isfinite(away)) squares += away * away;
         }
-        const double deviation = count > 1 ? std::sqrt(squares / static_cast<double>(count - 1)) : nan;
+        const double deviation = count > 1 ? std::sqrt(squares / static_cast<double>(count - 1)) : notANumber;
         result.mean_um.push_back(mean);
         result.std_um.push_back(deviation);
-        result.min_um.push_back(count > 0 ? extent.low : nan);
-        result.max_um.push_back(count > 0 ? extent.high : nan);
+        result.min_um.push_back(count > 0 ? extent.low : notANumber);
+        result.max_um.push_back(count > 0 ? extent.high : notANumber);
         if (count != asked) student = studentQuantile(0.975, count - 1);
         asked = count;
         result.confidence_um.push_back(student * deviation / std::sqrt(static_cast<double>(count)));
@@ -87,7 +84,7 @@ ErrorMotion errorMotion(std::span<const double> values_um, std::span<const doubl
 {
     const std::size_t points = angle_deg.size();
     const std::size_t revolutions = points > 0 ? values_um.size() / points : 0;
-    std::vector<double> mean(points, nan);
+    std::vector<double> mean(points, notANumber);
     Extent asynchronous;
     asynchronous.low = 0;
     for (std::size_t i = 0; i < points; ++i) {
@@ -120,12 +117,12 @@ ErrorMotion errorMotion(std::span<const double> values_um, std::span<const doubl
 ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const double> angle_deg)
 {
     ErrorMotion result;
-    result.asynchronous_um = nan;
-    result.total_um = nan;
+    result.asynchronous_um = notANumber;
+    result.total_um = notANumber;
     const Eigen::Vector3d removed = firstHarmonic(mean_um, angle_deg);
     Extent extent;
     for (std::size_t i = 0; i < mean_um.size(); ++i) {
-        result.synchronous_curve_um.push_back(mean_um[i] - at(removed, angle_deg[i]));
+        result.synchronous_curve_um.push_back(mean_um[i] - harmonicAt(removed, angle_deg[i]));
         extent.add(result.synchronous_curve_um.back());
     }
     result.synchronous_um = extent.range();
@@ -145,7 +142,7 @@ std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<co
     const double sense = forward >= backward ? 1 : -1;
     std::vector<double> result(x_um.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
-        const double angle = rad * angle_deg[i % angle_deg.size()];
+        const double angle = rad_per_deg * angle_deg[i % angle_deg.size()];
         result[i] = x_um[i] * std::cos(angle) + sense * y_um[i] * std::sin(angle);
     }
     return result;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/error.h"
+#include "engine/core/units.h"
 #include "engine/trajectory/trajectory_codes.h"
 
 namespace lathelier::trajectory {
@@ -12,8 +12,6 @@ namespace {
 
 /// Times no further than this share of a step from an even grid were even before they were printed.
 constexpr double evenShare = 0.75;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -60,7 +58,7 @@ double FrameClock::valueAt(std::span<const double> values, double time_s) const
     constexpr double slack = 1e-6;  // of a step: rounding at the ends
     if (frames_ < 4 || !(time_s >= this->time_s(0) - slack * step_s_) ||
         !(time_s <= this->time_s(frames_ - 1) + slack * step_s_))
-        return nan;
+        return notANumber;
     const std::size_t before = frameBefore(time_s);
     const std::size_t first = std::min(before > 0 ? before - 1 : 0, frames_ - 4);
     const double* const v = values.data() + first;

@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylindricity.h"
 #include "engine/form/cylinder/straightness.h"
 #include "engine/trajectory/trajectory_codes.h"
@@ -86,7 +86,7 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     result.profile_straightness_um = 1e3 * straightnessOf(result.z_mm, result.radius_mm);
     result.axis_straightness_um = form::straightness(axis_mm).STRt_MZLI_um;
     // A stack that is short beside its diameter is a disc: it has no axis, but all else.
-    result.CYLt_LSCY_um = result.CYLt_MZCY_um = std::numeric_limits<double>::quiet_NaN();
+    result.CYLt_LSCY_um = result.CYLt_MZCY_um = notANumber;
     try {
         const form::CylindricityResult cylinder = form::cylindricity(surface_mm, {}, progress);
         result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;

@@ -9,7 +9,7 @@ namespace {
 constexpr double middleShare = 0.2;  ///< of the values in the middle half: more than a marker has
 constexpr double rareEnds = 0.001;   ///< of the values at either end: spikes that do not set the range
 
-double at(std::span<double> values, std::size_t rank)
+double valueAtRank(std::span<double> values, std::size_t rank)
 {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(values.begin(), place, values.end());
@@ -30,8 +30,8 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
     }
     const std::size_t ends = std::min<std::size_t>(
         3 + static_cast<std::size_t>(rareEnds * static_cast<double>(known.size())), known.size() / 4);
-    const double bottom = at(known, ends);
-    const double top = at(known, known.size() - 1 - ends);
+    const double bottom = valueAtRank(known, ends);
+    const double top = valueAtRank(known, known.size() - 1 - ends);
     // A single short pulse hides among the spikes: then the ends themselves are the range.
     const auto [least, most] = std::minmax_element(known.begin(), known.end());
     if (*least == *most) {
@@ -51,8 +51,8 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
     // Edges take their share of a short pulse: its level is that of its far end, not of its middle.
     constexpr std::size_t farEnd = 5;
     levels.high_is_rare = above.size() <= below.size();
-    levels.low = at(below, levels.high_is_rare ? below.size() / 2 : below.size() / farEnd);
-    levels.high = at(above, levels.high_is_rare ? above.size() - 1 - above.size() / farEnd : above.size() / 2);
+    levels.low = valueAtRank(below, levels.high_is_rare ? below.size() / 2 : below.size() / farEnd);
+    levels.high = valueAtRank(above, levels.high_is_rare ? above.size() - 1 - above.size() / farEnd : above.size() / 2);
     levels.threshold = (levels.low + levels.high) / 2;
     if (static_cast<double>(between) > middleShare * static_cast<double>(known.size()))
         levels.complaint = LT_TEXT("Engine", "it does not rest on two levels, as a marker does");

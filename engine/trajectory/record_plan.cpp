@@ -9,8 +9,6 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr std::int64_t fewestRevolutions = 2;
-
 /// A record that states another speed than its marks have: two marks in a turn, or a wrong time.
 void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& notes)
 {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/statistics.h"
@@ -13,9 +12,8 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr std::int64_t fewestRevolutions = 2;  ///< one alone shows no scatter: nothing can be said of its trust
-constexpr double fewestFrames = 8;             ///< of a revolution: less shows neither a pulse nor a form
-constexpr double longestPause = 3.5;           ///< steps between frames that do not hurt the interpolation much
+constexpr double fewestFrames = 8;    ///< of a revolution: less shows neither a pulse nor a form
+constexpr double longestPause = 3.5;  ///< steps between frames that do not hurt the interpolation much
 
 Error tooFew(std::size_t found)
 {

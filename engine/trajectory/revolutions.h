@@ -19,6 +19,9 @@ struct Revolution {
 /// A period further than this from the median is not one revolution, unless it is within one frame.
 inline constexpr double periodTolerance = 0.02;
 
+/// One alone shows no scatter: nothing can be said of its trust.
+inline constexpr std::int64_t fewestRevolutions = 2;
+
 struct Revolutions {
     std::vector<Revolution> all;  ///< in order of time
     int irregular = 0;            ///< how many of them are not regular

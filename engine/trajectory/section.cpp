@@ -20,11 +20,6 @@ std::size_t index(Probe probe)
     return static_cast<std::size_t>(probe);
 }
 
-const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
-{
-    return section.probes[index(probe)].mean_um;
-}
-
 /// Mean square scatter of one probe at an angle, over the revolutions. The mean of each revolution is its size, which
 /// drifts, and no form: it is taken out where the single revolutions are known.
 std::optional<double> scatterSquared_um2(const TrajectorySection& section, Probe probe)
@@ -102,9 +97,9 @@ void judgeForm(TrajectorySection& section, Drift removed)
 void addImage(TrajectorySection& section, const TrajectoryParameters& parameters, double workpiece_diameter_mm,
               const Progress& progress)
 {
-    SurfaceImage image = imageOf(
-        {mean(section, Probe::X3), mean(section, Probe::Y3), mean(section, Probe::Xp), mean(section, Probe::Yp)},
-        section.angle_deg, workpiece_diameter_mm, parameters.rotation);
+    SurfaceImage image = imageOf({section.mean_um(Probe::X3), section.mean_um(Probe::Y3), section.mean_um(Probe::Xp),
+                                  section.mean_um(Probe::Yp)},
+                                 section.angle_deg, workpiece_diameter_mm, parameters.rotation);
     section.image.points_mm = image.points_mm();
     section.image.size_is_nominal = true;
     double least = std::numeric_limits<double>::infinity();
@@ -122,7 +117,7 @@ void addImage(TrajectorySection& section, const TrajectoryParameters& parameters
     judgeForm(section, parameters.drift);
 }
 
-void keepRevolutions(TrajectorySection& section, const SectionSignals& signals)
+void storeRevolutions(TrajectorySection& section, const SectionSignals& signals)
 {
     for (std::size_t probe = 0; probe < signals.um.size(); ++probe)
         for (std::size_t k = 0; k < signals.revolutions(); ++k) {
@@ -175,7 +170,7 @@ TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& 
     section.envelope_min_mm = std::move(images.envelope_min_mm);
     section.envelope_max_mm = std::move(images.envelope_max_mm);
     section.revolution_RONt_um = std::move(images.RONt_um);
-    keepRevolutions(section, signals);
+    storeRevolutions(section, signals);
     addImage(section, parameters, workpiece_diameter_mm, progress);
     return section;
 }

@@ -4,9 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/io/file.h"
 #include "engine/report/quantity_table.h"
 #include "engine/trajectory/trajectory_quantities.h"
@@ -27,9 +27,9 @@ void append(std::string& out, std::initializer_list<double> values)
     for (const double value : values) append(out, value);
 }
 
-double at(const std::vector<double>& values, std::size_t i)
+double valueOrNone(const std::vector<double>& values, std::size_t i)
 {
-    return i < values.size() ? values[i] : std::numeric_limits<double>::quiet_NaN();
+    return i < values.size() ? values[i] : notANumber;
 }
 
 }  // namespace
@@ -70,12 +70,14 @@ void writeImages(const std::string& path, const TrajectoryResult& result)
     out += '\n';
     for (const TrajectorySection& s : result.sections)
         for (std::size_t i = 0; i < s.angle_deg.size(); ++i) {
-            const double angle = at(s.body_angle_deg, i) * std::numbers::pi / 180;
-            const double radius_mm = at(s.radius_mm, i);
+            const double angle = valueOrNone(s.body_angle_deg, i) * std::numbers::pi / 180;
+            const double radius_mm = valueOrNone(s.radius_mm, i);
             append(out, {static_cast<double>(s.section), s.z_mm, static_cast<double>(i), s.angle_deg[i],
-                         at(s.body_angle_deg, i), radius_mm, radius_mm * std::cos(angle), radius_mm * std::sin(angle)});
+                         valueOrNone(s.body_angle_deg, i), radius_mm, radius_mm * std::cos(angle),
+                         radius_mm * std::sin(angle)});
             for (const ProbeStatistics& probe : s.probes)
-                append(out, {at(probe.mean_um, i), at(probe.std_um, i), at(probe.confidence_um, i)});
+                append(out, {valueOrNone(probe.mean_um, i), valueOrNone(probe.std_um, i),
+                             valueOrNone(probe.confidence_um, i)});
             out += '\n';
         }
     io::writeFile(path, out);

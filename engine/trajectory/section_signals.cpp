@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/signal/hampel.h"
 
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewestForRule = 5;
 
 struct Spread {
-    double median = nan;
-    double sigma = nan;
+    double median = notANumber;
+    double sigma = notANumber;
 };
 
 void keepFinite(std::vector<double>& values)
@@ -58,7 +57,7 @@ std::vector<Spread> spreads(const SectionSignals& signals, std::size_t probe)
     return result;
 }
 
-void keepRevolutions(SectionSignals& signals, const std::vector<bool>& keep)
+void keepMarked(SectionSignals& signals, const std::vector<bool>& keep)
 {
     std::size_t kept = 0;
     for (std::size_t k = 0; k < keep.size(); ++k) {
@@ -102,7 +101,7 @@ SectionSignals resample(const io::ProbeRecord& record, const FrameClock& clock, 
         for (const std::size_t count : missing)
             if (static_cast<double>(count) > missingShare * static_cast<double>(points)) keep[k] = false;
     }
-    keepRevolutions(signals, keep);
+    keepMarked(signals, keep);
     return signals;
 }
 
@@ -164,7 +163,7 @@ Rejected rejectOutliers(SectionSignals& signals, double sigmas)
                 keep[k] = false;
     }
     rejected.revolutions = std::count(keep.begin(), keep.end(), false);
-    keepRevolutions(signals, keep);
+    keepMarked(signals, keep);
     if (signals.revolutions() < fewestForRule) return rejected;
 
     for (std::size_t probe = 0; probe < signals.um.size(); ++probe) {
@@ -173,7 +172,7 @@ Rejected rejectOutliers(SectionSignals& signals, double sigmas)
             for (std::size_t i = 0; i < signals.points; ++i) {
                 double& value = signals.at(probe, k, i);
                 if (!(std::abs(value - spread[i].median) > sigmas * spread[i].sigma) || spread[i].sigma == 0) continue;
-                value = nan;
+                value = notANumber;
                 ++rejected.samples;
             }
     }

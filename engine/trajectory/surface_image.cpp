@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/form/circle/circles.h"
 
 namespace lathelier::trajectory {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double degree = std::numbers::pi / 180;
 
 double turned(double angle_deg)
 {
@@ -30,7 +26,7 @@ void filterRadii(SurfaceImage& image, const signal::TransmissionBand& band, bool
     std::vector<double> angle_rad, radius_mm;
     for (std::size_t i = 0; i < image.radius_mm.size(); ++i)
         if (std::isfinite(image.radius_mm[i])) {
-            angle_rad.push_back(degree * image.body_angle_deg[i]);
+            angle_rad.push_back(rad_per_deg * image.body_angle_deg[i]);
             radius_mm.push_back(image.radius_mm[i]);
         }
     if (radius_mm.empty()) return;
@@ -48,8 +44,8 @@ std::vector<Eigen::Vector2d> SurfaceImage::points_mm() const
     points.reserve(radius_mm.size());
     for (std::size_t i = 0; i < radius_mm.size(); ++i)
         if (std::isfinite(radius_mm[i]))
-            points.emplace_back(radius_mm[i] * std::cos(degree * body_angle_deg[i]),
-                                radius_mm[i] * std::sin(degree * body_angle_deg[i]));
+            points.emplace_back(radius_mm[i] * std::cos(rad_per_deg * body_angle_deg[i]),
+                                radius_mm[i] * std::sin(rad_per_deg * body_angle_deg[i]));
     return points;
 }
 
@@ -65,8 +61,9 @@ SurfaceImage imageOf(const Motions& motions, std::span<const double> angle_deg, 
         const double up_mm = 1e-3 * (motions.Y3_um[i] - motions.Yp_um[i]);
         const double radius_mm = std::hypot(across_mm, up_mm);
         image.radius_mm.push_back(radius_mm);
-        image.body_angle_deg.push_back(
-            std::isfinite(radius_mm) ? turned(sense * (angle_deg[i] + std::atan2(up_mm, across_mm) / degree)) : nan);
+        image.body_angle_deg.push_back(std::isfinite(radius_mm)
+                                           ? turned(sense * (angle_deg[i] + std::atan2(up_mm, across_mm) / rad_per_deg))
+                                           : notANumber);
     }
     return image;
 }
@@ -76,8 +73,8 @@ RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const
 {
     const std::size_t n = signals.points;
     RevolutionImages result;
-    result.envelope_min_mm.assign(n, nan);
-    result.envelope_max_mm.assign(n, nan);
+    result.envelope_min_mm.assign(n, notANumber);
+    result.envelope_max_mm.assign(n, notANumber);
     for (std::size_t k = 0; k < signals.revolutions(); ++k) {
         const auto part = [&](Probe probe) {
             return std::span(signals.um[static_cast<std::size_t>(probe)]).subspan(k * n, n);
@@ -93,7 +90,7 @@ RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const
         }
         if (!band.isAll()) filterRadii(image, band, whole);
         const std::vector<Eigen::Vector2d> points = image.points_mm();
-        result.RONt_um.push_back(points.size() >= 4 ? form::fitLeastSquaresCircle(points).RONt_um : nan);
+        result.RONt_um.push_back(points.size() >= 4 ? form::fitLeastSquaresCircle(points).RONt_um : notANumber);
     }
     return result;
 }

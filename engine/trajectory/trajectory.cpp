@@ -6,6 +6,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/form/form_codes.h"
 #include "engine/io/text/header_lines.h"
 #include "engine/io/text/number.h"
@@ -173,8 +174,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
             segments = segmentRecord(ready, parameters, *segmentation);
         } else {
             segments.push_back(wholeRecord(ready, parameters));
-            segments.back().z_mm =
-                io::headerNumber(record.header, "z_mm").value_or(std::numeric_limits<double>::quiet_NaN());
+            segments.back().z_mm = io::headerNumber(record.header, "z_mm").value_or(notANumber);
         }
         std::size_t fewest = static_cast<std::size_t>(parameters.revolutions);
         std::int64_t found = 0, used = 0;
@@ -206,7 +206,7 @@ std::vector<Task> plan(const Records& records, std::vector<PreparedRecord>& prep
     return tasks;
 }
 
-TrajectorySection evaluate(const Task& task, const TrajectoryResult& result, const Progress& progress)
+TrajectorySection evaluateTask(const Task& task, const TrajectoryResult& result, const Progress& progress)
 {
     try {
         TrajectorySection section =
@@ -290,7 +290,7 @@ TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records, co
     result.sections.resize(tasks.size());
     std::atomic<std::size_t> done = 0;
     parallelFor(tasks.size(), 1, evaluating, [&](std::size_t begin, std::size_t) {
-        result.sections[begin] = evaluate(tasks[begin], result, evaluating.quiet());
+        result.sections[begin] = evaluateTask(tasks[begin], result, evaluating.quiet());
         evaluating.report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
     });
     collectNotes(result, tasks);

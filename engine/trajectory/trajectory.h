@@ -93,6 +93,9 @@ struct TrajectorySection {
     ErrorMotion spindle;                      ///< of the sensitive direction (X3)
     std::array<ErrorMotion, 4> error_motion;  ///< of every probe
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
+
+    /// Mean of one probe over the revolutions, for each angle.
+    const std::vector<double>& mean_um(Probe probe) const { return probes[static_cast<std::size_t>(probe)].mean_um; }
 };
 
 /// The sections along the workpiece, z from the free end. Profile R(u) = c0 + c1 u + c2 u² over u in [-1, 1].

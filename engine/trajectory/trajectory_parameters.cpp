@@ -1,3 +1,4 @@
+#include "engine/core/units.h"
 #include "engine/trajectory/trajectory.h"
 
 namespace lathelier::trajectory {
@@ -40,12 +41,11 @@ const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParamet
 {
     using P = TrajectoryParameters;
     static const std::vector<Field<P>> all = [] {
-        const Text mm = LT_TEXT("Engine", "mm");
         std::vector<Field<P>> list{
-            field(
-                "workpiece_diameter_mm", &P::workpiece_diameter_mm, Range{0.1, 10000},
-                Label{LT_TEXT("Engine", "Workpiece diameter"),
-                      LT_TEXT("Engine", "Nominal; by default as the record says. Form is measured, size is not."), mm}),
+            field("workpiece_diameter_mm", &P::workpiece_diameter_mm, Range{0.1, 10000},
+                  Label{LT_TEXT("Engine", "Workpiece diameter"),
+                        LT_TEXT("Engine", "Nominal; by default as the record says. Form is measured, size is not."),
+                        unit::mm}),
             field("points", &P::points, Range{8, 20000},
                   Label{LT_TEXT("Engine", "Angles of a revolution"),
                         LT_TEXT("Engine", "Every revolution is sampled anew at so many even angles."),
@@ -59,7 +59,7 @@ const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParamet
             field("channel_skew_s", &P::channel_skew_s, Range{0, 1},
                   Label{LT_TEXT("Engine", "Delay from channel to channel"),
                         LT_TEXT("Engine", "A multiplexed converter samples each channel so much after the one before."),
-                        LT_TEXT("Engine", "s"), true}),
+                        unit::s, true}),
             field("channels", &P::channels,
                   Label{LT_TEXT("Engine", "Channels"),
                         LT_TEXT("Engine",
@@ -93,11 +93,11 @@ const std::vector<Field<TrajectoryParameters>>& fieldsOf(const TrajectoryParamet
             field("z_mm", &P::z_mm,
                   Label{LT_TEXT("Engine", "Places of the sections"),
                         LT_TEXT("Engine", "Along the workpiece from its free end, one for each: 5,10,15 or 5,5;10;15."),
-                        mm}),
+                        unit::mm}),
             field("feed_mm_rev", &P::feed_mm_rev, Range{1e-6, 1000},
                   Label{LT_TEXT("Engine", "Feed"),
                         LT_TEXT("Engine", "Cuts one continuous record into sections along the workpiece."),
-                        LT_TEXT("Engine", "mm/rev")}),
+                        unit::mm_rev}),
             field("sections", &P::sections, Range{1, 10000},
                   Label{LT_TEXT("Engine", "Sections"),
                         LT_TEXT("Engine", "Into how many a continuous record is cut."),

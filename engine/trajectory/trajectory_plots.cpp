@@ -1,10 +1,12 @@
 #include "engine/trajectory/trajectory_plots.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
+
+#include "engine/core/units.h"
+#include "engine/trajectory/channel_map.h"
 
 namespace lathelier::trajectory {
 namespace {
@@ -13,15 +15,8 @@ namespace {
 constexpr int workpieceColour = 0, toolColour = 1, meanColour = 1, singleColour = 4;
 
 constexpr std::size_t mostMarks = 60;  ///< more revolution marks hide the signals
-constexpr std::array<const char*, 4> probeNames{"X3", "Y3", "Xp", "Yp"};
 
-const Text um = LT_TEXT("Engine", "µm");
-const report::Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), LT_TEXT("Engine", "mm")};
-
-const std::vector<double>& mean(const TrajectorySection& section, Probe probe)
-{
-    return section.probes[static_cast<std::size_t>(probe)].mean_um;
-}
+const report::Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), unit::mm};
 
 std::string sectionName(const TrajectorySection& section, const Language& language)
 {
@@ -53,7 +48,7 @@ report::Plot longitudinalPlot(const LongitudinalSection& section, const Language
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Longitudinal section");
     plot.x = zAxis;
-    plot.y = {LT_TEXT("Engine", "Radius, deviation from its mean"), um};
+    plot.y = {LT_TEXT("Engine", "Radius, deviation from its mean"), unit::um};
     const auto count = static_cast<double>(section.radius_mm.size());
     const double mean_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0) / count;
     const auto [from, to] = std::minmax_element(section.z_mm.begin(), section.z_mm.end());
@@ -97,7 +92,7 @@ report::Plot roundnessAlongAxis(const TrajectoryResult& result)
     plot.title = LT_TEXT("Engine", "Roundness of the sections");
     const bool places = result.longitudinal.has_value();
     plot.x = places ? zAxis : report::Axis{LT_TEXT("Engine", "Section")};
-    plot.y = {"RONt", um};
+    plot.y = {"RONt", unit::um};
     plot.y.range = Interval{0, 0};
     for (const form::ReferenceCircle circle : {form::ReferenceCircle::MZCI, form::ReferenceCircle::LSCI}) {
         report::Curve curve;
@@ -122,12 +117,12 @@ report::Plot trajectoryPlot(const TrajectorySection& section, const Language& la
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Trajectories over one turn");
     plot.remark = sectionName(section, language);
-    plot.x = {"X", um};
-    plot.y = {"Y", um};
-    plot.along = {LT_TEXT("Engine", "angle"), LT_TEXT("Engine", "°")};
+    plot.x = {"X", unit::um};
+    plot.y = {"Y", unit::um};
+    plot.along = {LT_TEXT("Engine", "angle"), unit::deg};
     plot.equal_scales = true;
     const auto add = [&](const report::Caption& name, const TrajectorySection& of, Probe x, Probe y, int colour) {
-        report::Curve curve{name, closed(mean(of, x)), closed(mean(of, y)), report::Curve::Style::Line, {}, colour};
+        report::Curve curve{name, closed(of.mean_um(x)), closed(of.mean_um(y)), report::Curve::Style::Line, {}, colour};
         curve.along = closed(partAngles_deg(of));
         curve.thin = &of != &section;
         plot.curves.push_back(std::move(curve));
@@ -147,10 +142,10 @@ report::Plot coordinatesPlot(const TrajectorySection& section, const Language& l
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Coordinates over the angle");
     plot.remark = sectionName(section, language);
-    plot.x = {LT_TEXT("Engine", "Angle as recorded"), LT_TEXT("Engine", "°")};
-    plot.y = {LT_TEXT("Engine", "Displacement"), um};
-    for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
-        plot.curves.push_back({probeNames[probe], section.angle_deg, section.probes[probe].mean_um});
+    plot.x = {LT_TEXT("Engine", "Angle as recorded"), unit::deg};
+    plot.y = {LT_TEXT("Engine", "Displacement"), unit::um};
+    for (std::size_t probe = 0; probe < section.probes.size(); ++probe)
+        plot.curves.push_back({name(static_cast<Probe>(probe)), section.angle_deg, section.probes[probe].mean_um});
     const double sum_mm = std::accumulate(section.radius_mm.begin(), section.radius_mm.end(), 0.0);
     report::Curve radius{LT_TEXT("Engine", "R − mean"), section.angle_deg};
     for (const double radius_mm : section.radius_mm)
@@ -163,8 +158,8 @@ report::Plot envelopePlot(const TrajectorySection& section)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Radius about the spindle axis");
-    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
-    plot.y = {LT_TEXT("Engine", "Deviation from the mean radius"), um};
+    plot.x = {LT_TEXT("Engine", "Angle"), unit::deg};
+    plot.y = {LT_TEXT("Engine", "Deviation from the mean radius"), unit::um};
     const double mean_mm = section.roundness.circles.LSCI.radius_mm;
     const auto deviations = [&](const std::vector<double>& radius_mm) {
         std::vector<double> values;
@@ -190,13 +185,14 @@ report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Signals");
-    plot.x = {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s")};
+    plot.x = {LT_TEXT("Engine", "Time"), unit::s};
     const auto displaces = [](const TimeSignal& signal) {
         return !signal.signal.empty() && signal.signal != "marker" && signal.signal != "angle";
     };
     // Without a usable map everything is shown as it was recorded: the plot is to tell which channel is which.
     const bool mapped = std::any_of(recorded.begin(), recorded.end(), displaces);
-    plot.y = mapped ? report::Axis{LT_TEXT("Engine", "Displacement"), um} : report::Axis{LT_TEXT("Engine", "Value")};
+    plot.y =
+        mapped ? report::Axis{LT_TEXT("Engine", "Displacement"), unit::um} : report::Axis{LT_TEXT("Engine", "Value")};
     const std::vector<double>* starts = nullptr;
     for (const TimeSignal& signal : recorded) {
         if (!starts && !signal.revolution_starts_s.empty()) starts = &signal.revolution_starts_s;
@@ -243,7 +239,7 @@ report::PolarPlot errorMotionPlot(const TrajectorySection& section, double workp
     }
     report::PolarPlot::Trace trace;
     trace.name = fill(text(LT_TEXT("Engine", "synchronous motion of {probe}"), language),
-                      {{"probe", std::string(probeNames[p])}}, language);
+                      {{"probe", std::string(name(probe))}}, language);
     trace.angle_deg = angle_deg;
     trace.deviation_um = closed(synchronous);
     trace.colour = meanColour;

@@ -2,14 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
 #include "engine/form/roundness/roundness_quantities.h"
 #include "engine/trajectory/channel_map.h"
 
 namespace lathelier::trajectory {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
 
 using S = TrajectorySection;
 using L = LongitudinalSection;
@@ -28,7 +26,7 @@ QuantityOf<S> ofForm(const char* key, int decimals, Text label = {}, Text headin
 template <Probe probe>
 std::vector<double> meanOf(const S& section)
 {
-    return section.probes[static_cast<std::size_t>(probe)].mean_um;
+    return section.mean_um(probe);
 }
 
 /// The keys "error_motion.X3.…" and "drift_um_per_rev.X3", and so on for every probe.
@@ -60,9 +58,10 @@ const std::vector<QuantityOf<ErrorMotion>>& quantitiesOf(const ErrorMotion*)
 {
     using M = ErrorMotion;
     static const auto all = describedBy<M>(
-        quantity<M>("synchronous_um", &M::synchronous_um, {LT_TEXT("Engine", "Synchronous error motion"), um, 2}),
-        quantity<M>("asynchronous_um", &M::asynchronous_um, {LT_TEXT("Engine", "Asynchronous error motion"), um, 2}),
-        quantity<M>("total_um", &M::total_um, {LT_TEXT("Engine", "Total error motion"), um, 2}));
+        quantity<M>("synchronous_um", &M::synchronous_um, {LT_TEXT("Engine", "Synchronous error motion"), unit::um, 2}),
+        quantity<M>("asynchronous_um", &M::asynchronous_um,
+                    {LT_TEXT("Engine", "Asynchronous error motion"), unit::um, 2}),
+        quantity<M>("total_um", &M::total_um, {LT_TEXT("Engine", "Total error motion"), unit::um, 2}));
     return all;
 }
 
@@ -71,7 +70,8 @@ const std::vector<QuantityOf<TrajectorySection>>& quantitiesOf(const TrajectoryS
     static const auto all = describedBy<S>(
         quantity<S>("section", &S::section, {LT_TEXT("Engine", "Section"), {}, 0, true, LT_TEXT("Engine", "section")}),
         quantity<S>("record", &S::record),
-        quantity<S>("z_mm", &S::z_mm, {LT_TEXT("Engine", "From the free end"), mm, 2, true, LT_TEXT("Engine", "z")}),
+        quantity<S>("z_mm", &S::z_mm,
+                    {LT_TEXT("Engine", "From the free end"), unit::mm, 2, true, LT_TEXT("Engine", "z")}),
         quantity<S>("revolutions_found", &S::revolutions_found),
         quantity<S>("revolutions_used", &S::revolutions_used,
                     {LT_TEXT("Engine", "Revolutions"), {}, 0, true, LT_TEXT("Engine", "revolutions")}),
@@ -82,14 +82,14 @@ const std::vector<QuantityOf<TrajectorySection>>& quantitiesOf(const TrajectoryS
         quantity<S>("workpiece_axis.x_um", meanOf<Probe::X3>), quantity<S>("workpiece_axis.y_um", meanOf<Probe::Y3>),
         quantity<S>("tool.x_um", meanOf<Probe::Xp>), quantity<S>("tool.y_um", meanOf<Probe::Yp>),
         quantity<S>("diameter_mm", [](const S& s) { return 2 * s.roundness.circles.LSCI.radius_mm; },
-                    {LT_TEXT("Engine", "Diameter (LSCI)"), mm, 4, false, LT_TEXT("Engine", "diameter")}),
+                    {LT_TEXT("Engine", "Diameter (LSCI)"), unit::mm, 4, false, LT_TEXT("Engine", "diameter")}),
         quantity<S>("centre_x_um", [](const S& s) { return 1e3 * s.roundness.circles.LSCI.centre_mm.x(); },
-                    {LT_TEXT("Engine", "centre x"), um, 2, false}),
+                    {LT_TEXT("Engine", "centre x"), unit::um, 2, false}),
         quantity<S>("centre_y_um", [](const S& s) { return 1e3 * s.roundness.circles.LSCI.centre_mm.y(); },
-                    {LT_TEXT("Engine", "centre y"), um, 2, false}),
+                    {LT_TEXT("Engine", "centre y"), unit::um, 2, false}),
         quantity<S>("run_out_um", &S::run_out_um,
-                    {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), um, 2,
-                     true, LT_TEXT("Engine", "run-out")}),
+                    {LT_TEXT("Engine", "Radial run-out about the spindle axis (the paper's; not roundness)"), unit::um,
+                     2, true, LT_TEXT("Engine", "run-out")}),
         quantity<S>("form_measured", &S::form_measured), ofForm("RONt_um", 2), ofForm("RONt_MZCI_um", 2, {}, {"MZCI"}),
         ofForm("RONt_LSCI_um", 2, {}, {"LSCI"}), ofForm("RONt_MICI_um", 2, {}, {"MICI"}),
         ofForm("RONt_MCCI_um", 2, {}, {"MCCI"}), ofForm("two_point.range_um", 2, {}, LT_TEXT("Engine", "two-point")),
@@ -105,18 +105,20 @@ const std::vector<QuantityOf<LongitudinalSection>>& quantitiesOf(const Longitudi
 {
     static const auto all = describedBy<L>(
         quantity<L>("taper_diameter_um", &L::taper_diameter_um,
-                    {LT_TEXT("Engine", "Taper on diameter (+ grows from the free end)"), um, 2}),
-        quantity<L>("barrel_um", &L::barrel_um, {LT_TEXT("Engine", "Barrel on radius (+ barrel, - saddle)"), um, 2}),
-        quantity<L>("diameter_range_um", &L::diameter_range_um, {LT_TEXT("Engine", "Range of the diameters"), um, 2}),
+                    {LT_TEXT("Engine", "Taper on diameter (+ grows from the free end)"), unit::um, 2}),
+        quantity<L>("barrel_um", &L::barrel_um,
+                    {LT_TEXT("Engine", "Barrel on radius (+ barrel, - saddle)"), unit::um, 2}),
+        quantity<L>("diameter_range_um", &L::diameter_range_um,
+                    {LT_TEXT("Engine", "Range of the diameters"), unit::um, 2}),
         quantity<L>("half_diameter_range_um", &L::half_diameter_range_um,
-                    {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), um, 2}),
+                    {LT_TEXT("Engine", "Half of it, as GOST 24642-81 has it"), unit::um, 2}),
         quantity<L>("axis_straightness_um", &L::axis_straightness_um,
-                    {LT_TEXT("Engine", "Straightness of the axis"), um, 2}),
+                    {LT_TEXT("Engine", "Straightness of the axis"), unit::um, 2}),
         quantity<L>("profile_straightness_um", &L::profile_straightness_um,
-                    {LT_TEXT("Engine", "Straightness of the profile (residual about its line)"), um, 2}),
-        quantity<L>("CYLt_LSCY_um", &L::CYLt_LSCY_um, {LT_TEXT("Engine", "Cylindricity CYLt(LSCY)"), um, 2}),
+                    {LT_TEXT("Engine", "Straightness of the profile (residual about its line)"), unit::um, 2}),
+        quantity<L>("CYLt_LSCY_um", &L::CYLt_LSCY_um, {LT_TEXT("Engine", "Cylindricity CYLt(LSCY)"), unit::um, 2}),
         quantity<L>("CYLt_MZCY_um", &L::CYLt_MZCY_um,
-                    {LT_TEXT("Engine", "Cylindricity CYLt(MZCY), locally optimal"), um, 2}),
+                    {LT_TEXT("Engine", "Cylindricity CYLt(MZCY), locally optimal"), unit::um, 2}),
         quantity<L>("fit_mm", [](const L& l) { return std::vector<double>(l.fit_mm.begin(), l.fit_mm.end()); }),
         quantity<L>("z_mm", &L::z_mm), quantity<L>("radius_mm", &L::radius_mm), quantity<L>("centre.x_um", centres<0>),
         quantity<L>("centre.y_um", centres<1>));

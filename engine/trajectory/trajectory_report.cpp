@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/form/roundness/roundness_plots.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/form/verify/form_verification.h"
@@ -54,10 +55,9 @@ report::Table errorMotionTable(const TrajectorySection& section)
     report::Table table =
         report::listTable<ErrorMotion>(LT_TEXT("Engine", "Error motion (ISO 230-7), without mean and eccentricity"),
                                        motions, {"synchronous_um", "asynchronous_um", "total_um"});
-    table.columns = {
-        LT_TEXT("Engine", "signal"), report::Labelled{LT_TEXT("Engine", "synchronous"), LT_TEXT("Engine", "µm")},
-        report::Labelled{LT_TEXT("Engine", "asynchronous"), LT_TEXT("Engine", "µm")},
-        report::Labelled{LT_TEXT("Engine", "total"), LT_TEXT("Engine", "µm")}, LT_TEXT("Engine", "drift (µm/rev)")};
+    table.columns = {LT_TEXT("Engine", "signal"), report::Labelled{LT_TEXT("Engine", "synchronous"), unit::um},
+                     report::Labelled{LT_TEXT("Engine", "asynchronous"), unit::um},
+                     report::Labelled{LT_TEXT("Engine", "total"), unit::um}, LT_TEXT("Engine", "drift (µm/rev)")};
     table.decimals = {0, 2, 2, 2, 4};
     for (std::size_t probe = 0; probe < table.rows.size(); ++probe) {
         std::vector<Value>& row = table.rows[probe];
@@ -115,7 +115,7 @@ report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySect
     answer.used = result.used;
     answer.quantity = LT_TEXT("Engine", "Motion of the workpiece axis");
     answer.value = section.spindle.total_um;
-    answer.unit = LT_TEXT("Engine", "µm");
+    answer.unit = unit::um;
     answer.decimals = 1;
     answer.sentence =
         LT_TEXT("Engine",
@@ -130,10 +130,9 @@ report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySect
 report::Answer answer(const TrajectoryResult& result, const Language& language)
 {
     report::Answer answer;
-    const Text um = LT_TEXT("Engine", "µm");
     answer.used = result.used;
     answer.quantity = "RONt(" + std::string(name(result.parameters.form.circle)) + ")";
-    answer.unit = um;
+    answer.unit = unit::um;
     answer.decimals = 1;
     answer.upper_limit = result.parameters.form.tolerance_um;
     answer.verdict = result.verdict;

@@ -74,6 +74,39 @@ private slots:
         QCOMPARE(session_->project().workspace, std::string("inspection"));
     }
 
+    /// After a session that left another tab of the workspace in front, files named at the start come before the window.
+    void filesNamedAtTheStartGoWhereTheyBelongWhateverTheLayout_data()
+    {
+        QTest::addColumn<QString>("left_in_front");
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("taker");
+        QTest::newRow("record") << "round" << "a.record" << "records";
+        QTest::newRow("profile") << "records" << "a.profile" << "round";
+    }
+    void filesNamedAtTheStartGoWhereTheyBelongWhateverTheLayout()
+    {
+        QFETCH(QString, left_in_front);
+        QFETCH(QString, file);
+        QFETCH(QString, taker);
+        window_->enterWorkspace("roundness");
+        dock(left_in_front.toStdString())->raise();
+        QTRY_VERIFY(!dock(left_in_front.toStdString())->visibleRegion().isEmpty());
+        window_->enterWorkspace("inspection");
+        window_->close();
+        window_.reset();
+        session_ = std::make_unique<Session>();
+        window_ = std::make_unique<MainWindow>(*session_, languages_, panels());
+        window_->openPaths({makeFile(file)});
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+        QTRY_VERIFY(!window_->isOpening());
+        PanelDock* const took = dock(taker.toStdString());
+        QTRY_VERIFY(took->madePanel() && took->madePanel()->isCurrent());
+        QTRY_VERIFY(!took->visibleRegion().isEmpty());
+        QCOMPARE(window_->activeDock(), took);
+        QVERIFY(dock(left_in_front.toStdString())->visibleRegion().isEmpty());
+    }
+
     void undoKeyWorksInsideAField()
     {
         openFiles({makeFile("a.txt")});

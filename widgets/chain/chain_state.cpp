@@ -8,6 +8,7 @@
 #include "engine/cam/job_file.h"
 #include "engine/core/field_within.h"
 #include "engine/core/shaft_item.h"
+#include "engine/core/units.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/io/image/image_kind.h"
@@ -21,7 +22,7 @@ namespace lathelier::chain_panel {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t shownDigits = 12;
+constexpr std::size_t fileDigits = 12;
 
 InputRole roleOf(const char* role, Text label, Text hint, io::FileKinds kinds, const char* item = "")
 {
@@ -114,7 +115,7 @@ std::string changedJob(const project::Project& project)
     }
 }
 
-std::optional<project::PanelState> stateOf(const project::Project& project, const char* panel)
+std::optional<project::PanelState> stateOfPanel(const project::Project& project, const char* panel)
 {
     const auto found = project.panels.find(panel);
     return found == project.panels.end() ? std::nullopt : std::optional(found->second);
@@ -123,7 +124,7 @@ std::optional<project::PanelState> stateOf(const project::Project& project, cons
 /// Scale and directions as the panel "Surface" has them, where its photographs are taken and the chain states none.
 void takePictureFacts(const project::Project& project, chain::ChainQuestion& question)
 {
-    const auto surface = stateOf(project, "surface");
+    const auto surface = stateOfPanel(project, "surface");
     if (!surface || sourceAt(project, chainKey, beforeRole)) return;
     const auto number = [&](const char* key) -> std::optional<double> {
         const Value* const value = find(surface->parameters, key);
@@ -159,21 +160,21 @@ const std::vector<Field<ChainSettings>>& fieldsOf(const ChainSettings*)
                   Label{LT_TEXT("Engine", "Drawing confirmed by"), LT_TEXT("Engine", "Who answers for the drawing.")}),
             field("tolerance_mm", &S::tolerance_mm, Range{0, 1e6},
                   Label{LT_TEXT("Engine", "Tolerance of the copy"), LT_TEXT("Engine", "Of its surface, to both sides."),
-                        LT_TEXT("Engine", "mm")}),
+                        unit::mm}),
             field("tolerance_um", &S::tolerance_um, Range{0, 1e6},
                   Label{LT_TEXT("Engine", "Tolerance of the predicted diameter"), LT_TEXT("Engine", "To both sides."),
-                        LT_TEXT("Engine", "µm")}),
+                        unit::um}),
             field("photograph_z_mm", &S::photograph_z_mm, Range{0, 1e5},
                   Label{LT_TEXT("Engine", "Place of the photographs"),
                         LT_TEXT("Engine", "z from the free end: diameter and speed there turn marks into frequencies."),
-                        LT_TEXT("Engine", "mm"), true}),
+                        unit::mm, true}),
             field("photograph_mm_px", &S::photograph_mm_px, Range{1e-6, 1e3},
-                  Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."),
-                        LT_TEXT("Engine", "mm"), true}),
+                  Label{LT_TEXT("Engine", "Scale of the photographs"), LT_TEXT("Engine", "Width of a pixel."), unit::mm,
+                        true}),
             field("photograph_feed_deg", &S::photograph_feed_deg, Range{-360, 360},
                   Label{LT_TEXT("Engine", "Direction of feed in the photographs"),
                         LT_TEXT("Engine", "From right toward down; without it both signs of the marks stay open."),
-                        LT_TEXT("Engine", "°"), true}),
+                        unit::deg, true}),
             field("photograph_cut", &S::photograph_cut, chain::cutsInPicture(),
                   Label{LT_TEXT("Engine", "Direction of cut in the photographs"),
                         LT_TEXT("Engine", "Of later points of a track, the feed pointing right."),
@@ -212,7 +213,7 @@ std::vector<InputRole> chainRoles()
 
 MadeInput madeInput(const std::string& folder, const char* name, std::string text)
 {
-    const std::string file = name + ("_" + io::sha256(text).substr(0, shownDigits)) + ".json";
+    const std::string file = name + ("_" + io::sha256(text).substr(0, fileDigits)) + ".json";
     return {(fs::path(folder) / "given" / file).string(), std::move(text)};
 }
 
@@ -233,7 +234,7 @@ AskedChain askedChain(const project::Project& project)
     question.photograph_before = pathAt({{chainKey, beforeRole}, {"surface", beforeRole}});
     question.photograph_after = pathAt({{chainKey, afterRole}, {"surface", afterRole}});
     if (!sourceAt(project, chainKey, setupRole) && !question.setup.empty())
-        asked.deflection = stateOf(project, "deflection");
+        asked.deflection = stateOfPanel(project, "deflection");
     question.out = settings.folder.empty() ? proposedFolder(question) : settings.folder;
     Inputs inputs(project, question.out, asked);
     question.drawing = inputs.pathOf(

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 
 #include "engine/core/frf_item.h"
+#include "engine/core/units.h"
 #include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/chatter_common/taken_input.h"
@@ -68,7 +69,7 @@ QString understoodModel(const std::string& role, const project::Source& source, 
     const Shaft& shaft = loaded->file.shaft;
     return understoodText(loaded->file.facts, ModelFacts::tr("%L1 segments · %2")
                                                   .arg(shaft.segments.size())
-                                                  .arg(screenQuantity(shaft.length_mm(), LT_TEXT("Engine", "mm"), 1)));
+                                                  .arg(screenQuantity(shaft.length_mm(), unit::mm, 1)));
 }
 
 }  // namespace lathelier::chatter_common

@@ -1,6 +1,7 @@
 // The bar above the views of a comparison, and which view is shown where.
 #include <QVBoxLayout>
 
+#include "engine/core/units.h"
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/core/language.h"
@@ -153,7 +154,7 @@ void CompareViews::retranslate()
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
     p.synthetic->setVisible(p.picture && p.picture->synthetic);
-    p.scene->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")});
+    p.scene->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
     if (!p.picture) return;
     arrange();
     showCharts();

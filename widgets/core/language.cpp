@@ -8,6 +8,7 @@
 #include <QTranslator>
 #include <atomic>
 
+#include "engine/core/units.h"
 #include "engine/core/visible.h"
 
 namespace lathelier {
@@ -22,19 +23,17 @@ QLocale plainLocale()
 
 std::atomic<ScreenUnits> chosenUnits{ScreenUnits{}};  // reports are made in workers
 
-constexpr double mmPerInch = 25.4;
-
 ShownUnit lengthUnit()
 {
-    if (screenUnits().length == ScreenUnits::Length::Inch) return {LT_TEXT("Engine", "in"), 1 / mmPerInch, 2};
+    if (screenUnits().length == ScreenUnits::Length::Inch) return {LT_TEXT("Engine", "in"), 1 / mm_per_inch, 2};
     return {};
 }
 
 ShownUnit formUnit()
 {
     switch (screenUnits().form) {
-        case ScreenUnits::Form::Millimetre: return {LT_TEXT("Engine", "mm"), 1e-3, 3};
-        case ScreenUnits::Form::Microinch: return {LT_TEXT("Engine", "µin"), 1e3 / mmPerInch, -1};
+        case ScreenUnits::Form::Millimetre: return {unit::mm, 1e-3, 3};
+        case ScreenUnits::Form::Microinch: return {LT_TEXT("Engine", "µin"), 1e3 / mm_per_inch, -1};
         case ScreenUnits::Form::Micrometre: break;
     }
     return {};

@@ -3,6 +3,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylindricity_plots.h"
 #include "engine/form/cylinder/cylindricity_report.h"
 #include "widgets/core/language.h"
@@ -203,7 +204,7 @@ void CylindricityViews::retranslate()
     section_->setToolTip(tr("Cuts the marked section out of the points and opens it in the panel Roundness"));
     synthetic_->setText(tr("Synthetic data"));
     synthetic_->setToolTip(tr("These points were computed, not measured."));
-    scene_->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "mm")});
+    scene_->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
     if (!picture_) return;
     showPart();
     showCharts();

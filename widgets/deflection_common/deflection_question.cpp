@@ -1,6 +1,7 @@
 #include "widgets/deflection_common/deflection_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/influences.h"
 #include "engine/receptance/receptance_codes.h"
@@ -43,18 +44,17 @@ std::vector<Field<DeflectionQuestion>> libraryFields()
                                           "cutting coefficients stay those of the set-up.")})),
             change("changed_corner_radius_mm", &C::corner_radius_mm, {0.01, 100},
                    Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "In place of the value in the set-up."),
-                         LT_TEXT("Engine", "mm"), true}),
+                         unit::mm, true}),
             change("changed_lead_angle_deg", &C::lead_angle_deg, {-80, 80},
                    Label{LT_TEXT("Engine", "Lead angle"),
                          LT_TEXT("Engine", "The edge enters at 90° less this: -5° is an entering angle of 95°."),
-                         LT_TEXT("Engine", "°"), true})};
+                         unit::deg, true})};
 }
 
 /// What a lathe may have beside chuck and tailstock.
 std::vector<Field<DeflectionQuestion>> restFields()
 {
     using C = SetupChanges;
-    const Text N_mm = LT_TEXT("Engine", "N/mm");
     const Label rests{LT_TEXT("Engine", "Steady rests"),
                       LT_TEXT("Engine", "Place and radial stiffness, in place of those in the set-up."),
                       {},
@@ -62,17 +62,17 @@ std::vector<Field<DeflectionQuestion>> restFields()
     return {ofChanges(rows("changed_steady_rests", &C::steady_rests, Range{0, 20}, rests)),
             change("changed_follower_N_mm", &C::follower_N_mm, {0, 1e12},
                    Label{LT_TEXT("Engine", "Follower rest, radial"),
-                         LT_TEXT("Engine", "In place of the value in the set-up; 0: without one."), N_mm, true}),
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: without one."), unit::N_mm, true}),
             change("changed_follower_offset_mm", &C::follower_offset_mm, {-1e5, 1e5},
                    Label{LT_TEXT("Engine", "Follower rest, distance from the tool"),
                          LT_TEXT("Engine", "Toward the chuck; negative: behind the tool, on the machined surface."),
-                         LT_TEXT("Engine", "mm"), true}),
+                         unit::mm, true}),
             change("changed_post_radial_N_mm", &C::post_radial_N_mm, {0, 1e12},
                    Label{LT_TEXT("Engine", "Tool post, radial"),
-                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), N_mm, true}),
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), unit::N_mm, true}),
             change("changed_post_tangential_N_mm", &C::post_tangential_N_mm, {0, 1e12},
                    Label{LT_TEXT("Engine", "Tool post, tangential"),
-                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), N_mm, true})};
+                         LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), unit::N_mm, true})};
 }
 
 /// A rest that moves with the tool, as changed. A distance alone changes the one that there is.
@@ -103,27 +103,24 @@ std::vector<Field<DeflectionQuestion>> allFields()
 {
     using Q = DeflectionQuestion;
     const Text as_stated = LT_TEXT("Engine", "In place of the value in the set-up.");
-    const Text N_mm = LT_TEXT("Engine", "N/mm");
     std::vector<Field<Q>> all{
         within(&Q::study, "tolerance_um"),
         change("changed_tailstock_N_mm", &SetupChanges::tailstock_N_mm, {0, 1e12},
-               Label{LT_TEXT("Engine", "Tailstock, radial"), as_stated, N_mm}),
+               Label{LT_TEXT("Engine", "Tailstock, radial"), as_stated, unit::N_mm}),
         change("changed_chuck_N_mm", &SetupChanges::chuck_N_mm, {1, 1e12},
-               Label{LT_TEXT("Engine", "Chuck, radial"), as_stated, N_mm}),
+               Label{LT_TEXT("Engine", "Chuck, radial"), as_stated, unit::N_mm}),
         change("changed_chuck_N_mm_rad", &SetupChanges::chuck_N_mm_rad, {1, 1e15},
                Label{LT_TEXT("Engine", "Chuck, tilting"), as_stated, LT_TEXT("Engine", "N·mm/rad")}),
         change("changed_forces_percent", &SetupChanges::forces_percent, {1, 1000},
-               Label{LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Of those of the set-up."),
-                     LT_TEXT("Engine", "%")}),
+               Label{LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Of those of the set-up."), unit::percent}),
         within(&Q::study, "measured"),
         within(&Q::map, "cutting_speed_m_min"),
         within(&Q::study, "band"),
         within(&Q::study, "sensitivities"),
         within(&Q::study, "feed"),
         within(&Q::study, "map")};
-    all.push_back(
-        change("changed_z_zero_mm", &SetupChanges::z_zero_mm, {-1e5, 1e5},
-               Label{LT_TEXT("Engine", "z of the program's zero"), as_stated, LT_TEXT("Engine", "mm"), true}));
+    all.push_back(change("changed_z_zero_mm", &SetupChanges::z_zero_mm, {-1e5, 1e5},
+                         Label{LT_TEXT("Engine", "z of the program's zero"), as_stated, unit::mm, true}));
     for (const auto& made : {libraryFields(), restFields()}) all.insert(all.end(), made.begin(), made.end());
     all.push_back(foldedWithin(&Q::study, "check_stock"));
     for (const char* key : {"springs_percent", "forces_percent", "modulus_percent", "samples"})

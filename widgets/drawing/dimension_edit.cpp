@@ -5,18 +5,17 @@
 #include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
+#include "engine/core/units.h"
 
 namespace lathelier::drawing_panel {
 namespace {
 
 using Of = drawing::DimensionTarget::Of;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kSteep_deg = 10;  // cones are given by their whole angle from here on, as the drawing does
 constexpr int kDecimals = 6;
 
@@ -48,7 +47,7 @@ std::vector<double> numbersIn(const QString& typed)
 
 double angle_deg(const ShaftSegment& row)
 {
-    return std::atan2(std::abs(row.end_diameter_mm - row.start_diameter_mm) / 2, row.length_mm) * kDegrees;
+    return std::atan2(std::abs(row.end_diameter_mm - row.start_diameter_mm) / 2, row.length_mm) * deg_per_rad;
 }
 
 double lengthOf(const ShaftRows& rows, const std::vector<std::size_t>& numbers)
@@ -141,7 +140,7 @@ ShaftRows withTypedSize(ShaftRows rows, const drawing::DimensionTarget& target, 
             return setGroove(std::move(rows), first, last, given[0], bottom);
         }
         case Of::Taper: {
-            const double half = given.size() > 1 ? std::atan2(given[0] / 2, given[1]) * kDegrees : given[0] / 2;
+            const double half = given.size() > 1 ? std::atan2(given[0] / 2, given[1]) * deg_per_rad : given[0] / 2;
             return setConeAngle(std::move(rows), first, half);
         }
         case Of::None: break;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
+#include "engine/core/units.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/project/project_codes.h"
@@ -94,7 +95,7 @@ report::Answer answer(const LobesPicture& picture, const Language& language)
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Depth of cut");
     answer.value = picture.point.depth_mm;
-    if (!relative) answer.unit = LT_TEXT("Engine", "mm");
+    if (!relative) answer.unit = unit::mm;
     answer.decimals = 3;
     if (std::isfinite(picture.work.limit_mm)) answer.upper_limit = std::round(1000 * picture.work.limit_mm) / 1000;
     answer.verdict = picture.work.stable ? Verdict::Pass : Verdict::Fail;

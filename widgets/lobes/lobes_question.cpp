@@ -1,6 +1,7 @@
 #include "widgets/lobes/lobes_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 
 namespace lathelier::lobes_panel {
 
@@ -16,7 +17,7 @@ const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*)
         within(&Q::lobes, "speed_rpm"),
         field("operating_speed_rpm", &Q::operating_speed_rpm, Range{1, 1e6},
               Label{LT_TEXT("Engine", "Spindle speed"),
-                    LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "1/min")}),
+                    LT_TEXT("Engine", "Of the operating point; drag it in the chart."), unit::rpm}),
         field("operating_depth", &Q::operating_depth, Range{1e-6, 1e6},
               Label{LT_TEXT("Engine", "Depth of cut"),
                     LT_TEXT("Engine",

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/trajectory/trajectory_plots.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/flow_row.h"
@@ -216,7 +217,7 @@ void LongitudinalViews::retranslate()
     heroes_->setTitle("stack", tr("Form"));
     heroes_->setTitle("profile", tr("Along the axis"));
     heroes_->setTitle("sections", tr("Sections"));
-    scene_->setScale({LT_TEXT("Engine", "Deviation"), LT_TEXT("Engine", "µm")});
+    scene_->setScale({LT_TEXT("Engine", "Deviation"), unit::um});
     if (!picture_) return;
     const auto picture = std::move(picture_);
     picture_.reset();

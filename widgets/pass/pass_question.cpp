@@ -1,6 +1,7 @@
 #include "widgets/pass/pass_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 
 namespace lathelier::pass_panel {
 
@@ -21,7 +22,7 @@ const std::vector<Field<PassQuestion>>& fieldsOf(const PassQuestion*)
         field(speedKey, &Q::operating_speed_rpm, Range{1, 1e6},
               Label{LT_TEXT("Engine", "Spindle speed"),
                     LT_TEXT("Engine", "That is judged; drag it in the chart. Without it the best over the pass."),
-                    LT_TEXT("Engine", "1/min")}),
+                    unit::rpm}),
         foldedWithin(&Q::lobes, "relation"),
         foldedWithin(&Q::lobes, "process_damping_N_mm"),
         foldedWithin(&Q::lobes, "direction_factor"),

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-QVector<double> toQt(const std::vector<double>& values)
+QVector<double> toVector(const std::vector<double>& values)
 {
     return {values.begin(), values.end()};
 }
@@ -149,21 +149,21 @@ void ChartView::build()
         QCPGraph* low = nullptr;
         if (curve.style == report::Curve::Style::Bars) {
             auto* bars = new QCPBars(plot().xAxis, plot().yAxis);
-            bars->setData(toQt(places), toQt(curve.y), true);
+            bars->setData(toVector(places), toVector(curve.y), true);
             bars->setWidth(curve.x.size() > 1 ? curve.x[1] - curve.x[0] : 1);
             c.drawn.push_back(bars);
         } else if (isPath(curve)) {
             auto* path = new QCPCurve(plot().xAxis, plot().yAxis);
-            path->setData(toQt(curve.x), toQt(curve.y));
+            path->setData(toVector(curve.x), toVector(curve.y));
             c.drawn.push_back(path);
         } else {
             if (curve.style == report::Curve::Style::Band) {
                 low = plot().addGraph();
-                low->setData(toQt(curve.x), toQt(curve.y_low), true);
+                low->setData(toVector(curve.x), toVector(curve.y_low), true);
                 low->removeFromLegend();
             }
             QCPGraph* graph = plot().addGraph();
-            graph->setData(toQt(curve.x), toQt(curve.y), true);
+            graph->setData(toVector(curve.x), toVector(curve.y), true);
             graph->setAdaptiveSampling(true);
             if (low) graph->setChannelFillGraph(low);
             c.drawn.push_back(graph);

@@ -9,39 +9,36 @@
 #include "widgets/plot/grid_picture.h"
 
 namespace lathelier::plot {
-namespace {
-
-/// The colour scale, drawn into the right margin of the axes.
-class LegendInMargin : public QCPLayerable {
-public:
-    explicit LegendInMargin(QCustomPlot* plot) : QCPLayerable(plot, "axes") {}
-    Legend shown;
-    QFont font;
-    QColor text;
-    QLocale locale;
-    int narrowest = 0;  ///< the field of the limit stands above
-
-    bool is_shown = true;
-
-    int width() const { return !is_shown ? 0 : std::max(narrowest, colourLegendWidth(shown, font, locale) + gap); }
-
-protected:
-    void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
-    void draw(QCPPainter* painter) override
-    {
-        if (!is_shown) return;
-        const QRectF axes = parentPlot()->axisRect()->rect();
-        paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8), shown,
-                          font, text, locale);
-    }
-
-private:
-    static constexpr int gap = 12;
-};
-
-}  // namespace
 
 struct MapView::Content {
+    /// The colour scale, drawn into the right margin of the axes.
+    class LegendInMargin : public QCPLayerable {
+    public:
+        explicit LegendInMargin(QCustomPlot* plot) : QCPLayerable(plot, "axes") {}
+        Legend shown;
+        QFont font;
+        QColor text;
+        QLocale locale;
+        int narrowest = 0;  ///< the field of the limit stands above
+
+        bool is_shown = true;
+
+        int width() const { return !is_shown ? 0 : std::max(narrowest, colourLegendWidth(shown, font, locale) + gap); }
+
+    protected:
+        void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+        void draw(QCPPainter* painter) override
+        {
+            if (!is_shown) return;
+            const QRectF axes = parentPlot()->axisRect()->rect();
+            paintColourLegend(*painter, QRectF(axes.right() + gap, axes.top() - 4, width() - gap, axes.height() + 8),
+                              shown, font, text, locale);
+        }
+
+    private:
+        static constexpr int gap = 12;
+    };
+
     report::ColourMap data;
     report::DeviationColours colours;
     GridPicture* picture = nullptr;
@@ -55,7 +52,7 @@ MapView::MapView(QWidget* parent) : PlotCanvas(parent), content_(std::make_uniqu
 {
     Content& c = *content_;
     c.picture = new GridPicture(plot().xAxis, plot().yAxis);
-    c.legend = new LegendInMargin(&plot());
+    c.legend = new Content::LegendInMargin(&plot());
     plot().axisRect()->setAutoMargins(QCP::msLeft | QCP::msTop | QCP::msBottom);
     plot().axisRect()->axis(QCPAxis::atBottom)->grid()->setVisible(false);
     plot().axisRect()->axis(QCPAxis::atLeft)->grid()->setVisible(false);
@@ -140,7 +137,7 @@ void MapView::setMarker(std::optional<QPointF> place)
 
 void MapView::applyStyle()
 {
-    LegendInMargin& legend = *content_->legend;
+    Content::LegendInMargin& legend = *content_->legend;
     legend.font = font();
     legend.text = style().text;
     legend.locale = locale();

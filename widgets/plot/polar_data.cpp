@@ -7,13 +7,13 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "widgets/plot/plot_style.h"
 
 namespace lathelier::plot {
 
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int bins = 3600;
 constexpr double largestGap_deg = 15;  // a wider one is not closed by a line
 
@@ -60,8 +60,8 @@ PolarLine lineOf(const report::PolarPlot::Trace& trace)
     const auto bin = [&](std::size_t i) { return std::floor(trace.angle_deg[i] / 360 * bins); };
     const auto breakLine = [&] {
         if (line.angle_deg.empty() || std::isnan(line.angle_deg.back())) return;
-        line.angle_deg.push_back(none);
-        line.deviation_um.push_back(none);
+        line.angle_deg.push_back(notANumber);
+        line.deviation_um.push_back(notANumber);
     };
     for (std::size_t i = 0; i < count;) {
         if (!drawable(i)) {
@@ -110,7 +110,7 @@ double deviationAt(const report::PolarPlot::ReferenceLine& circle, double base_r
     const double radius_um = base_radius_mm * 1000 + circle.deviation_um;
     if (base_radius_mm <= 0) return along_um + circle.deviation_um;
     const double inside = radius_um * radius_um - across_um * across_um;
-    return inside < 0 ? none : along_um + std::sqrt(inside) - base_radius_mm * 1000;
+    return inside < 0 ? notANumber : along_um + std::sqrt(inside) - base_radius_mm * 1000;
 }
 
 PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t silent)

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/stock/turning_insert.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
@@ -276,8 +277,8 @@ QString ProgramViews::whereText(std::int64_t line) const
     const stock::Corner end = drawn.corner(pieces.back());
     return tr("Line %1: %2 to Ø %3, Z %4 · tool %5")
         .arg(QString::number(line), drawn.isRapid(pieces.back()) ? tr("rapid") : tr("feed"),
-             screenQuantity(2 * end.x_mm, LT_TEXT("Engine", "mm"), 3),
-             screenQuantity(picture_->check->z_zero_mm - end.z_mm, LT_TEXT("Engine", "mm"), 3),
+             screenQuantity(2 * end.x_mm, unit::mm, 3),
+             screenQuantity(picture_->check->z_zero_mm - end.z_mm, unit::mm, 3),
              QString::number(drawn.toolOf(pieces.back())));
 }
 

@@ -256,7 +256,7 @@ void ProgramEditor::markRemarks()
                 ? end
                 : begin + static_cast<long>(endOfWord({text.constData(), static_cast<std::size_t>(end - begin)},
                                                       static_cast<std::size_t>(from - begin)));
-        send(SCI_SETINDICATORCURRENT, remark.is_error ? errorWave : warningWave);
+        send(SCI_SETINDICATORCURRENT, static_cast<unsigned long>(remark.is_error ? errorWave : warningWave));
         if (to > from) send(SCI_INDICATORFILLRANGE, static_cast<unsigned long>(from), to - from);
     }
 }

@@ -3,12 +3,10 @@
 #include <algorithm>
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 
 namespace lathelier::shaft_panel {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
-const Text hz = LT_TEXT("Engine", "Hz");
 
 /// What is seldom changed is folded away in the form, groups as a whole.
 std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
@@ -25,10 +23,9 @@ const std::vector<Field<Rest>>& fieldsOf(const Rest*)
 {
     static const auto all = described<Rest>(
         field("z_mm", &Rest::z_mm, {0, 1e5},
-              Label{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end; 0: a tailstock."), mm}),
-        field(
-            "radial_N_mm", &Rest::radial_N_mm, {1e-6, 1e12},
-            Label{LT_TEXT("Engine", "Stiffness"), LT_TEXT("Engine", "Against deflection."), LT_TEXT("Engine", "N/mm")}),
+              Label{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end; 0: a tailstock."), unit::mm}),
+        field("radial_N_mm", &Rest::radial_N_mm, {1e-6, 1e12},
+              Label{LT_TEXT("Engine", "Stiffness"), LT_TEXT("Engine", "Against deflection."), unit::N_mm}),
         field("loss_factor", &Rest::loss_factor, {0, 2},
               Label{LT_TEXT("Engine", "Loss factor"), LT_TEXT("Engine", "The spring is multiplied by 1 + iη.")}));
     return all;
@@ -59,9 +56,9 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
                    LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
         within(&Q::response, "respond_z_mm"), within(&Q::response, "excite_z_mm"),
         field("from_hz", &Q::from_hz, Range{0, 1e6},
-              Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), hz}),
+              Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), unit::hz}),
         field("to_hz", &Q::to_hz, Range{0, 1e6},
-              Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), hz}),
+              Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), unit::hz}),
         within(&Q::response, "step_hz"), within(&Q::response, "shear"), within(&Q::response, "method"),
         within(&Q::response, "step_correction")));
     return all;

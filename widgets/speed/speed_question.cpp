@@ -1,11 +1,11 @@
 #include "widgets/speed/speed_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 
 namespace lathelier::speed_panel {
 namespace {
 
-const Text m_min = LT_TEXT("Engine", "m/min");
 constexpr Range speeds{1e-3, 1e5};
 
 }  // namespace
@@ -19,13 +19,14 @@ const std::vector<Field<SpeedQuestion>>& fieldsOf(const SpeedQuestion*)
             field(lengthKey, &Q::length_mm, Range{1e-3, 1e5},
                   Label{LT_TEXT("Engine", "Overhang L"),
                         LT_TEXT("Engine", "Of the bar from the chuck to its free end; a shaft given takes its place."),
-                        LT_TEXT("Engine", "mm")}),
+                        unit::mm}),
             within(&Q::speed, cuttingSpeedKey),
             field(lowestKey, &Q::lowest_m_min, speeds,
-                  Label{LT_TEXT("Engine", "Least cutting speed"), LT_TEXT("Engine", "That the tool allows."), m_min}),
-            field(
-                highestKey, &Q::highest_m_min, speeds,
-                Label{LT_TEXT("Engine", "Greatest cutting speed"), LT_TEXT("Engine", "That the tool allows."), m_min}),
+                  Label{LT_TEXT("Engine", "Least cutting speed"), LT_TEXT("Engine", "That the tool allows."),
+                        unit::m_min}),
+            field(highestKey, &Q::highest_m_min, speeds,
+                  Label{LT_TEXT("Engine", "Greatest cutting speed"), LT_TEXT("Engine", "That the tool allows."),
+                        unit::m_min}),
             within(&Q::speed, "rule"), foldedWithin(&Q::speed, "relation"), foldedWithin(&Q::speed, "peak_shift"),
             group("material", &Q::material,
                   Label{LT_TEXT("Engine", "Material of the bar"), LT_TEXT("Engine", "Without it steel is assumed.")}));

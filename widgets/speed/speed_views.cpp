@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/stability/stability_report.h"
 #include "widgets/core/language.h"
@@ -62,7 +63,7 @@ void SpeedViews::show()
     if (picture_->speed) {
         const stability::SpeedResult& speed = *picture_->speed;
         keys_->setReading(
-            screenNumber(speed.recommended_rpm, 0), screenText(LT_TEXT("Engine", "1/min")),
+            screenNumber(speed.recommended_rpm, 0), screenText(unit::rpm),
             tr("instead of %1 · %2 m/min")
                 .arg(screenNumber(speed.selected_rpm, 0), screenNumber(speed.recommended_cutting_speed_m_min, 0)),
             true);

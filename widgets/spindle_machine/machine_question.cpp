@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/core/units.h"
+
 namespace lathelier::machine_panel {
 namespace {
 
@@ -36,10 +38,10 @@ const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*)
         for (const auto& inner : fields<receptance::IdentificationParameters>())
             list.push_back({inner.info, [inner](const Q& q) { return inner.get(q.identification); },
                             [inner](Q& q, const Value& value) { inner.set(q.identification, value); }});
-        list.push_back(field(
-            "limit_percent", &Q::limit_percent, Range{0, 1000},
-            Label{LT_TEXT("Engine", "Largest residual"),
-                  LT_TEXT("Engine", "Of the rod held out, else of all responses used."), LT_TEXT("Engine", "%")}));
+        list.push_back(
+            field("limit_percent", &Q::limit_percent, Range{0, 1000},
+                  Label{LT_TEXT("Engine", "Largest residual"),
+                        LT_TEXT("Engine", "Of the rod held out, else of all responses used."), unit::percent}));
         return list;
     }();
     return all;

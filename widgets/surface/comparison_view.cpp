@@ -12,7 +12,7 @@
 namespace lathelier::surface_panel {
 namespace {
 
-constexpr int places = 1000;  // of the slider
+constexpr int sharePlaces = 1000;  // of the slider
 
 QWidget* withName(QLabel* name, PictureView* view)
 {
@@ -45,7 +45,7 @@ ComparisonView::ComparisonView(QWidget* parent)
     before_->setObjectName("surfaceBefore");
     after_->setObjectName("surfaceAfter");
     slider_->setObjectName("surfaceSlider");
-    slider_->setRange(0, places);
+    slider_->setRange(0, sharePlaces);
     beforeSide_ = withName(beforeName_, before_);
     afterSide_ = withName(afterName_, after_);
     before_->link(after_);
@@ -85,7 +85,7 @@ ComparisonView::ComparisonView(QWidget* parent)
     connect(lay_, &QToolButton::toggled, this, &ComparisonView::lay);
     connect(before_, &PictureView::pointChosen, this, [this](const QPointF& pixel) { takePoint(true, pixel); });
     connect(after_, &PictureView::pointChosen, this, [this](const QPointF& pixel) { takePoint(false, pixel); });
-    connect(slider_, &QSlider::valueChanged, this, [this](int value) { setShare(double(value) / places); });
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) { setShare(double(value) / sharePlaces); });
     for (PictureView* view : {before_, after_})
         connect(view, &plot::PlotWidget::notWritten, this, &ComparisonView::notWritten);
     retranslate();
@@ -143,7 +143,7 @@ void ComparisonView::setShare(double share)
 void ComparisonView::arrange()
 {
     const QSignalBlocker quiet(slider_);
-    slider_->setValue(static_cast<int>(std::lround(share_ * places)));
+    slider_->setValue(static_cast<int>(std::lround(share_ * sharePlaces)));
     slider_->setEnabled(slides_);
     ways_->button(slides_ ? 1 : 0)->setChecked(true);
     afterSide_->setVisible(!slides_);

@@ -7,12 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::surface_panel {
 namespace {
 
-constexpr int places = 400;        // of a slider
+constexpr int sliderPlaces = 400;  // of a slider
 constexpr int readableDigits = 3;  // of a number that a slider gives
 
 struct Reach {
@@ -103,7 +104,7 @@ void GeneratorPane::addRow(const FieldInfo& info, double from, double to, bool l
     auto* edit = new NumberEdit(info.minimum, info.maximum);
     slider->setObjectName(QString::fromStdString("made_slider_" + info.key));
     edit->setObjectName(QString::fromStdString("made_" + info.key));
-    slider->setRange(0, places);
+    slider->setRange(0, sliderPlaces);
     slider->setMinimumWidth(60);
     edit->setMaximumWidth(fontMetrics().averageCharWidth() * 11);
     label->setBuddy(edit);
@@ -115,7 +116,7 @@ void GeneratorPane::addRow(const FieldInfo& info, double from, double to, bool l
     const std::string key = info.key;
     connect(slider, &QSlider::sliderPressed, this, [this] { ++gesture_; });
     connect(slider, &QSlider::valueChanged, this, [=, this](int place) {
-        const double share = double(place) / places;
+        const double share = double(place) / sliderPlaces;
         const double value = logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
         emit valueWanted(key, rounded(value), gesture_);
     });
@@ -161,7 +162,7 @@ void GeneratorPane::setParameters(const surface::SyntheticParameters& parameters
                                  : (number - row.from) / (row.to - row.from);
         const QSignalBlocker quiet(row.slider);
         if (!row.slider->isSliderDown())
-            row.slider->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * places)));
+            row.slider->setValue(static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * sliderPlaces)));
         row.edit->setNumber(number);
         // The scale follows from the whole width.
         if (row.info.key == "mm_per_px") {
@@ -180,7 +181,6 @@ void GeneratorPane::showWaves()
 {
     const surface::SyntheticParameters& p = parameters_;
     const surface::Waves waves = surface::wavesPerRevolution(p.frequency_hz, p.speed_rpm);
-    const Text mm = LT_TEXT("Engine", "mm");
     QString words = tr("f_c / n = %1 Hz / %2 Hz = m + ν = %3 %4 %5")
                         .arg(screenNumber(p.frequency_hz, 1), screenNumber(p.speed_rpm / 60, 2))
                         .arg(waves.m)
@@ -189,18 +189,17 @@ void GeneratorPane::showWaves()
     words += "\n" + tr("ε = %1°").arg(screenNumber(surface::phase_deg(waves.nu), 0));
     if (waves.nu != 0)
         words += "\n" + tr("Bands along the axis every f / |ν| = %1")
-                            .arg(screenQuantity(p.feed_mm_rev / std::abs(waves.nu), mm, 3));
+                            .arg(screenQuantity(p.feed_mm_rev / std::abs(waves.nu), unit::mm, 3));
     if (waves.m > 0) {
-        words +=
-            "\n" +
-            tr("Waves round the part every πD / m = %1").arg(screenQuantity(M_PI * p.diameter_mm / waves.m, mm, 2));
+        words += "\n" + tr("Waves round the part every πD / m = %1")
+                            .arg(screenQuantity(M_PI * p.diameter_mm / waves.m, unit::mm, 2));
         words +=
             "\n" + tr("Crests to the axis: %1°")
                        .arg(screenNumber(surface::inclination_deg(waves.nu, waves.m, p.diameter_mm, p.feed_mm_rev), 1));
     }
-    words += "\n" + tr("Depth of a feed mark f² / 8r = %1")
-                        .arg(screenQuantity(1000 * p.feed_mm_rev * p.feed_mm_rev / (8 * p.nose_radius_mm),
-                                            LT_TEXT("Engine", "µm"), 2));
+    words +=
+        "\n" + tr("Depth of a feed mark f² / 8r = %1")
+                   .arg(screenQuantity(1000 * p.feed_mm_rev * p.feed_mm_rev / (8 * p.nose_radius_mm), unit::um, 2));
     waves_->setText(words);
 }
 

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/view_frame.h"
@@ -124,11 +125,10 @@ void PhotographView::showLength()
     isDiameter_->setVisible(measures && pixels_ > 0 && diameter_mm_ && usable_);
     measured_->setText(usable_ ? tr("%1 px are").arg(screenNumber(pixels_, 1)) : QString());
     set_->setEnabled(length_->number().has_value());
-    set_->setText(tr("%1: set the scale").arg(screenUnit(LT_TEXT("Engine", "mm"))));
-    length_->setFactor(screenFactor(LT_TEXT("Engine", "mm")));
+    set_->setText(tr("%1: set the scale").arg(screenUnit(unit::mm)));
+    length_->setFactor(screenFactor(unit::mm));
     if (diameter_mm_)
-        isDiameter_->setText(
-            tr("Ø %1 between the edges").arg(screenQuantity(*diameter_mm_, LT_TEXT("Engine", "mm"), 2)));
+        isDiameter_->setText(tr("Ø %1 between the edges").arg(screenQuantity(*diameter_mm_, unit::mm, 2)));
     switch (tool) {
         case PictureView::Tool::None:
         case PictureView::Tool::Point: hint_->clear(); break;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/surface/surface_pictures.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/plot_style.h"
@@ -102,7 +103,7 @@ void drawLength(QPainter& painter, const std::vector<QPointF>& ends, const QPen&
 void drawScaleBar(QPainter& painter, double mm_per_pixel, const QRect& room, const QPalette& palette, const QFont& font)
 {
     const QFontMetricsF metrics(font);
-    const Text unit = LT_TEXT("Engine", "mm");
+    const Text unit = unit::mm;
     const double factor = screenFactor(unit);  // round in the unit that is shown
     const double mm = surface::roundBelow(0.25 * room.width() * mm_per_pixel * factor) / factor,
                  length = mm / mm_per_pixel;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/plot_style.h"
 #include "widgets/surface/picture_painting.h"
@@ -142,7 +143,7 @@ void PictureView::paintWords(QPainter& painter, const QPalette& palette) const
 
 QString PictureView::placeWords(const QPointF& at) const
 {
-    const Text unit = LT_TEXT("Engine", "mm");
+    const Text unit = unit::mm;
     if (mm_per_px_ > 0)
         return QStringLiteral("x %1 · y %2")
             .arg(screenQuantity(at.x() * mm_per_px_, unit, 2), screenQuantity(at.y() * mm_per_px_, unit, 2));
@@ -154,7 +155,7 @@ QString PictureView::lengthWords() const
 {
     const QPointF way = chosen_[1] - chosen_[0];
     const auto words = [&](double pixels) {
-        return mm_per_px_ > 0 ? screenQuantity(pixels * mm_per_px_, LT_TEXT("Engine", "mm"), 3)
+        return mm_per_px_ > 0 ? screenQuantity(pixels * mm_per_px_, unit::mm, 3)
                               : QStringLiteral("%1 px").arg(screenNumber(pixels, 1));
     };
     return QStringLiteral("%1 (↔ %2, ↕ %3)")

@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::surface_panel {
@@ -68,10 +69,9 @@ void QuizPane::showWords()
     const surface::SyntheticParameters made = pictureOf(question_);
     QString words = tr("Question %1").arg(question_.quiz_number) + "\n";
     words += tr("D = %1, f = %2, N = %3, n = N / 60 = %4")
-                 .arg(screenQuantity(made.diameter_mm, LT_TEXT("Engine", "mm"), 0),
-                      screenQuantity(made.feed_mm_rev, LT_TEXT("Engine", "mm"), 2),
+                 .arg(screenQuantity(made.diameter_mm, unit::mm, 0), screenQuantity(made.feed_mm_rev, unit::mm, 2),
                       screenQuantity(made.speed_rpm, LT_TEXT("Engine", "rpm"), 0),
-                      screenQuantity(made.speed_rpm / 60, LT_TEXT("Engine", "Hz"), 2)) +
+                      screenQuantity(made.speed_rpm / 60, unit::hz, 2)) +
              "\n";
     words += tr("Measure in the view Marks, where the circumference is laid flat:") + "\n";
     words += tr("period of the bands along the axis p: |ν| = f / p") + "\n";
@@ -85,7 +85,7 @@ void QuizPane::retranslate()
 {
     ask_->setText(tr("Ask me"));
     ask_->setToolTip(tr("A picture whose frequency is to be found with ruler and formula"));
-    name_->setText(tr("Your f_c (%1)").arg(screenUnit(LT_TEXT("Engine", "Hz"))));
+    name_->setText(tr("Your f_c (%1)").arg(screenUnit(unit::hz)));
     answer_->setAccessibleName(tr("Frequency that was read off the picture"));
     check_->setText(tr("Check"));
     check_->setToolTip(tr("Compare the answer with the picture, and show everything"));

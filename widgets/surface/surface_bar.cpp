@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/flow_row.h"
 
@@ -56,8 +57,7 @@ void SurfaceBar::setPicture(const SurfacePicture& picture, int chosen)
     showCandidates(picture);
     send_->setVisible(picture.marks.has_value() && !picture.asks());
     if (picture.marks)
-        send_->setText(tr("Send %1 to the lobe chart")
-                           .arg(screenQuantity(picture.marks->frequency_hz, LT_TEXT("Engine", "Hz"), 1)));
+        send_->setText(tr("Send %1 to the lobe chart").arg(screenQuantity(picture.marks->frequency_hz, unit::hz, 1)));
     synthetic_->setVisible(picture.synthetic);
 }
 
@@ -79,7 +79,7 @@ void SurfaceBar::showCandidates(const SurfacePicture& picture)
         const double hz = all[i];
         auto* chip = new QToolButton;
         chip->setObjectName(QString("candidate%1").arg(i));
-        chip->setText(screenQuantity(hz, LT_TEXT("Engine", "Hz"), 1));
+        chip->setText(screenQuantity(hz, unit::hz, 1));
         chip->setCheckable(true);
         chip->setChecked(i == 0);
         chip->setToolTip(i == 0 ? tr("The reading that is used") : tr("Use this reading of the marks"));

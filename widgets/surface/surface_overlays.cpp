@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/surface/surface_plots.h"
 #include "engine/surface/surface_report.h"
 #include "widgets/core/language.h"
@@ -19,7 +20,7 @@ constexpr double chatterWidth = 2;
 
 QString length(const surface::ImageMarks& image, double pixels, int decimals)
 {
-    return image.mm_per_px ? screenQuantity(pixels * *image.mm_per_px, LT_TEXT("Engine", "mm"), decimals)
+    return image.mm_per_px ? screenQuantity(pixels * *image.mm_per_px, unit::mm, decimals)
                            : QStringLiteral("%1 px").arg(screenNumber(pixels, 1));
 }
 
@@ -39,10 +40,9 @@ Overlay chatterOverlay(const surface::ImageMarks& image, const ShownImage& shown
 {
     const surface::ChatterMarks& chatter = *image.chatter_marks;
     Overlay overlay;
-    overlay.name = chatter.axial_period_mm
-                       ? Overlays::tr("chatter marks, along the axis every %1")
-                             .arg(screenQuantity(*chatter.axial_period_mm, LT_TEXT("Engine", "mm"), 3))
-                       : Overlays::tr("chatter marks");
+    overlay.name = chatter.axial_period_mm ? Overlays::tr("chatter marks, along the axis every %1")
+                                                 .arg(screenQuantity(*chatter.axial_period_mm, unit::mm, 3))
+                                           : Overlays::tr("chatter marks");
     overlay.colour = chatterSeries;
     overlay.stripes = shown.chatter_bands;
     overlay.spacing_px = 1 / surface::length(*image.view.bands);
@@ -71,9 +71,9 @@ std::vector<Ruler> rulersOf(const surface::ImageMarks& image, const surface::Sur
     rulers.push_back({Overlays::tr("found: %1").arg(length(image, image.feed_marks->pitch_px, 4)), feedSeries,
                       1 / surface::length(*image.view.feed)});
     if (parameters.feed_mm_rev && image.mm_per_px)
-        rulers.push_back(
-            {Overlays::tr("feed: %1").arg(screenQuantity(*parameters.feed_mm_rev, LT_TEXT("Engine", "mm"), 4)),
-             report::ColourRole::Limit, *parameters.feed_mm_rev / (*image.mm_per_px * image.view.px_per_px)});
+        rulers.push_back({Overlays::tr("feed: %1").arg(screenQuantity(*parameters.feed_mm_rev, unit::mm, 4)),
+                          report::ColourRole::Limit,
+                          *parameters.feed_mm_rev / (*image.mm_per_px * image.view.px_per_px)});
     return rulers;
 }
 
@@ -93,8 +93,7 @@ QString foundWords(const SurfacePicture& picture)
     if (image.chatter_marks && image.chatter_marks->frequency_hz)
         words += QStringLiteral(", %1 ± %2")
                      .arg(screenNumber(*image.chatter_marks->frequency_hz, 1),
-                          screenQuantity(2 * image.chatter_marks->frequency_uncertainty_hz.value_or(0),
-                                         LT_TEXT("Engine", "Hz"), 1));
+                          screenQuantity(2 * image.chatter_marks->frequency_uncertainty_hz.value_or(0), unit::hz, 1));
     return words + "\n" + QString::fromStdString(sentenceText(answer, language));
 }
 

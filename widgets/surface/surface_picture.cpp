@@ -41,7 +41,7 @@ QImage imageOf(const io::Image& image)
     return imageOf(surface::GridView(image.grey.data(), image.width, image.height, image.width), 0, 1);
 }
 
-std::string nameOf(const std::string& path)
+std::string nameOfPicture(const std::string& path)
 {
     return std::filesystem::path(path).filename().string();
 }
@@ -149,7 +149,7 @@ SurfacePicture surfacePicture(const project::PanelState& state, Stores& stores, 
     else
         images = readImages(state, picture, stores, progress.part(0, 0.2, LT_TEXT("Engine", "Reading")));
     for (const surface::NamedImage& image : images)
-        picture.shown.push_back({nameOf(image.path), imageOf(*image.image), {}, {}, {}, {}});
+        picture.shown.push_back({nameOfPicture(image.path), imageOf(*image.image), {}, {}, {}, {}});
     if (images.size() > 1) giveOwn(images[1], picture.question);
     try {
         picture.result = std::make_shared<const surface::SurfaceResult>(

@@ -1,6 +1,7 @@
 #include "widgets/surface/surface_question.h"
 
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 #include "engine/surface/quiz.h"
 
 namespace lathelier::surface_panel {
@@ -62,7 +63,7 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
         field("after_feed_direction_deg", &Q::after_feed_direction_deg, Range{-360, 360},
               Label{LT_TEXT("Engine", "Direction of feed after"),
                     LT_TEXT("Engine", "In the second picture, where it was taken otherwise; none: as in the first."),
-                    LT_TEXT("Engine", "°"), true}),
+                    unit::deg, true}),
         field(layRightKey, &Q::lay_right_px, Range{-4096, 4096},
               Label{LT_TEXT("Engine", "Second picture to the right"),
                     LT_TEXT("Engine", "By two clicks on one place in both, in pixels of the comparison."),
@@ -87,7 +88,7 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
                     LT_TEXT("Engine", "Another number is another picture.")}),
         field(quizAnswerKey, &Q::quiz_answer_hz, Range{0.1, 100000},
               Label{LT_TEXT("Engine", "Answer"), LT_TEXT("Engine", "Frequency that was read off the picture."),
-                    LT_TEXT("Engine", "Hz")}));
+                    unit::hz}));
     return all;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int rate_hz = 44100;
 constexpr int buffer_ms = 60;
-constexpr int beat_ms = 40;
+constexpr int soundBeat_ms = 40;
 constexpr double fullScale = 32767;
 
 QAudioFormat formatOf()
@@ -81,7 +81,7 @@ struct SoundPlayer::Device {
 
 SoundPlayer::SoundPlayer(QObject* parent) : QObject(parent), source_(std::make_unique<Source>())
 {
-    beat_.setInterval(beat_ms);
+    beat_.setInterval(soundBeat_ms);
     connect(&beat_, &QTimer::timeout, this, &SoundPlayer::pull);
 }
 
@@ -160,7 +160,7 @@ void SoundPlayer::pull()
 {
     const bool plays = device_ && device_->output.error() == QAudio::NoError;
     if (!plays) {
-        std::vector<float> samples(static_cast<std::size_t>(rate_hz * beat_ms / 1000));
+        std::vector<float> samples(static_cast<std::size_t>(rate_hz * soundBeat_ms / 1000));
         source_->make(samples);
     }
     emit levelChanged(level());

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/stability/simulation/cut_views.h"
 #include "widgets/core/language.h"
 #include "widgets/plot/plot_style.h"
@@ -151,7 +152,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
     QFont small = font();
     small.setPixelSize(std::max(7, static_cast<int>(0.11 * radius)));
     painter.setFont(small);
-    const double factor = screenFactor(LT_TEXT("Engine", "µm"));
+    const double factor = screenFactor(unit::um);
     for (int i = -divisions; i <= divisions; ++i) {
         const double share = static_cast<double>(i) / divisions;
         const bool is_long = i % (divisions / 2) == 0;
@@ -165,7 +166,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
         painter.drawText(at - QPointF(box.width() / 2, -0.35 * box.height()), number);
     }
     painter.drawText(QRectF(place.left(), middle.y() + 0.35 * radius, place.width(), 0.2 * radius), Qt::AlignCenter,
-                     screenUnit(LT_TEXT("Engine", "µm")));
+                     screenUnit(unit::um));
     const double share = std::clamp(umPerMm * deflection_mm() / full_um, -1.05, 1.05);
     painter.setPen(QPen(style.colour(report::ColourRole::Unstable), 2.5 * style.lineWidth));
     painter.drawLine(onCircle(middle, -0.15 * radius, angleOf(share)), onCircle(middle, 0.82 * radius, angleOf(share)));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
+#include "engine/core/units.h"
 #include "engine/receptance/modal/modal_fit.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
@@ -61,10 +62,9 @@ void nameAssumed(TrainingPicture& picture)
     if (picture.scenario.key != training::ownScenario) return;
     if (!picture.question.cutting_coefficient_N_mm2)
         picture.used.push_back({"cutting_coefficient_N_mm2", LT_TEXT("Engine", "Cutting coefficient K_r"),
-                                picture.scenario.cutting_coefficient_N_mm2, LT_TEXT("Engine", "N/mm²")});
+                                picture.scenario.cutting_coefficient_N_mm2, unit::N_mm2});
     if (!picture.question.feed_mm_rev)
-        picture.used.push_back(
-            {"feed_mm_rev", LT_TEXT("Engine", "Feed"), picture.scenario.feed_mm_rev, LT_TEXT("Engine", "mm/rev")});
+        picture.used.push_back({"feed_mm_rev", LT_TEXT("Engine", "Feed"), picture.scenario.feed_mm_rev, unit::mm_rev});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/units.h"
 #include "engine/training/lesson_state.h"
 
 namespace lathelier::training_panel {
@@ -25,13 +26,12 @@ const std::vector<Field<TrainingQuestion>>& fieldsOf(const TrainingQuestion*)
                         LT_TEXT("Engine",
                                 "A machine with known modes; a response or modes of your own take its "
                                 "place.")}),
-            field(
-                "operating_speed_rpm", &Q::speed_rpm, Range{30, 1e6},
-                Label{LT_TEXT("Engine", "Spindle speed"),
-                      LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "1/min")}),
+            field("operating_speed_rpm", &Q::speed_rpm, Range{30, 1e6},
+                  Label{LT_TEXT("Engine", "Spindle speed"),
+                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."), unit::rpm}),
             field("operating_depth", &Q::depth_mm, Range{1e-4, 1e3},
                   Label{LT_TEXT("Engine", "Depth of cut"),
-                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."), LT_TEXT("Engine", "mm")}),
+                        LT_TEXT("Engine", "Of the operating point; drag it in the chart."), unit::mm}),
             field("relation", &Q::relation, training::relationChoices(),
                   Label{LT_TEXT("Engine", "Speed relation"),
                         LT_TEXT("Engine", "Exact keeps the phase of the regeneration; the papers set it to zero.")}),
@@ -41,14 +41,13 @@ const std::vector<Field<TrainingQuestion>>& fieldsOf(const TrainingQuestion*)
                       LT_TEXT("Engine", "The class hears the cut and sees its wave, but neither limit nor verdict.")}),
             field("cutting_coefficient_N_mm2", &Q::cutting_coefficient_N_mm2, Range{1e-3, 1e6},
                   Label{LT_TEXT("Engine", "Cutting coefficient K_r"),
-                        LT_TEXT("Engine", "Force along the chip thickness over its area."), LT_TEXT("Engine", "N/mm²"),
-                        true}),
+                        LT_TEXT("Engine", "Force along the chip thickness over its area."), unit::N_mm2, true}),
             field("feed_mm_rev", &Q::feed_mm_rev, Range{1e-4, 10},
-                  Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Chip thickness without vibration."),
-                        LT_TEXT("Engine", "mm/rev"), true}),
+                  Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Chip thickness without vibration."), unit::mm_rev,
+                        true}),
             field("speed_rpm", &Q::range_rpm, Range{30, 1e5},
-                  Label{LT_TEXT("Engine", "Speeds"), LT_TEXT("Engine", "Range that is shown, 1000:4000."),
-                        LT_TEXT("Engine", "1/min"), true}),
+                  Label{LT_TEXT("Engine", "Speeds"), LT_TEXT("Engine", "Range that is shown, 1000:4000."), unit::rpm,
+                        true}),
             rows("modes", &Q::modes, Range{0, 6},
                  Label{LT_TEXT("Engine", "Modes"),
                        LT_TEXT("Engine", "Of a machine of your own, where there is no measured frequency response."),

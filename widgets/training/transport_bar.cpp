@@ -40,7 +40,7 @@ private:
 
 namespace {
 
-constexpr int beat_ms = 33;
+constexpr int frameBeat_ms = 33;
 constexpr int places = 1000;  ///< of the slider
 constexpr double paces[] = {1.0 / 100, 1.0 / 50, 1.0 / 20, 1.0 / 5, 1.0};
 constexpr int usualPace = 1;
@@ -89,7 +89,7 @@ TransportBar::TransportBar(SoundPlayer& player, QWidget* parent)
     layout->addWidget(stop_);
     stop_->hide();
     for (QWidget* widget : std::initializer_list<QWidget*>{sound_, volume_, meter_}) layout->addWidget(widget);
-    clock_.setInterval(beat_ms);
+    clock_.setInterval(frameBeat_ms);
     connect(&clock_, &QTimer::timeout, this, &TransportBar::advance);
     connect(play_, &QToolButton::clicked, this, [this] { setPlaying(!isPlaying()); });
     connect(back_, &QToolButton::clicked, this, [this] { step(-1); });

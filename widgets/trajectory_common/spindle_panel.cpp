@@ -1,10 +1,10 @@
 #include "widgets/trajectory_common/spindle_panel.h"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 
 #include "engine/core/profile_item.h"
+#include "engine/core/units.h"
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/profile/profile_reader.h"
 #include "widgets/core/form/input_box.h"
@@ -18,10 +18,10 @@ namespace {
 double numberOf(const io::FileFacts& facts, const char* name)
 {
     const Value* value = find(facts.details, name);
-    if (!value) return std::numeric_limits<double>::quiet_NaN();
+    if (!value) return notANumber;
     if (const auto* number = std::get_if<double>(value)) return *number;
     if (const auto* count = std::get_if<std::int64_t>(value)) return static_cast<double>(*count);
-    return std::numeric_limits<double>::quiet_NaN();
+    return notANumber;
 }
 
 }  // namespace

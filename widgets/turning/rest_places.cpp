@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/units.h"
+
 namespace lathelier::turning_panel {
 namespace {
 
@@ -18,7 +20,7 @@ double drawnRadius_mm(const ClampingPicture& clamping, double z_mm)
         if (z_mm < z[i - 1] || z_mm > z[i] || z[i] <= z[i - 1]) continue;
         return std::lerp(x[i - 1], x[i], (z_mm - z[i - 1]) / (z[i] - z[i - 1]));
     }
-    return std::numeric_limits<double>::quiet_NaN();
+    return notANumber;
 }
 
 double distance(const stock::Corner& place, const stock::Corner& a, const stock::Corner& b)

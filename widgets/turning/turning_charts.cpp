@@ -10,6 +10,7 @@
 #include "engine/cam/plan_quantities.h"
 #include "engine/cam/plan_report.h"
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/result_json.h"
 #include "engine/stability/stability_plots.h"
 #include "engine/stock/stock_plots.h"
@@ -19,9 +20,6 @@ namespace lathelier::turning_panel {
 namespace {
 
 constexpr std::size_t mostFindingsSaid = 3;
-constexpr double same_mm = 1e-9;
-constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
-const Text mm = LT_TEXT("Engine", "mm");
 
 /// Height of the drawing over a stretch, for the number of what stays there.
 double radiusAt(const ClampingPicture& clamping, const Interval& z_mm)
@@ -60,12 +58,12 @@ void addRest(report::Plot& plot, const TurningPicture& picture, std::size_t setu
 
 /// The speeds of a block, by its line.
 struct BlockSpeed {
-    double speed_rpm = notKnown, cutting_speed_m_min = notKnown, limit_rpm = notKnown;
+    double speed_rpm = notANumber, cutting_speed_m_min = notANumber, limit_rpm = notANumber;
 
     double rpmAt(double radius_mm) const
     {
         if (!std::isnan(speed_rpm)) return speed_rpm;
-        if (std::isnan(cutting_speed_m_min)) return notKnown;
+        if (std::isnan(cutting_speed_m_min)) return notANumber;
         const double rpm = 1000 * cutting_speed_m_min / (2 * std::numbers::pi * std::max(radius_mm, 1e-3));
         return std::isnan(limit_rpm) ? rpm : std::min(rpm, limit_rpm);
     }
@@ -98,7 +96,7 @@ report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool 
         if (!drawn.isPiece(i) || drawn.isRapid(i) || !isFinish(plan, line, drawn.toolOf(i))) {
             if (!curve.x.empty() && !std::isnan(curve.y.back())) {
                 curve.x.push_back(curve.x.back());
-                curve.y.push_back(notKnown);
+                curve.y.push_back(notANumber);
             }
             continue;
         }
@@ -125,7 +123,7 @@ report::Curve sectionCurve(const TurningPicture& picture, std::size_t setup, Get
         if (!value || !std::isfinite(*value)) continue;
         const Interval at = inStock(picture, setup, {section.z_start_mm, section.z_end_mm});
         curve.x.insert(curve.x.end(), {at.from, at.to, at.to});
-        curve.y.insert(curve.y.end(), {*value, *value, notKnown});
+        curve.y.insert(curve.y.end(), {*value, *value, notANumber});
     }
     return curve;
 }
@@ -172,14 +170,14 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
         std::erase_if(plot.curves, [](const report::Curve& curve) { return curve.thin; });
         for (report::Curve& curve : plot.curves) curve.name = std::string();
     }
-    if (!check.stock) plot.y = {LT_TEXT("Engine", "Radius"), mm};  // the program is not checked, or has errors
+    if (!check.stock) plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};  // the program is not checked, or has errors
     for (report::Curve& curve : clamping.drawn.curves(clamping.drawn.whole(pixels)))
         plot.curves.push_back(std::move(curve));
     const bool is_one = picture.clampings.size() == 1;
     plot.title = is_one       ? LT_TEXT("Engine", "Drawing, stock and tool")
                  : setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool, first clamping")
                               : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
-    plot.x = {LT_TEXT("Engine", "z from the raw end"), mm};
+    plot.x = {LT_TEXT("Engine", "z from the raw end"), unit::mm};
     report::Curve drawing{LT_TEXT("Engine", "drawing"), clamping.drawing_z_mm, clamping.drawing_x_mm};
     drawing.spoken = false;
     plot.curves.push_back(std::move(drawing));
@@ -199,27 +197,27 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
 report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course course)
 {
     report::Plot plot;
-    plot.x = {LT_TEXT("Engine", "z from the raw end"), mm};
+    plot.x = {LT_TEXT("Engine", "z from the raw end"), unit::mm};
     report::Curve curve;
     switch (course) {
         case Course::Speed:
             plot.title = LT_TEXT("Engine", "Speed N of the finish");
-            plot.y = {LT_TEXT("Engine", "N"), LT_TEXT("Engine", "1/min")};
+            plot.y = {unit::N, unit::rpm};
             curve = speedCurve(picture, setup, false);
             break;
         case Course::CuttingSpeed:
             plot.title = LT_TEXT("Engine", "Cutting speed v_c of the finish");
-            plot.y = {LT_TEXT("Engine", "v_c"), LT_TEXT("Engine", "m/min")};
+            plot.y = {LT_TEXT("Engine", "v_c"), unit::m_min};
             curve = speedCurve(picture, setup, true);
             break;
         case Course::Frequency:
             plot.title = LT_TEXT("Engine", "Frequency of chatter f_m");
-            plot.y = {LT_TEXT("Engine", "f_m"), LT_TEXT("Engine", "Hz")};
+            plot.y = {LT_TEXT("Engine", "f_m"), unit::hz};
             curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return s.frequency_hz; });
             break;
         case Course::Roughness:
             plot.title = LT_TEXT("Engine", "Ideal roughness Rz of the finish");
-            plot.y = {LT_TEXT("Engine", "Rz"), LT_TEXT("Engine", "µm")};
+            plot.y = {LT_TEXT("Engine", "Rz"), unit::um};
             curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return std::optional(s.Rz_um); });
             break;
     }
@@ -311,22 +309,23 @@ report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
         table.rows.push_back({name, std::move(value), unit, decimals});
     };
     add(LT_TEXT("Engine", "Control"), picture.has_own_post ? Value(plan.post) : Value(labelOf(picture.question.post)));
-    add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, mm, 3);
-    if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, mm);
+    add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, unit::mm, 3);
+    if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, unit::mm);
     add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored
                                                       ? LT_TEXT("Engine", "the face of the other end, finished")
                                                       : LT_TEXT("Engine", "the face of the free end, finished"));
-    add(LT_TEXT("Engine", "Allowance of the face"), plan.job.stock.face_allowance_mm, mm);
-    add(LT_TEXT("Engine", "z of the chuck face"), clamping.job.setup.chuck_face_z_mm, mm);
-    if (clamping.job.setup.jaw_diameter_mm) add(LT_TEXT("Engine", "Jaws ⌀"), *clamping.job.setup.jaw_diameter_mm, mm);
+    add(LT_TEXT("Engine", "Allowance of the face"), plan.job.stock.face_allowance_mm, unit::mm);
+    add(LT_TEXT("Engine", "z of the chuck face"), clamping.job.setup.chuck_face_z_mm, unit::mm);
+    if (clamping.job.setup.jaw_diameter_mm)
+        add(LT_TEXT("Engine", "Jaws ⌀"), *clamping.job.setup.jaw_diameter_mm, unit::mm);
     if (clamping.job.setup.grip_length_mm)
-        add(LT_TEXT("Engine", "Length of the grip"), *clamping.job.setup.grip_length_mm, mm);
+        add(LT_TEXT("Engine", "Length of the grip"), *clamping.job.setup.grip_length_mm, unit::mm);
     add(LT_TEXT("Engine", "Tailstock"),
         clamping.job.setup.tailstock ? LT_TEXT("Engine", "yes") : LT_TEXT("Engine", "no"));
-    add(LT_TEXT("Engine", "Finished up to z"), clamping.finished_to_mm, mm);
+    add(LT_TEXT("Engine", "Finished up to z"), clamping.finished_to_mm, unit::mm);
     add(LT_TEXT("Engine", "Time with tool changes"), shown.time_s / 60, LT_TEXT("Engine", "min"), 1);
-    add(LT_TEXT("Engine", "Gouge"), shown.check.gouge_um, LT_TEXT("Engine", "µm"));
-    add(LT_TEXT("Engine", "Most that is left"), plan.left_max_mm, mm, 4);
+    add(LT_TEXT("Engine", "Gouge"), shown.check.gouge_um, unit::um);
+    add(LT_TEXT("Engine", "Most that is left"), plan.left_max_mm, unit::mm, 4);
     return table;
 }
 
@@ -361,7 +360,7 @@ report::Answer answerOf(const TurningPicture& picture, const Language& language)
     std::vector<const cam::RestInterval*> largest;
     for (const cam::RestInterval& rest : plan.rest) largest.push_back(&rest);
     std::stable_sort(largest.begin(), largest.end(),
-                     [](const auto* a, const auto* b) { return a->left_mm > b->left_mm + same_mm; });
+                     [](const auto* a, const auto* b) { return a->left_mm > b->left_mm + meet_mm; });
     for (const cam::RestInterval* rest : largest) {
         if (answer.findings.size() == mostFindingsSaid) break;
         report::Finding& said = answer.findings.emplace_back();

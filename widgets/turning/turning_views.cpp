@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/program_common/program_editor.h"
 #include "widgets/turning/tool_shapes.h"
@@ -210,10 +211,9 @@ void TurningViews::showText()
     for (const gcode::Diagnostic& said : setup.check.path.diagnostics)
         if (said.error) remarks.push_back({said.line, said.column, true, screenText(*said.error)});
     for (const cam::CheckFinding& found : setup.check.findings)
-        remarks.push_back({found.line, 0, true,
-                           tr("%1, %2 deep")
-                               .arg(screenText(cam::nameOf(found.kind)),
-                                    screenQuantity(found.depth_mm, LT_TEXT("Engine", "mm"), 3))});
+        remarks.push_back(
+            {found.line, 0, true,
+             tr("%1, %2 deep").arg(screenText(cam::nameOf(found.kind)), screenQuantity(found.depth_mm, unit::mm, 3))});
     editor_->setRemarks(std::move(remarks));
 }
 
@@ -258,8 +258,8 @@ void TurningViews::moveTool(int place, bool moves_caret)
     pointOutTool(tip, place < places ? drawn.toolOf(at) : 0);
     scrubber_->say(tr("Line %1 · %2 · tool %3 · Ø %4 · Z %5")
                        .arg(QString::number(line_), drawn.isRapid(at) ? tr("rapid") : tr("feed"),
-                            QString::number(drawn.toolOf(at)), screenQuantity(2 * tip.y(), LT_TEXT("Engine", "mm"), 3),
-                            screenQuantity(clamping->z_zero_mm - tip.x(), LT_TEXT("Engine", "mm"), 3)));
+                            QString::number(drawn.toolOf(at)), screenQuantity(2 * tip.y(), unit::mm, 3),
+                            screenQuantity(clamping->z_zero_mm - tip.x(), unit::mm, 3)));
 }
 
 void TurningViews::goToLine(std::int64_t line)

@@ -4,6 +4,7 @@
 
 #include "engine/cam/check/check_report.h"
 #include "engine/cam/plan_report.h"
+#include "engine/core/units.h"
 #include "widgets/core/language.h"
 #include "widgets/turning/rest_places.h"
 #include "widgets/turning/turning_views.h"
@@ -11,7 +12,7 @@
 namespace lathelier::turning_panel {
 namespace {
 
-void fill(CopyTable* table, const report::Table& rows)
+void fillTable(CopyTable* table, const report::Table& rows)
 {
     const QSignalBlocker quiet(table);
     const int row = table->currentRow();
@@ -44,12 +45,12 @@ void TurningViews::showTables()
     const cam::SetupPlan& setup = plan.setups[clamping_];
     operations_->setPicture(*picture_, clamping_);
     showSections();
-    fill(rest_, cam::restTable(plan));
-    fill(findings_, cam::findingTable(setup.check));
+    fillTable(rest_, cam::restTable(plan));
+    fillTable(findings_, cam::findingTable(setup.check));
     report::Document sheet;
     sheet.sections.push_back({{}, {sheetOf(*picture_, clamping_)}});
     sheet_->setQuantities(sheet);
-    fill(tools_, cam::toolTable(plan));
+    fillTable(tools_, cam::toolTable(plan));
     rest_->setVisible(!plan.rest.empty());
     findings_->setVisible(!setup.check.findings.empty());
     heroes_->setAvailable("rest", !plan.rest.empty() || !setup.check.findings.empty());
@@ -61,14 +62,14 @@ void TurningViews::showSections()
     const auto& sections = plan.sections;
     const bool has_speeds = std::any_of(sections.begin(), sections.end(),
                                         [](const cam::SectionSpeed& s) { return s.speed_rpm || s.receptance; });
-    fill(sections_, cam::sectionTable(plan));
+    fillTable(sections_, cam::sectionTable(plan));
     sections_->setVisible(has_speeds);
     sentence_->setVisible(!has_speeds);
     sentence_->setText(
         tr("Without a spindle there is no dynamics to choose speeds by: the finish keeps its cutting speed of %1, and "
            "the speed follows the diameter. A spindle (SPINDLE.json, or “Spindle” of the project) gives each cylinder "
            "its own speed and says why.")
-            .arg(screenQuantity(plan.job.cutting.finish.cutting_speed_m_min, LT_TEXT("Engine", "m/min"), 0)));
+            .arg(screenQuantity(plan.job.cutting.finish.cutting_speed_m_min, unit::m_min, 0)));
     showWhy(std::max(0, sections_->currentRow()));
 }
 

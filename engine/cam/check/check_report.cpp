@@ -6,6 +6,7 @@
 #include "engine/cam/check/check_quantities.h"
 #include "engine/cam/check/drawn_contour.h"
 #include "engine/cam/job_bodies.h"
+#include "engine/core/units.h"
 #include "engine/gcode/toolpath_files.h"
 #include "engine/report/quantity_table.h"
 #include "engine/stock/stock_plots.h"
@@ -63,7 +64,7 @@ report::Answer answer(const CheckResult& result, const Language&)
         return answer;
     }
     answer.value = result.left_max_mm;
-    answer.unit = LT_TEXT("Engine", "mm");
+    answer.unit = unit::mm;
     answer.decimals = 4;
     answer.verdict = result.verdict;
     answer.verdict_words = !result.findings.empty() ? LT_TEXT("Engine", "✗ the tool meets what it must not")

@@ -9,7 +9,7 @@ namespace lathelier::cam {
 namespace {
 
 constexpr std::size_t mostNodes = 1000000;
-constexpr double step_mm = 1e-6;  ///< between both sides of a jump
+constexpr double besideJump_mm = 1e-6;  ///< between both sides of a jump
 
 /// Lays a run over those before it.
 void lay(StatedCorrection& all, const StatedCorrection& run)
@@ -18,17 +18,17 @@ void lay(StatedCorrection& all, const StatedCorrection& run)
     StatedCorrection merged;
     const double begin = run.z_mm.front(), end = run.z_mm.back();
     const auto add = [&merged](double z, double radius) {
-        if (!merged.z_mm.empty() && z <= merged.z_mm.back()) z = merged.z_mm.back() + step_mm;
+        if (!merged.z_mm.empty() && z <= merged.z_mm.back()) z = merged.z_mm.back() + besideJump_mm;
         merged.z_mm.push_back(z);
         merged.radius_mm.push_back(radius);
     };
     for (std::size_t i = 0; i < all.z_mm.size() && all.z_mm[i] < begin; ++i) add(all.z_mm[i], all.radius_mm[i]);
-    if (all.isAny() && all.z_mm.front() < begin) add(begin - step_mm, all.at_mm(begin - step_mm));
+    if (all.isAny() && all.z_mm.front() < begin) add(begin - besideJump_mm, all.at_mm(begin - besideJump_mm));
     for (std::size_t i = 0; i < run.z_mm.size(); ++i) add(run.z_mm[i], run.radius_mm[i]);
     if (all.isAny() && all.z_mm.back() > end) {
-        add(end + step_mm, all.at_mm(end + step_mm));
+        add(end + besideJump_mm, all.at_mm(end + besideJump_mm));
         for (std::size_t i = 0; i < all.z_mm.size(); ++i)
-            if (all.z_mm[i] > end + step_mm) add(all.z_mm[i], all.radius_mm[i]);
+            if (all.z_mm[i] > end + besideJump_mm) add(all.z_mm[i], all.radius_mm[i]);
     }
     all = std::move(merged);
 }

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "engine/cam/cam_codes.h"
+#include "engine/core/units.h"
 #include "engine/stock/machine_limits.h"
 
 namespace lathelier::cam {
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 double distanceToLine(const Corner& place, const Corner& from, const Corner& to)
 {
@@ -29,7 +27,7 @@ double distanceToArc(const Corner& place, const CutterStroke& arc)
     if (away > 0) {
         double angle = std::atan2(at.x_mm, at.z_mm) - arc.begin;
         if (arc.sweep < 0) angle = -angle;
-        angle -= turn * std::floor(angle / turn);
+        angle -= turn_rad * std::floor(angle / turn_rad);
         const double whole = std::abs(arc.sweep);
         if (angle <= whole)
             return std::abs(away - (arc.from_radius_mm + angle / whole * (arc.to_radius_mm - arc.from_radius_mm)));
@@ -117,8 +115,8 @@ private:
         stroke.sweep = std::atan2(last.x_mm, last.z_mm) - stroke.begin;
         // Z and z run in opposite directions, so what is clockwise in one plane is not in the other.
         const bool is_clockwise = move.clockwise == place_.is_mirrored;
-        if (is_clockwise && stroke.sweep >= 0) stroke.sweep -= turn;
-        if (!is_clockwise && stroke.sweep <= 0) stroke.sweep += turn;
+        if (is_clockwise && stroke.sweep >= 0) stroke.sweep -= turn_rad;
+        if (!is_clockwise && stroke.sweep <= 0) stroke.sweep += turn_rad;
     }
 
     static void shift(CutterStroke& stroke, const Corner& by)
@@ -170,9 +168,9 @@ private:
         add(std::move(first));
         add(std::move(last));
         // Where the arc comes nearest to the axis, the floor stands between its corners.
-        double lowest = -turn / 4 - stroke.begin;
+        double lowest = -turn_rad / 4 - stroke.begin;
         if (stroke.sweep < 0) lowest = -lowest;
-        lowest -= turn * std::floor(lowest / turn);
+        lowest -= turn_rad * std::floor(lowest / turn_rad);
         if (lowest < std::abs(stroke.sweep))
             add(box(stroke.centre - Corner{0, (stroke.from_radius_mm + stroke.to_radius_mm) / 2}));
     }

@@ -3,31 +3,31 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "engine/core/units.h"
 
 namespace lathelier::cam {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double touch_mm = 0.001;
 constexpr std::size_t mostTries = 24;   ///< points of one stretch
 constexpr std::size_t mostSeen = 4000;  ///< points of the drawing that are tried against a placed tool
 
-struct Named {
+struct NamedCause {
     const char* key;
     Text name;
 };
 
-const std::array<Named, 8>& names()
+const std::array<NamedCause, 8>& causeNames()
 {
-    static const std::array<Named, 8> all{{{"nose_radius", LT_TEXT("Engine", "nose radius")},
-                                           {"back_angle", LT_TEXT("Engine", "back angle")},
-                                           {"leading_angle", LT_TEXT("Engine", "entering angle")},
-                                           {"blade", LT_TEXT("Engine", "blade")},
-                                           {"holder", LT_TEXT("Engine", "holder")},
-                                           {"chuck", LT_TEXT("Engine", "chuck")},
-                                           {"not_cut", LT_TEXT("Engine", "not cut")},
-                                           {"tailstock", LT_TEXT("Engine", "tailstock")}}};
+    static const std::array<NamedCause, 8> all{{{"nose_radius", LT_TEXT("Engine", "nose radius")},
+                                                {"back_angle", LT_TEXT("Engine", "back angle")},
+                                                {"leading_angle", LT_TEXT("Engine", "entering angle")},
+                                                {"blade", LT_TEXT("Engine", "blade")},
+                                                {"holder", LT_TEXT("Engine", "holder")},
+                                                {"chuck", LT_TEXT("Engine", "chuck")},
+                                                {"not_cut", LT_TEXT("Engine", "not cut")},
+                                                {"tailstock", LT_TEXT("Engine", "tailstock")}}};
     return all;
 }
 
@@ -42,9 +42,9 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
 {
     const double r = tool.radius_mm();
     const Corner centre = place + r * normal;
-    const double kappa = tool.entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) * degree;
-    const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg) * degree;
-    const bool leads = kappa < 90 * degree;
+    const double kappa = tool.entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) * rad_per_deg;
+    const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg) * rad_per_deg;
+    const bool leads = kappa < 90 * rad_per_deg;
     const Corner of_main{feed * std::sin(kappa), -std::cos(kappa)}, of_back{-feed * std::sin(back), -std::cos(back)};
     const std::vector<DrawnPoint>& points = drawing.points();
     const std::size_t every = points.size() / mostSeen + 1;
@@ -68,12 +68,12 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
 
 const char* key(RestCause cause)
 {
-    return names().at(static_cast<std::size_t>(cause)).key;
+    return causeNames().at(static_cast<std::size_t>(cause)).key;
 }
 
 Text nameOf(RestCause cause)
 {
-    return names().at(static_cast<std::size_t>(cause)).name;
+    return causeNames().at(static_cast<std::size_t>(cause)).name;
 }
 
 RestCause causeOf(const LeftStretch& stretch, const DrawnContour& drawing, const AllStrokes& all, const Job& job)

@@ -14,7 +14,7 @@ constexpr std::size_t fewStrokes = 3;    ///< nor one that sees no more than the
 constexpr double refineTo_mm = 1e-5;     ///< along the drawing
 constexpr std::size_t mostRefined = 64;  ///< places where the deepest gouge may lie
 constexpr double rounding_mm = 1e-9;     ///< no gouge, but arithmetic
-constexpr double golden = 0.61803398874989485;
+constexpr double goldenShare = 0.61803398874989485;
 
 class Surface {
 public:
@@ -101,7 +101,7 @@ private:
 };
 
 /// A place between two points of one piece.
-struct Place {
+struct SurfacePlace {
     std::uint32_t piece = 0;
     double t = 0;
     Clearance clearance;
@@ -116,9 +116,9 @@ public:
 
     /// The place around a point where `value` of the clearance is largest.
     template <class Of>
-    Place largest(std::size_t point, Of value) const
+    SurfacePlace largest(std::size_t point, Of value) const
     {
-        Place best{points_[point].piece, points_[point].t, surface_.clearances()[point]};
+        SurfacePlace best{points_[point].piece, points_[point].t, surface_.clearances()[point]};
         for (const int side : {-1, 1}) {
             if ((side < 0 && point == 0) || (side > 0 && point + 1 == points_.size())) continue;
             const std::size_t other = side < 0 ? point - 1 : point + 1;
@@ -126,20 +126,20 @@ public:
             double low = std::min(points_[point].t, points_[other].t),
                    high = std::max(points_[point].t, points_[other].t);
             const double length = drawing_.pieces()[best.piece].length_mm();
-            double a = high - golden * (high - low), b = low + golden * (high - low);
+            double a = high - goldenShare * (high - low), b = low + goldenShare * (high - low);
             Clearance at_a = seen(best.piece, a, point), at_b = seen(best.piece, b, point);
             while ((high - low) * length > refineTo_mm) {
                 if (value(at_a) > value(at_b)) {
                     high = b;
                     b = a;
                     at_b = at_a;
-                    a = high - golden * (high - low);
+                    a = high - goldenShare * (high - low);
                     at_a = seen(best.piece, a, point);
                 } else {
                     low = a;
                     a = b;
                     at_a = at_b;
-                    b = low + golden * (high - low);
+                    b = low + goldenShare * (high - low);
                     at_b = seen(best.piece, b, point);
                 }
             }
@@ -200,7 +200,7 @@ void findGouges(const DrawnContour& drawing, const AllStrokes& all, const Finder
         peaks.begin(), peaks.begin() + static_cast<std::ptrdiff_t>(refined), peaks.end(),
         [](const auto& a, const auto& b) { return a.first > b.first || (a.first == b.first && a.second < b.second); });
     for (std::size_t k = 0; k < refined; ++k) {
-        const Place place = finder.largest(peaks[k].second, depth);
+        const SurfacePlace place = finder.largest(peaks[k].second, depth);
         if (!(depth(place.clearance) > std::max(found.gouge_mm, rounding_mm))) continue;
         found.gouge_mm = depth(place.clearance);
         found.gouge_at = drawing.at(place.piece, place.t);
@@ -243,7 +243,7 @@ void findLeft(const DrawnContour& drawing, const Finder& finder, const std::opti
         const double end = closes ? finder.crossing(i, stretch.last, limit_mm) : points[stretch.last].at.z_mm;
         stretch.z_start_mm = std::min(begin, end);
         stretch.z_end_mm = std::max(begin, end);
-        const Place place = finder.largest(top, left);
+        const SurfacePlace place = finder.largest(top, left);
         stretch.left_mm = left(place.clearance);
         stretch.piece = place.piece;
         stretch.t = place.t;
@@ -251,7 +251,7 @@ void findLeft(const DrawnContour& drawing, const Finder& finder, const std::opti
         found.left.push_back(stretch);
     }
     if (largest == points.size()) return;
-    const Place place = finder.largest(largest, left);
+    const SurfacePlace place = finder.largest(largest, left);
     found.left_max_mm = std::max(0.0, left(place.clearance));
     found.left_max_z_mm = drawing.at(place.piece, place.t).z_mm;
 }

@@ -12,6 +12,7 @@
 #include "engine/cam/post/post.h"
 #include "engine/cam/tool_library.h"
 #include "engine/core/field_within.h"
+#include "engine/core/units.h"
 #include "engine/stock/stock_codes.h"
 
 namespace lathelier::cam {
@@ -19,18 +20,18 @@ namespace {
 
 constexpr std::int32_t mostBetween = 8;  ///< strokes between those on both sides of a rest
 
-struct Named {
+struct NamedCheck {
     const char* key;
     Text name;
 };
 
-const std::array<Named, 5>& names()
+const std::array<NamedCheck, 5>& checkNames()
 {
-    static const std::array<Named, 5> all{{{"rapid_through_stock", LT_TEXT("Engine", "rapid move through stock")},
-                                           {"holder_in_stock", LT_TEXT("Engine", "holder in stock")},
-                                           {"insert_below_drawing", LT_TEXT("Engine", "insert below the drawing")},
-                                           {"chuck", LT_TEXT("Engine", "chuck")},
-                                           {"tailstock", LT_TEXT("Engine", "tailstock")}}};
+    static const std::array<NamedCheck, 5> all{{{"rapid_through_stock", LT_TEXT("Engine", "rapid move through stock")},
+                                                {"holder_in_stock", LT_TEXT("Engine", "holder in stock")},
+                                                {"insert_below_drawing", LT_TEXT("Engine", "insert below the drawing")},
+                                                {"chuck", LT_TEXT("Engine", "chuck")},
+                                                {"tailstock", LT_TEXT("Engine", "tailstock")}}};
     return all;
 }
 
@@ -91,12 +92,12 @@ std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, const 
     const gcode::Move& next = moves[1];
     if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
         next.x_mm != 0 && first.z_mm == next.z_mm && !namesX(program, first.line))
-        first.x_mm = gcode::none;
+        first.x_mm = notANumber;
     return moves;
 }
 
 /// What belongs to one clamping: part, bar, bodies.
-struct Clamping {
+struct CheckedClamping {
     Shaft part;
     stock::StockParameters bodies;
     std::optional<stock::MeridianStock> bar;  ///< none: as the job states it
@@ -120,7 +121,7 @@ public:
         result_.program = std::move(read.program);
         result_.path = std::move(read.path);
         if (result_.path.has_errors) return std::move(result_);
-        Clamping clamping = clampingOf();
+        CheckedClamping clamping = clampingOf();
         checkSurface(clamping);
         checkBodies(clamping);
         sortFindings();
@@ -132,9 +133,9 @@ public:
     }
 
 private:
-    Clamping clampingOf()
+    CheckedClamping clampingOf()
     {
-        Clamping clamping;
+        CheckedClamping clamping;
         clamping.bodies = stockParameters(job_);
         clamping.bodies.dog_leg = parameters_.dog_leg;
         clamping.bodies.most_outlines = parameters_.keeps_outlines ? stock::mostOutlines : 1;
@@ -157,7 +158,7 @@ private:
     }
 
     /// The bar as the first program leaves it, cut off where the second face gets its allowance.
-    void turnRound(Clamping& clamping)
+    void turnRound(CheckedClamping& clamping)
     {
         const double length = part_.length_mm(), zero = result_.stock_zero_mm;
         stock::MeridianStock bar(stockOf(job_), clamping.bodies.step_mm);
@@ -192,7 +193,7 @@ private:
         return Interval{parameters_.finished_from_mm.value_or(-1), parameters_.finished_to_mm.value_or(length + 1)};
     }
 
-    void checkSurface(const Clamping& clamping)
+    void checkSurface(const CheckedClamping& clamping)
     {
         const bool has_hole = parameters_.setup != 2 && job_.setup.tailstock;
         const DrawnContour drawing(clamping.part, inputs_.correction, usualSpacing_mm,
@@ -252,7 +253,7 @@ private:
         result_.rest.back().tool = block.tool;
     }
 
-    void checkBodies(Clamping& clamping)
+    void checkBodies(CheckedClamping& clamping)
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
         const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program);
@@ -329,18 +330,17 @@ private:
 
 const char* key(CheckKind kind)
 {
-    return names().at(static_cast<std::size_t>(kind)).key;
+    return checkNames().at(static_cast<std::size_t>(kind)).key;
 }
 
 Text nameOf(CheckKind kind)
 {
-    return names().at(static_cast<std::size_t>(kind)).name;
+    return checkNames().at(static_cast<std::size_t>(kind)).name;
 }
 
 const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
 {
     using P = CheckParameters;
-    const Text mm = LT_TEXT("Engine", "mm");
     const Range place{-1e5, 1e5};
     static const auto all = described<P>(
         within(&P::program, "dialect"), foldedWithin(&P::program, "integer_words"),
@@ -349,19 +349,20 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
                     LT_TEXT("Engine", "2: the part is turned round, and z counts from its other end.")}),
         field("z_zero_mm", &P::z_zero_mm, place,
               Label{LT_TEXT("Engine", "z of the program's zero"),
-                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."), mm}),
+                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."),
+                    unit::mm}),
         field("finished_from_mm", &P::finished_from_mm, place,
               Label{LT_TEXT("Engine", "Finished from z"),
-                    LT_TEXT("Engine", "What is left counts from here; empty: from the free end."), mm}),
+                    LT_TEXT("Engine", "What is left counts from here; empty: from the free end."), unit::mm}),
         field("finished_to_mm", &P::finished_to_mm, place,
               Label{LT_TEXT("Engine", "Finished up to z"),
-                    LT_TEXT("Engine", "What is left counts up to here; empty: to the end of the part."), mm}),
+                    LT_TEXT("Engine", "What is left counts up to here; empty: to the end of the part."), unit::mm}),
         field("chuck_face_z_mm", &P::chuck_face_z_mm, place,
               Label{LT_TEXT("Engine", "z of the chuck face"),
                     LT_TEXT("Engine",
                             "In this clamping; empty: as the job states for the first, not looked at in the "
                             "second."),
-                    mm}),
+                    unit::mm}),
         field("dog_leg", &P::dog_leg,
               Label{LT_TEXT("Engine", "Dog-leg"),
                     LT_TEXT("Engine", "Try the dog-leg of rapid moves besides the straight line."),

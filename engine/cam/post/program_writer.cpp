@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/cam/plan_codes.h"
@@ -17,7 +18,6 @@ using Eigen::Vector2d;
 
 constexpr int kLargestNumber = 99999;  // of a block
 constexpr int kCycleDecimals = 3;
-constexpr double kPi = 3.14159265358979323846;
 
 class Writer {
 public:
@@ -89,7 +89,8 @@ private:
         vc_ = operation.cutting_speed_m_min;
         rpm_ = operation.speed_rpm;
         if (!rpm_ && !post_.css)
-            rpm_ = std::min(head_.max_rpm, std::floor(1000 * vc_ / (2 * kPi * largestRadius_mm(operation))));
+            rpm_ =
+                std::min(head_.max_rpm, std::floor(1000 * vc_ / (2 * std::numbers::pi * largestRadius_mm(operation))));
         std::string name = key(operation.kind);
         std::replace(name.begin(), name.end(), '_', ' ');
         addComment(name);

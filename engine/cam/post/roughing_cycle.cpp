@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
+
 namespace lathelier::cam {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSame_mm = 1e-9;
 constexpr double kTurn_mm = 1e-4;
 constexpr double kWrittenUnit_mm = 1e-3;
 
@@ -16,7 +17,7 @@ constexpr double kWrittenUnit_mm = 1e-3;
 bool onlyRises(const Vector2d& from, const CutMove& move)
 {
     const Vector2d way = move.to - from;
-    if (way.x() < -kSame_mm || way.y() < -kSame_mm) return false;
+    if (way.x() < -meet_mm || way.y() < -meet_mm) return false;
     if (move.kind != CutKind::Arc) return true;
     // An arc turns back where it passes a place whose tangent runs along an axis; by a tenth of a micrometre it falls
     // less than can be written.
@@ -58,14 +59,14 @@ std::variant<RoughingCycle, Text> roughingCycle(const std::vector<Operation>& op
     while (end != first && is_rapid(end[-1])) --end;
     if (first == moves.begin() || end - first < 3) return LT_TEXT("Engine", "its contour is too short");
     auto foot = first;
-    while (foot + 1 != end && foot[1].to.x() < first->to.x() + kSame_mm) ++foot;
+    while (foot + 1 != end && foot[1].to.x() < first->to.x() + meet_mm) ++foot;
     double stock_x = 0;
     for (const CutMove& move : operations[*semi].moves)
         if (!is_rapid(move)) stock_x = std::max(stock_x, move.to.y());
     cycle.safe_x_mm = moves.front().to.y();
     cycle.start_z_mm = moves.front().to.x();
     cycle.start_x_mm = stock_x;
-    if (foot + 1 == end || foot->to.x() < cycle.start_z_mm + kSame_mm)
+    if (foot + 1 == end || foot->to.x() < cycle.start_z_mm + meet_mm)
         return LT_TEXT("Engine", "its contour is too short");
     const CutMove down{CutKind::Rapid, {cycle.start_z_mm, foot->to.y()}};
     CutMove in{CutKind::Line, foot->to};
@@ -88,8 +89,8 @@ std::variant<RoughingCycle, Text> roughingCycle(const std::vector<Operation>& op
     const double whole = cycle.start_x_mm - foot->to.y() - data.allowance_mm;
     if (!(whole > kWrittenUnit_mm)) return LT_TEXT("Engine", "there is no more than one pass");
     // Rounded up as it is written: else a last pass of less than a micrometre would remain.
-    const double passes = std::ceil(whole / data.depth_mm - kSame_mm);
-    cycle.depth_mm = std::ceil(whole / passes / kWrittenUnit_mm - kSame_mm) * kWrittenUnit_mm;
+    const double passes = std::ceil(whole / data.depth_mm - meet_mm);
+    cycle.depth_mm = std::ceil(whole / passes / kWrittenUnit_mm - meet_mm) * kWrittenUnit_mm;
     return cycle;
 }
 

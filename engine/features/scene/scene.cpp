@@ -22,14 +22,14 @@ constexpr std::size_t kRoughSample = 100000;
 constexpr std::size_t kFitSample = 60000;
 constexpr std::size_t kOutlineSample = 300000;
 constexpr std::size_t kLeastRest = 500;
-constexpr std::size_t kLeastGroup = 20;   // cubes
-constexpr std::size_t kMostTried = 6;     // groups that may be the part
-constexpr double kOnSurface_mm = 0.7;     // farther out than this is beyond the surface
-constexpr double kClampReach_mm = 5;      // a clamp reaches farther out than this somewhere
-constexpr double kNearContact_mm = 2.5;   // clamps as near to the surface as this show where they touch it
-constexpr double kContactDepth_mm = 1.5;  // of the surface below its outline
-constexpr double kOwnShare = 0.6;         // of a group's points on or inside the part's surface: it is the part's
-constexpr std::size_t kMostNamed = 12;    // groups; the small ones beyond are one
+constexpr std::size_t kLeastGroup = 20;      // cubes
+constexpr std::size_t kMostTried = 6;        // groups that may be the part
+constexpr double kOnSurface_mm = 0.7;        // farther out than this is beyond the surface
+constexpr double kClampReach_mm = 5;         // a clamp reaches farther out than this somewhere
+constexpr double kNearContact_mm = 2.5;      // clamps as near to the surface as this show where they touch it
+constexpr double kContactDepth_mm = 1.5;     // of the surface below its outline
+constexpr double kOwnShare = 0.6;            // of a group's points on or inside the part's surface: it is the part's
+constexpr std::size_t mostNamedGroups = 12;  // groups; the small ones beyond are one
 
 enum Kind : std::uint16_t { Part = 0, Turntable = 1, FirstOther = 2 };
 
@@ -138,14 +138,14 @@ public:
         std::stable_sort(found.begin() + 1, found.end(),
                          [](const SceneGroup& a, const SceneGroup& b) { return a.points > b.points; });
         std::erase_if(found, [](const SceneGroup& one) { return one.points == 0; });
-        for (std::size_t g = kMostNamed; g < found.size(); ++g) {
-            SceneGroup& last = found[kMostNamed - 1];
+        for (std::size_t g = mostNamedGroups; g < found.size(); ++g) {
+            SceneGroup& last = found[mostNamedGroups - 1];
             last.kind = "clutter";
             last.points += found[g].points;
             last.min_mm = last.min_mm.cwiseMin(found[g].min_mm);
             last.max_mm = last.max_mm.cwiseMax(found[g].max_mm);
         }
-        if (found.size() > kMostNamed) found.resize(kMostNamed);
+        if (found.size() > mostNamedGroups) found.resize(mostNamedGroups);
         if (found.size() < 2) return scene;
         scene.groups = std::move(found);
         scene.kept.resize(points_.size());

@@ -7,7 +7,7 @@
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t kFilled = 12;  // sectors
+constexpr std::size_t filledSectors = 12;  // largest distance of two between which all are taken
 
 std::size_t sectorOf(const Eigen::Vector3d& p, std::size_t sectors)
 {
@@ -29,7 +29,7 @@ void SceneFootprint::close()
         Ring filled = ring;
         for (std::size_t k = 0; k < kSectors; ++k) {
             if (!ring[k]) continue;
-            for (std::size_t gap = 2; gap <= kFilled; ++gap)
+            for (std::size_t gap = 2; gap <= filledSectors; ++gap)
                 if (ring[(k + gap) % kSectors])
                     for (std::size_t j = 1; j < gap; ++j) filled.set((k + j) % kSectors);
         }

@@ -9,8 +9,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t kSectors = 72;
-constexpr double kLeastShare = 0.6;  // of the directions that the part shows at all
+constexpr std::size_t outlineSectors = 72;
+constexpr double leastSeenShare = 0.6;  // of the directions that the part shows at all
 constexpr double kLeastInStep = 300;
 constexpr std::size_t kMostCells = 4000000;
 constexpr double kNone = -std::numeric_limits<double>::infinity();
@@ -32,21 +32,21 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
     const auto steps = static_cast<std::size_t>(length / step_mm_) + 1;
     const double cell_mm = std::max(0.5, largest * static_cast<double>(steps) / static_cast<double>(kMostCells));
     const auto rings = static_cast<std::size_t>(largest / cell_mm) + 2;
-    std::vector<std::bitset<kSectors>> cells(steps * rings);
+    std::vector<std::bitset<outlineSectors>> cells(steps * rings);
     for (const Eigen::Vector3d& p : on_axis) {
         const double turn = std::atan2(p.y(), p.x()) / (2 * std::numbers::pi) + 0.5;
-        const auto sector = std::min(kSectors - 1, static_cast<std::size_t>(turn * kSectors));
+        const auto sector = std::min(outlineSectors - 1, static_cast<std::size_t>(turn * outlineSectors));
         const auto step = static_cast<std::size_t>((p.z() - first_mm_) / step_mm_);
         cells[step * rings + static_cast<std::size_t>(std::hypot(p.x(), p.y()) / cell_mm)].set(sector);
     }
-    const auto need = static_cast<std::size_t>(kLeastShare * kSectors * std::min(1.0, coverage_deg / 360));
+    const auto need = static_cast<std::size_t>(leastSeenShare * outlineSectors * std::min(1.0, coverage_deg / 360));
     std::vector<double> own(steps, kNone);
     for (std::size_t s = 0; s < steps; ++s)
         for (std::size_t k = rings - 1; k-- > 0;) {
             const auto& inner = cells[s * rings + k];
             const auto& outer = cells[s * rings + k + 1];
             if ((inner | outer).count() < need) continue;
-            own[s] = cell_mm * static_cast<double>(outer.count() > kSectors / 20 ? k + 2 : k + 1);
+            own[s] = cell_mm * static_cast<double>(outer.count() > outlineSectors / 20 ? k + 2 : k + 1);
             break;
         }
     const auto seen = [](double reach) { return reach > kNone; };

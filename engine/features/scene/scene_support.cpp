@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/statistics.h"
 #include "engine/features/scene/scene_shapes.h"
@@ -13,10 +14,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double kTolerance_mm = 0.5;
-constexpr double kLeastShare = 0.1;
+constexpr double leastPlaneShare = 0.1;
 constexpr double kMostBehind = 0.05;
 constexpr double kLarger = 3;
-constexpr double kRobust = 1.4826;
 
 double cross(const Vector2d& a, const Vector2d& b, const Vector2d& c)
 {
@@ -63,7 +63,7 @@ double largestGroup_mm2(const std::vector<Vector3d>& points, double gap_mm, cons
 std::optional<SupportPlane> findSupport(const std::vector<Vector3d>& points, double spacing_mm)
 {
     std::optional<ScenePlane> plane = largestPlane(points, kTolerance_mm);
-    if (!plane || static_cast<double>(plane->inliers.size()) < kLeastShare * static_cast<double>(points.size()))
+    if (!plane || static_cast<double>(plane->inliers.size()) < leastPlaneShare * static_cast<double>(points.size()))
         return std::nullopt;
     std::vector<Vector3d> on, off;
     std::vector<double> heights;
@@ -83,7 +83,7 @@ std::optional<SupportPlane> findSupport(const std::vector<Vector3d>& points, dou
     const double sense = above >= below ? 1 : -1;
     support.normal = sense * plane->normal;
     support.distance_mm = sense * plane->distance_mm;
-    support.sigma_mm = kRobust * median(std::move(heights));
+    support.sigma_mm = mad_to_sigma * median(std::move(heights));
     support.band_mm = std::clamp(4 * support.sigma_mm, 0.1, 2 * kTolerance_mm);
     return support;
 }
@@ -94,7 +94,7 @@ bool endOnSupport(const SupportPlane& support, const registration::RevolutionFit
     constexpr double most_lean_deg = 1;
     const Vector3d axis = fit.axis_T_scan.linear().transpose().col(2);
     const double cosine = support.normal.dot(axis);
-    if (std::abs(cosine) < std::cos(most_lean_deg * 3.14159265358979323846 / 180)) return false;
+    if (std::abs(cosine) < std::cos(most_lean_deg * std::numbers::pi / 180)) return false;
     // Where the axis meets the plane.
     const Vector3d origin = fit.axis_T_scan.inverse().translation();
     const double z = (support.distance_mm - support.normal.dot(origin)) / cosine;

@@ -12,21 +12,21 @@
 namespace lathelier::form {
 namespace {
 
-constexpr Eigen::Index blockSize = 512;
-constexpr std::size_t grain = 1 << 15;
+constexpr Eigen::Index circleBlockSize = 512;
+constexpr std::size_t circlePointsPerTask = 1 << 15;
 constexpr Eigen::Index enoughToBegin = 8192;  ///< of many points, so that all are gone through twice only
 
 /// Coordinates, near 0 and in units near their size.
 using Coordinates = Eigen::Ref<const Eigen::ArrayXd>;
 
 /// The sums of one pass: half the gradient and half the Hessian of Σ(d - R)² in centre and radius.
-struct Sums {
+struct CircleSums {
     double squares = 0;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();       ///< Newton's
     Eigen::Matrix3d gauss_newton = Eigen::Matrix3d::Zero();  ///< never indefinite
 
-    Sums operator+(const Sums& other) const
+    CircleSums operator+(const CircleSums& other) const
     {
         return {squares + other.squares, gradient + other.gradient, hessian + other.hessian,
                 gauss_newton + other.gauss_newton};
@@ -34,16 +34,16 @@ struct Sums {
 };
 
 /// Of the points from `first` to `last`.
-Sums sumsOf(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle, Eigen::Index first,
-            Eigen::Index last)
+CircleSums circleSumsOf(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle, Eigen::Index first,
+                        Eigen::Index last)
 {
-    using Block = Eigen::Array<double, blockSize, 1>;
+    using Block = Eigen::Array<double, circleBlockSize, 1>;
     Block ux, uy, e, q;
-    Sums s;
+    CircleSums s;
     double sum_e = 0, sum_x = 0, sum_y = 0, sum_eq = 0, xx = 0, xy = 0, yy = 0, qxx = 0, qxy = 0, qyy = 0, ex = 0,
            ey = 0;
-    for (Eigen::Index begin = first; begin < last; begin += blockSize) {
-        const Eigen::Index n = std::min(blockSize, last - begin);
+    for (Eigen::Index begin = first; begin < last; begin += circleBlockSize) {
+        const Eigen::Index n = std::min(circleBlockSize, last - begin);
         ux.head(n) = x.segment(begin, n) - circle[0];
         uy.head(n) = y.segment(begin, n) - circle[1];
         e.head(n) = (ux.head(n).square() + uy.head(n).square()).sqrt().max(1e-300);  // a point on the centre: u = 0
@@ -77,14 +77,14 @@ Sums sumsOf(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& c
     return s;
 }
 
-Sums sumsAt(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle)
+CircleSums circleSumsAt(const Coordinates& x, const Coordinates& y, const Eigen::Vector3d& circle)
 {
     return parallelReduce(
-        static_cast<std::size_t>(x.size()), grain, {}, Sums(),
+        static_cast<std::size_t>(x.size()), circlePointsPerTask, {}, CircleSums(),
         [&](std::size_t begin, std::size_t end) {
-            return sumsOf(x, y, circle, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end));
+            return circleSumsOf(x, y, circle, static_cast<Eigen::Index>(begin), static_cast<Eigen::Index>(end));
         },
-        [](const Sums& all, const Sums& part) { return all + part; });
+        [](const CircleSums& all, const CircleSums& part) { return all + part; });
 }
 
 /// The circle that minimises Σ(d² - R²)²: near enough to start from.
@@ -98,19 +98,19 @@ Eigen::Vector3d algebraicCircle(const Coordinates& all_x, const Coordinates& all
     return {centre.x() + mx, centre.y() + my, std::sqrt(centre.squaredNorm() + z.mean())};
 }
 
-constexpr double runaway = 1e7;  ///< radius in half sizes of the points; their sagitta is then lost in rounding
+constexpr double runawayCircle = 1e7;  ///< radius in half sizes of the points; their sagitta is then lost in rounding
 
 struct Found {
     Eigen::Vector3d circle;
     double squares = 0;  ///< sum of (d - R)²
 
-    bool isCircle() const { return circle.allFinite() && std::abs(circle[2]) <= runaway; }
+    bool isCircle() const { return circle.allFinite() && std::abs(circle[2]) <= runawayCircle; }
 };
 
 /// Newton's method from `circle`.
 Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circle)
 {
-    Sums now = sumsAt(x, y, circle);
+    CircleSums now = circleSumsAt(x, y, circle);
     double damping = 0;
     for (int iteration = 0; iteration < 200; ++iteration) {
         Eigen::Matrix3d matrix = now.hessian;
@@ -127,7 +127,7 @@ Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circl
         // What this step leaves is rounding, and so is what the sum of squares is off its parabola.
         if (newton && step.norm() <= 1e-9 * std::abs(circle[2]))
             return {trial, std::max(0.0, now.squares + now.gradient.dot(step))};
-        const Sums next = sumsAt(x, y, trial);
+        const CircleSums next = circleSumsAt(x, y, trial);
         const bool fine = step.norm() <= 1e-8 * std::abs(circle[2]);  // Newton's last step squares this
         if (next.squares <= now.squares || fine) {
             circle = trial;
@@ -138,14 +138,14 @@ Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circl
             damping = std::max(10 * damping, 1e-4);
             if (damping > 1e12) break;
         }
-        if (std::abs(circle[2]) > runaway) break;
+        if (std::abs(circle[2]) > runawayCircle) break;
     }
     // One more plain step: where Gauss-Newton stopped first, Newton finishes.
     if (const Eigen::LLT<Eigen::Matrix3d> factors(now.hessian); factors.info() == Eigen::Success) {
         const Eigen::Vector3d step = factors.solve(-now.gradient);
         if (step.norm() <= 1e-6 * std::abs(circle[2])) {
             circle += step;
-            now = sumsAt(x, y, circle);
+            now = circleSumsAt(x, y, circle);
         }
     }
     return {circle, now.squares};

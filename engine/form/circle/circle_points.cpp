@@ -7,13 +7,13 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
+#include "engine/form/largest_coordinate.h"
 
 namespace lathelier::form {
 namespace {
 
 constexpr Eigen::Index bundleSize = 64;
 constexpr Eigen::Index worthBundles = 16384;
-constexpr double largest_mm = 1e12;
 
 void checkDifferent(std::span<const Eigen::Vector2d> points_mm, std::size_t least)
 {
@@ -62,8 +62,8 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
         low = low.min(point.array());
         high = high.max(point.array());
         // Compared so that what is no number is refused as well: minima and maxima do not keep it.
-        if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largest_mm) || !point.allFinite())
-            throw Error(errors::coordinateTooLarge, {{"found", size}, {"maximum", largest_mm}});
+        if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largestCoordinate_mm) || !point.allFinite())
+            throw Error(errors::coordinateTooLarge, {{"found", size}, {"maximum", largestCoordinate_mm}});
     }
     middle_mm_ = 0.5 * low + 0.5 * high;
     const double half_mm = 0.5 * (high - low).maxCoeff();

@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/form/circle/plane_cross.h"
+
 namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
 
-double cross(const Vector2d& a, const Vector2d& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// Corners of the convex hull, anticlockwise (Andrew's monotone chain).
-std::vector<Vector2d> hull(std::vector<Vector2d> points)
+std::vector<Vector2d> monotoneHull(std::vector<Vector2d> points)
 {
     std::sort(points.begin(), points.end(),
               [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
@@ -53,7 +50,7 @@ std::vector<HalfPlane> inscribedRegion(const CirclePoints& points, const Vector2
     for (const CirclePoints::Sector& sector : sectors)
         if (sector.occupied) some.push_back(points.point(sector.farthest_index));
     const double radius = points.extremes(centre).nearest;
-    const std::vector<Vector2d> corners = hull(some);
+    const std::vector<Vector2d> corners = monotoneHull(some);
     std::vector<HalfPlane> edges = edgesOf(corners);
     bool close = corners.size() >= 3;
     for (std::size_t i = 0; i < corners.size() && close; ++i)
@@ -64,7 +61,7 @@ std::vector<HalfPlane> inscribedRegion(const CirclePoints& points, const Vector2
     std::vector<Vector2d> all(points.size() + 1);
     for (std::size_t i = 0; i < points.size(); ++i) all[i] = points.point(i);
     all.back() = centre;
-    return edgesOf(hull(std::move(all)));
+    return edgesOf(monotoneHull(std::move(all)));
 }
 
 }  // namespace lathelier::form

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/form/circle/circle_enclosing.h"
 #include "engine/form/circle/circle_least_squares.h"
 #include "engine/form/circle/circle_region.h"
@@ -13,8 +14,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Side = CircleContact::Side;
-
-constexpr double um_per_mm = 1000;
 
 /// Centre, radii and RONt; the radius proper is filled by the caller.
 FittedCircle measured(const CirclePoints& points, const Vector2d& centre)

@@ -6,19 +6,15 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
+#include "engine/form/circle/plane_cross.h"
 #include "engine/signal/closed_interpolation.h"
 
 namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-double cross(const Vector2d& a, const Vector2d& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The hull's next corner on the way anticlockwise; corners between which the way would turn right are none.
 void add(std::vector<Vector2d>& hull, std::size_t start, const Vector2d& point)
@@ -107,9 +103,9 @@ TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const signal::Ang
         result.largest_mm = std::min(sizes.largest_mm, 2 * *farthest);
         result.smallest_mm = std::max(sizes.smallest_mm, 2 * *nearest);
     } else {
-        result.largest_mm = result.smallest_mm = nan;
+        result.largest_mm = result.smallest_mm = notANumber;
     }
-    result.range_um = 1000 * (result.largest_mm - result.smallest_mm);
+    result.range_um = um_per_mm * (result.largest_mm - result.smallest_mm);
     result.half_range_um = result.range_um / 2;
     result.without_opposite = sizes.missing;
     const CaliperWidth width = caliperWidth(points_mm);

@@ -10,6 +10,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/point_spread.h"
 #include "engine/core/random.h"
+#include "engine/form/largest_coordinate.h"
 
 namespace lathelier::form {
 namespace {
@@ -18,15 +19,14 @@ using Eigen::Vector3d;
 using Vector5d = Eigen::Vector<double, 5>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
-constexpr double largest_mm = 1e12;
-constexpr double runaway = 1e5;  // radius over size: a plane
+constexpr double runawayCylinder = 1e5;  // radius over size: a plane
 
-struct Sums {
+struct CylinderSums {
     double squares = 0;
     Vector5d gradient = Vector5d::Zero();
     Matrix5d matrix = Matrix5d::Zero();
 
-    Sums& operator+=(const Sums& other)
+    CylinderSums& operator+=(const CylinderSums& other)
     {
         squares += other.squares;
         gradient += other.gradient;
@@ -35,12 +35,13 @@ struct Sums {
     }
 };
 
-Sums sumsAt(const CylinderPoints& points, const AxisParameters& axis, double radius, const Progress& progress)
+CylinderSums cylinderSumsAt(const CylinderPoints& points, const AxisParameters& axis, double radius,
+                            const Progress& progress)
 {
     return parallelReduce(
-        points.size(), 16384, progress, Sums{},
+        points.size(), 16384, progress, CylinderSums{},
         [&](std::size_t begin, std::size_t end) {
-            Sums part;
+            CylinderSums part;
             for (std::size_t i = begin; i < end; ++i) {
                 const AxisDistance d = distanceFrom(axis, points.point(i));
                 Vector5d row;
@@ -52,7 +53,7 @@ Sums sumsAt(const CylinderPoints& points, const AxisParameters& axis, double rad
             }
             return part;
         },
-        [](Sums all, const Sums& part) { return all += part; });
+        [](CylinderSums all, const CylinderSums& part) { return all += part; });
 }
 
 /// Circle of the points as seen along z, and how badly it fits.
@@ -75,7 +76,7 @@ LeastSquaresCylinder circleAlongAxis(const CylinderPoints& points)
         squares += residual * residual;
     }
     result.rms = std::sqrt(squares / static_cast<double>(points.size()));
-    if (!(result.radius < runaway)) result.rms = std::numeric_limits<double>::infinity();
+    if (!(result.radius < runawayCylinder)) result.rms = std::numeric_limits<double>::infinity();
     return result;
 }
 
@@ -98,7 +99,7 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
                                           const Progress& progress)
 {
     LeastSquaresCylinder fit = start;
-    Sums now = sumsAt(points, fit.axis, fit.radius, progress);
+    CylinderSums now = cylinderSumsAt(points, fit.axis, fit.radius, progress);
     double damping = 0, last_size = 1;
     constexpr int mostSteps = 200;
     for (int iteration = 0; iteration < mostSteps; ++iteration) {
@@ -108,7 +109,7 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
         if (!step.allFinite() || !(step.norm() < 1e12)) break;
         const AxisParameters axis = fit.axis + step.head<4>();
         const double radius = fit.radius + step[4];
-        const Sums next = sumsAt(points, axis, radius, progress);
+        const CylinderSums next = cylinderSumsAt(points, axis, radius, progress);
         const double size = step.norm() / (1 + radius);
         // Near the end the sum of squares is flat to rounding: there plain steps are taken, and their own shrinking
         // tells.
@@ -129,14 +130,14 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
         if (fit.converged) break;
         if (damping > 1e10) break;
     }
-    fit.converged = fit.converged && std::abs(fit.radius) < runaway;
+    fit.converged = fit.converged && std::abs(fit.radius) < runawayCylinder;
     fit.rms = std::sqrt(now.squares / static_cast<double>(points.size()));
     return fit;
 }
 
 CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress& progress)
 {
-    const PointSpread spread = spreadOf(points_mm, 6, largest_mm, progress);
+    const PointSpread spread = spreadOf(points_mm, 6, largestCoordinate_mm, progress);
     refuseDegenerate(spread, 1e-14 * spread.largest_mm, 1e-7 * spread.extent_mm[2] + 1e-14 * spread.largest_mm);
     const double size_mm = 2 * spread.extent_mm[2];
     constexpr std::size_t enough = 400;
@@ -162,7 +163,7 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
             const CylinderPoints points(some, spread.mean_mm, direction, size_mm);
             const LeastSquaresCylinder fit = leastSquaresCylinder(points, circleAlongAxis(points), progress);
             const Vector3d next = points.directionOf(fit.axis);
-            if (!next.allFinite() || !(std::abs(fit.radius) < runaway)) break;
+            if (!next.allFinite() || !(std::abs(fit.radius) < runawayCylinder)) break;
             if (next.dot(direction) > 0.9999) {
                 if (fit.rms < best) {
                     best = fit.rms;

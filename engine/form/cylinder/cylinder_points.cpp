@@ -9,8 +9,8 @@
 namespace lathelier::form {
 namespace {
 
-constexpr Eigen::Index blockSize = 512;
-constexpr std::size_t grain = 64 * blockSize;
+constexpr Eigen::Index cylinderBlockSize = 512;
+constexpr std::size_t cylinderPointsPerTask = 64 * cylinderBlockSize;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ Eigen::Vector3d CylinderPoints::pointOf(const AxisParameters& axis) const
 
 CylinderPoints::Extremes CylinderPoints::extremes(const AxisParameters& axis, const Progress& progress) const
 {
-    using Block = Eigen::Array<double, blockSize, 1>;
+    using Block = Eigen::Array<double, cylinderBlockSize, 1>;
     const double shortening = 1 / (1 + axis.tail<2>().squaredNorm());
     // w is the offset from the axis at the point's height; its part along the axis' tilt does not count in full.
     const auto squares = [&](Eigen::Index begin, Eigen::Index n, Block& wx, Block& wy, Block& result) {
@@ -58,13 +58,13 @@ CylinderPoints::Extremes CylinderPoints::extremes(const AxisParameters& axis, co
         Eigen::Index low_block = 0, high_block = 0;
     };
     const Part all = parallelReduce(
-        size(), grain, progress, Part{},
+        size(), cylinderPointsPerTask, progress, Part{},
         [&](std::size_t begin, std::size_t end) {
             Part part;
             Block wx, wy, d;
             for (auto block = static_cast<Eigen::Index>(begin); block < static_cast<Eigen::Index>(end);
-                 block += blockSize) {
-                const Eigen::Index n = std::min(blockSize, static_cast<Eigen::Index>(end) - block);
+                 block += cylinderBlockSize) {
+                const Eigen::Index n = std::min(cylinderBlockSize, static_cast<Eigen::Index>(end) - block);
                 squares(block, n, wx, wy, d);
                 if (const double low = d.head(n).minCoeff(); low < part.low) {
                     part.low = low;
@@ -90,7 +90,7 @@ CylinderPoints::Extremes CylinderPoints::extremes(const AxisParameters& axis, co
         });
     Block wx, wy, d;
     const auto find = [&](Eigen::Index block, double value) {
-        const Eigen::Index n = std::min(blockSize, x_.size() - block);
+        const Eigen::Index n = std::min(cylinderBlockSize, x_.size() - block);
         squares(block, n, wx, wy, d);
         Eigen::Index i = 0;
         while (i + 1 < n && d[i] != value) ++i;

@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/form/cylinder/axis_frame.h"
 
 namespace lathelier::form {
 namespace {
 
-constexpr double um_per_mm = 1000;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t grain = 65536;
+constexpr std::size_t surfacePointsPerTask = 65536;
 constexpr std::size_t mostRows = 200;
 constexpr std::size_t pointsOfCell = 4;  ///< on average, where the points are few
 
@@ -56,8 +55,9 @@ void findCentre(CylinderSurface& surface, std::size_t row)
         ++there;
     }
     const bool enough = 2 * there > angles;
-    const Eigen::Vector3d fit = enough ? Eigen::Vector3d(normal.ldlt().solve(right)) : Eigen::Vector3d(nan, nan, nan);
-    surface.mean_row_um[row] = there == 0 ? nan : enough ? fit[0] : right[0] / static_cast<double>(there);
+    const Eigen::Vector3d fit =
+        enough ? Eigen::Vector3d(normal.ldlt().solve(right)) : Eigen::Vector3d(notANumber, notANumber, notANumber);
+    surface.mean_row_um[row] = there == 0 ? notANumber : enough ? fit[0] : right[0] / static_cast<double>(there);
     surface.centre_x_um[row] = fit[1];
     surface.centre_y_um[row] = fit[2];
 }
@@ -87,21 +87,23 @@ CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eig
     const auto rows = static_cast<std::size_t>(surface.z_count), angles = static_cast<std::size_t>(surface.angle_count);
     surface.deviation_mm.resize(points_mm.size());
     std::vector<std::uint32_t> cells(points_mm.size());
-    parallelFor(points_mm.size(), grain, progress.part(0.2, 0.7), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Vector3d p = surface.axis_T_points * points_mm[i];
-            surface.deviation_mm[i] = static_cast<float>(p.head<2>().norm() - cylinder.radius_mm);
-            const auto row = std::clamp<std::ptrdiff_t>(
-                static_cast<std::ptrdiff_t>((p.z() - surface.z_start_mm) / surface.z_step_mm), 0, surface.z_count - 1);
-            const auto column = std::clamp<std::ptrdiff_t>(
-                static_cast<std::ptrdiff_t>(angleOf(p) / 360 * surface.angle_count), 0, surface.angle_count - 1);
-            cells[i] = static_cast<std::uint32_t>(row * surface.angle_count + column);
-        }
-    });
+    parallelFor(
+        points_mm.size(), surfacePointsPerTask, progress.part(0.2, 0.7), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const Eigen::Vector3d p = surface.axis_T_points * points_mm[i];
+                surface.deviation_mm[i] = static_cast<float>(p.head<2>().norm() - cylinder.radius_mm);
+                const auto row = std::clamp<std::ptrdiff_t>(
+                    static_cast<std::ptrdiff_t>((p.z() - surface.z_start_mm) / surface.z_step_mm), 0,
+                    surface.z_count - 1);
+                const auto column = std::clamp<std::ptrdiff_t>(
+                    static_cast<std::ptrdiff_t>(angleOf(p) / 360 * surface.angle_count), 0, surface.angle_count - 1);
+                cells[i] = static_cast<std::uint32_t>(row * surface.angle_count + column);
+            }
+        });
     std::vector<double> sums(rows * angles, 0);
     std::vector<std::uint32_t> counts(rows * angles, 0);
-    surface.lowest_um.assign(rows, nan);
-    surface.highest_um.assign(rows, nan);
+    surface.lowest_um.assign(rows, notANumber);
+    surface.highest_um.assign(rows, notANumber);
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
         const double deviation_um = um_per_mm * static_cast<double>(surface.deviation_mm[i]);
         sums[cells[i]] += deviation_um;
@@ -112,7 +114,7 @@ CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eig
     }
     surface.mean_um.resize(rows * angles);
     for (std::size_t k = 0; k < sums.size(); ++k)
-        surface.mean_um[k] = counts[k] ? static_cast<float>(sums[k] / counts[k]) : static_cast<float>(nan);
+        surface.mean_um[k] = counts[k] ? static_cast<float>(sums[k] / counts[k]) : static_cast<float>(notANumber);
     surface.mean_row_um.resize(rows);
     surface.centre_x_um.resize(rows);
     surface.centre_y_um.resize(rows);

@@ -12,22 +12,22 @@
 namespace lathelier::form {
 namespace {
 
-constexpr std::uint64_t seed = 12180;
-constexpr int waves = 8, degree = 3;
-constexpr int functions = (2 * waves + 1) * (degree + 1);
+constexpr std::uint64_t cylinderDrawSeed = 12180;
+constexpr int waves = 8, legendreDegree = 3;
+constexpr int functions = (2 * waves + 1) * (legendreDegree + 1);
 constexpr std::size_t enoughToFit = 20000;  ///< points that tell the form
-constexpr double standsOut = 3;             ///< standard errors of a coefficient
+constexpr double leastCoefficient = 3;      ///< standard errors of a coefficient
 
-using Row = Eigen::Vector<double, functions>;
+using FormRow = Eigen::Vector<double, functions>;
 
 /// Waves around times Legendre polynomials along.
-Row rowAt(double angle, double u)
+FormRow formRowAt(double angle, double u)
 {
     const double along[] = {1, u, (3 * u * u - 1) / 2, (5 * u * u * u - 3 * u) / 2};
-    Row row;
+    FormRow row;
     int k = 0;
     for (int m = 0; m <= waves; ++m)
-        for (int l = 0; l <= degree; ++l) {
+        for (int l = 0; l <= legendreDegree; ++l) {
             row[k++] = std::cos(m * angle) * along[l];
             if (m > 0) row[k++] = std::sin(m * angle) * along[l];
         }
@@ -57,16 +57,16 @@ Unrolled unroll(const CylinderPoints& points, const AxisParameters& axis, const 
 }
 
 /// Deviations from `radius` that waves explain which stand out of noise.
-std::vector<double> formOf(const Unrolled& surface, double radius, double sigma, const Progress& progress)
+std::vector<double> explainedForm(const Unrolled& surface, double radius, double sigma, const Progress& progress)
 {
     const std::size_t n = surface.distance.size(), stride = n / enoughToFit + 1;
     std::vector<double> form(n, 0.0);
     if (n < 4 * std::size_t{functions}) return form;
     Eigen::Matrix<double, functions, functions> normal = Eigen::Matrix<double, functions, functions>::Zero();
-    Row right = Row::Zero();
+    FormRow right = FormRow::Zero();
     for (std::size_t i = 0; i < n; i += stride) {
         if (i / stride % 1024 == 0) progress.check();
-        const Row row = rowAt(surface.angle[i], surface.along[i]);
+        const FormRow row = formRowAt(surface.angle[i], surface.along[i]);
         normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
         right += row * (surface.distance[i] - radius);
     }
@@ -74,12 +74,13 @@ std::vector<double> formOf(const Unrolled& surface, double radius, double sigma,
     normal = normal.selfadjointView<Eigen::Lower>();
     normal.diagonal().array() += ridge;
     const Eigen::LDLT<Eigen::Matrix<double, functions, functions>> solver(normal);
-    const Row variance = solver.solve(Eigen::Matrix<double, functions, functions>::Identity()).diagonal();
-    Row coefficients = solver.solve(right);
+    const FormRow variance = solver.solve(Eigen::Matrix<double, functions, functions>::Identity()).diagonal();
+    FormRow coefficients = solver.solve(right);
     for (int k = 0; k < functions; ++k)
-        if (std::abs(coefficients[k]) < standsOut * sigma * std::sqrt(variance[k])) coefficients[k] = 0;
+        if (std::abs(coefficients[k]) < leastCoefficient * sigma * std::sqrt(variance[k])) coefficients[k] = 0;
     parallelFor(n, 8192, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) form[i] = coefficients.dot(rowAt(surface.angle[i], surface.along[i]));
+        for (std::size_t i = begin; i < end; ++i)
+            form[i] = coefficients.dot(formRowAt(surface.angle[i], surface.along[i]));
     });
     return form;
 }
@@ -92,12 +93,12 @@ double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquar
     if (!(sigma > 0)) return 0;
     const std::size_t n = points.size();
     const Unrolled surface = unroll(points, fit.axis, progress);
-    const std::vector<double> form = formOf(surface, fit.radius, sigma, progress);
+    const std::vector<double> form = explainedForm(surface, fit.radius, sigma, progress);
     const double half = fit.radius / 2;
     const auto width = [&](double noise, std::uint64_t draw) {
         LinearDistances<4> distances;
         for (std::size_t i = 0; i < n; ++i)
-            distances.push(fit.radius + form[i] + noise * randomNormal(seed, draw, i), surface.slope[i]);
+            distances.push(fit.radius + form[i] + noise * randomNormal(cylinderDrawSeed, draw, i), surface.slope[i]);
         return minimax(distances, MinimaxGoal::Width, half).value;
     };
     const double quiet = width(0, 0);

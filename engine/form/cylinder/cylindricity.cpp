@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylinder_least_squares.h"
 #include "engine/form/cylinder/cylinder_sections.h"
 #include "engine/form/cylinder/cylinder_uncertainty.h"
@@ -16,7 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double um_per_mm = 1000;
 constexpr std::size_t leastSections = 3;  // a line through fewer has no straightness
 
 FittedCylinder placed(const CylinderPoints& points, const AxisParameters& axis)
@@ -27,7 +27,7 @@ FittedCylinder placed(const CylinderPoints& points, const AxisParameters& axis)
     return cylinder;
 }
 
-FittedCylinder toResult(const CylinderPoints& points, const LeastSquaresCylinder& fit, const Progress& progress)
+FittedCylinder toCylinder(const CylinderPoints& points, const LeastSquaresCylinder& fit, const Progress& progress)
 {
     FittedCylinder cylinder = placed(points, fit.axis);
     const CylinderPoints::Extremes e = points.extremes(fit.axis, progress);
@@ -42,7 +42,7 @@ FittedCylinder toResult(const CylinderPoints& points, const LeastSquaresCylinder
     return cylinder;
 }
 
-FittedCylinder toResult(const CylinderPoints& points, const MinimumZoneCylinder& fit)
+FittedCylinder toCylinder(const CylinderPoints& points, const MinimumZoneCylinder& fit)
 {
     FittedCylinder cylinder = placed(points, fit.axis);
     const double scale = points.scale_mm();
@@ -95,10 +95,10 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
     const CylinderPoints points(points_mm, guess.mean_mm, guess.direction, guess.scale_mm);
     const LeastSquaresCylinder fit = leastSquaresCylinder(points, guess.cylinder, progress);
     if (!fit.converged) throw Error(errors::notConverged, {{"iterations", std::int64_t{200}}});
-    result.LSCY = toResult(points, fit, progress);
+    result.LSCY = toCylinder(points, fit, progress);
     progress.report(0.3);
     const MinimumZoneCylinder zone = minimumZoneCylinder(points, fit.axis, progress.part(0.3, 0.9));
-    result.MZCY = toResult(points, zone);
+    result.MZCY = toCylinder(points, zone);
     if (parameters.probe_uncertainty_um)
         result.CYLt_expanded_uncertainty_um =
             points.scale_mm() * um_per_mm *

@@ -1,3 +1,4 @@
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylindricity.h"
 
 #include "engine/core/decision_field.h"
@@ -10,13 +11,13 @@ const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityPar
     static const std::vector<Field<P>> all{
         field("tolerance_um", &P::tolerance_um, Range{1e-6, 1e6},
               Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest cylindricity deviation CYLt allowed."),
-                    LT_TEXT("Engine", "µm")}),
+                    unit::um}),
         decisionField(&P::decision,
                       LT_TEXT("Engine", "Simple compares the value alone; guarded passes or fails only what is sure."),
                       true),
         field("probe_uncertainty_um", &P::probe_uncertainty_um, Range{0, 1e6},
-              Label{LT_TEXT("Engine", "Uncertainty of a point"), LT_TEXT("Engine", "One standard deviation."),
-                    LT_TEXT("Engine", "µm"), true}),
+              Label{LT_TEXT("Engine", "Uncertainty of a point"), LT_TEXT("Engine", "One standard deviation."), unit::um,
+                    true}),
     };
     return all;
 }

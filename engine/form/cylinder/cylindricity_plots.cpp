@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/report/colours.h"
 
 namespace lathelier::form {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-const Text um = LT_TEXT("Engine", "µm");
-
 report::Axis zAxis(const CylinderSurface& surface)
 {
-    report::Axis axis{LT_TEXT("Engine", "Along the axis, from the first data"), mm};
+    report::Axis axis{LT_TEXT("Engine", "Along the axis, from the first data"), unit::mm};
     axis.range = Interval{surface.z_start_mm, surface.z_start_mm + surface.z_step_mm * surface.z_count};
     return axis;
 }
@@ -27,9 +26,8 @@ double colourLimit_um(const CylinderSurface& surface)
     for (const float value : surface.mean_um)
         if (!std::isnan(value)) sizes.push_back(std::abs(value));
     if (sizes.empty()) return 1;
-    const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
-    std::nth_element(sizes.begin(), at, sizes.end());
-    return report::niceLimit(*at > 0 ? static_cast<double>(*at) : 1.0);
+    const float size = lowerQuantileInPlace(sizes, share);
+    return report::niceLimit(size > 0 ? static_cast<double>(size) : 1.0);
 }
 
 report::ColourMap unrolledCylinder(const CylinderSurface& surface)
@@ -37,8 +35,8 @@ report::ColourMap unrolledCylinder(const CylinderSurface& surface)
     report::ColourMap map;
     map.title = LT_TEXT("Engine", "Unrolled surface");
     map.x = zAxis(surface);
-    map.y = {LT_TEXT("Engine", "Angle about the axis"), LT_TEXT("Engine", "°")};
-    map.value = {LT_TEXT("Engine", "Deviation"), um};
+    map.y = {LT_TEXT("Engine", "Angle about the axis"), unit::deg};
+    map.value = {LT_TEXT("Engine", "Deviation"), unit::um};
     map.x_from = map.x.range->from;
     map.x_to = map.x.range->to;
     map.y_to = 360;
@@ -58,7 +56,7 @@ report::Plot radiusAlongAxis(const CylinderSurface& surface, const CylindricityP
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Local radius along the axis");
     plot.x = zAxis(surface);
-    plot.y = {LT_TEXT("Engine", "Deviation from the cylinder's radius"), um};
+    plot.y = {LT_TEXT("Engine", "Deviation from the cylinder's radius"), unit::um};
     report::Curve range{LT_TEXT("Engine", "all points"), surface.z_mm, surface.highest_um, report::Curve::Style::Band,
                         surface.lowest_um};
     report::Curve mean{LT_TEXT("Engine", "local radius"), surface.z_mm, surface.mean_row_um};
@@ -88,7 +86,7 @@ report::Plot centresAlongAxis(const CylinderSurface& surface)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Axis of the local circles");
     plot.x = zAxis(surface);
-    plot.y = {LT_TEXT("Engine", "Centre, from the cylinder's axis"), um};
+    plot.y = {LT_TEXT("Engine", "Centre, from the cylinder's axis"), unit::um};
     plot.curves = {{LT_TEXT("Engine", "x"), surface.z_mm, surface.centre_x_um},
                    {LT_TEXT("Engine", "y"), surface.z_mm, surface.centre_y_um, report::Curve::Style::Dashed}};
     for (report::Curve& curve : plot.curves) curve.colour = report::ColourRole::Original;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylindricity_plots.h"
 #include "engine/form/cylinder/cylindricity_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
@@ -27,7 +28,7 @@ report::QuantityTable deviationsTable(const CylindricityResult& result)
     return table;
 }
 
-report::QuantityTable verdictTable(const CylindricityResult& result)
+report::QuantityTable cylindricityVerdictTable(const CylindricityResult& result)
 {
     report::QuantityTable table{LT_TEXT("Engine", "Verdict"), {}};
     Value verdict = LT_TEXT("Engine", "none: no tolerance was given");
@@ -61,7 +62,7 @@ report::Answer answer(const CylindricityResult& result)
     answer.quantity = "CYLt(MZCY)";
     answer.value = result.MZCY.CYLt_um;
     answer.expanded_uncertainty = result.CYLt_expanded_uncertainty_um;
-    answer.unit = LT_TEXT("Engine", "µm");
+    answer.unit = unit::um;
     answer.decimals = 2;
     answer.upper_limit = result.parameters.tolerance_um;
     answer.verdict = result.verdict;
@@ -73,7 +74,7 @@ report::Answer answer(const CylindricityResult& result)
 report::Section cylindricitySummary(const CylindricityResult& result)
 {
     report::Section section{LT_TEXT("Engine", "Result"),
-                            {answer(result), deviationsTable(result), verdictTable(result)}};
+                            {answer(result), deviationsTable(result), cylindricityVerdictTable(result)}};
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

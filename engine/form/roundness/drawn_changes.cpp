@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::form {
 namespace {
 
@@ -36,9 +38,7 @@ double coverageHalfWidth(std::vector<double> changes, double relative_u)
     for (const double change : changes) squares += (change - mean) * (change - mean) / (n - 1);
     const double normal = halfWidth(mean, std::hypot(std::sqrt(squares), relative_u * mean));
     for (double& change : changes) change = std::abs(change);
-    const auto place = changes.begin() + static_cast<std::ptrdiff_t>(coverage * (n - 1));
-    std::nth_element(changes.begin(), place, changes.end());
-    return std::max(normal, *place);
+    return std::max(normal, lowerQuantileInPlace(changes, coverage));
 }
 
 }  // namespace lathelier::form

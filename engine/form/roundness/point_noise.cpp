@@ -4,10 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/signal/fourier.h"
 #include "engine/signal/hampel.h"
 #include "engine/signal/harmonics.h"
@@ -18,9 +18,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t leastPoints = 32;
+constexpr std::size_t leastNoisePoints = 32;
 constexpr std::size_t leastHarmonics = 8;  ///< fewer: an arc, looked at in the sequence of its points
-constexpr double standsOut = 8;            ///< times the mean square amplitude: noise alone once in e⁸ = 3000
+constexpr double leastLine = 8;            ///< times the mean square amplitude: noise alone once in e⁸ = 3000
 constexpr double spikeSigma = 6;
 constexpr double mostSpikes = 0.1;       ///< share of the points; more are no spikes
 constexpr std::size_t longestSpike = 4;  ///< points; a longer run is form
@@ -118,15 +118,16 @@ std::vector<double> periodogram(std::span<const double> values)
     return power;
 }
 
-struct Form {
+struct StandingForm {
     std::vector<double> values;        ///< at the points
     std::vector<std::uint8_t> isLine;  ///< by order
 };
 
 /// The harmonics that stand out.
-Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& coefficients, const Progress& progress)
+StandingForm standingOut(const PreparedProfile& prepared, const std::vector<Complex>& coefficients,
+                         const Progress& progress)
 {
-    Form form;
+    StandingForm form;
     std::vector<double> power;
     power.reserve(coefficients.size());
     for (const Complex& c : coefficients) power.push_back(4 * std::norm(c));
@@ -135,7 +136,7 @@ Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& co
     form.isLine.assign(coefficients.size(), 0);
     for (const double first : {10., 4.}) {
         const std::vector<double> floor = floorOf(power, form.isLine, first).at;
-        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > standsOut * floor[k];
+        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > leastLine * floor[k];
     }
     std::vector<Complex> lines(coefficients.size());
     for (std::size_t k = 1; k < lines.size(); ++k)
@@ -145,7 +146,7 @@ Form standingOut(const PreparedProfile& prepared, const std::vector<Complex>& co
 }
 
 /// The same for an arc: lines in the sequence of its points, laid to and fro so that it closes.
-Form standingOutOfArc(const std::vector<double>& deviation)
+StandingForm standingOutOfArc(const std::vector<double>& deviation)
 {
     const std::size_t n = deviation.size();
     std::vector<double> mirrored(deviation);
@@ -155,11 +156,11 @@ Form standingOutOfArc(const std::vector<double>& deviation)
     std::vector<double> power;
     power.reserve(spectrum.size());
     for (const Complex& x : spectrum) power.push_back(std::norm(x));
-    Form form;
+    StandingForm form;
     form.isLine.assign(power.size(), 0);
     for (const double first : {10., 4.}) {
         const PowerFloor floor = floorOf(power, form.isLine, first);
-        for (std::size_t k = 0; k < power.size(); ++k) form.isLine[k] = k < 3 || power[k] > standsOut * floor.at[k];
+        for (std::size_t k = 0; k < power.size(); ++k) form.isLine[k] = k < 3 || power[k] > leastLine * floor.at[k];
     }
     for (std::size_t k = 0; k < spectrum.size(); ++k)
         spectrum[k] = form.isLine[k] ? spectrum[k] / static_cast<double>(2 * n) : 0;
@@ -293,7 +294,7 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<sign
     std::vector<Complex> coefficients(harmonics.size() + 1);
     for (const signal::Harmonic& h : harmonics)
         coefficients[static_cast<std::size_t>(h.upr)] = std::polar(h.amplitude / 2, -h.phase_rad);
-    Form form = arc ? standingOutOfArc(deviation) : standingOut(prepared, coefficients, progress);
+    StandingForm form = arc ? standingOutOfArc(deviation) : standingOut(prepared, coefficients, progress);
     std::vector<double> rest = difference(deviation, form.values);
     std::vector<std::uint8_t> spike = spikesOf(form.values, rest, rounding_um);
     const auto withoutSpikes = [&] {
@@ -314,12 +315,12 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<sign
     if (stated_um) {
         noise.sigma_um = noise.beyond_rounding_um = *stated_um;
         noise.resolution_um = 0;
-        const double floor = std::sqrt(standsOut * 4 / static_cast<double>(n)) * *stated_um;
+        const double floor = std::sqrt(leastLine * 4 / static_cast<double>(n)) * *stated_um;
         noise.floor_um.assign(harmonics.size(), floor);
         return noise;
     }
-    if (n < leastPoints) {
-        noise.sigma_um = std::numeric_limits<double>::quiet_NaN();
+    if (n < leastNoisePoints) {
+        noise.sigma_um = notANumber;
         noise.floor_um.assign(harmonics.size(), 0);
         return noise;
     }
@@ -341,7 +342,7 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<sign
     for (std::size_t i = 0; i < n; ++i)
         if (spike[i]) noise.spikes_um.push_back(rest[i]);
     for (std::size_t k = 1; k <= harmonics.size(); ++k)
-        noise.floor_um.push_back(std::sqrt(standsOut * floor.at[std::min(k, floor.at.size() - 1)]));
+        noise.floor_um.push_back(std::sqrt(leastLine * floor.at[std::min(k, floor.at.size() - 1)]));
     return noise;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::size_t grain = 1 << 15;
-constexpr int mostRounds = 4;  ///< leaving points out moves the centre, and with it the angles
+constexpr std::size_t profilePointsPerTask = 1 << 15;
+constexpr int mostCentreRounds = 4;  ///< leaving points out moves the centre, and with it the angles
 
 std::vector<Vector2d> usedPoints(const Profile& profile, const std::vector<std::uint8_t>& used)
 {
@@ -56,7 +56,7 @@ void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& 
     prepared.index.resize(points.size());
     prepared.points_mm.resize(points.size());
     prepared.distance_mm.resize(points.size());
-    parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.size(), profilePointsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             std::size_t& i = prepared.sampling.order[k];
             prepared.index[k] = all ? i : given[i];
@@ -101,7 +101,7 @@ std::vector<double> anglesAbout(const Vector2d& centre_mm, const std::vector<Vec
                                 const Progress& progress)
 {
     std::vector<double> angle(points_mm.size());
-    parallelFor(points_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points_mm.size(), profilePointsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) angle[i] = angleAbout(centre_mm, points_mm[i]);
     });
     return angle;
@@ -128,14 +128,14 @@ PreparedProfile prepareProfile(const Profile& profile, const std::vector<Interva
     }
     arrange(profile, prepared, progress);
     if (!exclude_deg.empty())
-        for (int round = 0; round < mostRounds && exclude(profile, exclude_deg, prepared); ++round)
+        for (int round = 0; round < mostCentreRounds && exclude(profile, exclude_deg, prepared); ++round)
             arrange(profile, prepared, progress);
     return rule == OutlierRule::Hampel ? withoutOutliers(profile, std::move(prepared), progress) : prepared;
 }
 
 PreparedProfile withoutOutliers(const Profile& profile, PreparedProfile prepared, const Progress& progress)
 {
-    for (int round = 0; round < mostRounds && removeOutliers(prepared, progress); ++round)
+    for (int round = 0; round < mostCentreRounds && removeOutliers(prepared, progress); ++round)
         arrange(profile, prepared, progress);
     return prepared;
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/form/circle/two_point.h"
 #include "engine/form/form_codes.h"
 #include "engine/form/roundness/prepared_profile.h"
@@ -19,8 +20,6 @@ namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double degree = std::numbers::pi / 180;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int mostHarmonics = 500;
 
 /// The contacts count in given points, whatever was left out and sorted.
@@ -40,7 +39,7 @@ std::vector<signal::Harmonic> harmonicsOf(const PreparedProfile& prepared, std::
 
 PaperValues paperValues(const PreparedProfile& prepared)
 {
-    PaperValues paper{nan, Vector2d(nan, nan)};
+    PaperValues paper{notANumber, Vector2d(notANumber, notANumber)};
     if (prepared.centre_mm.norm() >= prepared.radius_mm) return paper;
     double mean = 0, nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (const Vector2d& point : prepared.points_mm) {
@@ -88,7 +87,7 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
     if (prepared.outliers > 0) notes.push_back({notes::outliersRemoved, {{"count", count(prepared.outliers)}}});
     if (sampling.different < prepared.index.size())
         notes.push_back({notes::duplicatePoints, {{"count", count(prepared.index.size() - sampling.different)}}});
-    const double largest_deg = std::round(sampling.largest_gap_rad / degree * 100) / 100;
+    const double largest_deg = std::round(sampling.largest_gap_rad / rad_per_deg * 100) / 100;
     if (sampling.largest_gap_rad > std::numbers::pi / 2)
         notes.push_back({notes::partialArc, {{"missing_deg", largest_deg}}});
     else if (sampling.gaps > 0)
@@ -113,7 +112,7 @@ void noteHarmonics(const RoundnessResult& result, const signal::AngularSampling&
     if (found < asked)
         notes.push_back({notes::harmonicsLimited,
                          {{"carried_upr", static_cast<std::int64_t>(found)},
-                          {"spacing_deg", std::round(sampling.largest_gap_rad / degree * 100) / 100}}});
+                          {"spacing_deg", std::round(sampling.largest_gap_rad / rad_per_deg * 100) / 100}}});
     if (sampling.gaps > 0 && static_cast<int>(found) > carried.determined)
         notes.push_back({notes::harmonicsEstimated,
                          {{"determined_upr", static_cast<std::int64_t>(carried.determined)},

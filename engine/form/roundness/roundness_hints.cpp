@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "engine/core/units.h"
 
 namespace lathelier::form {
 namespace {
@@ -61,7 +62,7 @@ std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result)
     const FittedCircle& circle = result.circles.LSCI;
     const double eccentricity_um = 1000 * circle.centre_mm.norm();
     if (eccentricity_um > circle.RONt_um && circle.centre_mm.norm() < circle.radius_mm)
-        hints.push_back({1, eccentricity_um, std::numeric_limits<double>::quiet_NaN(), usualCause(1)});
+        hints.push_back({1, eccentricity_um, notANumber, usualCause(1)});
     return hints;
 }
 

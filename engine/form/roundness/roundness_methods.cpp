@@ -22,14 +22,14 @@ double pointsPerTurn(const signal::AngularSampling& sampling)
 }
 
 /// A turn of 105 points carries 15 UPR: rounding of the angles must not tell otherwise.
-constexpr double rounding = 1 + 1e-6;
+constexpr double cutoffRounding = 1 + 1e-6;
 
 std::vector<signal::TransmissionBand> bandsFor(const signal::AngularSampling& sampling,
                                                const signal::TransmissionBand& asked)
 {
     std::vector<signal::TransmissionBand> bands{{}};
     for (const double cutoff : standardCutoffs) {
-        if (cutoff > 500 || cutoff * samplesAtLeast > pointsPerTurn(sampling) * rounding) break;
+        if (cutoff > 500 || cutoff * samplesAtLeast > pointsPerTurn(sampling) * cutoffRounding) break;
         bands.push_back({{}, cutoff});
         if (cutoff > carriedCutoff(sampling)) break;
     }
@@ -65,7 +65,7 @@ double carriedCutoff(const signal::AngularSampling& sampling)
     // Where the spacing varies smoothly, the widest has to carry the wave as well; beside gaps there is a note.
     const bool even = sampling.displacement <= signal::AngularSampling::nearlyEven || sampling.gaps > 0;
     const double spacing_rad = even ? sampling.median_spacing_rad : sampling.largest_regular_rad;
-    return 2 * std::numbers::pi / spacing_rad / signal::samplesPerCutoff * rounding;
+    return 2 * std::numbers::pi / spacing_rad / signal::samplesPerCutoff * cutoffRounding;
 }
 
 double carriedStandardCutoff(const signal::AngularSampling& sampling)

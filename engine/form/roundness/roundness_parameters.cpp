@@ -2,6 +2,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/decision_field.h"
+#include "engine/core/units.h"
 #include "engine/form/roundness/roundness.h"
 #include "engine/form/roundness/roundness_methods.h"
 
@@ -9,8 +10,7 @@ namespace lathelier::form {
 namespace {
 
 using P = RoundnessParameters;
-const Text upr = LT_TEXT("Engine", "UPR");
-const Text um = LT_TEXT("Engine", "µm");
+const Text uprUnit = LT_TEXT("Engine", "UPR");
 
 /// Sectors may run through 0°.
 Field<P> wrapping(Field<P> field)
@@ -36,19 +36,19 @@ const std::vector<Field<P>>& fieldsOf(const P*)
 {
     static const std::vector<Field<P>> all{
         withUsual(
-            field(
-                "cutoff_upr", &P::cutoff_upr, Range{1, 100000},
-                Label{LT_TEXT("Engine", "Filter cut-off"),
-                      LT_TEXT("Engine", "Gaussian filter: waves up to so many undulations per revolution pass."), upr}),
+            field("cutoff_upr", &P::cutoff_upr, Range{1, 100000},
+                  Label{LT_TEXT("Engine", "Filter cut-off"),
+                        LT_TEXT("Engine", "Gaussian filter: waves up to so many undulations per revolution pass."),
+                        uprUnit}),
             standardCutoffs),
         field("band_upr", &P::band_upr, Range{0, 100000},
               Label{LT_TEXT("Engine", "Filter band"),
-                    LT_TEXT("Engine", "Gaussian filter: waves between these undulations per revolution pass."), upr,
+                    LT_TEXT("Engine", "Gaussian filter: waves between these undulations per revolution pass."), uprUnit,
                     true}),
-        wrapping(field("exclude_deg", &P::exclude_deg, Range{-360, 720},
-                       Label{LT_TEXT("Engine", "Excluded sectors"),
-                             LT_TEXT("Engine", "Keyways and interruptions, as angles seen from the centre."),
-                             LT_TEXT("Engine", "°")})),
+        wrapping(
+            field("exclude_deg", &P::exclude_deg, Range{-360, 720},
+                  Label{LT_TEXT("Engine", "Excluded sectors"),
+                        LT_TEXT("Engine", "Keyways and interruptions, as angles seen from the centre."), unit::deg})),
         field(
             "outliers", &P::outliers,
             {{"none", LT_TEXT("Engine", "Keep")}, {"hampel", LT_TEXT("Engine", "Leave out (Hampel)")}},
@@ -61,16 +61,16 @@ const std::vector<Field<P>>& fieldsOf(const P*)
                {"MCCI", LT_TEXT("Engine", "Minimum circumscribed (MCCI)")}},
               Label{LT_TEXT("Engine", "Reference circle"),
                     LT_TEXT("Engine", "The circle of the headline and the verdict; all four are reported.")}),
-        field(
-            "tolerance_um", &P::tolerance_um, Range{1e-6, 1e6},
-            Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest roundness deviation RONt allowed."), um}),
+        field("tolerance_um", &P::tolerance_um, Range{1e-6, 1e6},
+              Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest roundness deviation RONt allowed."),
+                    unit::um}),
         decisionField(&P::decision,
                       LT_TEXT("Engine", "Simple compares the value alone; guarded passes or fails only what is sure."),
                       true),
         field("probe_uncertainty_um", &P::probe_uncertainty_um, Range{0, 1e6},
               Label{LT_TEXT("Engine", "Uncertainty of a point"),
-                    LT_TEXT("Engine", "One standard deviation; by default found from the profile's own noise."), um,
-                    true}),
+                    LT_TEXT("Engine", "One standard deviation; by default found from the profile's own noise."),
+                    unit::um, true}),
     };
     return all;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/form/roundness/prepared_profile.h"
 #include "engine/form/roundness/roundness_hints.h"
 #include "engine/form/roundness/roundness_report.h"
@@ -13,8 +13,6 @@
 namespace lathelier::form {
 namespace {
 
-constexpr double um_per_mm = 1000;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int leastOrders = 50;  ///< shown of a spectrum
 /// Waves run about the least-squares circle, which the plot has first.
 constexpr std::array leastSquaresFirst{ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI,
@@ -65,7 +63,7 @@ report::PolarPlot::Trace profileTrace(const RoundnessResult& result, const Langu
         const double here = degrees(sampling.angle_rad[again ? 0 : i]) + (again ? 360 : 0);
         if (i > 0 && here - degrees(sampling.angle_rad[i - 1]) > degrees(widest)) {
             trace.angle_deg.push_back(here);
-            trace.deviation_um.push_back(nan);
+            trace.deviation_um.push_back(notANumber);
         }
         trace.angle_deg.push_back(here);
         trace.deviation_um.push_back(deviation[at]);

@@ -1,10 +1,10 @@
 #include "engine/form/roundness/roundness_report.h"
+#include "engine/core/units.h"
 #include "engine/form/roundness/roundness_plots.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "engine/form/form_codes.h"
 #include "engine/form/roundness/roundness_quantities.h"
@@ -189,11 +189,11 @@ Text sentenceOf(const RoundnessResult& result, const MethodsSay& methods)
 /// RONt by the same circle and filter with the points that stand out left out; NaN when it was not worked out.
 double withoutOutliers_um(const RoundnessResult& result)
 {
-    if (result.parameters.outliers != OutlierRule::None) return std::numeric_limits<double>::quiet_NaN();
+    if (result.parameters.outliers != OutlierRule::None) return notANumber;
     for (const MethodRow& row : result.methods)
         if (row.outliers != OutlierRule::None && row.band == bandOf(result.parameters))
             return row.RONt_um[static_cast<std::size_t>(result.parameters.circle)];
-    return std::numeric_limits<double>::quiet_NaN();
+    return notANumber;
 }
 
 /// What the value would be with the usual filter, where none was chosen.
@@ -226,7 +226,7 @@ report::Answer answer(const RoundnessResult& result, const Language& language)
     answer.quantity = "RONt(" + std::string(name(asked.circle)) + ")";
     answer.value = headlineDeviation_um(result);
     answer.expanded_uncertainty = result.RONt_expanded_uncertainty_um;
-    answer.unit = LT_TEXT("Engine", "µm");
+    answer.unit = unit::um;
     answer.decimals = decimalsFor(result.RONt_expanded_uncertainty_um);
     answer.upper_limit = asked.tolerance_um;
     answer.verdict = result.verdict;

@@ -11,7 +11,7 @@
 namespace lathelier::form {
 namespace {
 
-constexpr std::size_t leastPoints = 12;
+constexpr std::size_t leastSectionPoints = 12;
 constexpr std::size_t pointsOfAngle = 20;
 constexpr std::size_t sparse = 2000;  ///< points of a section that is taken as it was measured
 constexpr std::size_t mostAngles = 720;
@@ -35,9 +35,9 @@ Profile sectionOfPoints(std::span<const Eigen::Vector3d> points_mm, const Eigen:
         const Eigen::Vector3d place = axis_T_points * points_mm[i];
         if (std::abs(place.z() - cut.z_mm) <= cut.width_mm / 2) inside.emplace_back(place.head<2>());
     }
-    if (inside.size() < leastPoints)
+    if (inside.size() < leastSectionPoints)
         throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(inside.size())},
-                                           {"minimum", static_cast<std::int64_t>(leastPoints)}});
+                                           {"minimum", static_cast<std::int64_t>(leastSectionPoints)}});
     Profile profile;
     if (inside.size() <= sparse) {
         std::stable_sort(inside.begin(), inside.end(),

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/form/form_codes.h"
 #include "engine/form/roundness/prepared_profile.h"
 #include "engine/signal/closed_interpolation.h"
@@ -15,22 +15,20 @@ namespace lathelier::form {
 namespace {
 
 using Eigen::Vector2d;
-constexpr double turn = 2 * std::numbers::pi;
-constexpr double degree = turn / 360;
 constexpr std::size_t mostStarts = 12;
 constexpr int mostSteps = 60;
 constexpr double leastForm = 1e-10;  ///< of the radius; less is rounding
 
 /// One profile about its least-squares centre, filtered.
-struct Form {
+struct FilteredForm {
     PreparedProfile prepared;
     std::vector<double> deviation_mm;  ///< in the order of the sampling
 };
 
-Form formOf(const Profile& profile, const RoundnessParameters& parameters, const std::vector<Interval>& exclude_deg,
-            const Progress& progress)
+FilteredForm filteredFormOf(const Profile& profile, const RoundnessParameters& parameters,
+                            const std::vector<Interval>& exclude_deg, const Progress& progress)
 {
-    Form form{prepareProfile(profile, exclude_deg, parameters.outliers, progress), {}};
+    FilteredForm form{prepareProfile(profile, exclude_deg, parameters.outliers, progress), {}};
     const PreparedProfile& points = form.prepared;
     form.deviation_mm = filterClosedAt(points.sampling, points.distance_mm, bandOf(parameters), progress).values;
     for (double& value : form.deviation_mm) value -= form.prepared.radius_mm;
@@ -38,11 +36,12 @@ Form formOf(const Profile& profile, const RoundnessParameters& parameters, const
 }
 
 /// Values at `count` uniform angles; NaN in gaps.
-std::vector<double> sampled(const Form& form, std::size_t count)
+std::vector<double> sampled(const FilteredForm& form, std::size_t count)
 {
     const signal::ClosedInterpolation at(form.prepared.sampling, form.deviation_mm);
     std::vector<double> result(count);
-    for (std::size_t i = 0; i < count; ++i) result[i] = at(turn * static_cast<double>(i) / static_cast<double>(count));
+    for (std::size_t i = 0; i < count; ++i)
+        result[i] = at(turn_rad * static_cast<double>(i) / static_cast<double>(count));
     return result;
 }
 
@@ -56,10 +55,10 @@ struct Pose {
 
 class Fit {
 public:
-    Fit(const std::vector<double>& first, const Form& second)
+    Fit(const std::vector<double>& first, const FilteredForm& second)
         : first_(first),
           second_(second.prepared.sampling, second.deviation_mm),
-          step_(turn / static_cast<double>(first.size()))
+          step_(turn_rad / static_cast<double>(first.size()))
     {
     }
 
@@ -155,7 +154,7 @@ std::vector<Pose> starts(const std::vector<double>& correlation, bool mirrored)
     std::vector<Pose> result;
     for (const std::size_t i : peaks) {
         Pose pose;
-        pose.rotation = std::remainder(turn * static_cast<double>(i) / static_cast<double>(n), turn);
+        pose.rotation = std::remainder(turn_rad * static_cast<double>(i) / static_cast<double>(n), turn_rad);
         pose.mirrored = mirrored;
         result.push_back(pose);
     }
@@ -166,12 +165,12 @@ std::vector<Pose> starts(const std::vector<double>& correlation, bool mirrored)
 void compare(const std::vector<double>& first, const Fit& fit, const Pose& pose, SuperimposeResult& result)
 {
     double sum = 0, squares = 0, count = 0, ab = 0, aa = 0, bb = 0;
-    const double step = turn / static_cast<double>(first.size());
+    const double step = turn_rad / static_cast<double>(first.size());
     for (std::size_t i = 0; i < first.size(); ++i) {
         const double angle = step * static_cast<double>(i);
         const double second =
             fit.secondAt(angle, pose) + pose.rest.dot(Eigen::Vector3d(std::cos(angle), std::sin(angle), 1));
-        result.angle_deg.push_back(angle / degree);
+        result.angle_deg.push_back(angle / rad_per_deg);
         result.first_um.push_back(1000 * first[i]);
         result.second_um.push_back(1000 * second);
         const double difference = std::abs(result.first_um.back() - result.second_um.back());
@@ -189,7 +188,7 @@ void compare(const std::vector<double>& first, const Fit& fit, const Pose& pose,
     result.correlation = aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
 }
 
-double spreadOf(const std::vector<double>& values)
+double formSpread(const std::vector<double>& values)
 {
     double squares = 0, count = 0;
     for (const double value : values)
@@ -206,7 +205,7 @@ bool isAmbiguous(const std::vector<Pose>& poses, const Pose& best, double spread
     const double margin = 0.02 * spread * spread;
     return std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
         const bool other = pose.mirrored != best.mirrored ||
-                           std::abs(std::remainder(pose.rotation - best.rotation, turn)) > 2 * degree;
+                           std::abs(std::remainder(pose.rotation - best.rotation, turn_rad)) > 2 * rad_per_deg;
         return other && pose.rms * pose.rms <= best.rms * best.rms + margin;
     });
 }
@@ -217,8 +216,8 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
                               const Progress& progress)
 {
     progress.report(0);
-    const Form a = formOf(first, parameters.form, parameters.form.exclude_deg, progress);
-    const Form b = formOf(second, parameters.form, {}, progress);
+    const FilteredForm a = filteredFormOf(first, parameters.form, parameters.form.exclude_deg, progress);
+    const FilteredForm b = filteredFormOf(second, parameters.form, {}, progress);
     const std::size_t count =
         std::clamp<std::size_t>(std::max(a.prepared.index.size(), b.prepared.index.size()), 360, 3600);
     const std::vector<double> grid_a = sampled(a, count);
@@ -232,7 +231,7 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
         progress.report(0.1 + 0.8 * static_cast<double>(i) / static_cast<double>(poses.size()));
         poses[i] = fit.refined(poses[i]);
     }
-    const double spread = spreadOf(grid_a);
+    const double spread = formSpread(grid_a);
     Pose best = poses.front();
     for (const Pose& pose : poses) {
         // Of rotations that fit equally well, the smallest.
@@ -242,7 +241,7 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
 
     SuperimposeResult result;
     compare(grid_a, fit, best, result);
-    result.rotation_deg = std::remainder(best.rotation / degree, 360);
+    result.rotation_deg = std::remainder(best.rotation / rad_per_deg, 360);
     result.mirrored = best.mirrored;
     Vector2d centre = b.prepared.centre_mm;
     if (best.mirrored) centre.y() = -centre.y();

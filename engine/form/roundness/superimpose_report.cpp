@@ -1,5 +1,6 @@
 #include "engine/form/roundness/superimpose_report.h"
 
+#include "engine/core/units.h"
 #include "engine/form/roundness/roundness_quantities.h"
 #include "engine/form/roundness/roundness_report.h"
 #include "engine/report/quantity_table.h"
@@ -12,11 +13,10 @@ report::Section superimposeSection(const SuperimposeResult& result)
         report::quantityTable(LT_TEXT("Engine", "The second profile laid on the first"), result,
                               {"largest_difference_um", "mean_difference_um", "rms_difference_um", "correlation",
                                "rotation_deg", "mirrored", "shift_x_mm", "shift_y_mm", "radius_difference_mm"});
-    const Text um = LT_TEXT("Engine", "µm");
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Both profiles");
-    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
-    plot.y = {LT_TEXT("Engine", "Deviation"), um};
+    plot.x = {LT_TEXT("Engine", "Angle"), unit::deg};
+    plot.y = {LT_TEXT("Engine", "Deviation"), unit::um};
     plot.curves = {
         {LT_TEXT("Engine", "first"), result.angle_deg, result.first_um, report::Curve::Style::Line, {}, 0},
         {LT_TEXT("Engine", "second"), result.angle_deg, result.second_um, report::Curve::Style::Line, {}, 1}};
@@ -24,7 +24,7 @@ report::Section superimposeSection(const SuperimposeResult& result)
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Largest difference of the profiles");
     answer.value = result.largest_difference_um;
-    answer.unit = um;
+    answer.unit = unit::um;
     answer.decimals = 2;
     answer.sentence = LT_TEXT("Engine", "mean {mean_um:2} µm");
     answer.values = {{"mean_um", result.mean_difference_um}};

@@ -13,6 +13,9 @@ namespace lathelier::form {
 /// and harmonics. From a folder: NIST circle sets (`.ds`, `.fit`).
 const VerifyPart& formVerification();
 
+/// Answers are known to rounding; certified ones agree between programs to some billionths of a millimetre.
+inline constexpr double answerLimit_mm = 2e-9;
+
 VerifyKind verifyLeastSquaresCircles();
 VerifyKind verifyMinimumZoneCircles();
 VerifyKind verifyInscribedCircles();

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/form/circle/circles.h"
 #include "engine/form/verify/form_verification.h"
 
@@ -13,10 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
-const Text mm = LT_TEXT("Engine", "mm");
-constexpr double pi = std::numbers::pi;
-/// Answers are known to rounding; certified ones agree between programs to some billionths of a millimetre.
-constexpr double limit_mm = 2e-9;
+using std::numbers::pi;
 
 /// A profile whose four circles are known.
 struct KnownProfile {
@@ -124,7 +122,7 @@ double zoneByEnumeration(const Points& points)
 
 VerifyKind verifyLeastSquaresCircles()
 {
-    VerifyTally tally("least_squares_circle", LT_TEXT("Engine", "Least-squares circle"), mm, limit_mm);
+    VerifyTally tally("least_squares_circle", LT_TEXT("Engine", "Least-squares circle"), unit::mm, answerLimit_mm);
     const double radius = 25;
     std::uint64_t seed = 0;
     for (const double turn : {2 * pi, pi, pi / 2})
@@ -147,7 +145,7 @@ VerifyKind verifyLeastSquaresCircles()
 
 VerifyKind verifyMinimumZoneCircles()
 {
-    VerifyTally tally("minimum_zone_circle", LT_TEXT("Engine", "Minimum-zone circle"), mm, limit_mm);
+    VerifyTally tally("minimum_zone_circle", LT_TEXT("Engine", "Minimum-zone circle"), unit::mm, answerLimit_mm);
     for (const KnownProfile& known : symmetricProfiles()) {
         const FittedCircle circle = fitCircles(known.points).MZCI;
         tally.nextSet();
@@ -164,7 +162,7 @@ VerifyKind verifyMinimumZoneCircles()
 
 VerifyKind verifyInscribedCircles()
 {
-    VerifyTally tally("inscribed_circle", LT_TEXT("Engine", "Maximum inscribed circle"), mm, limit_mm);
+    VerifyTally tally("inscribed_circle", LT_TEXT("Engine", "Maximum inscribed circle"), unit::mm, answerLimit_mm);
     for (const KnownProfile& known : symmetricProfiles()) {
         tally.nextSet();
         tally.compare(fitCircles(known.points).MICI.radius_mm, known.inner_mm);
@@ -174,7 +172,8 @@ VerifyKind verifyInscribedCircles()
 
 VerifyKind verifyCircumscribedCircles()
 {
-    VerifyTally tally("circumscribed_circle", LT_TEXT("Engine", "Minimum circumscribed circle"), mm, limit_mm);
+    VerifyTally tally("circumscribed_circle", LT_TEXT("Engine", "Minimum circumscribed circle"), unit::mm,
+                      answerLimit_mm);
     for (const KnownProfile& known : symmetricProfiles()) {
         tally.nextSet();
         tally.compare(fitCircles(known.points).MCCI.radius_mm, known.outer_mm);
@@ -185,8 +184,8 @@ VerifyKind verifyCircumscribedCircles()
 VerifyKind verifyScatteredZones(const Progress& progress)
 {
     // The certificate's own tolerance is a hundred-millionth of the zone.
-    VerifyTally tally("scattered_points", LT_TEXT("Engine", "Minimum zone of scattered points, by enumeration"), mm,
-                      1e-8);
+    VerifyTally tally("scattered_points", LT_TEXT("Engine", "Minimum zone of scattered points, by enumeration"),
+                      unit::mm, 1e-8);
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         progress.check();
         const Points points = scattered(seed, 8 + seed % 6);
@@ -199,7 +198,7 @@ VerifyKind verifyScatteredZones(const Progress& progress)
 VerifyKind verifyCertificates(const Progress& progress)
 {
     VerifyTally tally("certified_gap", LT_TEXT("Engine", "Gap certified for minimum zone and inscribed circle"),
-                      LT_TEXT("Engine", "µm"), 2e-6);
+                      unit::um, 2e-6);
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         progress.check();
         const auto turned = [&](double t) {

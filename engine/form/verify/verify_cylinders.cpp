@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/form/cylinder/cylindricity.h"
 #include "engine/form/cylinder/straightness.h"
 #include "engine/form/verify/form_verification.h"
@@ -10,9 +11,6 @@ namespace lathelier::form {
 namespace {
 
 using Eigen::Vector3d;
-
-const Text mm = LT_TEXT("Engine", "mm");
-constexpr double limit_mm = 2e-9;
 
 Eigen::Isometry3d pose(int k)
 {
@@ -45,17 +43,17 @@ double axisError(const FittedCylinder& cylinder, const Eigen::Isometry3d& at, do
     return (off - axis * axis.dot(off)).norm() + tilt * length / 2;
 }
 
-const auto lobes = [](double t, double) { return 0.004 * std::cos(3 * t); };
+const auto threeLobes = [](double t, double) { return 0.004 * std::cos(3 * t); };
 
 }  // namespace
 
 VerifyKind verifyLeastSquaresCylinders(const Progress& progress)
 {
-    VerifyTally tally("least_squares_cylinder", LT_TEXT("Engine", "Least-squares cylinder"), mm, limit_mm);
+    VerifyTally tally("least_squares_cylinder", LT_TEXT("Engine", "Least-squares cylinder"), unit::mm, answerLimit_mm);
     for (int k = 0; k < 6; ++k) {
         const double length = k % 3 == 0 ? 8 : k % 3 == 1 ? 80 : 600;
         const Eigen::Isometry3d at = pose(k);
-        const CylindricityResult result = cylindricity(stack(25, length, at, lobes), {}, progress.part(0, 0));
+        const CylindricityResult result = cylindricity(stack(25, length, at, threeLobes), {}, progress.part(0, 0));
         tally.nextSet();
         tally.take(axisError(result.LSCY, at, length));
         tally.compare(result.LSCY.radius_mm, 25);
@@ -66,13 +64,13 @@ VerifyKind verifyLeastSquaresCylinders(const Progress& progress)
 
 VerifyKind verifyMinimumZoneCylinders(const Progress& progress)
 {
-    VerifyTally tally("minimum_zone_cylinder", LT_TEXT("Engine", "Minimum-zone cylinder"), mm, limit_mm);
+    VerifyTally tally("minimum_zone_cylinder", LT_TEXT("Engine", "Minimum-zone cylinder"), unit::mm, answerLimit_mm);
     const auto zone = [&](const std::vector<Vector3d>& points) {
         tally.nextSet();
         return cylindricity(points, {}, progress.part(0, 0)).MZCY.CYLt_um / 1000;
     };
     for (int k = 0; k < 3; ++k) {
-        tally.compare(zone(stack(25, 80, pose(k), lobes)), 0.008);
+        tally.compare(zone(stack(25, 80, pose(k), threeLobes)), 0.008);
         tally.compare(zone(stack(25, 80, pose(k), [](double, double u) { return 0.0025 * u; })), 0.005);
         tally.compare(zone(stack(25, 80, pose(k), [](double, double u) { return 0.006 * u * u; })), 0.006);
     }
@@ -81,7 +79,7 @@ VerifyKind verifyMinimumZoneCylinders(const Progress& progress)
 
 VerifyKind verifyStraightness()
 {
-    VerifyTally tally("straightness", LT_TEXT("Engine", "Straightness of an axis"), mm, limit_mm);
+    VerifyTally tally("straightness", LT_TEXT("Engine", "Straightness of an axis"), unit::mm, answerLimit_mm);
     for (int k = 0; k < 4; ++k) {
         std::vector<Vector3d> bow;  // x = 6 µm · u²: the mean of u² is 2/3, all residuals lie on one side of a plane
         for (const double u : {-1.0, 0.0, 1.0}) bow.push_back(pose(k) * Vector3d(0.006 * u * u, 0, 50 * u));

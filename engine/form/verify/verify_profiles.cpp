@@ -7,7 +7,7 @@
 namespace lathelier::form {
 namespace {
 
-constexpr double limit = 1e-12;
+constexpr double profileLimit = 1e-12;
 
 std::vector<double> wave(std::size_t count, int upr, double phase)
 {
@@ -22,7 +22,7 @@ std::vector<double> wave(std::size_t count, int upr, double phase)
 
 VerifyKind verifyGaussianFilter()
 {
-    VerifyTally tally("gaussian_filter", LT_TEXT("Engine", "Transmission of the Gaussian filter"), {}, limit);
+    VerifyTally tally("gaussian_filter", LT_TEXT("Engine", "Transmission of the Gaussian filter"), {}, profileLimit);
     for (const double cutoff : {15.0, 50.0, 150.0, 500.0})
         for (const int upr : {1, 5, 15, 25, 50, 100, 150}) {
             const std::vector<double> passed = signal::filterClosed(wave(3600, upr, 0.4), {{}, cutoff});
@@ -36,7 +36,7 @@ VerifyKind verifyGaussianFilter()
 
 VerifyKind verifyHarmonics()
 {
-    VerifyTally tally("harmonics", LT_TEXT("Engine", "Harmonics"), {}, limit);
+    VerifyTally tally("harmonics", LT_TEXT("Engine", "Harmonics"), {}, profileLimit);
     for (const std::size_t count : {200U, 360U, 3600U})
         for (const int upr : {1, 2, 3, 15, 50}) {
             const std::vector<signal::Harmonic> found = signal::harmonicsUniform(wave(count, upr, 0.7), 60);

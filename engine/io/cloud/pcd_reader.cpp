@@ -16,8 +16,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
-constexpr std::size_t longestHeader = std::size_t{1} << 20;
+constexpr std::size_t longestPcdHeader = std::size_t{1} << 20;
 constexpr std::int64_t mostBytesPerPoint = std::int64_t{1} << 20;
 
 struct PcdField {
@@ -113,10 +112,10 @@ void finishHeader(const Lines& lines, PcdHeader& header)
     }
 }
 
-PcdHeader readHeader(std::string_view bytes)
+PcdHeader readPcdHeader(std::string_view bytes)
 {
     PcdHeader header;
-    Lines lines(bytes.substr(0, longestHeader));
+    Lines lines(bytes.substr(0, longestPcdHeader));
     Words words;
     while (lines.next()) {
         splitWords(lines.line(), words);
@@ -164,30 +163,30 @@ PcdHeader readHeader(std::string_view bytes)
 }
 
 template <class T>
-double load(const char* from)
+double loadField(const char* from)
 {
     T value;
     std::memcpy(&value, from, sizeof(T));
     return static_cast<double>(value);
 }
 
-double loadNumber(const char* from, const PcdField& field)
+double loadPcdNumber(const char* from, const PcdField& field)
 {
     switch (field.type) {
-        case 'F': return field.size == 8 ? load<double>(from) : load<float>(from);
+        case 'F': return field.size == 8 ? loadField<double>(from) : loadField<float>(from);
         case 'I':
             switch (field.size) {
-                case 1: return load<std::int8_t>(from);
-                case 2: return load<std::int16_t>(from);
-                case 4: return load<std::int32_t>(from);
-                default: return load<std::int64_t>(from);
+                case 1: return loadField<std::int8_t>(from);
+                case 2: return loadField<std::int16_t>(from);
+                case 4: return loadField<std::int32_t>(from);
+                default: return loadField<std::int64_t>(from);
             }
         default:
             switch (field.size) {
-                case 1: return load<std::uint8_t>(from);
-                case 2: return load<std::uint16_t>(from);
-                case 4: return load<std::uint32_t>(from);
-                default: return load<std::uint64_t>(from);
+                case 1: return loadField<std::uint8_t>(from);
+                case 2: return loadField<std::uint16_t>(from);
+                case 4: return loadField<std::uint32_t>(from);
+                default: return loadField<std::uint64_t>(from);
             }
     }
 }
@@ -209,7 +208,7 @@ std::vector<const PcdField*> wantedFields(const PcdHeader& header, std::int64_t 
     return fields;
 }
 
-Error truncated(Values place, std::int64_t found, std::int64_t expected)
+Error truncatedPoints(Values place, std::int64_t found, std::int64_t expected)
 {
     set(place, "found", found);
     set(place, "expected", expected);
@@ -219,15 +218,15 @@ Error truncated(Values place, std::int64_t found, std::int64_t expected)
 
 /// Fills the scan; address(point, field) tells where a value stands.
 template <class Address>
-void fill(Scan& scan, std::size_t points, const std::vector<const PcdField*>& fields, const Progress& progress,
-          Address address)
+void fillScan(Scan& scan, std::size_t points, const std::vector<const PcdField*>& fields, const Progress& progress,
+              Address address)
 {
     scan.points_mm.resize(points);
     if (fields.size() == 6) scan.normals.resize(points);
-    parallelFor(points, grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points, pointsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             for (std::size_t k = 0; k < fields.size(); ++k) {
-                const double value = loadNumber(address(i, *fields[k]), *fields[k]);
+                const double value = loadPcdNumber(address(i, *fields[k]), *fields[k]);
                 if (k < 3)
                     scan.points_mm[i][static_cast<int>(k)] = value;
                 else
@@ -240,12 +239,13 @@ void readBinary(const ScanSource& source, const PcdHeader& header, RawScan& raw)
 {
     const auto available = static_cast<std::int64_t>((source.bytes.size() - header.bodyOffset) / header.stride);
     if (available < header.points)
-        throw truncated({{"byte", static_cast<std::int64_t>(source.bytes.size())}}, available, header.points);
+        throw truncatedPoints({{"byte", static_cast<std::int64_t>(source.bytes.size())}}, available, header.points);
     refuseMoreBytes(source.bytes, header.bodyOffset + static_cast<std::size_t>(header.points) * header.stride);
     const char* const data = source.bytes.data() + header.bodyOffset;
     raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), static_cast<std::int64_t>(header.stride)};
-    fill(raw.scan, static_cast<std::size_t>(header.points), wantedFields(header, header.bodyLine - 1), source.progress,
-         [&](std::size_t point, const PcdField& field) { return data + point * header.stride + field.offset; });
+    fillScan(raw.scan, static_cast<std::size_t>(header.points), wantedFields(header, header.bodyLine - 1),
+             source.progress,
+             [&](std::size_t point, const PcdField& field) { return data + point * header.stride + field.offset; });
 }
 
 /// Compressed data keep all values of one field together.
@@ -255,7 +255,7 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
     const Values place{{"byte", static_cast<std::int64_t>(header.bodyOffset)}};
     std::uint32_t compressed = 0;
     std::uint32_t size = 0;
-    if (body.size() < 8) throw truncated(place, 0, header.points);
+    if (body.size() < 8) throw truncatedPoints(place, 0, header.points);
     std::memcpy(&compressed, body.data(), 4);
     std::memcpy(&size, body.data() + 4, 4);
     if (body.size() - 8 < compressed)
@@ -265,7 +265,7 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
                                         {"items", LT_TEXT("Engine", "bytes")}});
     refuseMoreBytes(body, std::size_t{8} + compressed);
     const auto available = static_cast<std::int64_t>(size / header.stride);
-    if (available < header.points) throw truncated(place, available, header.points);
+    if (available < header.points) throw truncatedPoints(place, available, header.points);
     const auto data = decompressLzf(body.substr(8, compressed), size);
     if (!data)
         throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(header.bodyOffset + 8)},
@@ -273,10 +273,11 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
                                         {"expected", LT_TEXT("Engine", "data in LZF compression")}});
     raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), 0};
     const auto points = static_cast<std::size_t>(header.points);
-    fill(raw.scan, points, wantedFields(header, header.bodyLine - 1), source.progress,
-         [&](std::size_t point, const PcdField& field) {
-             return data->data() + field.offset * points + point * static_cast<std::size_t>(field.size * field.count);
-         });
+    fillScan(raw.scan, points, wantedFields(header, header.bodyLine - 1), source.progress,
+             [&](std::size_t point, const PcdField& field) {
+                 return data->data() + field.offset * points +
+                        point * static_cast<std::size_t>(field.size * field.count);
+             });
 }
 
 void readAscii(const ScanSource& source, const PcdHeader& header, RawScan& raw)
@@ -289,7 +290,7 @@ void readAscii(const ScanSource& source, const PcdHeader& header, RawScan& raw)
         if ((i & 0x3FFF) == 0) source.progress.check();
         do {
             if (!lines.next())
-                throw truncated({{"line", lines.number()}, {"column", std::int64_t{1}}}, i, header.points);
+                throw truncatedPoints({{"line", lines.number()}, {"column", std::int64_t{1}}}, i, header.points);
             splitWords(lines.line(), words);
         } while (words.empty());
         if (i == 0) raw.places.firstLine = lines.number();
@@ -314,7 +315,7 @@ void readAscii(const ScanSource& source, const PcdHeader& header, RawScan& raw)
 
 RawScan readPcd(const ScanSource& source)
 {
-    const PcdHeader header = readHeader(source.text.empty() ? source.bytes : source.text);
+    const PcdHeader header = readPcdHeader(source.text.empty() ? source.bytes : source.text);
     RawScan raw;
     raw.statedUnit = header.unit;
     raw.facts.columns = static_cast<std::int64_t>(header.words);

@@ -9,7 +9,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t longestHeader = std::size_t{1} << 20;
+constexpr std::size_t longestPlyHeader = std::size_t{1} << 20;
 
 using Words = std::vector<std::string_view>;
 
@@ -18,7 +18,7 @@ std::string_view wordAt(const Words& words, std::size_t i, std::string_view line
     return i < words.size() ? words[i] : line.substr(line.size());
 }
 
-std::optional<PlyType> typeOf(std::string_view word)
+std::optional<PlyType> plyTypeOf(std::string_view word)
 {
     struct Named {
         std::string_view word;
@@ -48,7 +48,7 @@ std::optional<PlyType> typeOf(std::string_view word)
 PlyType readType(const Lines& lines, const Words& words, std::size_t i)
 {
     const std::string_view word = wordAt(words, i, lines.line());
-    if (const auto type = typeOf(word)) return *type;
+    if (const auto type = plyTypeOf(word)) return *type;
     throw malformed(lines.number(), lines.line(), word, LT_TEXT("Engine", "a PLY type such as float or uchar"));
 }
 
@@ -136,7 +136,7 @@ PlyHeader readPlyHeader(std::string_view bytes)
 {
     PlyHeader header;
     bool hasFormat = false;
-    Lines lines(bytes.substr(0, longestHeader));
+    Lines lines(bytes.substr(0, longestPlyHeader));
     lines.next();
     if (!startsLikePly(bytes))  // asked for by its name only
         throw malformed(lines.number(), lines.line(), lines.line(), LT_TEXT("Engine", "ply"));

@@ -18,11 +18,10 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
 static_assert(std::endian::native == std::endian::little);
 
 template <class T>
-T load(const char* from, bool swap)
+T loadValue(const char* from, bool swap)
 {
     char bytes[sizeof(T)];
     std::memcpy(bytes, from, sizeof(T));
@@ -32,17 +31,17 @@ T load(const char* from, bool swap)
     return value;
 }
 
-double loadNumber(const char* from, PlyType type, bool swap)
+double loadPlyNumber(const char* from, PlyType type, bool swap)
 {
     switch (type) {
-        case PlyType::Int8: return load<std::int8_t>(from, swap);
-        case PlyType::UInt8: return load<std::uint8_t>(from, swap);
-        case PlyType::Int16: return load<std::int16_t>(from, swap);
-        case PlyType::UInt16: return load<std::uint16_t>(from, swap);
-        case PlyType::Int32: return load<std::int32_t>(from, swap);
-        case PlyType::UInt32: return load<std::uint32_t>(from, swap);
-        case PlyType::Float: return static_cast<double>(load<float>(from, swap));
-        case PlyType::Double: return load<double>(from, swap);
+        case PlyType::Int8: return loadValue<std::int8_t>(from, swap);
+        case PlyType::UInt8: return loadValue<std::uint8_t>(from, swap);
+        case PlyType::Int16: return loadValue<std::int16_t>(from, swap);
+        case PlyType::UInt16: return loadValue<std::uint16_t>(from, swap);
+        case PlyType::Int32: return loadValue<std::int32_t>(from, swap);
+        case PlyType::UInt32: return loadValue<std::uint32_t>(from, swap);
+        case PlyType::Float: return static_cast<double>(loadValue<float>(from, swap));
+        case PlyType::Double: return loadValue<double>(from, swap);
     }
     return 0;
 }
@@ -54,7 +53,7 @@ struct VertexColumns {
     bool hasNormals() const { return normal[0] >= 0 && normal[1] >= 0 && normal[2] >= 0; }
 };
 
-VertexColumns findColumns(const PlyElement& vertex, const PlyHeader& header)
+VertexColumns findVertexColumns(const PlyElement& vertex, const PlyHeader& header)
 {
     VertexColumns columns;
     constexpr std::array<std::array<const char*, 2>, 3> normalNames = {
@@ -77,7 +76,7 @@ VertexColumns findColumns(const PlyElement& vertex, const PlyHeader& header)
     return columns;
 }
 
-Error truncated(Values place, std::uint64_t found, std::uint64_t expected, Text items)
+Error truncatedItems(Values place, std::uint64_t found, std::uint64_t expected, Text items)
 {
     set(place, "found", static_cast<std::int64_t>(found));
     set(place, "expected", static_cast<std::int64_t>(expected));
@@ -130,7 +129,7 @@ public:
             walk(face, i, [&](std::size_t k, const char* from, std::uint64_t count) {
                 if (static_cast<int>(k) != list) return;
                 for (std::uint64_t c = 0; c < count; ++c)
-                    corners.push_back(static_cast<std::int64_t>(loadNumber(from + c * sizeOf(type), type, swap_)));
+                    corners.push_back(static_cast<std::int64_t>(loadPlyNumber(from + c * sizeOf(type), type, swap_)));
             });
             addPolygon(raw_.scan, corners, {{"byte", static_cast<std::int64_t>(begin)}});
         }
@@ -156,7 +155,8 @@ public:
 private:
     Error tooShort(const PlyElement& element, std::uint64_t found) const
     {
-        return truncated({{"byte", static_cast<std::int64_t>(bytes_.size())}}, found, element.count, itemsOf(element));
+        return truncatedItems({{"byte", static_cast<std::int64_t>(bytes_.size())}}, found, element.count,
+                              itemsOf(element));
     }
 
     void readEvenVertices(const PlyElement& vertex, const VertexColumns& columns)
@@ -178,20 +178,20 @@ private:
         const bool plainFloats = !swap_ && std::all_of(columns.point.begin(), columns.point.end(), [&](int k) {
             return vertex.properties[property(k)].type == PlyType::Float;
         });
-        parallelFor(count, grain, progress_, [&](std::size_t begin, std::size_t end) {
+        parallelFor(count, pointsPerTask, progress_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const char* const from = data + i * stride;
                 for (std::size_t k = 0; k < 3; ++k) {
                     const std::size_t p = property(columns.point[k]);
                     scan.points_mm[i][static_cast<int>(k)] =
-                        plainFloats ? static_cast<double>(load<float>(from + offsets[p], false))
-                                    : loadNumber(from + offsets[p], vertex.properties[p].type, swap_);
+                        plainFloats ? static_cast<double>(loadValue<float>(from + offsets[p], false))
+                                    : loadPlyNumber(from + offsets[p], vertex.properties[p].type, swap_);
                 }
                 if (!columns.hasNormals()) continue;
                 for (std::size_t k = 0; k < 3; ++k) {
                     const std::size_t p = property(columns.normal[k]);
                     scan.normals[i][static_cast<int>(k)] =
-                        static_cast<float>(loadNumber(from + offsets[p], vertex.properties[p].type, swap_));
+                        static_cast<float>(loadPlyNumber(from + offsets[p], vertex.properties[p].type, swap_));
                 }
             }
         });
@@ -207,10 +207,10 @@ private:
             walk(vertex, i, [&](std::size_t k, const char* from, std::uint64_t) {
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     if (columns.point[axis] == static_cast<int>(k))
-                        point[static_cast<int>(axis)] = loadNumber(from, vertex.properties[k].type, swap_);
+                        point[static_cast<int>(axis)] = loadPlyNumber(from, vertex.properties[k].type, swap_);
                     if (columns.normal[axis] == static_cast<int>(k))
                         normal[static_cast<int>(axis)] =
-                            static_cast<float>(loadNumber(from, vertex.properties[k].type, swap_));
+                            static_cast<float>(loadPlyNumber(from, vertex.properties[k].type, swap_));
                 }
             });
             raw_.scan.points_mm.push_back(point);
@@ -228,7 +228,7 @@ private:
             if (property.isList) {
                 const std::size_t size = sizeOf(property.countType);
                 if (bytes_.size() - at_ < size) throw tooShort(element, index);
-                const double length = loadNumber(bytes_.data() + at_, property.countType, swap_);
+                const double length = loadPlyNumber(bytes_.data() + at_, property.countType, swap_);
                 if (length < 0)
                     throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(at_)},
                                                     {"found", static_cast<std::int64_t>(length)},
@@ -308,8 +308,8 @@ private:
         if ((index & 0x3FFF) == 0) progress_.check();
         do {
             if (!lines_.next())
-                throw truncated({{"line", lines_.number()}, {"column", std::int64_t{1}}}, index, element.count,
-                                itemsOf(element));
+                throw truncatedItems({{"line", lines_.number()}, {"column", std::int64_t{1}}}, index, element.count,
+                                     itemsOf(element));
             splitWords(lines_.line(), words_);
         } while (words_.empty());
     }
@@ -353,7 +353,7 @@ void readBody(Body& body, const PlyHeader& header)
     for (const PlyElement& element : header.elements) {
         const int list = faceListOf(element);
         if (element.name == "vertex" && !vertices) {
-            body.readVertices(element, findColumns(element, header));
+            body.readVertices(element, findVertexColumns(element, header));
             vertices = true;
         } else if (element.name == "face" && vertices && list >= 0) {
             body.readFaces(element, list);

@@ -7,12 +7,10 @@
 #include "engine/core/parallel.h"
 #include "engine/io/cloud/unit_choice.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/table/row_reader.h"
 
 namespace lathelier::io {
 namespace {
-
-constexpr std::size_t grain = 1 << 16;
-constexpr std::size_t listedRows = 100;
 
 struct Box {
     Eigen::Array3d min = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
@@ -23,7 +21,7 @@ struct Box {
 Box boxOf(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
 {
     return parallelReduce(
-        points.size(), grain, progress, Box{},
+        points.size(), pointsPerTask, progress, Box{},
         [&points](std::size_t begin, std::size_t end) {
             Box box;
             double sum = 0;  // not finite as soon as one coordinate is not (0 times it is NaN)
@@ -41,7 +39,7 @@ Box boxOf(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
         });
 }
 
-Values placeOf(const PointPlaces& places, std::size_t point)
+Values pointPlace(const PointPlaces& places, std::size_t point)
 {
     const auto index = static_cast<std::int64_t>(point);
     if (places.firstLine > 0) return {{"line", places.firstLine + index}, {"column", std::int64_t{1}}};
@@ -94,7 +92,7 @@ void normalise(RawScan& raw, const Progress& progress)
     std::vector<Eigen::Vector3f>& normals = raw.scan.normals;
     if (normals.empty()) return;
     const std::int64_t unusable = parallelReduce(
-        normals.size(), grain, progress, std::int64_t{0},
+        normals.size(), pointsPerTask, progress, std::int64_t{0},
         [&normals](std::size_t begin, std::size_t end) {
             std::int64_t count = 0;
             for (std::size_t i = begin; i < end; ++i) {
@@ -112,14 +110,14 @@ void normalise(RawScan& raw, const Progress& progress)
     raw.notes.push_back({notes::normalsUnusable, {{"count", unusable}}});
 }
 
-void checkSize(const RawScan& raw, const Box& box, double largest)
+void checkCoordinates(const RawScan& raw, const Box& box, double largest)
 {
     if (box.min.minCoeff() >= -largest && box.max.maxCoeff() <= largest) return;
     const auto& points = raw.scan.points_mm;
     const auto isFar = [largest](const Eigen::Vector3d& p) { return p.cwiseAbs().maxCoeff() > largest; };
     const auto far = std::find_if(points.begin(), points.end(), isFar);
     Values values = raw.places.find ? raw.places.find(largest)
-                                    : placeOf(raw.places, static_cast<std::size_t>(far - points.begin()));
+                                    : pointPlace(raw.places, static_cast<std::size_t>(far - points.begin()));
     set(values, "found", far->cwiseAbs().maxCoeff());
     set(values, "maximum", largest);
     throw Error(errors::coordinateTooLarge, values);
@@ -156,11 +154,11 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
     dropDegenerate(raw);
     normalise(raw, progress);
 
-    checkSize(raw, box, largestCoordinate(raw.statedUnit, options));
+    checkCoordinates(raw, box, largestCoordinate(raw.statedUnit, options));
     const LengthScale unit = settleUnit(raw.statedUnit, options, (box.max - box.min).maxCoeff(), raw.facts, raw.notes);
     if (unit.mm != 1) {
         auto& points = raw.scan.points_mm;
-        parallelFor(points.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+        parallelFor(points.size(), pointsPerTask, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) points[i] *= unit.mm;
         });
         box.min *= unit.mm;

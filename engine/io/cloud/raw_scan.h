@@ -12,6 +12,9 @@
 
 namespace lathelier::io {
 
+/// Of a loop over points, for each task of the machine.
+inline constexpr std::size_t pointsPerTask = 1 << 16;
+
 /// What a reader is given. Text formats read `text`, binary ones `bytes`.
 struct ScanSource {
     std::string_view bytes;        ///< content of the file

@@ -23,14 +23,12 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t headBytes = 65536;
-
 constexpr Text expectedKinds = LT_TEXT("Engine", "points as text, PLY, PCD, STL or OBJ");
 
 /// The word in front of the first line that is neither blank nor a remark.
 std::string_view firstWord(std::string_view text)
 {
-    Lines lines(text.substr(0, headBytes));
+    Lines lines(text.substr(0, textHeadBytes));
     std::vector<std::string_view> words;
     while (lines.next()) {
         splitWords(lines.line(), words);
@@ -44,13 +42,13 @@ bool looksLikePcd(std::string_view text)
     if (text.starts_with("# .PCD")) return true;
     const std::string_view word = firstWord(text);
     return (word == "VERSION" || word == "FIELDS" || word == "COLUMNS") &&
-           text.substr(0, headBytes).find("DATA ") != std::string_view::npos;
+           text.substr(0, textHeadBytes).find("DATA ") != std::string_view::npos;
 }
 
 bool looksLikeAsciiStl(std::string_view text)
 {
     if (lowerCase(firstWord(text)) != "solid") return false;
-    const std::string head = lowerCase(text.substr(0, headBytes));
+    const std::string head = lowerCase(text.substr(0, textHeadBytes));
     return head.find("facet") != std::string::npos || head.find("endsolid") != std::string::npos;
 }
 
@@ -67,7 +65,7 @@ bool looksLikeObj(std::string_view text)
 {
     const bool startsSo = isObjKeyword(firstWord(text));
     std::size_t vertices = 0, faces = 0, others = 0;
-    Lines lines(text.substr(0, headBytes));
+    Lines lines(text.substr(0, textHeadBytes));
     std::vector<std::string_view> words;
     while (lines.next()) {
         splitWords(lines.line(), words);
@@ -109,25 +107,25 @@ bool isDamagedBinaryStl(std::string_view bytes)
     return true;
 }
 
-using Reader = RawScan (*)(const ScanSource&);
+using ScanReader = RawScan (*)(const ScanSource&);
 
-Reader binaryReader(std::string_view bytes)
+ScanReader binaryReader(std::string_view bytes)
 {
     // Text in UTF-32 can have the size of an STL whose number of facets is one of its characters.
     if (hasUtf32Mark(bytes)) return nullptr;
     if (bytes.size() >= 84 && binaryStlSize(bytes) == bytes.size()) return readBinaryStl;
     if (startsLikePly(bytes)) {
-        const std::string_view head = bytes.substr(0, headBytes);
+        const std::string_view head = bytes.substr(0, textHeadBytes);
         if (head.find("format binary") != std::string_view::npos) return readPly;
     }
     if (bytes.starts_with("# .PCD") || firstWord(bytes) == "VERSION" || firstWord(bytes) == "FIELDS") {
-        const std::string_view head = bytes.substr(0, headBytes);
+        const std::string_view head = bytes.substr(0, textHeadBytes);
         if (head.find("DATA binary") != std::string_view::npos) return readPcd;
     }
     return nullptr;
 }
 
-Reader textReader(std::string_view text)
+ScanReader textReader(std::string_view text)
 {
     if (startsLikePly(text)) return readPly;
     if (looksLikePcd(text)) return readPcd;
@@ -137,7 +135,7 @@ Reader textReader(std::string_view text)
 }
 
 /// The reader of text that a file's name asks for.
-Reader readerByName(std::string_view name)
+ScanReader readerByName(std::string_view name)
 {
     const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
     if (lower == ".ply") return readPly;
@@ -148,17 +146,17 @@ Reader readerByName(std::string_view name)
 
 /// The content decides; where it is of no format of its own, the name does, so that a broken mesh is not read as a
 /// table.
-ScanFile readAny(const std::string& name, std::string_view bytes, const ImportOptions& options,
-                 const Progress& progress)
+ScanFile readAnyScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
+                     const Progress& progress)
 {
     const Progress reading = progress.part(0, 0.95);
     const auto finish = [&](RawScan raw) { return finishScan(std::move(raw), name, options, progress.part(0.95, 1)); };
     if (bytes.empty()) throw Error(errors::fileEmpty, {});
     refuseForeign(bytes, expectedKinds);
-    if (const Reader reader = binaryReader(bytes)) return finish(reader({bytes, {}, {}, options, reading}));
+    if (const ScanReader reader = binaryReader(bytes)) return finish(reader({bytes, {}, {}, options, reading}));
     if (isDamagedBinaryStl(bytes)) return finish(readBinaryStl({bytes, {}, {}, options, reading}));
     const DecodedText text = readableText(bytes, options.encoding, expectedKinds, reading);
-    Reader reader = textReader(text.view());
+    ScanReader reader = textReader(text.view());
     if (reader == readTextScan) {
         refuseForeignName(name, false, expectedKinds);
         if (looksLikeQdas(text.view())) throwUnknownFormat(LT_TEXT("Engine", "a Q-DAS file"), expectedKinds);
@@ -181,7 +179,7 @@ ScanFile readScan(const std::string& name, std::string_view bytes, const ImportO
                   const Progress& progress)
 {
     try {
-        return readAny(name, bytes, options, progress);
+        return readAnyScan(name, bytes, options, progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;

@@ -19,14 +19,13 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
-constexpr std::array<Text, 3> axes = {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")};
+constexpr std::array<Text, 3> axisNames = {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")};
 
 /// What a column name means to a cloud.
-enum class Role { Unknown, X, Y, Z, NormalX, NormalY, NormalZ, Other, Polar };
+enum class CloudRole { Unknown, X, Y, Z, NormalX, NormalY, NormalZ, Other, Polar };
 
 /// "Position_X", "x-coordinate", "Points:0" say the same as "x".
-Role roleOf(const std::string& name)
+CloudRole cloudRoleOf(const std::string& name)
 {
     std::string core;
     for (const char c : name)
@@ -37,28 +36,28 @@ Role roleOf(const std::string& name)
         if (at != std::string::npos && core.size() > std::string_view(word).size())
             core.erase(at, std::string_view(word).size());
     }
-    if (core == "x" || core == "px" || (core == "0" && name.find("point") == 0)) return Role::X;
-    if (core == "y" || core == "py" || (core == "1" && name.find("point") == 0)) return Role::Y;
-    if (core == "z" || core == "pz" || (core == "2" && name.find("point") == 0)) return Role::Z;
+    if (core == "x" || core == "px" || (core == "0" && name.find("point") == 0)) return CloudRole::X;
+    if (core == "y" || core == "py" || (core == "1" && name.find("point") == 0)) return CloudRole::Y;
+    if (core == "z" || core == "pz" || (core == "2" && name.find("point") == 0)) return CloudRole::Z;
     if (core == "nx" || core == "normalx" || core == "normalsx" || core == "normals0" || core == "xnormal")
-        return Role::NormalX;
+        return CloudRole::NormalX;
     if (core == "ny" || core == "normaly" || core == "normalsy" || core == "normals1" || core == "ynormal")
-        return Role::NormalY;
+        return CloudRole::NormalY;
     if (core == "nz" || core == "normalz" || core == "normalsz" || core == "normals2" || core == "znormal")
-        return Role::NormalZ;
+        return CloudRole::NormalZ;
     for (const char* word :
          {"r",         "g",     "b",       "a",         "red",    "green",       "blue",      "alpha",  "i",
           "intensity", "index", "id",      "nr",        "no",     "n",           "number",    "name",   "label",
           "time",      "t",     "quality", "curvature", "scalar", "reflectance", "amplitude", "weight", "deviation",
           "class",     "line",  "row",     "punkt",     "point",  "pt",          "lp"})
-        if (core == word) return Role::Other;
+        if (core == word) return CloudRole::Other;
     for (const char* word : {"angle", "theta", "phi", "azimuth", "elevation", "radius", "rho", "range", "winkel"})
-        if (core == word) return Role::Polar;
-    return Role::Unknown;
+        if (core == word) return CloudRole::Polar;
+    return CloudRole::Unknown;
 }
 
 /// Which columns hold what; normals are -1 when there are none.
-struct Columns {
+struct PointColumns {
     std::array<int, 3> point = {-1, -1, -1};
     std::array<int, 3> normal = {-1, -1, -1};
     bool normalsGuessed = false;  ///< three columns without names behind x, y, z
@@ -74,35 +73,35 @@ struct Columns {
 
 /// The column of one coordinate; -1 without one. A plain "x" comes before "X position". Error columnsAmbiguous when
 /// several are named alike: two sets of coordinates in one table.
-int coordinate(const TableLayout& layout, const std::vector<Role>& roles, std::size_t axis)
+int coordinate(const TableLayout& layout, const std::vector<CloudRole>& roles, std::size_t axis)
 {
     const std::string letter(1, static_cast<char>('x' + axis));
     std::vector<std::size_t> named, plain;
     for (std::size_t k = 0; k < roles.size(); ++k) {
         if (!layout.columns[k].isNumber ||
-            static_cast<std::size_t>(roles[k]) != static_cast<std::size_t>(Role::X) + axis)
+            static_cast<std::size_t>(roles[k]) != static_cast<std::size_t>(CloudRole::X) + axis)
             continue;
         named.push_back(k);
         if (layout.columns[k].name == letter) plain.push_back(k);
     }
     const std::vector<std::size_t>& candidates = plain.empty() ? named : plain;
-    if (candidates.size() > 1) throwAmbiguous(layout, candidates, axes[axis]);
+    if (candidates.size() > 1) throwAmbiguous(layout, candidates, axisNames[axis]);
     return candidates.empty() ? -1 : static_cast<int>(candidates.front());
 }
 
-Columns findColumns(const TableLayout& layout)
+PointColumns findPointColumns(const TableLayout& layout)
 {
-    Columns columns;
+    PointColumns columns;
     bool polar = false;
-    std::vector<Role> roles;
-    for (const TableColumn& column : layout.columns) roles.push_back(roleOf(column.name));
+    std::vector<CloudRole> roles;
+    for (const TableColumn& column : layout.columns) roles.push_back(cloudRoleOf(column.name));
     for (std::size_t axis = 0; axis < 3; ++axis) columns.point[axis] = coordinate(layout, roles, axis);
     for (std::size_t k = 0; k < roles.size(); ++k) {
         if (!layout.columns[k].isNumber) continue;
-        const auto axis = static_cast<int>(roles[k]) - static_cast<int>(Role::NormalX);
+        const auto axis = static_cast<int>(roles[k]) - static_cast<int>(CloudRole::NormalX);
         if (axis >= 0 && axis < 3 && columns.normal[static_cast<std::size_t>(axis)] < 0)
             columns.normal[static_cast<std::size_t>(axis)] = static_cast<int>(k);
-        polar = polar || roles[k] == Role::Polar;
+        polar = polar || roles[k] == CloudRole::Polar;
     }
     const bool anyAxis = std::any_of(columns.point.begin(), columns.point.end(), [](int k) { return k >= 0; });
     if (columns.normal[0] < 0 || columns.normal[1] < 0 || columns.normal[2] < 0) columns.normal = {-1, -1, -1};
@@ -112,7 +111,7 @@ Columns findColumns(const TableLayout& layout)
     // No names that help: the first three columns of numbers, after a row number.
     std::vector<int> candidates;
     for (std::size_t k = 0; k < roles.size(); ++k)
-        if (layout.columns[k].isNumber && roles[k] == Role::Unknown) candidates.push_back(static_cast<int>(k));
+        if (layout.columns[k].isNumber && roles[k] == CloudRole::Unknown) candidates.push_back(static_cast<int>(k));
     const auto column = [&](std::size_t i) { return layout.columns[static_cast<std::size_t>(candidates[i])]; };
     if (candidates.size() >= 4 && column(0).isCount && column(0).name.empty() &&
         (column(1).hasMarks || column(2).hasMarks))
@@ -129,7 +128,7 @@ Columns findColumns(const TableLayout& layout)
     return columns;
 }
 
-std::optional<LengthScale> unitOf(const TableLayout& layout, const Columns& columns)
+std::optional<LengthScale> pointUnit(const TableLayout& layout, const PointColumns& columns)
 {
     std::optional<LengthScale> unit;
     for (const int k : columns.point) {
@@ -156,7 +155,7 @@ TableRows readWithNormals(std::string_view text, const TableLayout& layout, cons
     scan.points_mm.resize(rows.rows);
     scan.normals.resize(rows.rows);
     const bool unitLength = parallelReduce(
-        rows.rows, grain, progress, true,
+        rows.rows, pointsPerTask, progress, true,
         [&](std::size_t begin, std::size_t end) {
             bool all = true;
             for (std::size_t i = begin; i < end; ++i) {
@@ -181,14 +180,14 @@ RawScan readTextScan(const ScanSource& source)
     TableExpectation expectation;
     expectation.minimumColumns = 3;
     expectation.knowsName = [](const std::string& name) {
-        const Role role = roleOf(name);
-        return role != Role::Unknown && role != Role::Other;
+        const CloudRole role = cloudRoleOf(name);
+        return role != CloudRole::Unknown && role != CloudRole::Other;
     };
     const TableLayout layout = findLayout(source.text, expectation, source.options);
-    const Columns columns = findColumns(layout);
+    const PointColumns columns = findPointColumns(layout);
 
     RawScan raw;
-    raw.statedUnit = unitOf(layout, columns);
+    raw.statedUnit = pointUnit(layout, columns);
     raw.facts.format = "xyz_text";
     const double largest = largestCoordinate(raw.statedUnit, source.options);
     std::vector<WantedColumn> wanted;

@@ -9,7 +9,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t named = 100;  ///< characters of what there is, in an error
+constexpr std::size_t longestOffer = 100;  ///< characters of what there is, in an error
 
 std::string offered(std::span<const MeasuredFrf> responses)
 {
@@ -17,7 +17,7 @@ std::string offered(std::span<const MeasuredFrf> responses)
     for (const MeasuredFrf& response : responses) {
         const std::string pair = nodePair(response);
         if (pair.empty()) continue;
-        if (words.size() > named) return words + " …";
+        if (words.size() > longestOffer) return words + " …";
         words += ", " + pair;
     }
     return words;

@@ -17,7 +17,7 @@ struct Pair {
     const MatVariable* response = nullptr;
 };
 
-std::string namesOf(const std::vector<MatVariable>& variables)
+std::string variableNames(const std::vector<MatVariable>& variables)
 {
     std::string names;
     for (const MatVariable& variable : variables) {
@@ -30,7 +30,7 @@ std::string namesOf(const std::vector<MatVariable>& variables)
 Error unknown(const std::vector<MatVariable>& variables, Text expected)
 {
     return Error(errors::frfVariablesUnknown,
-                 {{"byte", std::int64_t{0}}, {"found", namesOf(variables)}, {"expected", expected}});
+                 {{"byte", std::int64_t{0}}, {"found", variableNames(variables)}, {"expected", expected}});
 }
 
 bool isVector(const MatVariable& variable)

@@ -48,7 +48,7 @@ bool isMatFile(const std::string& name, std::string_view bytes)
 
 /// The path of a note, and of an error on its way up.
 template <class Read>
-auto named(const std::string& name, Notes& notes, Read read)
+auto withPath(const std::string& name, Notes& notes, Read read)
 {
     try {
         auto result = read();
@@ -60,8 +60,8 @@ auto named(const std::string& name, Notes& notes, Read read)
     }
 }
 
-FrfFile readAny(const std::string& name, std::string_view bytes, const ImportOptions& options, const FrfOptions& frf,
-                const Progress& progress)
+FrfFile readAnyFrf(const std::string& name, std::string_view bytes, const ImportOptions& options, const FrfOptions& frf,
+                   const Progress& progress)
 {
     if (isMatFile(name, bytes)) return readFrfMat(name, bytes, frf, progress);
     if (!isUffFile(name, bytes)) return readFrfTable(name, bytes, options, frf, progress);
@@ -150,7 +150,7 @@ FrfFile readFrf(const std::string& name, std::string_view bytes, const ImportOpt
                 const Progress& progress)
 {
     Notes none;
-    FrfFile file = named(name, none, [&] { return readAny(name, bytes, options, frf, progress); });
+    FrfFile file = withPath(name, none, [&] { return readAnyFrf(name, bytes, options, frf, progress); });
     for (Note& note : file.notes)
         if (!find(note.values, "path")) set(note.values, "path", name);
     return file;
@@ -165,7 +165,7 @@ FrfFile readFrf(const std::string& path, const ImportOptions& options, const Frf
 FileFacts readFrfFacts(const std::string& name, std::string_view bytes, const ImportOptions& options,
                        const FrfOptions& frf, Notes& notes, const Progress& progress)
 {
-    return named(name, notes, [&] { return factsOfAny(name, bytes, options, frf, notes, progress); });
+    return withPath(name, notes, [&] { return factsOfAny(name, bytes, options, frf, notes, progress); });
 }
 
 }  // namespace lathelier::io

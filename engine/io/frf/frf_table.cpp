@@ -20,33 +20,34 @@
 namespace lathelier::io {
 namespace {
 
-constexpr Text expectedKind = LT_TEXT("Engine", "a table of a frequency response: frequency, real and imaginary part");
+constexpr Text expectedFrfTable =
+    LT_TEXT("Engine", "a table of a frequency response: frequency, real and imaginary part");
 constexpr Text expectedUnit = LT_TEXT("Engine", "headings such as real_mm_N and imag_mm_N, or phase_deg");
 
-enum class Role { Frequency, Real, Imaginary, Magnitude, Phase, Coherence, Other };
+enum class FrfRole { Frequency, Real, Imaginary, Magnitude, Phase, Coherence, Other };
 
 struct RoleWord {
     std::string_view word;
-    Role role;
+    FrfRole role;
 };
 
 constexpr RoleWord roleWords[] = {
-    {"frequency", Role::Frequency}, {"freq", Role::Frequency},      {"f", Role::Frequency},
-    {"hz", Role::Frequency},        {"real", Role::Real},           {"re", Role::Real},
-    {"imag", Role::Imaginary},      {"imaginary", Role::Imaginary}, {"im", Role::Imaginary},
-    {"magnitude", Role::Magnitude}, {"mag", Role::Magnitude},       {"abs", Role::Magnitude},
-    {"amplitude", Role::Magnitude}, {"phase", Role::Phase},         {"angle", Role::Phase},
-    {"arg", Role::Phase},           {"coherence", Role::Coherence}, {"coh", Role::Coherence},
-    {"gamma", Role::Coherence},     {"γ", Role::Coherence}};
+    {"frequency", FrfRole::Frequency}, {"freq", FrfRole::Frequency},      {"f", FrfRole::Frequency},
+    {"hz", FrfRole::Frequency},        {"real", FrfRole::Real},           {"re", FrfRole::Real},
+    {"imag", FrfRole::Imaginary},      {"imaginary", FrfRole::Imaginary}, {"im", FrfRole::Imaginary},
+    {"magnitude", FrfRole::Magnitude}, {"mag", FrfRole::Magnitude},       {"abs", FrfRole::Magnitude},
+    {"amplitude", FrfRole::Magnitude}, {"phase", FrfRole::Phase},         {"angle", FrfRole::Phase},
+    {"arg", FrfRole::Phase},           {"coherence", FrfRole::Coherence}, {"coh", FrfRole::Coherence},
+    {"gamma", FrfRole::Coherence},     {"γ", FrfRole::Coherence}};
 
-bool isLetter(char c)
+bool isHeadingLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
 /// A heading taken apart: "real_mm_N" is Real and "mm/N", "Re(H) [m/N]" Real and "m/N".
 struct FrfHeading {
-    Role role = Role::Other;
+    FrfRole role = FrfRole::Other;
     std::string unit;  ///< as written, with / for _; empty: none
 };
 
@@ -54,7 +55,7 @@ FrfHeading parseFrfHeading(std::string_view heading)
 {
     heading = trimmed(heading);
     std::size_t end = 0;
-    while (end < heading.size() && isLetter(heading[end])) ++end;
+    while (end < heading.size() && isHeadingLetter(heading[end])) ++end;
     FrfHeading found;
     const std::string word = lowerCase(heading.substr(0, end));
     for (const RoleWord& known : roleWords)
@@ -76,7 +77,7 @@ TableExpectation frfExpectation()
 {
     TableExpectation expectation;
     expectation.minimumColumns = 3;
-    expectation.knowsName = [](const std::string& name) { return parseFrfHeading(name).role != Role::Other; };
+    expectation.knowsName = [](const std::string& name) { return parseFrfHeading(name).role != FrfRole::Other; };
     expectation.knowsUnit = [](std::string_view word) {
         return frfUnit(word) || (!isUnstated(word) && hzPerUnit(word)) || quantityUnit(word);
     };
@@ -90,7 +91,7 @@ struct FrfColumns {
     bool is_polar = false;                             ///< magnitude and phase
 };
 
-std::optional<std::size_t> columnOf(const TableLayout& layout, Role role)
+std::optional<std::size_t> frfColumn(const TableLayout& layout, FrfRole role)
 {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < layout.columns.size(); ++k)
@@ -99,22 +100,22 @@ std::optional<std::size_t> columnOf(const TableLayout& layout, Role role)
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-std::optional<FrfColumns> findColumns(const TableLayout& layout)
+std::optional<FrfColumns> findFrfColumns(const TableLayout& layout)
 {
     if (!layout.hasNames) return std::nullopt;
-    const auto frequency = columnOf(layout, Role::Frequency);
+    const auto frequency = frfColumn(layout, FrfRole::Frequency);
     if (!frequency) return std::nullopt;
     FrfColumns columns{*frequency, 0, 0, {}, false};
-    auto first = columnOf(layout, Role::Real), second = columnOf(layout, Role::Imaginary);
+    auto first = frfColumn(layout, FrfRole::Real), second = frfColumn(layout, FrfRole::Imaginary);
     columns.is_polar = !(first && second);
     if (columns.is_polar) {
-        first = columnOf(layout, Role::Magnitude);
-        second = columnOf(layout, Role::Phase);
+        first = frfColumn(layout, FrfRole::Magnitude);
+        second = frfColumn(layout, FrfRole::Phase);
     }
     if (!(first && second)) return std::nullopt;
     columns.first = *first;
     columns.second = *second;
-    columns.coherence = columnOf(layout, Role::Coherence);
+    columns.coherence = frfColumn(layout, FrfRole::Coherence);
     return columns;
 }
 
@@ -134,7 +135,7 @@ Error unitMissing(const TableLayout& layout, std::size_t column)
 }
 
 /// The unit of the values: stated by one column, or by both alike; else the given one.
-FrfUnit unitOf(const TableLayout& layout, const FrfColumns& columns, const FrfOptions& options, FrfFile& file)
+FrfUnit frfUnitOf(const TableLayout& layout, const FrfColumns& columns, const FrfOptions& options, FrfFile& file)
 {
     const auto given = frfUnit(options.frf_unit);
     std::optional<FrfUnit> stated;
@@ -195,8 +196,8 @@ Frf toFrf(const TableLayout& layout, const FrfColumns& columns, const FrfUnit& u
     return frf;
 }
 
-TableRows readValues(std::string_view text, const TableLayout& layout, const FrfColumns& columns,
-                     std::vector<double>& values, const Progress& progress)
+TableRows readFrfValues(std::string_view text, const TableLayout& layout, const FrfColumns& columns,
+                        std::vector<double>& values, const Progress& progress)
 {
     std::vector<WantedColumn> wanted;
     for (const std::size_t k : {columns.frequency, columns.first, columns.second}) wanted.push_back({k});
@@ -217,18 +218,18 @@ TableRows readValues(std::string_view text, const TableLayout& layout, const Frf
 FrfFile readFrfTable(const std::string& name, std::string_view bytes, const ImportOptions& options,
                      const FrfOptions& frf, const Progress& progress)
 {
-    const DecodedText text = readableTable(name, bytes, options.encoding, expectedKind, progress);
+    const DecodedText text = readableTable(name, bytes, options.encoding, expectedFrfTable, progress);
     const TableLayout layout = findLayout(text.view(), frfExpectation(), options);
-    const auto columns = findColumns(layout);
+    const auto columns = findFrfColumns(layout);
     if (!columns)
         throw Error(errors::columnsUnknown, {{"line", std::max<std::int64_t>(layout.bodyLine - 1, 1)},
                                              {"column", std::int64_t{1}},
                                              {"found", columnNames(layout)},
                                              {"expected", LT_TEXT("Engine", "frequency_hz, real_mm_N, imag_mm_N")}});
     FrfFile file;
-    const FrfUnit unit = unitOf(layout, *columns, frf, file);
+    const FrfUnit unit = frfUnitOf(layout, *columns, frf, file);
     std::vector<double> values;
-    const TableRows rows = readValues(text.view(), layout, *columns, values, progress);
+    const TableRows rows = readFrfValues(text.view(), layout, *columns, values, progress);
     describeTable(layout, rows, text.encoding(), file.facts, file.notes);
     if (rows.rows == 0) throw Error(errors::noPoints, {});
     MeasuredFrf measured{toFrf(layout, *columns, unit, values)};
@@ -261,8 +262,8 @@ FrfFile readFrfTable(const std::string& name, std::string_view bytes, const Impo
 bool isFrfTable(std::string_view head, const ImportOptions& options)
 {
     try {
-        const DecodedText text = readableTable({}, head, options.encoding, expectedKind, {});
-        return findColumns(findLayout(text.view(), frfExpectation(), options)).has_value();
+        const DecodedText text = readableTable({}, head, options.encoding, expectedFrfTable, {});
+        return findFrfColumns(findLayout(text.view(), frfExpectation(), options)).has_value();
     } catch (const Error& error) {
         return false;
     }

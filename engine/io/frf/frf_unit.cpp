@@ -14,12 +14,12 @@ constexpr int deepestBrackets = 8;
 constexpr double freeFall_mm_s2 = 9806.65;
 constexpr double poundForce_N = 4.4482216152605;
 
-struct UnitWord {
+struct PhysicalUnitWord {
     std::string_view word;  ///< ASCII letters in lower case
     PhysicalUnit unit;
 };
 
-constexpr UnitWord unitWords[] = {
+constexpr PhysicalUnitWord physicalUnitWords[] = {
     {"m", {1e3, 1, 0, 0}},
     {"mm", {1, 1, 0, 0}},
     {"cm", {10, 1, 0, 0}},
@@ -56,7 +56,7 @@ PhysicalUnit product(const PhysicalUnit& a, const PhysicalUnit& b)
     return {a.scale * b.scale, a.length + b.length, a.time + b.time, a.force + b.force};
 }
 
-bool isLetter(char c)
+bool isUnitLetter(char c)
 {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -114,12 +114,12 @@ private:
     {
         take("");
         std::size_t length = 0;
-        while (length < rest_.size() && isLetter(rest_[length]) && !rest_.substr(length).starts_with("²") &&
+        while (length < rest_.size() && isUnitLetter(rest_[length]) && !rest_.substr(length).starts_with("²") &&
                !rest_.substr(length).starts_with("³") && !rest_.substr(length).starts_with("·"))
             ++length;
         if (length == 0) length = 1;  // the number 1
         const std::string_view word = rest_.substr(0, length);
-        for (const UnitWord& known : unitWords)
+        for (const PhysicalUnitWord& known : physicalUnitWords)
             if (word == known.word) {
                 rest_.remove_prefix(length);
                 return known.unit;

@@ -19,7 +19,7 @@ struct QuantityText {
     const char* columns;  ///< behind "real_"
 };
 
-QuantityText textOf(FrfQuantity quantity)
+QuantityText quantityText(FrfQuantity quantity)
 {
     if (quantity == FrfQuantity::Receptance) return {8, "Displacement", "mm", "mm_N"};
     if (quantity == FrfQuantity::Mobility) return {11, "Velocity", "mm/s", "mm_s_N"};
@@ -88,7 +88,7 @@ std::string header(const MeasuredFrf& measured, int function, int dataType, bool
 std::string responseSet(const MeasuredFrf& measured, bool even)
 {
     const Frf& frf = measured.frf;
-    std::string text = header(measured, 4, 6, even, textOf(frf.quantity), true);
+    std::string text = header(measured, 4, 6, even, quantityText(frf.quantity), true);
     for (std::size_t i = 0; i < frf.value.size(); ++i) {
         if (!even) text += column13(frf.frequency_hz[i]);
         text += fmt::format("{:20.12E}{:20.12E}", frf.value[i].real(), frf.value[i].imag());
@@ -124,7 +124,7 @@ std::string toUff(std::span<const MeasuredFrf> responses)
 
 std::string toFrfCsv(const Frf& frf)
 {
-    const char* columns = textOf(frf.quantity).columns;
+    const char* columns = quantityText(frf.quantity).columns;
     const bool hasCoherence = !frf.coherence.empty();
     std::string text = fmt::format("frequency_hz,real_{0},imag_{0}{1}\n", columns, hasCoherence ? ",coherence" : "");
     for (std::size_t i = 0; i < frf.value.size(); ++i) {

@@ -16,7 +16,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t headBytes = 128;
+constexpr std::size_t matHeadBytes = 128;
 constexpr std::size_t largestVariable = std::size_t{1} << 28;  ///< bytes, inflated
 constexpr std::size_t nameAndShape = 1 << 14;  ///< bytes at the beginning of a variable that tell its kind
 constexpr std::uint32_t miMatrix = 14, miCompressed = 15;
@@ -47,7 +47,7 @@ bool isSwapped(std::string_view file)
 }
 
 template <class T>
-T valueAt(std::string_view bytes, std::size_t at, bool swapped)
+T matValueAt(std::string_view bytes, std::size_t at, bool swapped)
 {
     std::array<char, sizeof(T)> raw{};
     std::memcpy(raw.data(), bytes.data() + at, raw.size());
@@ -75,7 +75,7 @@ public:
     Element at(std::size_t offset) const
     {
         if (offset > bytes_.size() || bytes_.size() - offset < 8) throw endsAt(byte_, bytes_.size(), offset + 8);
-        const auto word = valueAt<std::uint32_t>(bytes_, offset, swapped_);
+        const auto word = matValueAt<std::uint32_t>(bytes_, offset, swapped_);
         Element element;
         if ((word >> 16) != 0) {  // small: type and size in one word
             element.type = word & 0xFFFFU;
@@ -86,7 +86,7 @@ public:
             return element;
         }
         element.type = word;
-        element.size = valueAt<std::uint32_t>(bytes_, offset + 4, swapped_);
+        element.size = matValueAt<std::uint32_t>(bytes_, offset + 4, swapped_);
         const std::size_t there = bytes_.size() - offset - 8;
         if (element.size > there && !partly_) throw endsAt(byte_, there, element.size);
         element.data = bytes_.substr(offset + 8, std::min(element.size, there));
@@ -144,14 +144,14 @@ MatrixHead readHead(const Elements& elements)
     constexpr Text expected = LT_TEXT("Engine", "flags, dimensions and the name of a variable");
     const Element flags = elements.at(0);
     if (flags.data.size() < 8) throw wrongAt(elements.byte(), static_cast<std::int64_t>(flags.size), expected);
-    const auto word = valueAt<std::uint32_t>(flags.data, 0, elements.swapped());
+    const auto word = matValueAt<std::uint32_t>(flags.data, 0, elements.swapped());
     const Element shape = elements.at(flags.next);
     if (shape.data.size() != shape.size || shape.size < 8 || shape.size % 4 != 0)
         throw wrongAt(elements.byte(), static_cast<std::int64_t>(shape.size), expected);
     MatrixHead head;
     head.variable.columns = 1;
     for (std::size_t k = 0; k < shape.size; k += 4) {
-        const std::int64_t dimension = valueAt<std::int32_t>(shape.data, k, elements.swapped());
+        const std::int64_t dimension = matValueAt<std::int32_t>(shape.data, k, elements.swapped());
         std::int64_t& side = k == 0 ? head.variable.rows : head.variable.columns;
         if (dimension < 0) throw wrongAt(elements.byte(), dimension, expected);
         side = k == 0 ? dimension : side * dimension;
@@ -174,7 +174,7 @@ template <class T>
 void convert(const Element& element, bool swapped, std::vector<double>& values)
 {
     for (std::size_t at = 0; at + sizeof(T) <= element.data.size(); at += sizeof(T))
-        values.push_back(static_cast<double>(valueAt<T>(element.data, at, swapped)));
+        values.push_back(static_cast<double>(matValueAt<T>(element.data, at, swapped)));
 }
 
 /// The numbers of an element, whichever type they are stored as.
@@ -208,9 +208,9 @@ Inflated inflateMatrix(const Element& element, bool swapped, std::size_t byte, s
 {
     Inflated matrix{inflated(element.data, most, byte), 0};
     if (matrix.bytes.size() < 8) throw endsAt(byte, matrix.bytes.size(), 8);
-    if (valueAt<std::uint32_t>(matrix.bytes, 0, swapped) != miMatrix)
+    if (matValueAt<std::uint32_t>(matrix.bytes, 0, swapped) != miMatrix)
         throw wrongAt(byte, std::string("?"), LT_TEXT("Engine", "a matrix"));
-    matrix.size = valueAt<std::uint32_t>(matrix.bytes, 4, swapped);
+    matrix.size = matValueAt<std::uint32_t>(matrix.bytes, 4, swapped);
     matrix.bytes.erase(0, 8);
     if (matrix.bytes.size() > matrix.size) matrix.bytes.resize(matrix.size);
     return matrix;
@@ -223,7 +223,7 @@ void requireLevel5(std::string_view bytes)
         return Error(errors::formatUnknown, {{"byte", std::int64_t{0}}, {"found", found}, {"expected", expected}});
     };
     if (!isMat(bytes)) throw refuse(LT_TEXT("Engine", "something else"));
-    if (valueAt<std::uint16_t>(bytes, 124, isSwapped(bytes)) != 0x0100)
+    if (matValueAt<std::uint16_t>(bytes, 124, isSwapped(bytes)) != 0x0100)
         throw refuse(LT_TEXT("Engine", "a MAT file 7.3 (HDF5); save it with -v7"));
 }
 
@@ -231,7 +231,7 @@ void requireLevel5(std::string_view bytes)
 
 bool isMat(std::string_view head)
 {
-    if (head.size() < headBytes || !head.starts_with("MATLAB ")) return false;
+    if (head.size() < matHeadBytes || !head.starts_with("MATLAB ")) return false;
     const std::string_view order = head.substr(126, 2);
     return order == "IM" || order == "MI";
 }
@@ -241,7 +241,7 @@ std::vector<MatVariable> readMatVariables(std::string_view bytes, const Progress
     requireLevel5(bytes);
     const bool swapped = isSwapped(bytes);
     std::vector<MatVariable> variables;
-    for (std::size_t offset = headBytes; bytes.size() - std::min(bytes.size(), offset) >= 8;) {
+    for (std::size_t offset = matHeadBytes; bytes.size() - std::min(bytes.size(), offset) >= 8;) {
         progress.report(static_cast<double>(offset) / static_cast<double>(bytes.size()));
         const Element element = Elements(bytes, swapped, offset, false).at(offset);
         std::string head;

@@ -1,16 +1,16 @@
 #include "engine/io/frf/uff_fields.h"
 
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "engine/core/units.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 
 namespace lathelier::io {
 namespace {
 
-using Kind = UffColumn::Kind;
+using UffKind = UffColumn::Kind;
 
 constexpr Text expectedNumber = LT_TEXT("Engine", "a number in its columns");
 
@@ -18,7 +18,7 @@ constexpr Text expectedNumber = LT_TEXT("Engine", "a number in its columns");
 std::optional<double> wordNumber(std::string_view word)
 {
     if (const auto value = wholeNumber(word, '.')) return std::isfinite(*value) ? value : std::nullopt;
-    if (isNotFiniteWord(word)) return std::numeric_limits<double>::quiet_NaN();
+    if (isNotFiniteWord(word)) return notANumber;
     return std::nullopt;
 }
 
@@ -44,12 +44,12 @@ std::vector<std::string_view> split(std::string_view line, std::span<const UffCo
     return parts;
 }
 
-std::optional<double> numberIn(std::string_view part, Kind kind)
+std::optional<double> numberIn(std::string_view part, UffKind kind)
 {
     part = trimmed(part);
-    if (part.empty() || kind == Kind::Word) return 0;
-    if (kind == Kind::Blank) return std::nullopt;
-    if (kind == Kind::Real) return wholeNumber(part, '.');
+    if (part.empty() || kind == UffKind::Word) return 0;
+    if (kind == UffKind::Blank) return std::nullopt;
+    if (kind == UffKind::Real) return wholeNumber(part, '.');
     const auto integer = wholeInteger(part);
     return integer ? std::optional(static_cast<double>(*integer)) : std::nullopt;
 }
@@ -105,7 +105,7 @@ UffFields::UffFields(std::int64_t lineNumber, std::string_view line, std::span<c
     }
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const auto number = numberIn(parts_[k], columns[k].kind);
-        const bool counts = columns[k].kind != Kind::Blank;  // what runs into a gap changes no number
+        const bool counts = columns[k].kind != UffKind::Blank;  // what runs into a gap changes no number
         if (counts && (!number || !std::isfinite(*number))) throw wrong(k, expectedNumber);
         numbers_.push_back(number.value_or(0));
     }

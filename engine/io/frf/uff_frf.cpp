@@ -26,7 +26,7 @@ bool isMotion(const PhysicalUnit& unit)
     return unit.length == 1 && unit.force == 0 && unit.time <= 0 && unit.time >= -2;
 }
 
-std::optional<FrfQuantity> quantityOf(std::int64_t ordinateType)
+std::optional<FrfQuantity> frfQuantityOf(std::int64_t ordinateType)
 {
     if (ordinateType == displacement) return FrfQuantity::Receptance;
     if (ordinateType == velocity) return FrfQuantity::Mobility;
@@ -41,7 +41,7 @@ struct StatedUnit {
     bool isForeign = false;       ///< what is stated is no motion per force
 };
 
-StatedUnit statedUnit(const UffFunction& function)
+StatedUnit uffStatedUnit(const UffFunction& function)
 {
     const std::string& motion = function.ordinate.unit;
     const std::string& per = function.denominator.unit;
@@ -68,9 +68,9 @@ Text whyNot(const UffFunction& function)
         return LT_TEXT("Engine", "no axis of frequency");
     if (isRotation(function.response_direction) || isRotation(function.reference_direction))
         return LT_TEXT("Engine", "a rotation or a moment");
-    const StatedUnit stated = statedUnit(function);
+    const StatedUnit stated = uffStatedUnit(function);
     if (stated.isForeign) return LT_TEXT("Engine", "no motion per force by its unit");
-    if (!stated.unit && !quantityOf(function.ordinate.type) && function.ordinate.type != 0)
+    if (!stated.unit && !frfQuantityOf(function.ordinate.type) && function.ordinate.type != 0)
         return LT_TEXT("Engine", "no motion by its kind");
     if (function.x.empty()) return LT_TEXT("Engine", "no points");
     return {};
@@ -112,7 +112,7 @@ std::optional<FrfQuantity> labelled(const UffFunction& function)
     const std::string label = lowerCase(function.ordinate.label);
     for (const FrfQuantity quantity : {FrfQuantity::Receptance, FrfQuantity::Mobility, FrfQuantity::Accelerance})
         if (label.find(quantityName(quantity)) != std::string::npos) return quantity;
-    return quantityOf(function.ordinate.type);
+    return frfQuantityOf(function.ordinate.type);
 }
 
 class Converter {
@@ -142,7 +142,7 @@ private:
     FrfUnit unitOf(const UffSet& set) const
     {
         const UffFunction& function = *set.function;
-        const StatedUnit stated = statedUnit(function);
+        const StatedUnit stated = uffStatedUnit(function);
         const auto given = frfUnit(options_.frf_unit);
         if (stated.unit) {
             if (stated.isForceAssumed) findings_.add(notes::frfForceAssumed, set.line, {});
@@ -157,7 +157,7 @@ private:
                               {{"unit", function.ordinate.unit}, {"given", frfUnitKey(options_.frf_unit)}});
             return *stated.unit;
         }
-        const auto quantity = quantityOf(function.ordinate.type);
+        const auto quantity = frfQuantityOf(function.ordinate.type);
         if (function.units && quantity)
             return {*quantity, 1000 / function.units->length_per_metre * function.units->force_per_newton};
         if (given) return *given;
@@ -258,10 +258,10 @@ std::vector<MeasuredFrf> uffFrfs(const UffFile& file, const FrfOptions& options,
 std::string uffOrdinate(const UffFunction& function)
 {
     if (function.function != frequencyResponse) return "other";
-    const StatedUnit stated = statedUnit(function);
+    const StatedUnit stated = uffStatedUnit(function);
     if (stated.isForeign) return "other";
     if (stated.unit) return quantityName(stated.unit->quantity);
-    const auto quantity = quantityOf(function.ordinate.type);
+    const auto quantity = frfQuantityOf(function.ordinate.type);
     return quantity ? quantityName(*quantity) : "other";
 }
 

@@ -78,7 +78,7 @@ UffAxis readAxis(const Lines& lines)
     return {fields.integer(0), fields.text(5), fields.text(7)};
 }
 
-Header readHeader(Lines& lines)
+Header readUffHeader(Lines& lines)
 {
     Header header;
     for (std::string& id : header.function.id) {
@@ -131,7 +131,7 @@ void layPoints(const Header& header, const std::vector<double>& numbers, UffFunc
 }
 
 template <class T>
-double valueAt(const char* at, bool isBigEndian)
+double uffValueAt(const char* at, bool isBigEndian)
 {
     std::array<char, sizeof(T)> bytes{};
     std::memcpy(bytes.data(), at, bytes.size());
@@ -171,7 +171,7 @@ std::string_view uffPayload(std::string_view file, std::size_t offset, const Uff
 
 UffFunction readUffText(Lines& lines, const Progress& progress)
 {
-    Header header = readHeader(lines);
+    Header header = readUffHeader(lines);
     const std::size_t stride = numbersPerPoint(header.function);
     const auto needed = static_cast<std::size_t>(header.points) * stride;
     const std::vector<int> widths = widthsOf(header.function);
@@ -194,7 +194,7 @@ UffFunction readUffText(Lines& lines, const Progress& progress)
 
 UffFunction readUffBinary(Lines& lines, std::string_view file, const UffBinary& binary)
 {
-    Header header = readHeader(lines);
+    Header header = readUffHeader(lines);
     for (std::int64_t k = headerLines; k < binary.header_lines; ++k)
         if (!lines.next()) throw malformedEnd(lines, LT_TEXT("Engine", "the header of a function"));
     const std::string_view payload = uffPayload(file, lines.nextOffset(), binary);
@@ -212,10 +212,10 @@ UffFunction readUffBinary(Lines& lines, std::string_view file, const UffBinary& 
     numbers.reserve(points * numbersPerPoint(function));
     const bool big = binary.is_big_endian;
     for (const char* at = payload.data(); at != payload.data() + needed;) {
-        if (abscissa != 0) numbers.push_back(abscissa == 8 ? valueAt<double>(at, big) : valueAt<float>(at, big));
+        if (abscissa != 0) numbers.push_back(abscissa == 8 ? uffValueAt<double>(at, big) : uffValueAt<float>(at, big));
         at += abscissa;
         for (const char* end = at + ordinate; at != end; at += isDouble ? 8 : 4)
-            numbers.push_back(isDouble ? valueAt<double>(at, big) : valueAt<float>(at, big));
+            numbers.push_back(isDouble ? uffValueAt<double>(at, big) : uffValueAt<float>(at, big));
     }
     layPoints(header, numbers, function);
     return std::move(header.function);

@@ -28,7 +28,7 @@ bool isFilling(std::string_view line)
 }
 
 /// The number of a set, "58" or "58b"; empty when the line is none.
-std::string typeOf(std::string_view line)
+std::string setTypeOf(std::string_view line)
 {
     const std::string_view number = trimmed(line.substr(0, std::min<std::size_t>(line.size(), 6)));
     const auto value = wholeInteger(number);
@@ -38,9 +38,9 @@ std::string typeOf(std::string_view line)
     return isBlank(mark) && trimmed(line).size() == number.size() ? std::string(number) : std::string();
 }
 
-class Reader {
+class UffReader {
 public:
-    Reader(std::string_view bytes, const Progress& progress)
+    UffReader(std::string_view bytes, const Progress& progress)
         : bytes_(bytes), progress_(progress), lines_(bytes, bytes.starts_with("\xEF\xBB\xBF") ? 3 : 0)
     {
     }
@@ -66,7 +66,7 @@ private:
     void readSet()
     {
         UffSet set;
-        set.type = typeOf(lines_.line());
+        set.type = setTypeOf(lines_.line());
         if (set.type.empty())
             throw malformed(lines_.number(), lines_.line(), trimmed(lines_.line()),
                             LT_TEXT("Engine", "the number of a data set"));
@@ -187,7 +187,7 @@ bool isUff(std::string_view head)
         bool found = lines.next();
         while (found && trimmed(lines.line()).empty()) found = lines.next();
         if (!found || !isUffSeparator(lines.line()) || lines.line().front() != ' ') return false;
-        return lines.next() && !typeOf(lines.line()).empty();
+        return lines.next() && !setTypeOf(lines.line()).empty();
     } catch (const Error&) {
         return false;
     }
@@ -196,7 +196,7 @@ bool isUff(std::string_view head)
 UffFile readUff(std::string_view bytes, const Progress& progress)
 {
     if (bytes.empty()) throw Error(errors::fileEmpty, {});
-    UffFile file = Reader(bytes, progress).read();
+    UffFile file = UffReader(bytes, progress).read();
     if (file.sets.empty())
         throw Error(errors::formatUnknown, {{"byte", std::int64_t{0}},
                                             {"found", LT_TEXT("Engine", "no data set")},

@@ -8,7 +8,7 @@
 namespace lathelier::io {
 namespace {
 
-Values sizeOf(const ImageHeader& header, std::size_t byte)
+Values sizeValues(const ImageHeader& header, std::size_t byte)
 {
     return {{"byte", static_cast<std::int64_t>(byte)}, {"width", header.width}, {"height", header.height}};
 }
@@ -16,7 +16,7 @@ Values sizeOf(const ImageHeader& header, std::size_t byte)
 [[noreturn]] void refuseSize(const ImageHeader& header, std::size_t byte, double found, const char* unit,
                              double maximum)
 {
-    Values values = sizeOf(header, byte);
+    Values values = sizeValues(header, byte);
     set(values, "found", found);
     set(values, "unit", std::string(unit));
     set(values, "maximum", maximum);
@@ -27,7 +27,7 @@ Values sizeOf(const ImageHeader& header, std::size_t byte)
 
 void checkHeader(const ImageHeader& header, std::size_t file_bytes, std::size_t byte)
 {
-    if (header.width < 1 || header.height < 1) throw Error(errors::imageEmpty, sizeOf(header, byte));
+    if (header.width < 1 || header.height < 1) throw Error(errors::imageEmpty, sizeValues(header, byte));
     const std::int64_t side = std::max(header.width, header.height);
     if (side > mostImageSide_px) refuseSize(header, byte, static_cast<double>(side), "px", double{mostImageSide_px});
     const double pixels = static_cast<double>(header.width) * static_cast<double>(header.height);
@@ -36,7 +36,7 @@ void checkHeader(const ImageHeader& header, std::size_t file_bytes, std::size_t 
     if (decoded > mostImageBytes) refuseSize(header, byte, decoded * 1e-6, "MB", mostImageBytes * 1e-6);
     const double packed = pixels * header.channels * header.bits / 8;  // small samples share a byte
     if (static_cast<double>(file_bytes) * mostImageCompression < packed) {
-        Values values = sizeOf(header, byte);
+        Values values = sizeValues(header, byte);
         set(values, "found_bytes", static_cast<std::int64_t>(file_bytes));
         set(values, "expected_bytes", static_cast<std::int64_t>(packed / mostImageCompression));
         throw Error(errors::imageImplausible, values);

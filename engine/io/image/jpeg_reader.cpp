@@ -92,7 +92,7 @@ JpegFacts walkMarkers(std::string_view bytes)
 }
 
 /// What libjpeg and its callbacks share. No destructor of it matters to longjmp.
-struct Decoder {
+struct JpegDecoder {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
     jpeg_source_mgr source{};
@@ -102,20 +102,20 @@ struct Decoder {
     std::array<char, JMSG_LENGTH_MAX> message{};
     const Progress* progress = nullptr;
 
-    Decoder() = default;
-    Decoder(const Decoder&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
-    ~Decoder() { jpeg_destroy_decompress(&jpeg); }
+    JpegDecoder() = default;
+    JpegDecoder(const JpegDecoder&) = delete;
+    JpegDecoder& operator=(const JpegDecoder&) = delete;
+    ~JpegDecoder() { jpeg_destroy_decompress(&jpeg); }
 };
 
-Decoder& decoderOf(j_common_ptr jpeg)
+JpegDecoder& decoderOf(j_common_ptr jpeg)
 {
-    return *static_cast<Decoder*>(jpeg->client_data);
+    return *static_cast<JpegDecoder*>(jpeg->client_data);
 }
 
-[[noreturn]] void fail(j_common_ptr jpeg)
+[[noreturn]] void failJpeg(j_common_ptr jpeg)
 {
-    Decoder& decoder = decoderOf(jpeg);
+    JpegDecoder& decoder = decoderOf(jpeg);
     jpeg->err->format_message(jpeg, decoder.message.data());
     std::longjmp(decoder.back, 1);
 }
@@ -123,12 +123,12 @@ Decoder& decoderOf(j_common_ptr jpeg)
 /// Level -1 is a warning: data are damaged, and would be patched.
 void heed(j_common_ptr jpeg, int level)
 {
-    if (level < 0) fail(jpeg);
+    if (level < 0) failJpeg(jpeg);
 }
 
 boolean refill(j_decompress_ptr jpeg)
 {
-    Decoder& decoder = decoderOf(reinterpret_cast<j_common_ptr>(jpeg));
+    JpegDecoder& decoder = decoderOf(reinterpret_cast<j_common_ptr>(jpeg));
     decoder.ended = true;
     std::longjmp(decoder.back, 1);
 }
@@ -144,18 +144,18 @@ void skip(j_decompress_ptr jpeg, long count)
 void watch(j_common_ptr jpeg)
 {
     const auto* decompress = reinterpret_cast<j_decompress_ptr>(jpeg);
-    Decoder& decoder = decoderOf(jpeg);
+    JpegDecoder& decoder = decoderOf(jpeg);
     if (decompress->input_scan_number > mostScans || decoder.progress->stopped()) {
         std::snprintf(decoder.message.data(), decoder.message.size(), "more than %d scans", mostScans);
         std::longjmp(decoder.back, 1);
     }
 }
 
-bool begin(Decoder& decoder, std::string_view bytes)
+bool beginJpeg(JpegDecoder& decoder, std::string_view bytes)
 {
     if (setjmp(decoder.back)) return false;  // NOLINT(cert-err52-cpp): libjpeg leaves by longjmp only
     decoder.jpeg.err = jpeg_std_error(&decoder.errors);
-    decoder.errors.error_exit = fail;
+    decoder.errors.error_exit = failJpeg;
     decoder.errors.emit_message = heed;
     decoder.jpeg.client_data = &decoder;
     jpeg_create_decompress(&decoder.jpeg);
@@ -177,20 +177,20 @@ bool begin(Decoder& decoder, std::string_view bytes)
     return true;
 }
 
-bool readRow(Decoder& decoder, std::uint8_t* row)
+bool readJpegRow(JpegDecoder& decoder, std::uint8_t* row)
 {
     if (setjmp(decoder.back)) return false;  // NOLINT(cert-err52-cpp)
     JSAMPROW rows[1] = {row};
     return jpeg_read_scanlines(&decoder.jpeg, rows, 1) == 1;
 }
 
-bool finish(Decoder& decoder)
+bool finishJpeg(JpegDecoder& decoder)
 {
     if (setjmp(decoder.back)) return false;  // NOLINT(cert-err52-cpp)
     return jpeg_finish_decompress(&decoder.jpeg) != 0;
 }
 
-[[noreturn]] void refuse(const Decoder& decoder, std::size_t size, std::int64_t rows, const Progress& progress)
+[[noreturn]] void refuseJpeg(const JpegDecoder& decoder, std::size_t size, std::int64_t rows, const Progress& progress)
 {
     progress.check();
     const auto row = static_cast<std::int64_t>(decoder.jpeg.output_scanline);
@@ -206,9 +206,9 @@ bool finish(Decoder& decoder)
 Image readJpeg(const std::string& name, std::string_view bytes, const Progress& progress)
 {
     const JpegFacts facts = walkMarkers(bytes);
-    Decoder decoder;
+    JpegDecoder decoder;
     decoder.progress = &progress;
-    if (!begin(decoder, bytes)) refuse(decoder, bytes.size(), facts.header.height, progress);
+    if (!beginJpeg(decoder, bytes)) refuseJpeg(decoder, bytes.size(), facts.header.height, progress);
     if (decoder.jpeg.output_width != facts.header.width || decoder.jpeg.output_height != facts.header.height ||
         decoder.jpeg.output_components != 1)
         refuseFormat(0, LT_TEXT("Engine", "several frames"));
@@ -216,10 +216,10 @@ Image readJpeg(const std::string& name, std::string_view bytes, const Progress& 
     std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width));
     for (int y = 0; y < image.height; ++y) {
         if (y % 64 == 0) progress.report(double(y) / image.height);
-        if (!readRow(decoder, row.data())) refuse(decoder, bytes.size(), image.height, progress);
+        if (!readJpegRow(decoder, row.data())) refuseJpeg(decoder, bytes.size(), image.height, progress);
         putRow(image, y, row.data(), 1, false);
     }
-    if (!finish(decoder)) refuse(decoder, bytes.size(), image.height, progress);
+    if (!finishJpeg(decoder)) refuseJpeg(decoder, bytes.size(), image.height, progress);
     if (facts.has_profile) image.notes.push_back({notes::imageProfileIgnored, {{"path", name}}});
     applyOrientation(image, facts.orientation, name);
     return image;

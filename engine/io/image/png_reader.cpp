@@ -31,7 +31,7 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at)
     return result;
 }
 
-void readHeader(std::string_view data, std::size_t byte, std::size_t file_bytes, PngFacts& facts)
+void readPngHeader(std::string_view data, std::size_t byte, std::size_t file_bytes, PngFacts& facts)
 {
     if (data.size() != 13)
         throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(byte)},
@@ -61,7 +61,7 @@ PngFacts walkChunks(std::string_view bytes)
                 throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(at + 4)},
                                                 {"found", LT_TEXT("Engine", "another chunk")},
                                                 {"expected", LT_TEXT("Engine", "an IHDR chunk")}});
-            readHeader(data, at + 8, bytes.size(), facts);
+            readPngHeader(data, at + 8, bytes.size(), facts);
             has_header = true;
         }
         if (type == "iCCP") facts.has_profile = true;
@@ -78,7 +78,7 @@ PngFacts walkChunks(std::string_view bytes)
 }
 
 /// What libpng and its callbacks share. No destructor of it matters to longjmp.
-struct Decoder {
+struct PngDecoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
     const char* bytes = nullptr;
@@ -88,22 +88,22 @@ struct Decoder {
     bool ended = false;
     std::array<char, 120> message{};
 
-    Decoder() = default;
-    Decoder(const Decoder&) = delete;
-    Decoder& operator=(const Decoder&) = delete;
-    ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngDecoder() = default;
+    PngDecoder(const PngDecoder&) = delete;
+    PngDecoder& operator=(const PngDecoder&) = delete;
+    ~PngDecoder() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 
-[[noreturn]] void fail(png_structp png, png_const_charp message)
+[[noreturn]] void failPng(png_structp png, png_const_charp message)
 {
-    auto* decoder = static_cast<Decoder*>(png_get_error_ptr(png));
+    auto* decoder = static_cast<PngDecoder*>(png_get_error_ptr(png));
     std::strncpy(decoder->message.data(), message, decoder->message.size() - 1);
     png_longjmp(png, 1);
 }
 
-void give(png_structp png, png_bytep out, std::size_t count)
+void givePng(png_structp png, png_bytep out, std::size_t count)
 {
-    auto* decoder = static_cast<Decoder*>(png_get_io_ptr(png));
+    auto* decoder = static_cast<PngDecoder*>(png_get_io_ptr(png));
     if (count > decoder->size - decoder->at) {
         decoder->at = decoder->size;
         decoder->ended = true;
@@ -114,10 +114,10 @@ void give(png_structp png, png_bytep out, std::size_t count)
 }
 
 /// Up to the rows: true when they may be read as `channels` samples of one byte or two.
-bool begin(Decoder& decoder)
+bool beginPng(PngDecoder& decoder)
 {
     if (setjmp(png_jmpbuf(decoder.png))) return false;  // NOLINT(cert-err52-cpp): libpng leaves by longjmp only
-    png_set_read_fn(decoder.png, &decoder, give);
+    png_set_read_fn(decoder.png, &decoder, givePng);
     png_set_user_limits(decoder.png, mostImageSide_px, mostImageSide_px);
     png_set_chunk_malloc_max(decoder.png, png_alloc_size_t{8} << 20);
     png_set_keep_unknown_chunks(decoder.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // text, profiles, times…
@@ -130,21 +130,21 @@ bool begin(Decoder& decoder)
     return true;
 }
 
-bool readRow(Decoder& decoder, png_bytep row)
+bool readPngRow(PngDecoder& decoder, png_bytep row)
 {
     if (setjmp(png_jmpbuf(decoder.png))) return false;  // NOLINT(cert-err52-cpp)
     png_read_row(decoder.png, row, nullptr);
     return true;
 }
 
-bool finish(Decoder& decoder)
+bool finishPng(PngDecoder& decoder)
 {
     if (setjmp(png_jmpbuf(decoder.png))) return false;  // NOLINT(cert-err52-cpp)
     png_read_end(decoder.png, nullptr);
     return true;
 }
 
-[[noreturn]] void refuse(const Decoder& decoder, int rows)
+[[noreturn]] void refusePng(const PngDecoder& decoder, int rows)
 {
     const auto byte = static_cast<std::int64_t>(decoder.at);
     const std::int64_t row = decoder.row;
@@ -153,7 +153,7 @@ bool finish(Decoder& decoder)
     throw Error(errors::imageDamaged, {{"byte", byte}, {"row", row}, {"reason", std::string(decoder.message.data())}});
 }
 
-void readRows(Decoder& decoder, Image& image, const Progress& progress)
+void readPngRows(PngDecoder& decoder, Image& image, const Progress& progress)
 {
     const int channels = png_get_channels(decoder.png, decoder.info);
     const bool wide = png_get_bit_depth(decoder.png, decoder.info) == 16;
@@ -166,11 +166,11 @@ void readRows(Decoder& decoder, Image& image, const Progress& progress)
             if (row % 64 == 0) progress.report((pass + double(row) / image.height) / passes);
             decoder.row = row;
             png_byte* samples = buffer.data() + (interlaced ? static_cast<std::size_t>(row) * row_bytes : 0);
-            if (!readRow(decoder, samples)) refuse(decoder, image.height);
+            if (!readPngRow(decoder, samples)) refusePng(decoder, image.height);
             if (pass == passes - 1) putRow(image, row, samples, channels, wide);
         }
     decoder.row = image.height;
-    if (!finish(decoder)) refuse(decoder, image.height);
+    if (!finishPng(decoder)) refusePng(decoder, image.height);
 }
 
 }  // namespace
@@ -178,15 +178,15 @@ void readRows(Decoder& decoder, Image& image, const Progress& progress)
 Image readPng(const std::string& name, std::string_view bytes, const Progress& progress)
 {
     const PngFacts facts = walkChunks(bytes);
-    Decoder decoder;
+    PngDecoder decoder;
     decoder.bytes = bytes.data();
     decoder.size = bytes.size();
-    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, fail, fail);
+    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &decoder, failPng, failPng);
     decoder.info = decoder.png ? png_create_info_struct(decoder.png) : nullptr;
     if (!decoder.info) throw std::bad_alloc();
-    if (!begin(decoder)) refuse(decoder, static_cast<int>(facts.header.height));
+    if (!beginPng(decoder)) refusePng(decoder, static_cast<int>(facts.header.height));
     Image image = emptyImage("png", facts.header);
-    readRows(decoder, image, progress);
+    readPngRows(decoder, image, progress);
     if (facts.has_alpha) image.notes.push_back({notes::imageAlphaDropped, {{"path", name}}});
     if (facts.has_profile) image.notes.push_back({notes::imageProfileIgnored, {{"path", name}}});
     applyOrientation(image, facts.orientation, name);

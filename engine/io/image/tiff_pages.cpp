@@ -27,14 +27,14 @@ struct Numbers {
 };
 
 /// Sizes of the two kinds of file.
-struct Layout {
+struct TiffWidths {
     std::uint64_t count_bytes, entry_bytes, offset_bytes;
 };
-constexpr Layout classic{2, 12, 4};
-constexpr Layout big{8, 20, 8};
+constexpr TiffWidths classicWidths{2, 12, 4};
+constexpr TiffWidths bigWidths{8, 20, 8};
 
 /// The first value of an entry: a short, a long or a long of 8 bytes; several shorts may stand elsewhere.
-std::uint64_t valueOf(const Numbers& numbers, const Layout& layout, std::uint64_t entry)
+std::uint64_t valueOf(const Numbers& numbers, const TiffWidths& layout, std::uint64_t entry)
 {
     const std::uint64_t type = numbers.at(entry + 2, 2);
     const std::uint64_t size = type == 1 ? 1 : type == 3 ? 2 : type == 16 ? 8 : 4;
@@ -44,7 +44,7 @@ std::uint64_t valueOf(const Numbers& numbers, const Layout& layout, std::uint64_
     return numbers.at(elsewhere ? numbers.at(place, layout.offset_bytes) : place, size);
 }
 
-std::uint64_t tagsAt(const Numbers& numbers, const Layout& layout, std::uint64_t directory)
+std::uint64_t tagsAt(const Numbers& numbers, const TiffWidths& layout, std::uint64_t directory)
 {
     const std::uint64_t tags = numbers.at(directory, layout.count_bytes);
     if (tags == 0 || tags > mostTiffTags)
@@ -54,7 +54,7 @@ std::uint64_t tagsAt(const Numbers& numbers, const Layout& layout, std::uint64_t
     return tags;
 }
 
-void readSizes(const Numbers& numbers, const Layout& layout, std::uint64_t directory, std::uint64_t tags,
+void readSizes(const Numbers& numbers, const TiffWidths& layout, std::uint64_t directory, std::uint64_t tags,
                TiffPages& pages)
 {
     constexpr std::uint64_t largest = std::uint64_t{1} << 40;  // beyond every limit, far from overflow
@@ -86,7 +86,7 @@ TiffPages walkTiff(std::string_view bytes)
 {
     const Numbers numbers{bytes, bytes.starts_with("II")};
     const bool is_big = numbers.at(2, 2) == 43;
-    const Layout& layout = is_big ? big : classic;
+    const TiffWidths& layout = is_big ? bigWidths : classicWidths;
     TiffPages pages;
     std::uint64_t directory = numbers.at(is_big ? 8 : 4, layout.offset_bytes);
     pages.byte = directory;

@@ -31,7 +31,7 @@ Source& sourceOf(thandle_t handle)
     return *static_cast<Source*>(handle);
 }
 
-tmsize_t give(thandle_t handle, void* out, tmsize_t count)
+tmsize_t giveTiff(thandle_t handle, void* out, tmsize_t count)
 {
     Source& source = sourceOf(handle);
     const std::uint64_t there = source.at < source.bytes.size() ? source.bytes.size() - source.at : 0;
@@ -85,13 +85,13 @@ Tiff open(Source& source)
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), onWarning, &source);
     // m: no mapping. h: the first directory only, read at once.
     return Tiff(TIFFClientOpenExt(
-        "picture", "rm", &source, give, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek,
+        "picture", "rm", &source, giveTiff, [](thandle_t, void*, tmsize_t) -> tmsize_t { return 0; }, seek,
         [](thandle_t) { return 0; }, [](thandle_t handle) -> toff_t { return sourceOf(handle).bytes.size(); }, nullptr,
         nullptr, options.get()));
 }
 
 /// What the directory says of the samples.
-struct Layout {
+struct SampleLayout {
     std::uint16_t bits = 1, samples = 1, photometric = 0, planar = PLANARCONFIG_CONTIG, format = SAMPLEFORMAT_UINT;
     std::uint16_t compression = COMPRESSION_NONE, orientation = 1;
     std::array<std::uint16_t*, 3> palette{};
@@ -100,9 +100,9 @@ struct Layout {
     int colours() const { return photometric == PHOTOMETRIC_RGB ? 3 : 1; }
 };
 
-Layout layoutOf(TIFF* tiff)
+SampleLayout layoutOf(TIFF* tiff)
 {
-    Layout layout;
+    SampleLayout layout;
     TIFFGetFieldDefaulted(tiff, TIFFTAG_BITSPERSAMPLE, &layout.bits);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_SAMPLESPERPIXEL, &layout.samples);
     TIFFGetFieldDefaulted(tiff, TIFFTAG_PLANARCONFIG, &layout.planar);
@@ -120,7 +120,7 @@ Layout layoutOf(TIFF* tiff)
     return layout;
 }
 
-void checkLayout(const Layout& layout, std::size_t byte)
+void checkLayout(const SampleLayout& layout, std::size_t byte)
 {
     const auto refuse = [byte](Text found) {
         throw Error(errors::imageUnsupported,
@@ -153,7 +153,7 @@ void checkLayout(const Layout& layout, std::size_t byte)
 /// Adds samples of one colour, or of all, to a part of the picture.
 class Painter {
 public:
-    Painter(Image& image, const Layout& layout) : image_(image), layout_(layout) {}
+    Painter(Image& image, const SampleLayout& layout) : image_(image), layout_(layout) {}
 
     /// A block of `across` × `down` pixels at (x, y), `stride_bytes` from row to row; `plane`: its colour where each
     /// has a plane of its own, else -1.
@@ -192,10 +192,10 @@ private:
     }
 
     Image& image_;
-    const Layout& layout_;
+    const SampleLayout& layout_;
 };
 
-[[noreturn]] void refuse(const Source& source, int row, int rows)
+[[noreturn]] void refuseTiff(const Source& source, int row, int rows)
 {
     const auto byte = static_cast<std::int64_t>(std::min<std::uint64_t>(source.at, source.bytes.size()));
     if (source.ended)
@@ -241,7 +241,7 @@ Blocks blocksOf(TIFF* tiff, const Image& image, std::size_t byte)
     return blocks;
 }
 
-void readBlocks(TIFF* tiff, Source& source, const Layout& layout, std::size_t byte, Image& image,
+void readBlocks(TIFF* tiff, Source& source, const SampleLayout& layout, std::size_t byte, Image& image,
                 const Progress& progress)
 {
     const Blocks blocks = blocksOf(tiff, image, byte);
@@ -263,7 +263,7 @@ void readBlocks(TIFF* tiff, Source& source, const Layout& layout, std::size_t by
                                         : static_cast<tmsize_t>(blocks.row_bytes * static_cast<unsigned>(rows));
                 const tmsize_t got = blocks.tiled ? TIFFReadEncodedTile(tiff, index, buffer.data(), wanted)
                                                   : TIFFReadEncodedStrip(tiff, index, buffer.data(), wanted);
-                if (got != wanted || source.failed()) refuse(source, y, image.height);
+                if (got != wanted || source.failed()) refuseTiff(source, y, image.height);
                 painter.put(buffer.data(), blocks.row_bytes, x, y, across, rows, planes > 1 ? plane : -1);
             }
         }
@@ -278,10 +278,10 @@ Image readTiff(const std::string& name, std::string_view bytes, const Progress& 
     Source source{bytes};
     const Tiff tiff = open(source);
     const int rows = static_cast<int>(pages.header.height);
-    if (!tiff) refuse(source, 0, rows);
-    const Layout layout = layoutOf(tiff.get());
+    if (!tiff) refuseTiff(source, 0, rows);
+    const SampleLayout layout = layoutOf(tiff.get());
     checkLayout(layout, pages.byte);
-    if (source.failed()) refuse(source, 0, rows);
+    if (source.failed()) refuseTiff(source, 0, rows);
     std::uint32_t width = 0, height = 0;
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);

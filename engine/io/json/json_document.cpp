@@ -6,11 +6,6 @@
 #include "engine/io/io_codes.h"
 
 namespace lathelier::io {
-namespace {
-
-constexpr std::size_t mostMembers = 1000;
-
-}  // namespace
 
 void JsonCursor::reject(Value expected) const
 {
@@ -107,7 +102,7 @@ Value JsonCursor::value() const
 Values JsonCursor::values() const
 {
     Values result;
-    members(mostMembers,
+    members(mostJsonMembers,
             [&result](const std::string& name, const JsonCursor& member) { set(result, name, member.value()); });
     return result;
 }

@@ -1,6 +1,7 @@
 // A JSON document whose values know their place: whatever does not fit is refused with line and column.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -12,6 +13,9 @@
 namespace lathelier::io {
 
 class JsonDocument;
+
+/// Of one object.
+inline constexpr std::size_t mostJsonMembers = 1000;
 
 /// A value of a document together with the way to it. Lives no longer than the document.
 class JsonCursor {
@@ -40,7 +44,7 @@ public:
 
     /// The value here as one Value. Error malformed for what has none: objects, mixed lists, more than 10 000 items.
     Value value() const;
-    /// The members of the object here, at most 1000.
+    /// The members of the object here, at most mostJsonMembers.
     Values values() const;
 
 private:

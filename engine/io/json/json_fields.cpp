@@ -9,8 +9,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t mostMembers = 1000;
-constexpr std::size_t mostRows = 100000;
+constexpr std::size_t mostListRows = 100000;
 
 /// Reads one object, and those within it, into values by flat keys.
 class FieldReader {
@@ -56,7 +55,7 @@ private:
 
     void readMembers(const JsonCursor& object, const std::string& prefix, const std::vector<std::string>& others)
     {
-        object.members(mostMembers, [&](const std::string& name, const JsonCursor& member) {
+        object.members(mostJsonMembers, [&](const std::string& name, const JsonCursor& member) {
             const std::string key = prefix + name;
             const auto info =
                 std::find_if(fields_.begin(), fields_.end(), [&key](const FieldInfo& one) { return one.key == key; });
@@ -112,7 +111,7 @@ private:
             case FieldInfo::Kind::Rows: break;
         }
         Rows rows;
-        member.items(mostRows, [&](const JsonCursor& item) {
+        member.items(mostListRows, [&](const JsonCursor& item) {
             FieldReader reader(info.columns, notes_);
             rows.rows.push_back({item.isList() ? reader.readList(item) : reader.read(item, {})});
         });

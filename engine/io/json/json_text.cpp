@@ -26,7 +26,7 @@ JsonPlace placeOfByte(std::string_view text, std::size_t byte)
     return place;
 }
 
-Error malformed(std::string_view text, std::size_t byte, Value expected)
+Error malformedJson(std::string_view text, std::size_t byte, Value expected)
 {
     byte = std::min(byte, text.size());
     const JsonPlace place = placeOfByte(text, byte);
@@ -161,10 +161,10 @@ std::size_t findTooDeep(std::string_view text)
 Json parseJson(std::string_view text)
 {
     if (const std::size_t byte = findTooDeep(text); byte != std::string_view::npos)
-        throw malformed(text, byte, LT_TEXT("Engine", "at most 32 levels of nesting"));
+        throw malformedJson(text, byte, LT_TEXT("Engine", "at most 32 levels of nesting"));
     Listener listener;
     if (!Json::sax_parse(text, &listener))
-        throw malformed(text, listener.mistake > 0 ? listener.mistake - 1 : 0, LT_TEXT("Engine", "JSON"));
+        throw malformedJson(text, listener.mistake > 0 ? listener.mistake - 1 : 0, LT_TEXT("Engine", "JSON"));
     return Json::parse(text);
 }
 
@@ -175,7 +175,7 @@ JsonPlace placeOf(std::string_view text, const JsonPath& path)
 
 Error misfit(std::string_view text, const JsonPath& path, Value expected)
 {
-    return malformed(text, Walker(text).find(path), std::move(expected));
+    return malformedJson(text, Walker(text).find(path), std::move(expected));
 }
 
 }  // namespace lathelier::io

@@ -13,7 +13,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t framesPerTask = 1 << 16;
 
 /// Full scale of the recorders that are known, at gain 1.
 struct Device {
@@ -76,7 +76,7 @@ double skewOf(const LGraphHeader& header, Notes& notes)
     return skew_ms / 1000;
 }
 
-void checkSize(const LGraphHeader& header, std::string_view dat, const std::string& datName)
+void checkDatSize(const LGraphHeader& header, std::string_view dat, const std::string& datName)
 {
     const auto channels = static_cast<std::int64_t>(header.channels.size());
     const auto found = static_cast<std::int64_t>(dat.size() / 2);
@@ -109,7 +109,7 @@ std::vector<ProbeChannel> takeChannels(const LGraphHeader& header, std::string_v
         channels[k].values.resize(frames);
         scales[k] = volts.value_or(1) / channels[k].gain;
     }
-    parallelFor(frames, grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(frames, framesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
             for (std::size_t k = 0; k < count; ++k) {
                 std::int16_t code = 0;
@@ -124,7 +124,7 @@ ProbeFile readPair(const std::string& name, std::string_view par, std::string_vi
                    const RecorderOptions& options, const Progress& progress)
 {
     const LGraphHeader header = readLGraphHeader(par);
-    checkSize(header, dat, datName);
+    checkDatSize(header, dat, datName);
     ProbeFile file;
     ProbeRecord record;
     record.name = name.substr(name.find_last_of('/') + 1);

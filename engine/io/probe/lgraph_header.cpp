@@ -32,14 +32,14 @@ constexpr Signature signatures[] = {
 struct Offsets {
     std::size_t frames, samples, total, converter, delay, channelRate, active, gains;
 };
-constexpr Offsets narrow = {67, 71, 75, 83, 87, 91, 95, 159};
-constexpr Offsets wide = {67, 75, 83, 93, 101, 109, 117, 277};
+constexpr Offsets narrowOffsets = {67, 71, 75, 83, 87, 91, 95, 159};
+constexpr Offsets wideOffsets = {67, 75, 83, 93, 101, 109, 117, 277};
 constexpr std::size_t channelsAt = 65;
 constexpr std::size_t secondFramesAt = 227;  ///< of L-Graph II
 constexpr std::size_t segmentsAt = 17131;
 
 template <class T>
-T valueAt(std::string_view bytes, std::size_t offset)
+T lgraphValueAt(std::string_view bytes, std::size_t offset)
 {
     T value{};
     std::memcpy(&value, bytes.data() + offset, sizeof(T));
@@ -49,8 +49,8 @@ T valueAt(std::string_view bytes, std::size_t offset)
 /// An 80-bit x87 number: 64 bits of mantissa, 15 of exponent, sign.
 double extendedAt(std::string_view bytes, std::size_t offset)
 {
-    const auto mantissa = valueAt<std::uint64_t>(bytes, offset);
-    const auto top = valueAt<std::uint16_t>(bytes, offset + 8);
+    const auto mantissa = lgraphValueAt<std::uint64_t>(bytes, offset);
+    const auto top = lgraphValueAt<std::uint16_t>(bytes, offset + 8);
     const int exponent = (top & 0x7FFF) - 16383 - 63;
     const double size = (top & 0x7FFF) == 0x7FFF ? std::nan("") : std::ldexp(static_cast<double>(mantissa), exponent);
     return (top & 0x8000) != 0 ? -size : size;
@@ -92,37 +92,37 @@ double positive(double value, Text check, std::size_t offset)
 
 void readNarrow(std::string_view par, LGraphHeader& header, std::int64_t& samples)
 {
-    header.frames = valueAt<std::int32_t>(par, narrow.frames);
-    samples = valueAt<std::int32_t>(par, narrow.samples);
-    header.total_s = valueAt<double>(par, narrow.total);
-    header.converter_kHz = static_cast<double>(valueAt<float>(par, narrow.converter));
-    header.delay_ms = static_cast<double>(valueAt<float>(par, narrow.delay));
-    header.channel_kHz = static_cast<double>(valueAt<float>(par, narrow.channelRate));
+    header.frames = lgraphValueAt<std::int32_t>(par, narrowOffsets.frames);
+    samples = lgraphValueAt<std::int32_t>(par, narrowOffsets.samples);
+    header.total_s = lgraphValueAt<double>(par, narrowOffsets.total);
+    header.converter_kHz = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.converter));
+    header.delay_ms = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.delay));
+    header.channel_kHz = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.channelRate));
 }
 
 void readWide(std::string_view par, LGraphHeader& header, std::int64_t& samples)
 {
-    header.frames = valueAt<std::int64_t>(par, wide.frames);
-    samples = valueAt<std::int64_t>(par, wide.samples);
-    header.total_s = extendedAt(par, wide.total);
-    header.converter_kHz = valueAt<double>(par, wide.converter);
-    header.delay_ms = valueAt<double>(par, wide.delay);
-    header.channel_kHz = valueAt<double>(par, wide.channelRate);
+    header.frames = lgraphValueAt<std::int64_t>(par, wideOffsets.frames);
+    samples = lgraphValueAt<std::int64_t>(par, wideOffsets.samples);
+    header.total_s = extendedAt(par, wideOffsets.total);
+    header.converter_kHz = lgraphValueAt<double>(par, wideOffsets.converter);
+    header.delay_ms = lgraphValueAt<double>(par, wideOffsets.delay);
+    header.channel_kHz = lgraphValueAt<double>(par, wideOffsets.channelRate);
 }
 
 /// The channels whose flag is set, in ascending order; as many as the header says.
 void readChannels(std::string_view par, const Offsets& offsets, LGraphHeader& header)
 {
-    const int count = valueAt<std::int16_t>(par, channelsAt);
+    const int count = lgraphValueAt<std::int16_t>(par, channelsAt);
     if (count < 1 || count > mostChannels)
         throw recordContradicts(LT_TEXT("Engine", "number of channels"), byteOf(channelsAt), std::int64_t{count},
                                 LT_TEXT("Engine", "1 to 32"));
     const bool areWide = header.version == LGraphVersion::After2008;
     for (std::size_t k = 0; k < mostChannels; ++k) {
-        const bool active = areWide ? valueAt<std::int32_t>(par, offsets.active + 4 * k) != 0
-                                    : valueAt<std::uint8_t>(par, offsets.active + k) != 0;
+        const bool active = areWide ? lgraphValueAt<std::int32_t>(par, offsets.active + 4 * k) != 0
+                                    : lgraphValueAt<std::uint8_t>(par, offsets.active + k) != 0;
         if (!active) continue;
-        const auto code = valueAt<std::uint8_t>(par, offsets.gains + k);
+        const auto code = lgraphValueAt<std::uint8_t>(par, offsets.gains + k);
         if (code > 3)
             throw recordContradicts(LT_TEXT("Engine", "gain code"), byteOf(offsets.gains + k), std::int64_t{code},
                                     LT_TEXT("Engine", "0 to 3"));
@@ -143,7 +143,7 @@ void checkCounts(std::string_view par, const Offsets& offsets, std::int64_t samp
         throw recordContradicts(LT_TEXT("Engine", "samples = frames × channels"), byteOf(offsets.samples), samples,
                                 static_cast<double>(header.frames) * static_cast<double>(channels));
     if (header.version != LGraphVersion::Two) return;
-    const auto again = valueAt<std::int64_t>(par, secondFramesAt);
+    const auto again = lgraphValueAt<std::int64_t>(par, secondFramesAt);
     if (again != header.frames)
         throw recordContradicts(LT_TEXT("Engine", "frames, stated twice"), byteOf(secondFramesAt), again,
                                 header.frames);
@@ -207,7 +207,7 @@ LGraphHeader readLGraphHeader(std::string_view par)
     header.device = fieldText(par, 20, 17);
     header.recorded = fieldText(par, 37, 26);
     const bool isWide = header.version == LGraphVersion::After2008;
-    const Offsets& offsets = isWide ? wide : narrow;
+    const Offsets& offsets = isWide ? wideOffsets : narrowOffsets;
     readChannels(par, offsets, header);
     std::int64_t samples = 0;
     (isWide ? readWide : readNarrow)(par, header, samples);
@@ -215,7 +215,7 @@ LGraphHeader readLGraphHeader(std::string_view par)
     positive(header.channel_kHz, LT_TEXT("Engine", "rate per channel"), offsets.channelRate);
     positive(header.total_s, LT_TEXT("Engine", "total time"), offsets.total);
     checkTimes(offsets, header);
-    if (header.version == LGraphVersion::Two) header.segments = valueAt<std::int32_t>(par, segmentsAt);
+    if (header.version == LGraphVersion::Two) header.segments = lgraphValueAt<std::int32_t>(par, segmentsAt);
     return header;
 }
 

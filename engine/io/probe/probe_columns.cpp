@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "engine/io/text/text_lines.h"
 #include "engine/io/text/units.h"
 
 namespace lathelier::io {
 namespace {
-
-bool isOneOf(const std::string& word, std::initializer_list<const char*> words)
-{
-    return std::any_of(words.begin(), words.end(), [&word](const char* known) { return word == known; });
-}
 
 bool isTimeName(const std::string& plain)
 {

@@ -16,7 +16,7 @@ namespace {
 
 using Role = ProbeColumn::Role;
 
-constexpr Text expectedKind = LT_TEXT("Engine", "a probe record as text");
+constexpr Text expectedRecord = LT_TEXT("Engine", "a probe record as text");
 
 bool isAveraged(const std::vector<ProbeColumn>& columns)
 {
@@ -45,12 +45,13 @@ bool isForeignTable(const std::vector<ProbeColumn>& columns)
 
 [[noreturn]] void throwNoRecord(const TableLayout& layout, Text found)
 {
-    throw Error(errors::formatUnknown,
-                {{"line", layout.bodyLine}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedKind}});
+    throw Error(
+        errors::formatUnknown,
+        {{"line", layout.bodyLine}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedRecord}});
 }
 
-void readValues(std::string_view text, bool averaged, const std::function<void(std::size_t)>& parsed,
-                const Progress& progress, ProbeTable& table)
+void readRecordValues(std::string_view text, bool averaged, const std::function<void(std::size_t)>& parsed,
+                      const Progress& progress, ProbeTable& table)
 {
     std::vector<WantedColumn> wanted;
     for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -92,8 +93,8 @@ std::string channelList(const ProbeRecord& record)
     return list;
 }
 
-ProbeFile readTable(const std::string& name, const DecodedText& text, const ImportOptions& options,
-                    const std::function<void(std::size_t)>& parsed, const Progress& progress)
+ProbeFile readRecordTable(const std::string& name, const DecodedText& text, const ImportOptions& options,
+                          const std::function<void(std::size_t)>& parsed, const Progress& progress)
 {
     ProbeFile file;
     ProbeTable table{name, findLayout(text.view(), probeExpectation(), options), {}, {}, {}, {}, {}, options};
@@ -102,7 +103,7 @@ ProbeFile readTable(const std::string& name, const DecodedText& text, const Impo
     const bool averaged = isAveraged(table.columns);
     if (!hasProbeNames(table.layout) && isForeignTable(table.columns))
         throwNoRecord(table.layout, LT_TEXT("Engine", "coordinates"));
-    readValues(text.view(), averaged, parsed, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), table);
+    readRecordValues(text.view(), averaged, parsed, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), table);
     if (table.rows.rows == 0) throw Error(errors::noPoints, {});
     describeTable(table.layout, table.rows, text.encoding(), file.facts, file.notes);
     const auto rows = static_cast<std::int64_t>(table.rows.rows);
@@ -170,13 +171,14 @@ ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const 
                          const Progress& progress, const std::function<void(std::size_t)>& parsed)
 {
     try {
-        const DecodedText text = readableTable(name, bytes, options.encoding, expectedKind, progress);
+        const DecodedText text = readableTable(name, bytes, options.encoding, expectedRecord, progress);
         // Where the text is the file itself, what was read of it is not needed any more.
         const char* const begin = text.view().data();
         const bool isFile = begin >= bytes.data() && begin < bytes.data() + bytes.size();
         const std::size_t mark = isFile ? static_cast<std::size_t>(begin - bytes.data()) : 0;
         const auto inFile = [&](std::size_t offset) { parsed(mark + offset); };
-        return readTable(name, text, options, parsed && isFile ? inFile : std::function<void(std::size_t)>(), progress);
+        return readRecordTable(name, text, options, parsed && isFile ? inFile : std::function<void(std::size_t)>(),
+                               progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;
@@ -186,7 +188,7 @@ ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const 
 bool isProbeTable(std::string_view bytes, const ImportOptions& options)
 {
     try {
-        const DecodedText text = readableTable({}, bytes.substr(0, headForKind), options.encoding, expectedKind, {});
+        const DecodedText text = readableTable({}, bytes.substr(0, headForKind), options.encoding, expectedRecord, {});
         return hasProbeNames(findLayout(text.view(), probeExpectation(), options));
     } catch (const Error&) {
         return false;

@@ -14,16 +14,16 @@ using Kind = QuantityUnit::Kind;
 using Role = ProbeColumn::Role;
 
 constexpr std::size_t mostSections = 10000;
-constexpr int none = -1;
+constexpr int noColumn = -1;
 
 /// The columns of one section's curves and how to bring them to µm or degrees.
 struct Curve {
     std::vector<double> AveragedSection::*member;
-    int column = none;
+    int column = noColumn;
     double scale = 1;
 };
 
-[[noreturn]] void throwColumns(const ProbeTable& table, Text expected)
+[[noreturn]] void throwRecordColumns(const ProbeTable& table, Text expected)
 {
     throw Error(errors::columnsUnknown, {{"line", table.layout.bodyLine},
                                          {"column", std::int64_t{1}},
@@ -35,14 +35,14 @@ int columnOf(const ProbeTable& table, std::string_view plain)
 {
     for (std::size_t k = 0; k < table.width(); ++k)
         if (plainName(table.column(k).name) == plain) return static_cast<int>(k);
-    return none;
+    return noColumn;
 }
 
 int columnOf(const ProbeTable& table, Role role)
 {
     for (std::size_t k = 0; k < table.width(); ++k)
         if (table.column(k).role == role) return static_cast<int>(k);
-    return none;
+    return noColumn;
 }
 
 /// µm per unit of a displacement.
@@ -50,7 +50,8 @@ double micrometresPer(const ProbeTable& table, int k)
 {
     std::optional<QuantityUnit> unit = table.column(static_cast<std::size_t>(k)).unit;
     if (!unit) unit = displacementUnit(table);
-    if (unit && unit->kind != Kind::Length) throwColumns(table, LT_TEXT("Engine", "displacements in units of length"));
+    if (unit && unit->kind != Kind::Length)
+        throwRecordColumns(table, LT_TEXT("Engine", "displacements in units of length"));
     if (!unit) {
         double largest = 0;
         for (std::size_t i = 0; i < table.rows.rows; ++i)
@@ -66,8 +67,8 @@ std::vector<Curve> findCurves(const ProbeTable& table)
     std::vector<Curve> curves;
     const auto add = [&](std::vector<double> S::*member, const char* name, bool isNeeded) {
         const int k = columnOf(table, name);
-        if (k == none && isNeeded) throwColumns(table, LT_TEXT("Engine", "columns named X3, Y3, Xp and Yp"));
-        if (k != none) curves.push_back({member, k, micrometresPer(table, k)});
+        if (k == noColumn && isNeeded) throwRecordColumns(table, LT_TEXT("Engine", "columns named X3, Y3, Xp and Yp"));
+        if (k != noColumn) curves.push_back({member, k, micrometresPer(table, k)});
     };
     add(&S::X3_um, "x3", true);
     add(&S::Y3_um, "y3", true);
@@ -97,7 +98,7 @@ AveragedRecord toAveragedRecord(const ProbeTable& table, const Progress& progres
     const std::vector<Curve> curves = findCurves(table);
     const auto sectionColumn = static_cast<std::size_t>(columnOf(table, Role::Section));
     const int z = columnOf(table, Role::Position);
-    const double z_mm = z == none ? 1 : millimetresPer(table, z);
+    const double z_mm = z == noColumn ? 1 : millimetresPer(table, z);
     AveragedRecord record;
     record.name = table.name.substr(table.name.find_last_of('/') + 1);
     record.header = table.header;
@@ -114,7 +115,7 @@ AveragedRecord toAveragedRecord(const ProbeTable& table, const Progress& progres
             record.sections.emplace_back().section = place->first;
         }
         AveragedSection& section = record.sections[place->second];
-        if (z != none) {
+        if (z != noColumn) {
             const double position_mm = table.at(i, static_cast<std::size_t>(z)) * z_mm;
             if (!isNew && section.z_mm != position_mm)
                 throw malformedRow(table, i, static_cast<std::size_t>(z), LT_TEXT("Engine", "one z for a section"));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/probe/probe_table.h"
 #include "engine/io/table/table_facts.h"
@@ -14,8 +15,8 @@ namespace {
 using Kind = QuantityUnit::Kind;
 using Role = ProbeColumn::Role;
 
-constexpr std::size_t grain = 1 << 13;  ///< rows: a block of them stays in the cache
-constexpr double irregularShare = 0.1;  ///< of a time step
+constexpr std::size_t rowsPerTask = 1 << 13;  ///< rows: a block of them stays in the cache
+constexpr double irregularShare = 0.1;        ///< of a time step
 
 /// The unit of a channel and what its values are multiplied by. Millimetres stay as they are; other lengths are told in
 /// µm, for displacements are that small.
@@ -68,7 +69,7 @@ void scaleChannels(std::vector<Taken>& channels, Notes& notes, const Progress& p
     for (Taken& taken : channels) {
         std::vector<double>& values = taken.channel.values;
         const std::int64_t missing = parallelReduce(
-            values.size(), grain, progress, std::int64_t{0},
+            values.size(), rowsPerTask, progress, std::int64_t{0},
             [&](std::size_t begin, std::size_t end) {
                 std::int64_t count = 0;
                 for (std::size_t i = begin; i < end; ++i) {
@@ -115,9 +116,7 @@ double medianStep(const std::vector<double>& times)
     const std::size_t stride = (times.size() - 1) / 1'000'000 + 1;
     std::vector<double> some;
     for (std::size_t i = 1; i < times.size(); i += stride) some.push_back(times[i] - times[i - 1]);
-    const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
-    std::nth_element(some.begin(), middle, some.end());
-    return *middle;
+    return upperMedianInPlace(some);
 }
 
 /// Sets times and rate from column `k`.
@@ -132,7 +131,7 @@ void takeTimes(ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& not
     double farthest = 0;
     const auto step = [&written](std::size_t i) { return written[i] - written[i - 1]; };
     for (std::size_t i = 1; i < count; ++i) {
-        if (i % grain == 0) progress.check();
+        if (i % rowsPerTask == 0) progress.check();
         if (step(i) < 0) throw malformedRow(table, i, k, LT_TEXT("Engine", "a later time than in the row before"));
         farthest = std::max(farthest, std::abs(written[i] - (written.front() + static_cast<double>(i) * mean)));
     }

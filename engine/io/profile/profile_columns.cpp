@@ -9,37 +9,33 @@
 #include "engine/io/probe/probe_columns.h"
 #include "engine/io/table/column_names.h"
 #include "engine/io/text/quantity.h"
+#include "engine/io/text/text_lines.h"
 
 namespace lathelier::io {
 namespace {
 
 using Shape = ProfileColumnChoice::Shape;
 
-enum class Role { Unknown, X, Y, Z, Angle, Radius, Deviation, Other };
+enum class ProfileRole { Unknown, X, Y, Z, Angle, Radius, Deviation, Other };
 
-Role roleOf(const std::string& core)
+ProfileRole profileRoleOf(const std::string& core)
 {
-    const auto isOneOf = [&core](std::initializer_list<const char*> words) {
-        for (const char* word : words)
-            if (core == word) return true;
-        return false;
-    };
-    if (isOneOf({"x", "px", "posx", "positionx", "xpos", "xcoordinate", "xkoordinate"})) return Role::X;
-    if (isOneOf({"y", "py", "posy", "positiony", "ypos", "ycoordinate", "ykoordinate"})) return Role::Y;
-    if (isOneOf({"z", "pz", "posz", "positionz", "zpos", "zcoordinate", "height"})) return Role::Z;
-    if (isOneOf(
-            {"angle", "theta", "phi", "fi", "azimuth", "winkel", "kąt", "kat", "angolo", "угол", "θ", "φ", "angular"}))
-        return Role::Angle;
+    if (isOneOf(core, {"x", "px", "posx", "positionx", "xpos", "xcoordinate", "xkoordinate"})) return ProfileRole::X;
+    if (isOneOf(core, {"y", "py", "posy", "positiony", "ypos", "ycoordinate", "ykoordinate"})) return ProfileRole::Y;
+    if (isOneOf(core, {"z", "pz", "posz", "positionz", "zpos", "zcoordinate", "height"})) return ProfileRole::Z;
+    if (isOneOf(core, {"angle", "theta", "phi", "fi", "azimuth", "winkel", "kąt", "kat", "angolo", "угол", "θ", "φ",
+                       "angular"}))
+        return ProfileRole::Angle;
     // A distance or a reading may be a radius or a deviation: its values tell.
-    if (isOneOf({"r", "radius", "rho", "promień", "promien", "raggio", "радиус", "ρ", "distance", "dist", "abstand",
-                 "reading", "readings", "messwert", "odczyt", "odległość"}))
-        return Role::Radius;
-    if (isOneOf({"deviation", "deviations", "dev", "dr", "deltar", "δr", "abweichung", "odchyłka", "odchylka",
-                 "scostamento", "error", "form", "roundness", "displacement", "trace"}))
-        return Role::Deviation;
-    if (isIndexName(core) || isOneOf({"label", "quality", "weight", "t", "time", "section", "used"}))
-        return Role::Other;
-    return Role::Unknown;
+    if (isOneOf(core, {"r", "radius", "rho", "promień", "promien", "raggio", "радиус", "ρ", "distance", "dist",
+                       "abstand", "reading", "readings", "messwert", "odczyt", "odległość"}))
+        return ProfileRole::Radius;
+    if (isOneOf(core, {"deviation", "deviations", "dev", "dr", "deltar", "δr", "abweichung", "odchyłka", "odchylka",
+                       "scostamento", "error", "form", "roundness", "displacement", "trace"}))
+        return ProfileRole::Deviation;
+    if (isIndexName(core) || isOneOf(core, {"label", "quality", "weight", "t", "time", "section", "used"}))
+        return ProfileRole::Other;
+    return ProfileRole::Unknown;
 }
 
 /// The name of a heading, and the same without a number at its end: "angle2" is a further "angle".
@@ -54,7 +50,7 @@ Core coreOf(const std::string& heading)
     return {name, name.substr(0, name.find_last_not_of("0123456789") + 1)};
 }
 
-[[noreturn]] void throwColumns(const TableLayout& layout, Text expected)
+[[noreturn]] void throwProfileColumns(const TableLayout& layout, Text expected)
 {
     throw Error(errors::columnsUnknown, {{"line", layout.bodyLine},
                                          {"column", std::int64_t{1}},
@@ -63,31 +59,31 @@ Core coreOf(const std::string& heading)
 }
 
 /// The columns by what their names say.
-class Named {
+class NamedColumns {
 public:
-    explicit Named(const TableLayout& layout) : layout_(layout)
+    explicit NamedColumns(const TableLayout& layout) : layout_(layout)
     {
         for (std::size_t k = 0; k < layout.columns.size(); ++k) {
             if (!layout.columns[k].isNumber) continue;
             const Core core = coreOf(layout.columns[k].heading);
-            const Role role = roleOf(core.name);
-            const Role further = roleOf(core.stem);
-            if (role == Role::Unknown && !core.stem.empty() && further != Role::Unknown)
+            const ProfileRole role = profileRoleOf(core.name);
+            const ProfileRole further = profileRoleOf(core.stem);
+            if (role == ProfileRole::Unknown && !core.stem.empty() && further != ProfileRole::Unknown)
                 numbered_[static_cast<std::size_t>(further)].push_back(k);
             else
                 exact_[static_cast<std::size_t>(role)].push_back(k);
         }
-        std::vector<std::size_t>& free = exact_[static_cast<std::size_t>(Role::Unknown)];
+        std::vector<std::size_t>& free = exact_[static_cast<std::size_t>(ProfileRole::Unknown)];
         // A row number in front of values with decimal marks.
         if (free.size() > 1 && layout.columns[free[0]].isCount && layout.columns[free[0]].name.empty() &&
             layout.columns[free[1]].hasMarks)
             free.erase(free.begin());
     }
 
-    bool has(Role role) const { return !exact_[at(role)].empty() || !numbered_[at(role)].empty(); }
+    bool has(ProfileRole role) const { return !exact_[at(role)].empty() || !numbered_[at(role)].empty(); }
 
     /// The one column of a role. Error columnsAmbiguous when there are several.
-    std::size_t one(Role role, Text meaning) const
+    std::size_t one(ProfileRole role, Text meaning) const
     {
         const std::vector<std::size_t>& columns = exact_[at(role)].empty() ? numbered_[at(role)] : exact_[at(role)];
         if (columns.size() > 1) throwAmbiguous(layout_, columns, meaning);
@@ -95,13 +91,13 @@ public:
     }
 
     /// Columns of numbers whose names say nothing.
-    const std::vector<std::size_t>& free() const { return exact_[at(Role::Unknown)]; }
+    const std::vector<std::size_t>& free() const { return exact_[at(ProfileRole::Unknown)]; }
 
     /// The free columns are named, and no coordinates.
     bool freeSayElse() const { return saySomethingElse(layout_, free()); }
 
 private:
-    static std::size_t at(Role role) { return static_cast<std::size_t>(role); }
+    static std::size_t at(ProfileRole role) { return static_cast<std::size_t>(role); }
 
     const TableLayout& layout_;
     std::array<std::vector<std::size_t>, 8> exact_;
@@ -129,76 +125,79 @@ ProfileColumnChoice pickPolar(const TableLayout& layout, std::size_t angle, std:
     return choice;
 }
 
-std::size_t xOf(const Named& named)
+std::size_t xOf(const NamedColumns& named)
 {
-    return named.one(Role::X, LT_TEXT("Engine", "x"));
+    return named.one(ProfileRole::X, LT_TEXT("Engine", "x"));
 }
-std::size_t yOf(const Named& named)
+std::size_t yOf(const NamedColumns& named)
 {
-    return named.one(Role::Y, LT_TEXT("Engine", "y"));
+    return named.one(ProfileRole::Y, LT_TEXT("Engine", "y"));
 }
-std::size_t zOf(const Named& named)
+std::size_t zOf(const NamedColumns& named)
 {
-    return named.one(Role::Z, LT_TEXT("Engine", "z"));
+    return named.one(ProfileRole::Z, LT_TEXT("Engine", "z"));
 }
-std::size_t angleOf(const Named& named)
+std::size_t angleOf(const NamedColumns& named)
 {
-    return named.one(Role::Angle, LT_TEXT("Engine", "the angle"));
+    return named.one(ProfileRole::Angle, LT_TEXT("Engine", "the angle"));
 }
 
 /// The column of radii or, for want of one, of deviations.
-std::size_t radiusOf(const Named& named, bool& areDeviations)
+std::size_t radiusOf(const NamedColumns& named, bool& areDeviations)
 {
-    areDeviations = !named.has(Role::Radius);
-    return areDeviations ? named.one(Role::Deviation, LT_TEXT("Engine", "the deviation"))
-                         : named.one(Role::Radius, LT_TEXT("Engine", "the radius"));
+    areDeviations = !named.has(ProfileRole::Radius);
+    return areDeviations ? named.one(ProfileRole::Deviation, LT_TEXT("Engine", "the deviation"))
+                         : named.one(ProfileRole::Radius, LT_TEXT("Engine", "the radius"));
 }
 
-bool hasRadius(const Named& named)
+bool hasRadius(const NamedColumns& named)
 {
-    return named.has(Role::Radius) || named.has(Role::Deviation);
+    return named.has(ProfileRole::Radius) || named.has(ProfileRole::Deviation);
 }
 
-bool hasAnyRole(const Named& named)
+bool hasAnyRole(const NamedColumns& named)
 {
-    return named.has(Role::X) || named.has(Role::Y) || named.has(Role::Z) || named.has(Role::Angle) || hasRadius(named);
+    return named.has(ProfileRole::X) || named.has(ProfileRole::Y) || named.has(ProfileRole::Z) ||
+           named.has(ProfileRole::Angle) || hasRadius(named);
 }
 
 /// What the caller says of columns whose names say nothing: the first two. Names that say something leave no choice but
 /// two columns.
-std::pair<std::size_t, std::size_t> firstTwo(const TableLayout& layout, const Named& named, Text meaning)
+std::pair<std::size_t, std::size_t> firstTwo(const TableLayout& layout, const NamedColumns& named, Text meaning)
 {
     const std::vector<std::size_t>& free = named.free();
     if (free.size() > 2 && named.freeSayElse()) throwAmbiguous(layout, free, meaning);
     return {free[0], free[1]};
 }
 
-ProfileColumnChoice chooseXy(const TableLayout& layout, const Named& named)
+ProfileColumnChoice chooseXy(const TableLayout& layout, const NamedColumns& named)
 {
-    if (named.has(Role::X) && named.has(Role::Y)) return pick(Shape::Xy, {xOf(named), yOf(named)});
-    if (named.free().size() < 2 || hasAnyRole(named)) throwColumns(layout, LT_TEXT("Engine", "columns named x and y"));
+    if (named.has(ProfileRole::X) && named.has(ProfileRole::Y)) return pick(Shape::Xy, {xOf(named), yOf(named)});
+    if (named.free().size() < 2 || hasAnyRole(named))
+        throwProfileColumns(layout, LT_TEXT("Engine", "columns named x and y"));
     const auto [x, y] = firstTwo(layout, named, LT_TEXT("Engine", "x or y"));
     return pick(Shape::Xy, {x, y});
 }
 
-ProfileColumnChoice choosePolar(const TableLayout& layout, const Named& named)
+ProfileColumnChoice choosePolar(const TableLayout& layout, const NamedColumns& named)
 {
     bool areDeviations = false;
-    if (named.has(Role::Angle) && hasRadius(named)) {
+    if (named.has(ProfileRole::Angle) && hasRadius(named)) {
         const std::size_t value = radiusOf(named, areDeviations);
         return pickPolar(layout, angleOf(named), value, areDeviations);
     }
     const std::vector<std::size_t>& free = named.free();
-    if (named.has(Role::Angle) && !free.empty()) {
+    if (named.has(ProfileRole::Angle) && !free.empty()) {
         if (free.size() > 1) throwAmbiguous(layout, free, LT_TEXT("Engine", "the radius"));
         return pickPolar(layout, angleOf(named), free[0], false);
     }
-    if (free.size() < 2 || hasAnyRole(named)) throwColumns(layout, LT_TEXT("Engine", "columns named angle and r"));
+    if (free.size() < 2 || hasAnyRole(named))
+        throwProfileColumns(layout, LT_TEXT("Engine", "columns named angle and r"));
     const auto [angle, value] = firstTwo(layout, named, LT_TEXT("Engine", "the angle or the radius"));
     return pickPolar(layout, angle, value, false);
 }
 
-ProfileColumnChoice chooseAuto(const TableLayout& layout, const Named& named)
+ProfileColumnChoice chooseAuto(const TableLayout& layout, const NamedColumns& named)
 {
     const Text expected = LT_TEXT("Engine", "columns named x and y, or angle and r");
     const auto inPlane = [](std::size_t first, std::size_t second, char a, char b) {
@@ -206,7 +205,8 @@ ProfileColumnChoice chooseAuto(const TableLayout& layout, const Named& named)
         choice.axes = {a, b};
         return choice;
     };
-    const bool x = named.has(Role::X), y = named.has(Role::Y), z = named.has(Role::Z), angle = named.has(Role::Angle);
+    const bool x = named.has(ProfileRole::X), y = named.has(ProfileRole::Y), z = named.has(ProfileRole::Z),
+               angle = named.has(ProfileRole::Angle);
     const std::vector<std::size_t>& free = named.free();
     if (x && y && z) return pick(Shape::Xyz, {xOf(named), yOf(named), zOf(named)});
     if (x && y) return pick(Shape::Xy, {xOf(named), yOf(named)});
@@ -214,14 +214,14 @@ ProfileColumnChoice chooseAuto(const TableLayout& layout, const Named& named)
     if (y && z) return inPlane(yOf(named), zOf(named), 'y', 'z');
     if (x && z) return inPlane(zOf(named), xOf(named), 'z', 'x');
     if (angle && free.size() == 1 && !named.freeSayElse()) return choosePolar(layout, named);
-    if (x || y || z || angle) throwColumns(layout, expected);
+    if (x || y || z || angle) throwProfileColumns(layout, expected);
     if (hasRadius(named)) {
         bool areDeviations = false;
         ProfileColumnChoice choice = pick(Shape::Trace, {radiusOf(named, areDeviations)});
         choice.areDeviations = areDeviations;
         return choice;
     }
-    if (free.empty() || free.size() > 3 || named.freeSayElse()) throwColumns(layout, expected);
+    if (free.empty() || free.size() > 3 || named.freeSayElse()) throwProfileColumns(layout, expected);
     return pick(free.size() == 1 ? Shape::Trace : free.size() == 2 ? Shape::Undecided : Shape::Xyz, free);
 }
 
@@ -233,8 +233,10 @@ TableExpectation profileExpectation()
     expectation.minimumColumns = 1;
     expectation.knowsName = [](const std::string& name) {
         const Core core = coreOf(name);
-        const auto isKnown = [](Role role) { return role != Role::Unknown && role != Role::Other; };
-        return isKnown(roleOf(core.name)) || isKnown(roleOf(core.stem)) || isProbeName(core.name);
+        const auto isKnown = [](ProfileRole role) {
+            return role != ProfileRole::Unknown && role != ProfileRole::Other;
+        };
+        return isKnown(profileRoleOf(core.name)) || isKnown(profileRoleOf(core.stem)) || isProbeName(core.name);
     };
     expectation.knowsUnit = [](std::string_view word) { return quantityUnit(word).has_value(); };
     return expectation;
@@ -247,7 +249,7 @@ ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColum
                                             {"column", std::int64_t{1}},
                                             {"found", LT_TEXT("Engine", "a probe record")},
                                             {"expected", LT_TEXT("Engine", "a profile: x and y, or angle and r")}});
-    const Named named(layout);
+    const NamedColumns named(layout);
     switch (wanted) {
         case ProfileColumns::Auto: break;
         case ProfileColumns::Xy: return chooseXy(layout, named);
@@ -281,7 +283,7 @@ bool holdsAngles(std::span<const double> rows, const TableLayout& layout)
     const double step = (last - first) / static_cast<double>(count - 1);
     for (std::size_t i = 0; i < count; ++i)
         if (std::abs(rows[2 * i] - (first + static_cast<double>(i) * step)) > 0.05 * std::abs(step)) return false;
-    throwColumns(layout, LT_TEXT("Engine", "names, or to be told whether they are x,y or angle,radius"));
+    throwProfileColumns(layout, LT_TEXT("Engine", "names, or to be told whether they are x,y or angle,radius"));
 }
 
 }  // namespace lathelier::io

@@ -1,9 +1,9 @@
 #include "engine/io/profile/profile_points.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/io/cloud/unit_choice.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/table/column_names.h"
@@ -81,10 +81,9 @@ void settleAngleUnit(RawProfile& raw)
 {
     if (raw.choice.angleStated || raw.rows.rows < 8) return;
     const double span = extentOf(raw, 0).span();
-    const double turn = 2 * std::numbers::pi;
-    const double step = turn / static_cast<double>(raw.rows.rows);
-    if (span < turn - 1.5 * step || span > turn * 1.001) return;
-    raw.choice.degreesPerUnit = 180 / std::numbers::pi;
+    const double step = turn_rad / static_cast<double>(raw.rows.rows);
+    if (span < turn_rad - 1.5 * step || span > turn_rad * 1.001) return;
+    raw.choice.degreesPerUnit = deg_per_rad;
     raw.file.notes.push_back({notes::angleUnitGuessed, {{"extent", span}}});
 }
 
@@ -179,8 +178,8 @@ void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions
     const double count = static_cast<double>(raw.rows.rows);
     parallelFor(raw.rows.rows, 0x8000, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const double angle_rad = isTrace ? 2 * std::numbers::pi * static_cast<double>(i) / count
-                                             : raw.at(i, 0) * raw.choice.degreesPerUnit * (std::numbers::pi / 180);
+            const double angle_rad = isTrace ? turn_rad * static_cast<double>(i) / count
+                                             : raw.at(i, 0) * raw.choice.degreesPerUnit * rad_per_deg;
             const double r_mm = added_mm + raw.at(i, raw.width() - 1) * unit.mm;
             points[i] = {r_mm * std::cos(angle_rad), r_mm * std::sin(angle_rad)};
         }

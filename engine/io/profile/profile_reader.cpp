@@ -15,9 +15,9 @@ namespace {
 
 using Shape = ProfileColumnChoice::Shape;
 
-constexpr Text expectedKind = LT_TEXT("Engine", "a profile as text: x and y, or angle and r");
+constexpr Text expectedProfile = LT_TEXT("Engine", "a profile as text: x and y, or angle and r");
 
-void readValues(std::string_view text, const ImportOptions& import, const Progress& progress, RawProfile& raw)
+void readProfileValues(std::string_view text, const ImportOptions& import, const Progress& progress, RawProfile& raw)
 {
     std::vector<WantedColumn> wanted;
     const double largest = largestCoordinate(statedUnit(raw), import);
@@ -32,14 +32,14 @@ void readValues(std::string_view text, const ImportOptions& import, const Progre
     raw.values.resize(raw.rows.rows * raw.width());
 }
 
-ProfileFile readTable(const std::string& name, const DecodedText& text, const ImportOptions& import,
-                      const ProfileOptions& options, const Progress& progress)
+ProfileFile readProfileTable(const std::string& name, const DecodedText& text, const ImportOptions& import,
+                             const ProfileOptions& options, const Progress& progress)
 {
     RawProfile raw;
     raw.layout = findLayout(text.view(), profileExpectation(), import);
     raw.file.header = readHeaderLines(text.view(), raw.layout.bodyOffset);
     raw.choice = chooseProfileColumns(raw.layout, options.columns);
-    readValues(text.view(), import, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), raw);
+    readProfileValues(text.view(), import, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), raw);
     describeTable(raw.layout, raw.rows, text.encoding(), raw.file.facts, raw.file.notes);
     if (raw.rows.rows == 0) throw Error(errors::noPoints, {});
     if (raw.choice.shape == Shape::Undecided) {
@@ -81,8 +81,8 @@ ProfileFile readProfile(const std::string& name, std::string_view bytes, const I
                         const ProfileOptions& profile, const Progress& progress)
 {
     try {
-        const DecodedText text = readableTable(name, bytes, options.encoding, expectedKind, progress);
-        return readTable(name, text, options, profile, progress);
+        const DecodedText text = readableTable(name, bytes, options.encoding, expectedProfile, progress);
+        return readProfileTable(name, text, options, profile, progress);
     } catch (Error& error) {
         error.with("path", name);
         throw;
@@ -100,7 +100,7 @@ bool isProfileTable(std::string_view bytes, const ImportOptions& options, Profil
 {
     try {
         const std::string_view head = bytes.substr(0, headForKind);
-        const DecodedText text = readableTable({}, head, options.encoding, expectedKind, {});
+        const DecodedText text = readableTable({}, head, options.encoding, expectedProfile, {});
         const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
         return chooseProfileColumns(layout, columns).shape != Shape::Xyz;
     } catch (const Error& error) {

@@ -199,16 +199,16 @@ private:
     bool sawField_ = false;
 };
 
-constexpr Text expectedKind = LT_TEXT("Engine", "a Q-DAS file with K-fields");
+constexpr Text expectedQdas = LT_TEXT("Engine", "a Q-DAS file with K-fields");
 
 /// Short lines hold control characters, which would pass for binary data.
-DecodedText textOf(std::string_view bytes)
+DecodedText decodedDfq(std::string_view bytes)
 {
     if (isDfq(bytes)) return decodeText(bytes, Encoding::Auto);
-    return readableText(bytes, Encoding::Auto, expectedKind, {});
+    return readableText(bytes, Encoding::Auto, expectedQdas, {});
 }
 
-QdasFile readFields(const DecodedText& text)
+QdasFile readDfqFields(const DecodedText& text)
 {
     Lines lines(text.view());
     DfqReader reader;
@@ -232,7 +232,7 @@ bool isDfq(std::string_view bytes)
 QdasFile readDfq(const std::string& name, std::string_view bytes)
 {
     try {
-        return readFields(textOf(bytes));
+        return readDfqFields(decodedDfq(bytes));
     } catch (Error& error) {
         error.with("path", name);
         throw;
@@ -242,8 +242,8 @@ QdasFile readDfq(const std::string& name, std::string_view bytes)
 FileFacts readDfqFacts(const std::string& name, std::string_view bytes)
 {
     try {
-        const DecodedText text = textOf(bytes);
-        const QdasFile file = readFields(text);
+        const DecodedText text = decodedDfq(bytes);
+        const QdasFile file = readDfqFields(text);
         FileFacts facts;
         facts.path = name;
         facts.format = "qdas";

@@ -26,7 +26,7 @@ std::string asUtf8(std::string_view word)
 }
 
 /// One line; blanks in place of what would end it.
-void addLine(std::string& out, std::string_view field, std::string_view value)
+void addField(std::string& out, std::string_view field, std::string_view value)
 {
     out += field;
     out += ' ';
@@ -36,13 +36,13 @@ void addLine(std::string& out, std::string_view field, std::string_view value)
 
 void addWord(std::string& out, std::string_view field, const std::string& value)
 {
-    if (!value.empty()) addLine(out, field, value);
+    if (!value.empty()) addField(out, field, value);
 }
 
 /// All digits that bring the same double back.
 void addNumber(std::string& out, std::string_view field, const std::optional<double>& value)
 {
-    if (value && std::isfinite(*value)) addLine(out, field, fmt::format("{}", *value));
+    if (value && std::isfinite(*value)) addField(out, field, fmt::format("{}", *value));
 }
 
 std::string fieldOf(std::string_view key, std::size_t index)
@@ -65,13 +65,13 @@ void addCharacteristic(std::string& out, const QdasCharacteristic& characteristi
 {
     addWord(out, fieldOf("K2001", index), characteristic.number);
     addWord(out, fieldOf("K2002", index), std::string(firstCharacters(characteristic.description, longestDescription)));
-    addLine(out, fieldOf("K2004", index), "0");  // measured values
-    addLine(out, fieldOf("K2022", index), std::to_string(characteristic.decimals));
+    addField(out, fieldOf("K2004", index), "0");  // measured values
+    addField(out, fieldOf("K2022", index), std::to_string(characteristic.decimals));
     addNumber(out, fieldOf("K2101", index), characteristic.nominal);
     addNumber(out, fieldOf("K2110", index), characteristic.lower_limit);
     addNumber(out, fieldOf("K2111", index), characteristic.upper_limit);
-    addLine(out, fieldOf("K2120", index), limitKind(characteristic.lower_limit, characteristic.lower_is_natural));
-    addLine(out, fieldOf("K2121", index), limitKind(characteristic.upper_limit, characteristic.upper_is_natural));
+    addField(out, fieldOf("K2120", index), limitKind(characteristic.lower_limit, characteristic.lower_is_natural));
+    addField(out, fieldOf("K2121", index), limitKind(characteristic.upper_limit, characteristic.upper_is_natural));
     addWord(out, fieldOf("K2142", index), characteristic.unit);
 }
 
@@ -79,8 +79,8 @@ void addValue(std::string& out, const QdasCharacteristic& characteristic, std::s
 {
     const double value = characteristic.values[which];
     const bool valid = std::isfinite(value);
-    addLine(out, fieldOf("K0001", index), valid ? fmt::format("{}", value) : "0");
-    addLine(out, fieldOf("K0002", index), std::to_string(valid ? attributeValid : attributeInvalid));
+    addField(out, fieldOf("K0001", index), valid ? fmt::format("{}", value) : "0");
+    addField(out, fieldOf("K0002", index), std::to_string(valid ? attributeValid : attributeInvalid));
     if (which < characteristic.measured.size()) addWord(out, fieldOf("K0004", index), characteristic.measured[which]);
 }
 
@@ -89,7 +89,7 @@ void addValue(std::string& out, const QdasCharacteristic& characteristic, std::s
 std::string toDfq(const QdasFile& file)
 {
     std::string out;
-    addLine(out, "K0100", std::to_string(file.characteristics.size()));
+    addField(out, "K0100", std::to_string(file.characteristics.size()));
     addWord(out, "K1001", file.part_number);
     addWord(out, "K1002", file.part_description);
     addWord(out, "K1082", file.machine);

@@ -6,14 +6,10 @@
 #include "engine/io/probe/probe_columns.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/quantity.h"
+#include "engine/io/text/text_lines.h"
 
 namespace lathelier::io {
 namespace {
-
-bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 /// "col 2", "field3", "var_1", "B", "unnamed: 0".
 bool isGeneric(const std::string& plain)

@@ -2,13 +2,9 @@
 
 #include "engine/io/io_codes.h"
 #include "engine/io/table/column_names.h"
+#include "engine/io/table/row_reader.h"
 
 namespace lathelier::io {
-namespace {
-
-constexpr std::size_t listedRows = 100;
-
-}  // namespace
 
 void describeTable(const TableLayout& layout, const TableRows& rows, const std::string& encoding, FileFacts& facts,
                    Notes& notes)

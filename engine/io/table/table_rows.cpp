@@ -41,7 +41,7 @@ std::size_t countLineEnds(std::string_view text, std::size_t begin, std::size_t 
 }
 
 /// Rows that can start in a chunk: a row has a byte for each column at least.
-std::size_t mostRows(const TableChunk& chunk, const TableLayout& layout)
+std::size_t mostRowsOf(const TableChunk& chunk, const TableLayout& layout)
 {
     return std::min(chunk.lines, chunkBytes / std::max<std::size_t>(layout.columns.size(), 1) + 1);
 }
@@ -71,7 +71,7 @@ std::vector<TableChunk> cutIntoChunks(std::string_view text, const TableLayout& 
         chunks[i].firstLine = line;
         chunks[i].firstRow = row;
         line += static_cast<std::int64_t>(chunks[i].lines);
-        row += mostRows(chunks[i], layout);
+        row += mostRowsOf(chunks[i], layout);
     }
     return chunks;
 }
@@ -111,7 +111,7 @@ public:
     std::size_t capacity(std::size_t first, std::size_t last) const
     {
         if (first == last) return 0;
-        return chunks_[last - 1].firstRow + mostRows(chunks_[last - 1], layout_) - chunks_[first].firstRow;
+        return chunks_[last - 1].firstRow + mostRowsOf(chunks_[last - 1], layout_) - chunks_[first].firstRow;
     }
 
     /// Reads the chunks [first, last) into `values`, without gaps, and gives the number of rows. Throws for the first

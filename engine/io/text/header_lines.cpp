@@ -56,7 +56,7 @@ void addPair(std::string_view part, Values& header)
     set(header, key, std::string(value));
 }
 
-void addLine(std::string_view line, Values& header)
+void addHeaderLine(std::string_view line, Values& header)
 {
     line = trimmed(line);
     while (!line.empty() && std::string_view("#/%!;*").find(line.front()) != std::string_view::npos)
@@ -81,7 +81,7 @@ Values readHeaderLines(std::string_view text, std::size_t bodyOffset)
     Values header;
     Lines lines(text.substr(0, bodyOffset));
     while (header.size() < mostEntries && lines.next())
-        if (lines.line().size() <= 8 * longestValue) addLine(lines.line(), header);
+        if (lines.line().size() <= 8 * longestValue) addHeaderLine(lines.line(), header);
     return header;
 }
 

@@ -1,5 +1,6 @@
 #include "engine/io/text/quantity.h"
 
+#include "engine/core/units.h"
 #include "engine/io/text/text_lines.h"
 #include "engine/io/text/units.h"
 
@@ -15,8 +16,6 @@ struct QuantityWord {
     double scale;
 };
 
-constexpr double degree = 57.295779513082320876798;
-
 constexpr QuantityWord quantityWords[] = {
     {"deg", Kind::Angle, "deg", 1},
     {"degree", Kind::Angle, "deg", 1},
@@ -25,11 +24,11 @@ constexpr QuantityWord quantityWords[] = {
     {"stopnie", Kind::Angle, "deg", 1},
     {"stopni", Kind::Angle, "deg", 1},
     {"град", Kind::Angle, "deg", 1},
-    {"rad", Kind::Angle, "rad", degree},
-    {"radian", Kind::Angle, "rad", degree},
-    {"radians", Kind::Angle, "rad", degree},
-    {"рад", Kind::Angle, "rad", degree},
-    {"mrad", Kind::Angle, "mrad", degree * 1e-3},
+    {"rad", Kind::Angle, "rad", deg_per_rad},
+    {"radian", Kind::Angle, "rad", deg_per_rad},
+    {"radians", Kind::Angle, "rad", deg_per_rad},
+    {"рад", Kind::Angle, "rad", deg_per_rad},
+    {"mrad", Kind::Angle, "mrad", deg_per_rad * 1e-3},
     {"s", Kind::Time, "s", 1},
     {"sec", Kind::Time, "s", 1},
     {"second", Kind::Time, "s", 1},

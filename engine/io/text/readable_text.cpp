@@ -11,8 +11,6 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t headBytes = 65536;
-
 struct Magic {
     std::string_view start;
     Text what;
@@ -59,7 +57,7 @@ constexpr Text qdasFile = LT_TEXT("Engine", "a Q-DAS file");
 constexpr Text offMesh = LT_TEXT("Engine", "an OFF mesh");
 constexpr Text jsonText = LT_TEXT("Engine", "a JSON text");
 
-const Extension extensions[] = {
+const Extension foreignExtensions[] = {
     {".ply", LT_TEXT("Engine", "a PLY scan"), true},
     {".pcd", LT_TEXT("Engine", "a PCD scan"), true},
     {".stl", LT_TEXT("Engine", "an STL mesh"), true},
@@ -113,7 +111,7 @@ const Extension extensions[] = {
 /// "OFF", "COFF", "STCN4OFF"… behind blank lines and remarks.
 bool looksLikeOff(std::string_view text)
 {
-    Lines lines(text.substr(0, headBytes));
+    Lines lines(text.substr(0, textHeadBytes));
     while (lines.next()) {
         std::string_view word = trimmed(lines.line());
         if (word.empty() || word.front() == '#') continue;
@@ -166,7 +164,7 @@ std::string_view endOf(std::string_view text, std::size_t bytes)
 /// A disk fills a file's last cluster; more than that is not filling, but a file of something else.
 void refuseLongFilling(std::string_view bytes, Text expected)
 {
-    constexpr std::size_t largestFilling = headBytes;
+    constexpr std::size_t largestFilling = textHeadBytes;
     if (bytes.size() <= largestFilling) return;
     const std::string_view end = endOf(bytes, largestFilling);
     if (end.find_first_not_of(std::string_view("\0\x1a", 2)) != std::string_view::npos) return;
@@ -192,14 +190,14 @@ void refuseForeign(std::string_view bytes, Text expected)
 void refuseForeignName(std::string_view name, bool isTable, Text expected)
 {
     const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 8)));
-    for (const Extension& extension : extensions)
+    for (const Extension& extension : foreignExtensions)
         if (lower.size() > extension.end.size() && lower.ends_with(extension.end) && (isTable || !extension.holdsScan))
             throwUnknownFormat(extension.what, expected);
 }
 
 void refuseProgram(std::string_view text, Text expected)
 {
-    Lines lines(text.substr(0, headBytes));
+    Lines lines(text.substr(0, textHeadBytes));
     while (lines.next())
         if (isProgramLine(lines.line()))
             throw Error(errors::formatUnknown, {{"line", lines.number()},
@@ -210,7 +208,7 @@ void refuseProgram(std::string_view text, Text expected)
 
 bool looksLikeQdas(std::string_view text)
 {
-    Lines lines(text.substr(0, headBytes));
+    Lines lines(text.substr(0, textHeadBytes));
     while (lines.next()) {
         const std::string_view line = trimmed(lines.line());
         if (line.empty()) continue;
@@ -229,7 +227,7 @@ DecodedText readableText(std::string_view bytes, Encoding encoding, Text expecte
     if (!looksLikeText(bytes)) throwUnknownFormat(LT_TEXT("Engine", "binary data"), expected);
     DecodedText text = decodeText(bytes, encoding, progress);
     if (text.view().empty()) throw Error(errors::fileEmpty, {});
-    refuseForeign(trimmed(text.view().substr(0, headBytes)), expected);
+    refuseForeign(trimmed(text.view().substr(0, textHeadBytes)), expected);
     return text;
 }
 

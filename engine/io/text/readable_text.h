@@ -1,12 +1,16 @@
 // What every reader asks first: is this text at all, or a file of a foreign kind?
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 #include "engine/core/text.h"
 #include "engine/io/text/encoding.h"
 
 namespace lathelier::io {
+
+/// The beginning of a text that tells what it is.
+inline constexpr std::size_t textHeadBytes = 65536;
 
 /// Throws Error formatUnknown for kinds of files that a person may well drop here and that hold none of our data
 /// (pictures, archives, documents…). `expected` says what would be right.

@@ -1,5 +1,7 @@
 #include "engine/io/text/text_lines.h"
 
+#include <algorithm>
+
 #include "engine/io/io_codes.h"
 #include "engine/io/text/encoding.h"
 
@@ -13,6 +15,11 @@ constexpr std::size_t longestLine = std::size_t{1} << 20;
 bool isBlank(char c)
 {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 bool Lines::next()

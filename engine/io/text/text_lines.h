@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 #include "engine/core/error.h"
@@ -47,5 +48,7 @@ Error malformed(std::int64_t number, std::string_view line, std::string_view par
 Error malformedEnd(const Lines& lines, Text expected);
 
 bool isBlank(char c);
+
+bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words);
 
 }  // namespace lathelier::io

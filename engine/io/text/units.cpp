@@ -9,13 +9,13 @@
 namespace lathelier::io {
 namespace {
 
-struct UnitWord {
+struct LengthWord {
     std::string_view word;
     std::string_view key;
     double mm;
 };
 
-constexpr UnitWord unitWords[] = {
+constexpr LengthWord lengthWords[] = {
     {"mm", "mm", 1},
     {"millimetre", "mm", 1},
     {"millimetres", "mm", 1},
@@ -90,7 +90,7 @@ std::vector<std::string> wordsOf(std::string_view remark)
 }
 
 template <std::size_t N>
-bool isOneOf(const std::string& word, const std::array<std::string_view, N>& words)
+bool isAmong(const std::array<std::string_view, N>& words, const std::string& word)
 {
     for (const std::string_view candidate : words)
         if (word == candidate) return true;
@@ -114,7 +114,7 @@ std::optional<LengthScale> lengthUnit(std::string_view word)
         std::string_view(")]}>").find(word.back()) != std::string_view::npos)
         word = trimmed(word.substr(1, word.size() - 2));
     const std::string lower = lowerCase(word);
-    for (const UnitWord& unit : unitWords)
+    for (const LengthWord& unit : lengthWords)
         if (lower == unit.word) return LengthScale{std::string(unit.key), unit.mm};
     return std::nullopt;
 }
@@ -129,17 +129,17 @@ std::optional<LengthScale> statedUnit(std::string_view remark)
                                                           "points",      "data",       "xyz",    "positions"};
     const std::vector<std::string> words = wordsOf(remark);
     for (std::size_t i = 0; i < words.size(); ++i) {
-        if (isOneOf(words[i], keywords)) {
+        if (isAmong(keywords, words[i])) {
             // "units are in mm", but "units in" alone means inches: fillers are skipped only while a word follows.
             for (std::size_t k = i + 1; k < words.size() && k <= i + 4; ++k) {
-                const bool filler = isOneOf(words[k], fillers) && k + 1 < words.size();
+                const bool filler = isAmong(fillers, words[k]) && k + 1 < words.size();
                 if (!filler) {
                     if (auto unit = lengthUnit(words[k])) return unit;
                     break;
                 }
             }
         }
-        if (isOneOf(words[i], subjects))
+        if (isAmong(subjects, words[i]))
             for (std::size_t k = i + 1; k + 1 < words.size() && k <= i + 3; ++k)
                 if (words[k] == "in")
                     if (auto unit = lengthUnit(words[k + 1])) return unit;

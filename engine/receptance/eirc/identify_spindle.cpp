@@ -12,7 +12,7 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t linesAtOnce = 16;
+constexpr std::size_t linesPerFitTask = 16;
 constexpr std::size_t fewestFrfs = 3;  // as many as unknowns
 constexpr double illConditioned = 1e4;
 constexpr double better = 0.99;  // of the cost: a start from a neighbour is worth taking
@@ -21,7 +21,7 @@ constexpr double better = 0.99;  // of the cost: a start from a neighbour is wor
 std::vector<LineFit> fitLines(const std::vector<SpindleLine>& lines, const Progress& progress)
 {
     std::vector<LineFit> fits(lines.size());
-    parallelFor(lines.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(lines.size(), linesPerFitTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             fits[i] = refine(lines[i], linearStart(lines[i]).value_or(ScaledSpindle::Zero()));
     });
@@ -56,7 +56,7 @@ double misfitPercent(const std::vector<SpindleLine>& lines, const std::vector<Sc
     return 100 * std::sqrt(sum / count);
 }
 
-SpindleTable tableOf(const std::vector<double>& frequency_hz, const std::vector<ScaledSpindle>& spindle)
+SpindleTable identifiedTable(const std::vector<double>& frequency_hz, const std::vector<ScaledSpindle>& spindle)
 {
     SpindleTable table;
     table.frequency_hz = frequency_hz;
@@ -145,7 +145,7 @@ SpindleIdentification identifySpindle(const SpindleMeasurements& measurements,
     result.residual_rms_percent = misfitPercent(all.lines, spindle);
     if (!held.empty()) result.hold_out_rms_percent = misfitPercent(held, spindle);
     noteDoubts(fits, spindle, result.notes);
-    result.spindle = {tableOf(all.frequency_hz, spindle)};
+    result.spindle = {identifiedTable(all.frequency_hz, spindle)};
     progress.report(1);
     return result;
 }

@@ -11,12 +11,12 @@
 namespace lathelier::receptance {
 namespace {
 
-using Normal = Eigen::Matrix<Complex, 9, 9>;
-using Right = Eigen::Matrix<Complex, 9, 1>;
+using NormalMatrix = Eigen::Matrix<Complex, 9, 9>;
+using RightSide = Eigen::Matrix<Complex, 9, 1>;
 
 constexpr std::array<std::size_t, 6> halfWidths{2, 3, 5, 8, 12, 16};
 constexpr std::size_t hereabouts = 6;  // lines to either side whose predictions choose the width
-constexpr std::size_t linesAtOnce = 16;
+constexpr std::size_t linesPerSmoothingTask = 16;
 constexpr double unknowns = 3;
 
 double tricube(double u)
@@ -40,8 +40,8 @@ public:
         const double reach_hz =
             (1 + 1 / static_cast<double>(half_width)) *
             std::max(frequency_hz_[last] - frequency_hz_[line], frequency_hz_[line] - frequency_hz_[first]);
-        Normal normal = Normal::Zero();
-        Right right = Right::Zero();
+        NormalMatrix normal = NormalMatrix::Zero();
+        RightSide right = RightSide::Zero();
         std::size_t count = 0;
         for (std::size_t k = first; k <= last; ++k) {
             const LineFit& fit = fits_[k];
@@ -58,7 +58,7 @@ public:
             ++count;
         }
         if (count < 4) return std::nullopt;
-        const Right solution = normal.ldlt().solve(right);
+        const RightSide solution = normal.ldlt().solve(right);
         return solution.allFinite() ? std::optional<ScaledSpindle>(solution.head<3>()) : std::nullopt;
     }
 
@@ -95,7 +95,7 @@ std::vector<ScaledSpindle> smoothed(std::span<const double> frequency_hz, std::s
     std::vector<double> noise;  // of a line by itself: variance of one unit of weight
     for (const LineFit& fit : fits)
         noise.push_back(fit.cost / std::max(1.0, static_cast<double>(fit.responses) - unknowns));
-    parallelFor(fits.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(fits.size(), linesPerSmoothingTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t line = begin; line < end; ++line)
             for (std::size_t w = 0; w < halfWidths.size(); ++w) misses[w][line] = local.miss(line, halfWidths[w]);
     });

@@ -10,7 +10,7 @@ namespace {
 constexpr double scale_mm = 100;
 constexpr int mostIterations = 60;
 constexpr int mostHalvings = 20;
-constexpr double converged = 1e-10;  // relative change of the unknowns
+constexpr double convergedShare = 1e-10;  // relative change of the unknowns
 
 using Jacobian = Eigen::Matrix<Complex, Eigen::Dynamic, 3>;
 
@@ -136,8 +136,8 @@ LineFit refine(const SpindleLine& line, const ScaledSpindle& start)
             next = fit.spindle + share * step;
             cost = costOf(line, next);
         }
-        fit.converged =
-            step.norm() <= converged * fit.spindle.norm() || (share < 1e-5 && step.norm() < 1e-4 * fit.spindle.norm());
+        fit.converged = step.norm() <= convergedShare * fit.spindle.norm() ||
+                        (share < 1e-5 && step.norm() < 1e-4 * fit.spindle.norm());
         if (!(cost <= fit.cost)) break;
         fit.spindle = next;
         fit.cost = cost;

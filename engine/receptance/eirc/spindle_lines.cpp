@@ -12,7 +12,7 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t linesAtOnce = 32;
+constexpr std::size_t linesPerRodTask = 32;
 constexpr double smallestNoise = 1e-6;      // of (1-γ²)/γ²: a coherence of 1 is not to outweigh all others
 constexpr double smallestCoherence = 1e-6;  // below it a response says nothing
 constexpr std::size_t linesOfNoise = 4;     // to either side: a coherence by itself scatters as much as it says
@@ -48,7 +48,7 @@ void checkMeasurements(const SpindleMeasurements& measurements)
                                                    {"frfs", static_cast<std::int64_t>(measurements.frfs.size())}});
 }
 
-Complex receptanceOf(const Frf& frf, std::size_t line)
+Complex measuredReceptance(const Frf& frf, std::size_t line)
 {
     const Complex velocity(0, 2 * std::numbers::pi * frf.frequency_hz[line]);
     switch (frf.quantity) {
@@ -103,7 +103,7 @@ SpindleLines spindleLines(const SpindleMeasurements& measurements, const Identif
     SpindleLines result;
     result.frequency_hz.assign(frequency_hz.begin() + static_cast<std::ptrdiff_t>(skipped), frequency_hz.end());
     result.lines.resize(result.frequency_hz.size());
-    parallelFor(result.lines.size(), linesAtOnce, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(result.lines.size(), linesPerRodTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<beam::BeamReceptance> rods = prepared;
         for (std::size_t i = begin; i < end; ++i) {
             SpindleLine& line = result.lines[i];
@@ -116,7 +116,7 @@ SpindleLines spindleLines(const SpindleMeasurements& measurements, const Identif
             for (const RodFrf& one : measurements.frfs) {
                 const std::size_t n = rods[one.rod].places();
                 const std::vector<ReceptanceMatrix>& g = free[one.rod];
-                const Complex measured = receptanceOf(one.frf, skipped + i);
+                const Complex measured = measuredReceptance(one.frf, skipped + i);
                 line.responses.push_back({one.rod, one.point_a, one.point_b, measured,
                                           weightOf(one.frf, skipped + i, measured),
                                           g[one.point_a * n + one.point_b](0, 0), g[(n - 1) * n + one.point_a].col(0),

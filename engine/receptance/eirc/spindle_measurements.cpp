@@ -4,13 +4,12 @@
 #include <map>
 #include <set>
 
+#include "engine/core/units.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/receptance/receptance_codes.h"
 
 namespace lathelier::receptance {
 namespace {
-
-const Text mm = LT_TEXT("Engine", "mm");
 
 Label required(Text name, Text help, Text unit = {})
 {
@@ -27,7 +26,7 @@ const std::vector<Field<RodPoint>>& fieldsOf(const RodPoint*)
         field("node", &RodPoint::node, {-2147483647, 2147483647},
               required(LT_TEXT("Engine", "Node"), LT_TEXT("Engine", "Of the point in the file of responses."))),
         field("distance_from_chuck_mm", &RodPoint::distance_from_chuck_mm, {0, 1e5},
-              required(LT_TEXT("Engine", "From the chuck"), LT_TEXT("Engine", "Along the rod."), mm)));
+              required(LT_TEXT("Engine", "From the chuck"), LT_TEXT("Engine", "Along the rod."), unit::mm)));
     return all;
 }
 
@@ -35,9 +34,9 @@ const std::vector<Field<RodEntry>>& fieldsOf(const RodEntry*)
 {
     static const auto all = described<RodEntry>(
         field("length_mm", &RodEntry::length_mm, {1e-3, 1e5},
-              required(LT_TEXT("Engine", "Length"), LT_TEXT("Engine", "Outside the chuck."), mm)),
+              required(LT_TEXT("Engine", "Length"), LT_TEXT("Engine", "Outside the chuck."), unit::mm)),
         field("diameter_mm", &RodEntry::diameter_mm, {1e-3, 1e5},
-              required(LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the cylinder."), mm)),
+              required(LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the cylinder."), unit::mm)),
         group("material", &RodEntry::material,
               Label{LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Stated for this rod.")}),
         rows("points", &RodEntry::points, {1, 1000},

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/receptance/modal/modal_codes.h"
 #include "engine/receptance/modal/modal_order.h"
 #include "engine/receptance/modal/modal_weights.h"
@@ -12,7 +13,7 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t fewestLines = 12;
+constexpr std::size_t fewestFitLines = 12;
 constexpr std::size_t linesToCompare = 700;  ///< when numbers of modes are compared
 constexpr double resolvedLines = 4;          ///< in a half-power band
 constexpr double uncertain = 0.3;            ///< of a stiffness
@@ -147,7 +148,7 @@ const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
               Label{LT_TEXT("Engine", "Number of modes"), LT_TEXT("Engine", "1 to 6; 0: as many as the data tell.")}),
         field("range_hz", &ModalParameters::range_hz, {0, 1e6},
               Label{LT_TEXT("Engine", "Range of frequencies"),
-                    LT_TEXT("Engine", "Whose lines are fitted, as 100:800; empty: all."), LT_TEXT("Engine", "Hz")}),
+                    LT_TEXT("Engine", "Whose lines are fitted, as 100:800; empty: all."), unit::hz}),
         field("complex_residues", &ModalParameters::complex_residues,
               Label{LT_TEXT("Engine", "Complex residues"),
                     LT_TEXT("Engine", "For modes whose places do not move in phase or against each other."),
@@ -172,11 +173,11 @@ ModalFit fitModes(const Frf& frf, const ModalParameters& parameters, const Progr
     fit.parameters = parameters;
     const Interval asked = rangeOf(frf, parameters);
     FitLines lines = linesToFit(frf, asked);
-    if (lines.value.size() < fewestLines)
+    if (lines.value.size() < fewestFitLines)
         throw Error(errors::tooFewLinesToFit, {{"found", static_cast<std::int64_t>(lines.value.size())},
                                                {"from_hz", asked.from},
                                                {"to_hz", asked.to},
-                                               {"minimum", static_cast<std::int64_t>(fewestLines)}});
+                                               {"minimum", static_cast<std::int64_t>(fewestFitLines)}});
     fit.range_hz = {lines.frequency_hz.front(), lines.frequency_hz.back()};
     const bool complex_residues = parameters.complex_residues, by_errors = frf.coherence.empty();
     const OrderRequest request{fit.range_hz, parameters.modes, complex_residues};

@@ -3,24 +3,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/units.h"
+
 namespace lathelier::receptance {
 
 const std::vector<Field<ModalMode>>& fieldsOf(const ModalMode*)
 {
     static const std::vector<Field<ModalMode>> all{
         field("frequency_hz", &ModalMode::frequency_hz, {1e-3, 1e6},
-              Label{LT_TEXT("Engine", "f"), LT_TEXT("Engine", "Natural frequency, undamped."), LT_TEXT("Engine", "Hz"),
-                    false, true}),
+              Label{LT_TEXT("Engine", "f"), LT_TEXT("Engine", "Natural frequency, undamped."), unit::hz, false, true}),
         field("damping_ratio", &ModalMode::damping_ratio, {1e-6, 1},
               Label{LT_TEXT("Engine", "ζ"), LT_TEXT("Engine", "Damping ratio, of critical damping."), {}, false, true}),
         field("stiffness_N_mm", &ModalMode::stiffness_N_mm, {-1e12, 1e12},
               Label{LT_TEXT("Engine", "k"),
                     LT_TEXT("Engine",
                             "Modal stiffness, force over displacement at rest; negative between places out of phase."),
-                    LT_TEXT("Engine", "N/mm"), false, true}),
+                    unit::N_mm, false, true}),
         field("phase_deg", &ModalMode::phase_deg, {-90, 90},
               Label{LT_TEXT("Engine", "Phase"), LT_TEXT("Engine", "Of the residue: 0 for a real normal mode."),
-                    LT_TEXT("Engine", "°")})};
+                    unit::deg})};
     return all;
 }
 

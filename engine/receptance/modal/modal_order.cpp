@@ -13,7 +13,7 @@ constexpr double largestResidueError = 0.3, largestDampingError = 0.5;  ///< of 
 constexpr double largestDamping = 0.45;                                 ///< above, it is no resonance
 constexpr double leastShare = 0.03;                                     ///< of |G| at its own frequency
 constexpr double cancelling = 25;                                       ///< times |G| at its own frequency
-constexpr double apart = 2;         ///< least distance of two modes, in half-power half-widths ζ f_n of the wider one
+constexpr double modesApart = 2;    ///< least distance of two modes, in half-power half-widths ζ f_n of the wider one
 constexpr double leastLines = 0.7;  ///< in the half-power band
 constexpr double roundingShare = 1e-9;  ///< of |G|: errors below are not explained by more modes
 constexpr double edge = 1.25;           ///< first frequency of a term beyond the range
@@ -120,7 +120,7 @@ bool isSound(const Refined& fit, const FitLines& lines, std::size_t k, bool comp
     for (std::size_t other = 0; other < fit.terms.size(); ++other) {
         const PoleTerm& t = fit.terms[other];
         if (other != k && std::abs(t.frequency_hz - term.frequency_hz) <
-                              apart * std::max(t.damping * t.frequency_hz, term.damping * term.frequency_hz))
+                              modesApart * std::max(t.damping * t.frequency_hz, term.damping * term.frequency_hz))
             return false;
     }
     return true;

@@ -5,18 +5,15 @@
 #include <functional>
 #include <numbers>
 
+#include "engine/core/units.h"
+#include "engine/receptance/frf_plots.h"
+
 namespace lathelier::receptance {
 namespace {
 
 constexpr const char* handlePrefix = "mode.";
-constexpr double micrometres = 1000;
 constexpr int measuredColour = 0, computedColour = 2, modelColour = 1;
 using Part = std::function<double(const std::complex<double>&)>;
-
-report::Axis frequencyAxis()
-{
-    return {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz")};
-}
 
 report::Curve curveOf(const Frf& frf, Text name, const Part& part, int colour)
 {
@@ -96,7 +93,7 @@ report::Plot magnitudePlot(const ResponseStudy& study, bool with_handles, const 
 
 report::Plot phasePlot(const ResponseStudy& study)
 {
-    report::Axis axis{LT_TEXT("Engine", "Phase"), LT_TEXT("Engine", "°")};
+    report::Axis axis{LT_TEXT("Engine", "Phase"), unit::deg};
     axis.range = Interval{-190, 190};
     return plotOf(study, LT_TEXT("Engine", "Phase of the receptance"), axis,
                   [](const std::complex<double>& value) { return std::arg(value) * 180 / std::numbers::pi; });
@@ -106,7 +103,7 @@ report::Plot realPlot(const ResponseStudy& study, const Language& language)
 {
     report::Plot plot = plotOf(study, LT_TEXT("Engine", "Real part of the receptance"),
                                {LT_TEXT("Engine", "Real part"), LT_TEXT("Engine", "µm/N")},
-                               [](const std::complex<double>& value) { return micrometres * value.real(); });
+                               [](const std::complex<double>& value) { return um_per_mm * value.real(); });
     const Frf* const basis = study.basis();
     if (!basis || basis->value.empty()) return plot;
     const auto least = std::min_element(
@@ -123,14 +120,14 @@ report::Plot imaginaryPlot(const ResponseStudy& study)
 {
     return plotOf(study, LT_TEXT("Engine", "Imaginary part of the receptance"),
                   {LT_TEXT("Engine", "Imaginary part"), LT_TEXT("Engine", "µm/N")},
-                  [](const std::complex<double>& value) { return micrometres * value.imag(); });
+                  [](const std::complex<double>& value) { return um_per_mm * value.imag(); });
 }
 
 report::Plot nyquistPlot(const ResponseStudy& study)
 {
     report::Plot plot = plotOf(study, LT_TEXT("Engine", "Nyquist plot of the receptance"),
                                {LT_TEXT("Engine", "Imaginary part"), LT_TEXT("Engine", "µm/N")},
-                               [](const std::complex<double>& value) { return micrometres * value.imag(); });
+                               [](const std::complex<double>& value) { return um_per_mm * value.imag(); });
     plot.x = {LT_TEXT("Engine", "Real part"), LT_TEXT("Engine", "µm/N")};
     plot.along = frequencyAxis();
     plot.equal_scales = true;
@@ -143,7 +140,7 @@ report::Plot nyquistPlot(const ResponseStudy& study)
         curve.along = std::move(curve.x);
         curve.x.clear();
         curve.x.reserve(frf->value.size());
-        for (const auto& value : frf->value) curve.x.push_back(micrometres * value.real());
+        for (const auto& value : frf->value) curve.x.push_back(um_per_mm * value.real());
     }
     return plot;
 }
@@ -167,7 +164,7 @@ report::Plot errorPlot(const ResponseStudy& study)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Error of the modal model");
     plot.x = frequencyAxis();
-    plot.y = {LT_TEXT("Engine", "Error"), LT_TEXT("Engine", "%"), report::Axis::Scale::Logarithmic};
+    plot.y = {LT_TEXT("Engine", "Error"), unit::percent, report::Axis::Scale::Logarithmic};
     report::Curve curve{LT_TEXT("Engine", "modal model"), study.synthesised.frequency_hz, study.error_percent};
     curve.colour = modelColour;
     plot.curves.push_back(std::move(curve));

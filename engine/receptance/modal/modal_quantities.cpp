@@ -3,12 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/units.h"
+#include "engine/receptance/receptance_units.h"
+
 namespace lathelier::receptance {
 namespace {
 
-const Text hz = LT_TEXT("Engine", "Hz");
-const Text perMillimetre = LT_TEXT("Engine", "N/mm");
-constexpr double millionth = 1e6, hundredth = 100;
+constexpr double hundredth = 100;
 
 std::optional<double> percent(const std::optional<double>& ratio)
 {
@@ -24,23 +25,22 @@ const std::vector<QuantityOf<ShownMode>>& quantitiesOf(const ShownMode*)
         quantity<M>("rank", &M::rank,
                     {LT_TEXT("Engine", "Rank by flexibility"), {}, 0, true, LT_TEXT("Engine", "Rank")}),
         quantity<M>("frequency_hz", [](const M& m) { return m.mode.frequency_hz; },
-                    {LT_TEXT("Engine", "Natural frequency"), hz, 2, true, LT_TEXT("Engine", "f")}),
+                    {LT_TEXT("Engine", "Natural frequency"), unit::hz, 2, true, LT_TEXT("Engine", "f")}),
         quantity<M>("frequency_uncertainty_hz", &M::frequency_uncertainty_hz,
-                    {LT_TEXT("Engine", "Its standard uncertainty"), hz, 3, true, LT_TEXT("Engine", "u(f)")}),
+                    {LT_TEXT("Engine", "Its standard uncertainty"), unit::hz, 3, true, LT_TEXT("Engine", "u(f)")}),
         quantity<M>("damping_ratio", [](const M& m) { return m.mode.damping_ratio; }),
         quantity<M>("damping_uncertainty", &M::damping_uncertainty),
         quantity<M>("damping_percent", [](const M& m) { return hundredth * m.mode.damping_ratio; },
-                    {LT_TEXT("Engine", "Damping ratio ζ"), LT_TEXT("Engine", "%"), 3, false, LT_TEXT("Engine", "ζ")}),
-        quantity<M>("damping_uncertainty_percent", [](const M& m) { return percent(m.damping_uncertainty); },
-                    {LT_TEXT("Engine", "Its standard uncertainty"), LT_TEXT("Engine", "%"), 3, false,
-                     LT_TEXT("Engine", "u(ζ)")}),
-        quantity<M>("stiffness_N_mm", [](const M& m) { return m.mode.stiffness_N_mm; },
-                    {LT_TEXT("Engine", "Modal stiffness"), perMillimetre, 0, true, LT_TEXT("Engine", "k")}),
-        quantity<M>("stiffness_uncertainty_N_mm", &M::stiffness_uncertainty_N_mm,
-                    {LT_TEXT("Engine", "Its standard uncertainty"), perMillimetre, 1, true, LT_TEXT("Engine", "u(k)")}),
+                    {LT_TEXT("Engine", "Damping ratio ζ"), unit::percent, 3, false, LT_TEXT("Engine", "ζ")}),
         quantity<M>(
-            "phase_deg", [](const M& m) { return m.mode.phase_deg; },
-            {LT_TEXT("Engine", "Phase of the residue"), LT_TEXT("Engine", "°"), 1, true, LT_TEXT("Engine", "phase")}),
+            "damping_uncertainty_percent", [](const M& m) { return percent(m.damping_uncertainty); },
+            {LT_TEXT("Engine", "Its standard uncertainty"), unit::percent, 3, false, LT_TEXT("Engine", "u(ζ)")}),
+        quantity<M>("stiffness_N_mm", [](const M& m) { return m.mode.stiffness_N_mm; },
+                    {LT_TEXT("Engine", "Modal stiffness"), unit::N_mm, 0, true, LT_TEXT("Engine", "k")}),
+        quantity<M>("stiffness_uncertainty_N_mm", &M::stiffness_uncertainty_N_mm,
+                    {LT_TEXT("Engine", "Its standard uncertainty"), unit::N_mm, 1, true, LT_TEXT("Engine", "u(k)")}),
+        quantity<M>("phase_deg", [](const M& m) { return m.mode.phase_deg; },
+                    {LT_TEXT("Engine", "Phase of the residue"), unit::deg, 1, true, LT_TEXT("Engine", "phase")}),
         quantity<M>("flexibility_nm_N", &M::flexibility_nm_N,
                     {LT_TEXT("Engine", "Least real part of this mode, sign reversed"), LT_TEXT("Engine", "nm/N"), 1,
                      true, LT_TEXT("Engine", "-min Re")}));
@@ -54,7 +54,7 @@ std::vector<ShownMode> shownModes(const ResponseStudy& study)
     for (std::size_t k = 0; k < study.model.modes.size(); ++k) {
         ShownMode& shown = modes.emplace_back();
         shown.mode = study.model.modes[k];
-        shown.flexibility_nm_N = millionth * flexibilityOf(shown.mode);
+        shown.flexibility_nm_N = nm_per_mm * flexibilityOf(shown.mode);
         if (study.is_changed) continue;
         const FittedMode& fitted = study.fit->modes[k];
         shown.frequency_uncertainty_hz = fitted.frequency_uncertainty_hz;

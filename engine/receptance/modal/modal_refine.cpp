@@ -15,11 +15,11 @@ struct Ending {
     double step, gain;  ///< what is little: of ln f and ln ζ, of χ²
 };
 constexpr Ending rough{20, 1, 1e-5, 1e-5}, full{60, 2, 1e-11, 1e-13};
-constexpr double rounding = 1e-9;    ///< steps below may fail to lower χ²
+constexpr double leastStep = 1e-9;   ///< steps below may fail to lower χ²
 constexpr int attempts = 8;          ///< with more and more damping
 constexpr double largestStep = 0.3;  ///< of ln f and ln ζ
-constexpr double leastDamping = 1e-6, mostDamping = 0.7;
-constexpr double widest = 4;  ///< how far terms may leave the lines: factor of the first and last frequency
+constexpr double leastRefinedDamping = 1e-6, mostRefinedDamping = 0.7;
+constexpr double widestRefined = 4;  ///< how far terms may leave the lines: factor of the first and last frequency
 
 struct Term {
     Complex d_frequency, d_damping, d_a, d_b;  ///< derivatives by ln f, ln ζ, a, b
@@ -44,7 +44,7 @@ double massLine(double frequency_hz)
 }
 
 /// Normal equations over the lines: `columns` gives the derivatives of one line, `rest` what is left to explain.
-struct Normal {
+struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
     Eigen::VectorXd scale;  ///< square roots of the diagonal
@@ -60,9 +60,9 @@ struct Normal {
 };
 
 template <class Columns>
-Normal normalEquations(const FitLines& lines, Eigen::Index count, Columns columns)
+NormalEquations normalEquations(const FitLines& lines, Eigen::Index count, Columns columns)
 {
-    Normal normal{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), {}};
+    NormalEquations normal{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), {}};
     constexpr Eigen::Index batch = 64;
     Eigen::MatrixXd rows(2 * batch, count);
     Eigen::VectorXd rest(2 * batch);
@@ -92,7 +92,7 @@ void solveResidues(const FitLines& lines, Refined& model, bool complex_residues)
     const Eigen::Index each = complex_residues ? 2 : 1,
                        count = each * static_cast<Eigen::Index>(model.terms.size()) + 2;
     for (int pass = 0; pass < 2; ++pass) {  // the second one takes what rounding left
-        const Normal normal = normalEquations(lines, count, [&](std::size_t i, Eigen::VectorXcd& line) {
+        const NormalEquations normal = normalEquations(lines, count, [&](std::size_t i, Eigen::VectorXcd& line) {
             const double f = lines.frequency_hz[i];
             for (std::size_t k = 0; k < model.terms.size(); ++k) {
                 const Term term = termAt(model.terms[k], f);
@@ -124,7 +124,7 @@ double chi2Of(const FitLines& lines, const Refined& model)
     return sum;
 }
 
-Normal allParameters(const FitLines& lines, const Refined& model, bool complex_residues)
+NormalEquations allParameters(const FitLines& lines, const Refined& model, bool complex_residues)
 {
     const Eigen::Index each = perTerm(complex_residues),
                        count = each * static_cast<Eigen::Index>(model.terms.size()) + 2;
@@ -150,7 +150,7 @@ Normal allParameters(const FitLines& lines, const Refined& model, bool complex_r
 
 Interval reachOf(const FitLines& lines)
 {
-    return {lines.frequency_hz.front() / widest, lines.frequency_hz.back() * widest};
+    return {lines.frequency_hz.front() / widestRefined, lines.frequency_hz.back() * widestRefined};
 }
 
 Complex valueOf(const Refined& model, double frequency_hz)
@@ -179,7 +179,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
     int settled = 0;
     for (int step = 0; step < ending.steps && settled < ending.settled && !model.terms.empty(); ++step) {
         progress.check();
-        const Normal normal = allParameters(lines, model, complex_residues);
+        const NormalEquations normal = allParameters(lines, model, complex_residues);
         bool moved = false;
         for (int attempt = 0; attempt < attempts && !moved; ++attempt) {
             const Eigen::VectorXd delta = normal.solved(damping);
@@ -193,7 +193,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
                     return std::exp(std::clamp(delta(at + j), -largestStep, largestStep));
                 };
                 term.frequency_hz = std::clamp(before.frequency_hz * moved_by(0), reach.from, reach.to);
-                term.damping = std::clamp(before.damping * moved_by(1), leastDamping, mostDamping);
+                term.damping = std::clamp(before.damping * moved_by(1), leastRefinedDamping, mostRefinedDamping);
                 largest = std::max({largest, std::abs(std::log(term.frequency_hz / before.frequency_hz)),
                                     std::abs(std::log(term.damping / before.damping))});
             }
@@ -205,7 +205,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
                 damping = std::max(1e-12, damping / 10);
                 moved = true;
             } else {
-                if (largest < rounding) {  // rounding alone keeps it from falling further
+                if (largest < leastStep) {  // rounding alone keeps it from falling further
                     settled = ending.settled;
                     break;
                 }
@@ -217,7 +217,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
     model.converged = model.terms.empty() || settled >= ending.settled;
     std::sort(model.terms.begin(), model.terms.end(),
               [](const PoleTerm& a, const PoleTerm& b) { return a.frequency_hz < b.frequency_hz; });
-    const Normal normal = allParameters(lines, model, complex_residues);
+    const NormalEquations normal = allParameters(lines, model, complex_residues);
     const Eigen::VectorXd inverse = normal.scale.cwiseInverse();
     const Eigen::MatrixXd scaled = inverse.asDiagonal() * normal.matrix * inverse.asDiagonal();
     const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(scaled.rows(), scaled.cols());

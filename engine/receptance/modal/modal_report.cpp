@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/receptance/modal/modal_plots.h"
 #include "engine/receptance/modal/modal_quantities.h"
+#include "engine/receptance/receptance_units.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
 
@@ -32,8 +34,8 @@ report::QuantityTable residualsTable(const ResponseStudy& study)
     return {LT_TEXT("Engine", "Residuals"),
             {{LT_TEXT("Engine", "Of modes below, 1/M"), study.model.residuals.lower_mm_Ns2, low, 4},
              {uncertainty, study.fit->lower_uncertainty_mm_Ns2, low, 4},
-             {LT_TEXT("Engine", "Of modes above, 1/K"), 1e6 * study.model.residuals.upper_mm_N, high, 3},
-             {uncertainty, 1e6 * study.fit->upper_uncertainty_mm_N, high, 3}}};
+             {LT_TEXT("Engine", "Of modes above, 1/K"), nm_per_mm * study.model.residuals.upper_mm_N, high, 3},
+             {uncertainty, nm_per_mm * study.fit->upper_uncertainty_mm_N, high, 3}}};
 }
 
 /// Without modes: where the real part is least.
@@ -47,10 +49,10 @@ report::Answer plainAnswer(const Frf& frf, const Language& language)
         [](const std::complex<double>& a, const std::complex<double>& b) { return a.real() < b.real(); });
     if (least == frf.value.end()) return answer;
     answer.value = frf.frequency_hz[static_cast<std::size_t>(least - frf.value.begin())];
-    answer.unit = LT_TEXT("Engine", "Hz");
+    answer.unit = unit::hz;
     answer.decimals = 2;
     answer.sentence = LT_TEXT("Engine", "Least real part {real} nm/N · lines: {lines}");
-    answer.values = {{"real", fixed(1e6 * least->real(), 2, language)},
+    answer.values = {{"real", fixed(nm_per_mm * least->real(), 2, language)},
                      {"lines", static_cast<std::int64_t>(frf.value.size())}};
     return answer;
 }
@@ -69,7 +71,7 @@ report::Answer answer(const ResponseStudy& study, const Language& language)
     answer.quantity = LT_TEXT("Engine", "Dominant mode");
     answer.value = first.mode.frequency_hz;
     if (first.frequency_uncertainty_hz) answer.expanded_uncertainty = 2 * *first.frequency_uncertainty_hz;
-    answer.unit = LT_TEXT("Engine", "Hz");
+    answer.unit = unit::hz;
     answer.decimals = 2;
     answer.sentence =
         LT_TEXT("Engine", "ζ {damping} % · k {stiffness} N/mm · error of the model {error} % (rms) · modes: {modes}");

@@ -11,8 +11,8 @@ namespace {
 using Complex = std::complex<double>;
 constexpr int iterations = 12;
 constexpr double firstDamping = 0.01;
-constexpr double leastDamping = 1e-5, mostDamping = 0.5;
-constexpr double widest = 2;  ///< poles stay within this factor of the first and last line
+constexpr double leastStartDamping = 1e-5, mostStartDamping = 0.5;
+constexpr double widestStart = 2;  ///< poles stay within this factor of the first and last line
 
 /// The pole pair's two real basis functions at s = i·f.
 std::pair<Complex, Complex> basisOf(Complex pole, double frequency_hz)
@@ -46,7 +46,7 @@ std::vector<Complex> movedPoles(const std::vector<Complex>& poles, const Eigen::
     }
     std::sort(reals.begin(), reals.end());
     for (std::size_t i = 0; i + 1 < reals.size(); i += 2)
-        result.push_back(poleOf(std::sqrt(reals[i] * reals[i + 1]), mostDamping));
+        result.push_back(poleOf(std::sqrt(reals[i] * reals[i + 1]), mostStartDamping));
     return result;
 }
 
@@ -108,8 +108,8 @@ std::vector<PoleTerm> rationalStart(const FitLines& lines, int count, const Prog
     std::vector<PoleTerm> terms;
     terms.reserve(poles.size());
     for (const Complex& pole : poles) {
-        const double f = std::clamp(std::abs(pole), low / widest, high * widest);
-        terms.push_back({f, std::clamp(-pole.real() / std::abs(pole), leastDamping, mostDamping), 0, 0});
+        const double f = std::clamp(std::abs(pole), low / widestStart, high * widestStart);
+        terms.push_back({f, std::clamp(-pole.real() / std::abs(pole), leastStartDamping, mostStartDamping), 0, 0});
     }
     return terms;
 }
@@ -133,7 +133,7 @@ std::vector<PoleTerm> withWorstPeak(const FitLines& lines, const Refined& model)
     const double step = (lines.frequency_hz[next] - lines.frequency_hz[before]) / static_cast<double>(next - before);
     const double f = lines.frequency_hz[worst];
     std::vector<PoleTerm> terms = model.terms;
-    terms.push_back({f, std::clamp(2 * step / f, firstDamping, mostDamping), 0, 0});
+    terms.push_back({f, std::clamp(2 * step / f, firstDamping, mostStartDamping), 0, 0});
     return terms;
 }
 

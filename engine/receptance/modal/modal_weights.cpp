@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::receptance {
 namespace {
 
@@ -18,9 +20,7 @@ double medianSize(const FitLines& lines)
     std::vector<double> sizes;
     sizes.reserve(lines.value.size());
     for (const auto& value : lines.value) sizes.push_back(std::abs(value));
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    return *middle;
+    return upperMedianInPlace(sizes);
 }
 
 }  // namespace

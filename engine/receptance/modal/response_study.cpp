@@ -8,7 +8,7 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double leastDamping = 1e-5, mostDamping = 0.5;
+constexpr double leastDraggedDamping = 1e-5, mostDraggedDamping = 0.5;
 
 /// The values of `frf` on `lines`, which are some of its own.
 std::vector<std::complex<double>> valuesOn(const Frf& frf, const std::vector<double>& lines)
@@ -64,7 +64,7 @@ ModalMode draggedMode(const ModalModel& model, std::size_t index, double frequen
     const double half = (background * std::conj(e)).real() / std::norm(e);
     const double rest = (std::norm(background) - magnitude_mm_N * magnitude_mm_N) / std::norm(e);
     const double q = -half + std::sqrt(std::max(0.0, half * half - rest));
-    mode.damping_ratio = std::clamp(q > 0 ? 1 / (2 * q) : mostDamping, leastDamping, mostDamping);
+    mode.damping_ratio = std::clamp(q > 0 ? 1 / (2 * q) : mostDraggedDamping, leastDraggedDamping, mostDraggedDamping);
     return mode;
 }
 

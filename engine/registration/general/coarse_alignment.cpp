@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/general/general_reference.h"
 #include "engine/registration/neighbours/neighbours.h"
 #include "engine/registration/neighbours/neighbours_order.h"
 
@@ -16,9 +17,9 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr int even_rotations = 500;    // about 30° apart
-constexpr std::size_t few = 160;       // points that try all starts
-constexpr std::size_t several = 1200;  // points that improve the best ones
+constexpr int even_rotations = 500;          // about 30° apart
+constexpr std::size_t fewPoints = 160;       // points that try all starts
+constexpr std::size_t severalPoints = 1200;  // points that improve the best ones
 constexpr std::size_t kept_starts = 20;
 constexpr int field_cells = 48;  // along the longest side of the field
 
@@ -33,7 +34,7 @@ struct Extent {
     double size_mm;        // twice the root mean square distance from the centre
 };
 
-Extent measure(const Points& points)
+Extent extentOf(const Points& points)
 {
     Extent e;
     e.centre_mm.setZero();
@@ -47,18 +48,10 @@ Extent measure(const Points& points)
     return e;
 }
 
-Points everyNth(const Points& points, std::size_t count)
-{
-    if (points.size() <= count) return points;
-    Points result;
-    for (std::size_t i = 0; i < count; ++i) result.push_back(points[i * points.size() / count]);
-    return result;
-}
-
 // The nearest reference point of each cell of a grid: a quick, rough answer.
-class Field {
+class NearestGrid {
 public:
-    Field(const Points& reference, const Neighbours& index, const Progress& progress)
+    NearestGrid(const Points& reference, const Neighbours& index, const Progress& progress)
     {
         Box box;
         for (const auto& p : reference) box.add(p);
@@ -123,8 +116,8 @@ Eigen::Isometry3d bringTogether(const Points& from, const Points& to, const std:
 
 // Pulls `pose` toward the nearest points; those further than a shrinking distance count less and less.
 template <class Nearest>
-void improve(Eigen::Isometry3d& pose, const Points& copy, const Nearest& nearest, int rounds, double from_mm,
-             double to_mm)
+void improvePose(Eigen::Isometry3d& pose, const Points& copy, const Nearest& nearest, int rounds, double from_mm,
+                 double to_mm)
 {
     Points moved(copy.size());
     Points targets(copy.size());
@@ -142,7 +135,7 @@ void improve(Eigen::Isometry3d& pose, const Points& copy, const Nearest& nearest
 }
 
 template <class Nearest>
-double misfit(const Eigen::Isometry3d& pose, const Points& points, const Nearest& nearest, double limit_mm)
+double roughMisfit(const Eigen::Isometry3d& pose, const Points& points, const Nearest& nearest, double limit_mm)
 {
     double sum = 0;
     for (const auto& p : points) {
@@ -245,8 +238,8 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
                                                const std::vector<Eigen::Vector3d>& copy_mm, std::size_t count,
                                                const Progress& progress)
 {
-    const Extent reference = measure(reference_mm);
-    const Extent copy = measure(copy_mm);
+    const Extent reference = extentOf(reference_mm);
+    const Extent copy = extentOf(copy_mm);
     const double size = std::max(reference.size_mm, copy.size_mm);
     const Neighbours reference_index(reference_mm, progress);
     const Neighbours copy_index(copy_mm, progress);
@@ -254,13 +247,13 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
         return reference_index.point_mm(reference_index.nearest(q).place);
     };
     const auto onCopy = [&](const Eigen::Vector3d& q) { return copy_index.point_mm(copy_index.nearest(q).place); };
-    const Field field(reference_mm, reference_index, progress);
+    const NearestGrid field(reference_mm, reference_index, progress);
     const auto roughly = [&](const Eigen::Vector3d& q) -> const Eigen::Vector3d& { return field.nearest(q); };
 
     // Where a part is missing, the centres do not lie on each other: seven places for each rotation.
     const std::vector<Eigen::Matrix3d> rotations = startRotations(reference, copy);
     constexpr std::size_t places = 7;
-    const Points few_points = everyNth(copy_mm, few);
+    const Points few_points = everyNth(copy_mm, fewPoints);
     std::vector<Pose> poses(rotations.size() * places);
     parallelFor(poses.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -270,23 +263,23 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
             Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
             pose.linear() = rotations[i / places];
             pose.translation() = centre - pose.linear() * copy.centre_mm;
-            improve(pose, few_points, roughly, 7, 0.2 * size, 0.06 * size);
-            poses[i] = {pose, misfit(pose, few_points, roughly, 0.06 * size)};
+            improvePose(pose, few_points, roughly, 7, 0.2 * size, 0.06 * size);
+            poses[i] = {pose, roughMisfit(pose, few_points, roughly, 0.06 * size)};
         }
     });
     progress.report(0.5);
     keepBest(poses, kept_starts, copy);
-    const Points several_points = everyNth(copy_mm, several);
-    const Points several_reference = everyNth(reference_mm, several);
+    const Points several_points = everyNth(copy_mm, severalPoints);
+    const Points several_reference = everyNth(reference_mm, severalPoints);
     parallelFor(poses.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             Eigen::Isometry3d& pose = poses[i].reference_T_copy;
-            improve(pose, everyNth(copy_mm, 3 * few), roughly, 12, 0.08 * size, 0.03 * size);
+            improvePose(pose, everyNth(copy_mm, 3 * fewPoints), roughly, 12, 0.08 * size, 0.03 * size);
             progress.check();
-            improve(pose, several_points, onReference, 6, 0.03 * size, 0.015 * size);
+            improvePose(pose, several_points, onReference, 6, 0.03 * size, 0.015 * size);
             progress.check();
-            poses[i].score = misfit(pose, several_points, onReference, 0.03 * size) +
-                             misfit(pose.inverse(), several_reference, onCopy, 0.03 * size);
+            poses[i].score = roughMisfit(pose, several_points, onReference, 0.03 * size) +
+                             roughMisfit(pose.inverse(), several_reference, onCopy, 0.03 * size);
         }
     });
     keepBest(poses, count, copy);

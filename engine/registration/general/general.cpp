@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/general/coarse_alignment.h"
 #include "engine/registration/general/general_solver.h"
 #include "engine/registration/neighbours/neighbours_order.h"
@@ -179,14 +180,11 @@ private:
             points_->nearest(points_->point_mm(found.place), 2, std::numeric_limits<double>::infinity(), two);
             spacing.push_back(two.back().squared_mm2);
         }
-        const auto middle = static_cast<std::ptrdiff_t>(sample.size() / 2);
-        std::nth_element(to_reference.begin(), to_reference.begin() + middle, to_reference.end());
-        std::nth_element(spacing.begin(), spacing.begin() + middle, spacing.end());
-        if (!(to_reference[static_cast<std::size_t>(middle)] < 0.01 * spacing[static_cast<std::size_t>(middle)]))
-            return;
+        const double usual_spacing_mm2 = upperMedianInPlace(spacing);
+        if (!(upperMedianInPlace(to_reference) < 0.01 * usual_spacing_mm2)) return;
         RefineOptions options;
         options.point_to_point = true;
-        options.search_mm = 0.3 * std::sqrt(spacing[static_cast<std::size_t>(middle)]);
+        options.search_mm = 0.3 * std::sqrt(usual_spacing_mm2);
         options.tolerance_mm = 1e-12 * size_mm_;
         options.max_iterations = 6;
         std::vector<Surface::Trace> traces;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/error.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/surface/surface_samples.h"
 
@@ -13,13 +14,6 @@ using Points = std::vector<Eigen::Vector3d>;
 
 constexpr std::size_t mesh_samples = 200000;
 constexpr std::size_t enough_for_median = 100000;
-
-double upperPart(std::vector<double> values, std::size_t numerator, std::size_t denominator)
-{
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * numerator / denominator);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
 
 }  // namespace
 
@@ -41,11 +35,11 @@ CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& p
     std::vector<double> values(some.size());
     for (int a = 0; a < 3; ++a) {
         std::transform(some.begin(), some.end(), values.begin(), [a](const auto& p) { return p[a]; });
-        result.middle_mm[a] = upperPart(values, 1, 2);
+        result.middle_mm[a] = upperMedianInPlace(values);
     }
     std::transform(some.begin(), some.end(), values.begin(),
                    [&](const auto& p) { return (p - result.middle_mm).norm(); });
-    result.size_mm = upperPart(values, 9, 10);
+    result.size_mm = quantileInPlace(values, 0.9);
     progress.check();
     for (auto& p : result.points_mm) p -= result.middle_mm;
     return result;

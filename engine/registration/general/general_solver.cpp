@@ -6,29 +6,29 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t residualsPerTask = 1024;
 constexpr double tukey = 4.685;
-constexpr double mad_to_sigma = 1.4826;
 
 // One point's offset from the target.
-struct Residual {
+struct SurfaceResidual {
     Eigen::Vector3d point_mm;  // of the copy, in the reference's frame
     Eigen::Vector3d normal;    // or for point-to-point the unit offset
     double distance_mm;        // NaN where it does not take part
     double slope_variance;
 };
 
-std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
-                                const Eigen::Isometry3d& pose, const RefineOptions& options,
-                                std::vector<Surface::Trace>& traces, const Progress& progress)
+std::vector<SurfaceResidual> residuals(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
+                                       const Eigen::Isometry3d& pose, const RefineOptions& options,
+                                       std::vector<Surface::Trace>& traces, const Progress& progress)
 {
     traces.resize(copy_mm.size());
-    std::vector<Residual> result(copy_mm.size());
-    parallelFor(copy_mm.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    std::vector<SurfaceResidual> result(copy_mm.size());
+    parallelFor(copy_mm.size(), residualsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         constexpr std::size_t bundle = 64;
         std::array<Eigen::Vector3d, bundle> queries;
         std::array<SurfacePlace, bundle> places;
@@ -51,25 +51,24 @@ std::vector<Residual> residuals(const RefineTarget& target, const std::vector<Ei
                                       std::span(traces).subspan(i, count));
             }
             for (std::size_t q = 0; q < count; ++q)
-                result[i + q] = {queries[q], places[q].normal,
-                                 places[q].border ? std::numeric_limits<double>::quiet_NaN() : places[q].distance_mm,
+                result[i + q] = {queries[q], places[q].normal, places[q].border ? notANumber : places[q].distance_mm,
                                  places[q].slope_variance};
         }
     });
     return result;
 }
 
-double robustSigma(const std::vector<Residual>& residuals)
+double residualSigma(const std::vector<SurfaceResidual>& residuals)
 {
     std::vector<double> sizes;
-    for (const Residual& r : residuals)
+    for (const SurfaceResidual& r : residuals)
         if (!std::isnan(r.distance_mm)) sizes.push_back(std::abs(r.distance_mm));
     if (sizes.empty()) return 0;
     const double middle = upperMedianInPlace(sizes);
     return mad_to_sigma * middle;
 }
 
-double weightOf(const Residual& r, double reach_mm)
+double weightOf(const SurfaceResidual& r, double reach_mm)
 {
     if (std::isnan(r.distance_mm)) return 0;
     const double t = r.distance_mm / reach_mm;
@@ -77,7 +76,7 @@ double weightOf(const Residual& r, double reach_mm)
 }
 
 // What the uncertainty is found from.
-std::vector<MotionResidual> keep(const std::vector<Residual>& all, double reach_mm,
+std::vector<MotionResidual> keep(const std::vector<SurfaceResidual>& all, double reach_mm,
                                  const std::vector<Surface::Trace>& traces, const Neighbours* reference)
 {
     std::vector<MotionResidual> result;
@@ -93,7 +92,7 @@ std::vector<MotionResidual> keep(const std::vector<Residual>& all, double reach_
     return result;
 }
 
-struct Frame {
+struct ResidualFrame {
     double weight = 0;
     double weighted_squares = 0;
     std::size_t used = 0;
@@ -103,10 +102,10 @@ struct Frame {
 };
 
 // Weighted centre, radius of gyration and largest distance of the points that take part.
-Frame measure(const std::vector<Residual>& all, double reach_mm, const Progress& progress)
+ResidualFrame frameOf(const std::vector<SurfaceResidual>& all, double reach_mm, const Progress& progress)
 {
     const Eigen::Vector3d origin = all[0].point_mm;
-    const auto add = [](Frame a, const Frame& b) {
+    const auto add = [](ResidualFrame a, const ResidualFrame& b) {
         a.weight += b.weight;
         a.weighted_squares += b.weighted_squares;
         a.used += b.used;
@@ -115,10 +114,10 @@ Frame measure(const std::vector<Residual>& all, double reach_mm, const Progress&
         a.extent2 = std::max(a.extent2, b.extent2);
         return a;
     };
-    Frame f = parallelReduce(
-        all.size(), grain, progress, Frame(),
+    ResidualFrame f = parallelReduce(
+        all.size(), residualsPerTask, progress, ResidualFrame(),
         [&](std::size_t begin, std::size_t end) {
-            Frame here;
+            ResidualFrame here;
             for (std::size_t i = begin; i < end; ++i) {
                 const double w = weightOf(all[i], reach_mm);
                 if (w == 0) continue;
@@ -141,7 +140,7 @@ Frame measure(const std::vector<Residual>& all, double reach_mm, const Progress&
     return f;
 }
 
-struct Sums {
+struct SystemSums {
     Matrix6d information = Matrix6d::Zero();
     Vector6d gradient = Vector6d::Zero();
     double noise = 0;  // sums of weight × slope variance × 1, q, q qᵀ
@@ -167,19 +166,19 @@ Matrix6d allDirections(double count, const Eigen::Vector3d& q, const Eigen::Matr
     return m;
 }
 
-MotionSystem assemble(const std::vector<Residual>& all, double reach_mm, const Frame& frame, bool point_to_point,
-                      const Progress& progress)
+MotionSystem assemble(const std::vector<SurfaceResidual>& all, double reach_mm, const ResidualFrame& frame,
+                      bool point_to_point, const Progress& progress)
 {
     MotionSystem system;
     system.centre_mm = frame.sum;
     system.gyration_mm = frame.spread > 0 ? frame.spread : 1;
     system.weight = frame.weight;
-    const Sums sums = parallelReduce(
-        all.size(), grain, progress, Sums(),
+    const SystemSums sums = parallelReduce(
+        all.size(), residualsPerTask, progress, SystemSums(),
         [&](std::size_t begin, std::size_t end) {
-            Sums here;
+            SystemSums here;
             for (std::size_t i = begin; i < end; ++i) {
-                const Residual& r = all[i];
+                const SurfaceResidual& r = all[i];
                 const double w = weightOf(r, reach_mm);
                 if (w == 0) continue;
                 const Eigen::Vector3d q = (r.point_mm - system.centre_mm) / system.gyration_mm;
@@ -195,7 +194,7 @@ MotionSystem assemble(const std::vector<Residual>& all, double reach_mm, const F
             }
             return here;
         },
-        [](Sums a, const Sums& b) {
+        [](SystemSums a, const SystemSums& b) {
             a.information += b.information;
             a.gradient += b.gradient;
             a.noise += b.noise;
@@ -220,19 +219,19 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
     result.reference_T_copy = start;
     if (copy_mm.empty()) return result;
     double widest = options.reach_mm;
-    std::vector<Residual> all;
+    std::vector<SurfaceResidual> all;
     double reach = 0;
     while (result.iterations < options.max_iterations) {
         progress.report(static_cast<double>(result.iterations) / options.max_iterations);
         all = residuals(target, copy_mm, result.reference_T_copy, options, traces, progress);
         // Not less than rounding leaves: exact data would otherwise weigh nothing.
         const double floor = 1e-9 * (1 + all[0].point_mm.norm()) + 1e-3 * options.tolerance_mm;
-        const double sigma = std::max(robustSigma(all), floor);
+        const double sigma = std::max(residualSigma(all), floor);
         // Narrowed step by step: most points may fit already while the few that hold one motion are still far off.
         reach = std::max(tukey * sigma, widest);
         const bool is_narrow = reach > widest;
         widest /= 2;
-        const Frame frame = measure(all, reach, progress);
+        const ResidualFrame frame = frameOf(all, reach, progress);
         if (frame.used < 6) return result;
         ++result.iterations;
         result.sigma_mm = sigma;
@@ -266,10 +265,10 @@ double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_m
     RefineOptions options;
     options.search_mm = limit_mm;
     std::vector<Surface::Trace> traces;
-    const std::vector<Residual> all =
+    const std::vector<SurfaceResidual> all =
         residuals({&surface, nullptr}, copy_mm, reference_T_copy, options, traces, progress);
     double sum = 0;
-    for (const Residual& r : all) {
+    for (const SurfaceResidual& r : all) {
         const double t = r.distance_mm / limit_mm;
         sum += t * t < 1 ? t * t : 1;
     }

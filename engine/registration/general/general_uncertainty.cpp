@@ -13,7 +13,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr int finest = 6;           // cells of 1/64 of the largest ones
+constexpr int finestLevel = 6;      // cells of 1/64 of the largest ones
 constexpr double largest_cell = 1;  // of the radius of gyration
 constexpr std::size_t most_runs = 4096;
 constexpr std::size_t least_clusters = 16;
@@ -72,7 +72,7 @@ public:
 
     void bySpace()
     {
-        const double cell = largest_cell * system_.gyration_mm / (1 << finest);
+        const double cell = largest_cell * system_.gyration_mm / (1 << finestLevel);
         std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
         for (std::uint32_t i = 0; i < residuals_.size(); ++i) {
             const Eigen::Vector3d t = (residuals_[i].point_mm - system_.centre_mm) / cell;

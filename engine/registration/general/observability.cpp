@@ -18,7 +18,7 @@ constexpr double weak_limit = 0.05;
 constexpr double pure_translation = 0.2;  // rotation part of a unit motion
 
 // Turns a basis of motions into translations and rotations about axes.
-std::vector<FreeMotion> describe(const std::vector<Vector6d>& basis, const MotionSystem& system)
+std::vector<FreeMotion> motionsOf(const std::vector<Vector6d>& basis, const MotionSystem& system)
 {
     if (basis.empty()) return {};
     Eigen::MatrixXd motions(6, static_cast<Eigen::Index>(basis.size()));
@@ -84,8 +84,8 @@ Observability analyse(const MotionSystem& system)
         result.determined += direction * direction.transpose();
         result.inverse += direction * direction.transpose() / axes.eigenvalues()[i];
     }
-    result.free_motions = describe(free_basis, system);
-    result.weak_motions = describe(weak_basis, system);
+    result.free_motions = motionsOf(free_basis, system);
+    result.weak_motions = motionsOf(weak_basis, system);
     return result;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "engine/core/units.h"
 #include "engine/registration/drawn_places.h"
 #include "engine/registration/neighbours/cloud_distance.h"
 #include "engine/registration/neighbours/neighbours.h"
@@ -16,13 +17,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kAll = 100000;     // so many points are all asked…
-constexpr std::size_t kQueries = 12500;  // …of more, so many: 1 to 2 % of standard error
-constexpr std::size_t kFew = 40;         // points to a query from which an index of all of them does not pay
+constexpr std::size_t kAll = 100000;        // so many points are all asked…
+constexpr std::size_t kQueries = 12500;     // …of more, so many: 1 to 2 % of standard error
+constexpr std::size_t pointsPerQuery = 40;  // points to a query from which an index of all of them does not pay
 
 struct Answers {
     std::vector<float> distances_mm;  ///< NaN: none within reach
-    double sampling_floor_mm = std::numeric_limits<double>::quiet_NaN();
+    double sampling_floor_mm = notANumber;
 };
 
 Answers byIndex(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& queries, double max_distance_mm,
@@ -90,7 +91,7 @@ CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::
         while (queries.size() < places.size() && places[queries.size()] == passed) queries.push_back(moved_copy_mm[i]);
         ++passed;
     }
-    const bool few = reference_mm.size() > kFew * queries.size();
+    const bool few = reference_mm.size() > pointsPerQuery * queries.size();
     const Answers answers = few ? byVicinity(reference_mm, queries, max_distance_mm, progress)
                                 : byIndex(reference_mm, queries, max_distance_mm, progress);
     const std::vector<float>& distances = answers.distances_mm;

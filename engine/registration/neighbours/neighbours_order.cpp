@@ -11,9 +11,9 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr int levels = 10;           // bits for each axis
+constexpr int curveLevels = 10;      // bits for each axis
 constexpr std::size_t run_size = 8;  // cells with no more points are not refined
-constexpr std::size_t grain = 1 << 15;
+constexpr std::size_t entriesPerTask = 1 << 15;
 
 // One level of the curve: for each state (entry corner, direction) and octant, the octant's place and the next state.
 struct CurveTable {
@@ -92,21 +92,22 @@ private:
             }
             return b;
         };
-        if (end - begin <= grain) return boundsOf(0, end - begin);
-        return parallelReduce(end - begin, grain, progress_, Bounds(), boundsOf, [](Bounds a, const Bounds& b) {
-            a.low = a.low.cwiseMin(b.low);
-            a.high = a.high.cwiseMax(b.high);
-            return a;
-        });
+        if (end - begin <= entriesPerTask) return boundsOf(0, end - begin);
+        return parallelReduce(end - begin, entriesPerTask, progress_, Bounds(), boundsOf,
+                              [](Bounds a, const Bounds& b) {
+                                  a.low = a.low.cwiseMin(b.low);
+                                  a.high = a.high.cwiseMax(b.high);
+                                  return a;
+                              });
     }
 
     template <class Body>
     void forChunks(std::size_t count, Body body) const
     {
-        if (count <= grain)
+        if (count <= entriesPerTask)
             body(0, count);
         else
-            parallelFor(count, grain, progress_, body);
+            parallelFor(count, entriesPerTask, progress_, body);
     }
 
     // Each call separates at least the two points furthest apart, so that the recursion ends.
@@ -114,7 +115,7 @@ private:
     {
         const Bounds box = bounds(begin, end);
         // Halves: the difference of any two finite coordinates stays finite.
-        const double scale = (1 << levels) / ((box.high / 2 - box.low / 2).maxCoeff() * (1 + 1e-12));
+        const double scale = (1 << curveLevels) / ((box.high / 2 - box.low / 2).maxCoeff() * (1 + 1e-12));
         if (!std::isfinite(scale)) return;  // equal points
         forChunks(end - begin, [&](std::size_t from, std::size_t to) {
             for (std::size_t i = begin + from; i < begin + to; ++i) {
@@ -122,11 +123,11 @@ private:
                 std::array<std::uint32_t, 3> cell;
                 for (int a = 0; a < 3; ++a)
                     cell[static_cast<std::size_t>(a)] =
-                        static_cast<std::uint32_t>(std::clamp(t[a], 0.0, double{(1 << levels) - 1}));
+                        static_cast<std::uint32_t>(std::clamp(t[a], 0.0, double{(1 << curveLevels) - 1}));
                 entries_[i] = (Entry{hilbertPlace(cell)} << 32) | (entries_[i] & 0xffffffff);
             }
         });
-        if (end - begin <= grain)
+        if (end - begin <= entriesPerTask)
             std::sort(entries_.begin() + static_cast<std::ptrdiff_t>(begin),
                       entries_.begin() + static_cast<std::ptrdiff_t>(end));
         else
@@ -138,7 +139,7 @@ private:
     {
         constexpr std::size_t digits = 1 << 10;
         const std::size_t count = end - begin;
-        const std::size_t block = std::max(grain, (count + 31) / 32);
+        const std::size_t block = std::max(entriesPerTask, (count + 31) / 32);
         const std::size_t blocks = (count + block - 1) / block;
         std::vector<std::array<std::uint32_t, digits>> counts(blocks);
         Entry* from = entries_.data() + begin;
@@ -193,7 +194,7 @@ std::uint32_t hilbertPlace(const std::array<std::uint32_t, 3>& cell)
 {
     std::uint32_t result = 0;
     unsigned state = 0;
-    for (int bit = levels - 1; bit >= 0; --bit) {
+    for (int bit = curveLevels - 1; bit >= 0; --bit) {
         const unsigned octant = ((cell[0] >> bit) & 1u) | ((cell[1] >> bit) & 1u) << 1 | ((cell[2] >> bit) & 1u) << 2;
         result = (result << 3) | curve.place[state][octant];
         state = curve.next[state][octant];

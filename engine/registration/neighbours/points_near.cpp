@@ -14,12 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t pointsPerTask = 1 << 16;
 
 Eigen::AlignedBox3d boundsOf(const std::vector<Vector3d>& points, const Progress& progress)
 {
     return parallelReduce(
-        points.size(), grain, progress, Eigen::AlignedBox3d(),
+        points.size(), pointsPerTask, progress, Eigen::AlignedBox3d(),
         [&](std::size_t begin, std::size_t end) {
             Eigen::AlignedBox3d box;
             for (std::size_t i = begin; i < end; ++i) box.extend(points[i]);
@@ -105,7 +105,7 @@ std::vector<Vector3d> pointsNear(const std::vector<Vector3d>& points_mm, const s
     }
     using Chosen = std::vector<Vector3d>;
     return parallelReduce(
-        points_mm.size(), std::max(grain, points_mm.size() / 64), progress, Chosen(),
+        points_mm.size(), std::max(pointsPerTask, points_mm.size() / 64), progress, Chosen(),
         [&](std::size_t begin, std::size_t end) {
             Chosen chosen;
             for (std::size_t i = begin; i < end; ++i)

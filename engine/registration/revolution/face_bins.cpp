@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double kStep = 3;       // scatters between neighbouring bins: more is a step
-constexpr double kSlope = 1.5;    // dR/dz: less is no step, however little the points scatter
-constexpr double kReach = 6;      // scatters that the noise of a face reaches over
-constexpr double kLand_mm = 0.2;  // no part has narrower lands
-constexpr std::size_t kMost = 2;  // runs between two sides
+constexpr double kStep = 3;          // scatters between neighbouring bins: more is a step
+constexpr double kSlope = 1.5;       // dR/dz: less is no step, however little the points scatter
+constexpr double kReach = 6;         // scatters that the noise of a face reaches over
+constexpr double kLand_mm = 0.2;     // no part has narrower lands
+constexpr std::size_t mostRuns = 2;  // runs between two sides
 
 struct Run {
     std::size_t first, last;
@@ -20,7 +21,7 @@ struct Run {
 void forget(RadiusProfile& profile, const Run& run)
 {
     for (std::size_t i = run.first; i <= run.last; ++i) {
-        profile.radius_mm[i] = profile.slope[i] = profile.sigma_mm[i] = std::numeric_limits<double>::quiet_NaN();
+        profile.radius_mm[i] = profile.slope[i] = profile.sigma_mm[i] = notANumber;
         profile.points[i] = 0;
     }
 }
@@ -47,7 +48,7 @@ void forgetFaceBins(RadiusProfile& profile, double sigma_mm)
         std::size_t end = begin;
         while (end < runs.size() && isShort(runs[end])) ++end;
         const std::size_t count = end - begin;
-        if (count > 0 && count <= kMost && count < runs.size()) {
+        if (count > 0 && count <= mostRuns && count < runs.size()) {
             // Beyond an end of the part the face is inside of all radii beside it.
             const double before = begin > 0 ? profile.radius_mm[runs[begin - 1].last] : 0;
             const double after = end < runs.size() ? profile.radius_mm[runs[end].first] : 0;

@@ -8,7 +8,9 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
+#include "engine/registration/scanner_spot.h"
 
 namespace lathelier::registration {
 namespace {
@@ -16,50 +18,49 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kEdge_mm = 0.5;       // the scanner's spot smears what lies nearer to an edge
 constexpr double kReach_mm = 1;        // a face lies within this of where the profile has a step
 constexpr double kApart = 0.45;        // of the way to the next face
 constexpr double kLeastDensity = 0.1;  // of that of the other points
-constexpr std::size_t kLeastPoints = 60;
+constexpr std::size_t leastFacePoints = 60;
 constexpr std::size_t kRingPoints = 24;  // enough for the median of a ring
 constexpr double kMostSlope = 0.2;       // dz/dr of a face across the axis
-constexpr std::size_t kSectors = 12;
+constexpr std::size_t faceSectors = 12;
 constexpr std::size_t kSectorPoints = 5;
 constexpr double kStrayShare = 0.25;    // of the reach: points that scatter more lie on no face
-constexpr double kToSigma = 1.4826;     // from the median of absolute values to the standard deviation
 constexpr double kOfMedian = 1.2533;    // standard error of a median over that of a mean
 constexpr double kManyQuantile = 1.96;  // of Student's distribution at 0.975 with many degrees of freedom
 
-using Found = std::vector<std::vector<Vector3d>>;
+using FacePoints = std::vector<std::vector<Vector3d>>;
 
 /// The points about each of the faces, as (z, r, turn 0…1).
-Found pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_points,
-                  const std::vector<FaceSought>& sought, const std::vector<double>& reach_mm, const Progress& progress)
+FacePoints pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_points,
+                       const std::vector<FaceSought>& sought, const std::vector<double>& reach_mm,
+                       const Progress& progress)
 {
     return parallelReduce(
-        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found(sought.size()),
+        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, FacePoints(sought.size()),
         [&](std::size_t begin, std::size_t end) {
-            Found part(sought.size());
+            FacePoints part(sought.size());
             for (std::size_t i = begin; i < end; ++i) {
                 const double z = axis_T_points.linear().row(2).dot(points[i]) + axis_T_points.translation().z();
                 for (std::size_t f = 0; f < sought.size(); ++f) {
                     if (!(std::abs(z - sought[f].z_mm) < reach_mm[f])) continue;
                     const Vector3d p = axis_T_points * points[i];
                     const double r = p.head<2>().norm();
-                    if (r > sought[f].inner_mm + kEdge_mm && r < sought[f].outer_mm - kEdge_mm)
+                    if (r > sought[f].inner_mm + smearedEdge_mm && r < sought[f].outer_mm - smearedEdge_mm)
                         part[f].emplace_back(z, r, quickTurn(p.y(), p.x()) + 0.5);
                 }
             }
             return part;
         },
-        [](Found all, const Found& part) {
+        [](FacePoints all, const FacePoints& part) {
             for (std::size_t f = 0; f < all.size(); ++f) all[f].insert(all[f].end(), part[f].begin(), part[f].end());
             return all;
         });
 }
 
 template <class Points>
-std::vector<double> placesOf(const Points& points)
+std::vector<double> axialPlaces(const Points& points)
 {
     std::vector<double> z;
     z.reserve(points.size());
@@ -72,10 +73,10 @@ std::vector<double> placesOf(const Points& points)
 /// distribution asks of so few.
 double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& points, double scatter_mm)
 {
-    std::vector<std::vector<double>> sectors(kSectors);
+    std::vector<std::vector<double>> sectors(faceSectors);
     for (const Vector3d& p : points) {
-        const auto sector = static_cast<std::size_t>(p.z() * static_cast<double>(kSectors));
-        sectors[std::min(sector, kSectors - 1)].push_back(p.x() - face.zAt_mm(p.y()));
+        const auto sector = static_cast<std::size_t>(p.z() * static_cast<double>(faceSectors));
+        sectors[std::min(sector, faceSectors - 1)].push_back(p.x() - face.zAt_mm(p.y()));
     }
     double n = 0;
     double sum = 0;
@@ -126,7 +127,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
         thin[std::min(rings - 1, static_cast<std::size_t>((p.y() - inner_mm) / face.ring_mm))].push_back(p);
     const auto filled = std::count_if(thin.begin(), thin.end(),
                                       [](const std::vector<Vector3d>& ring) { return ring.size() >= kRingPoints; });
-    if (2 * static_cast<std::size_t>(filled) < rings) return std::numeric_limits<double>::quiet_NaN();
+    if (2 * static_cast<std::size_t>(filled) < rings) return notANumber;
 
     const double enough = static_cast<double>(points.size()) / static_cast<double>(rings);
     double variance = 0;
@@ -137,7 +138,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
     std::vector<Vector3d> ring;
     const auto close = [&](double end) {
         if (ring.size() >= kRingPoints) {
-            const double z = median(placesOf(ring));
+            const double z = median(axialPlaces(ring));
             std::vector<double> off;
             off.reserve(ring.size());
             double radius = 0;
@@ -145,7 +146,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
                 off.push_back(std::abs(p.x() - z));
                 radius += p.y() / static_cast<double>(ring.size());
             }
-            scatter.push_back(kToSigma * median(std::move(off)));
+            scatter.push_back(mad_to_sigma * median(std::move(off)));
             const auto n = static_cast<double>(ring.size());
             if (face.line.empty()) face.inner_mm = start;
             face.outer_mm = end;
@@ -168,7 +169,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
         if (static_cast<double>(ring.size()) >= enough) close(end);
     }
     close(inner_mm + static_cast<double>(rings) * face.ring_mm);
-    if (face.line.empty()) return std::numeric_limits<double>::quiet_NaN();
+    if (face.line.empty()) return notANumber;
     face.z_mm = sum / count;
     face.sigma_mm = std::sqrt(variance / static_cast<double>(face.line.size()));
     return median(std::move(scatter));
@@ -206,12 +207,12 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
     std::vector<MeasuredFace> faces;
     const std::vector<double> reach_mm = reachesOf(sought);
     const double density = pointDensity(profile, points_mm.size());
-    const Found found = pointsAbout(points_mm, axis_T_points, sought, reach_mm, progress);
+    const FacePoints found = pointsAbout(points_mm, axis_T_points, sought, reach_mm, progress);
     for (std::size_t f = 0; f < sought.size(); ++f) {
         const std::vector<Vector3d>& points = found[f];
-        if (points.size() < kLeastPoints) continue;
-        const double inner = sought[f].inner_mm + kEdge_mm;
-        const double outer = sought[f].outer_mm - kEdge_mm;
+        if (points.size() < leastFacePoints) continue;
+        const double inner = sought[f].inner_mm + smearedEdge_mm;
+        const double outer = sought[f].outer_mm - smearedEdge_mm;
         const double area = std::numbers::pi * (outer * outer - inner * inner);
         if (static_cast<double>(points.size()) < kLeastDensity * density * area) continue;
         if (std::abs(slopeOf(points)) > kMostSlope) continue;  // a chamfer or a cone

@@ -5,15 +5,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double kToSigma = 1.4826;    // from the median absolute deviation of a normal distribution
 constexpr double kEdgeScatter = 2.5;   // a bin that scatters this much more than its fellows holds an edge…
 constexpr double kRoughScatter = 1.7;  // …or is rough, where the scatter is that of the quiet bins
 constexpr double kFaceShare = 0.02;    // of the points: a face with fewer says less about the axis than its errors cost
@@ -24,15 +23,15 @@ struct MeridianPoint {
 };
 
 /// The points of each bin: those of bin b are items[first[b]] … items[first[b + 1] - 1].
-struct Sorted {
+struct BinOrder {
     std::vector<std::size_t> first;
     std::vector<std::size_t> items;
 };
 
 template <class Key>
-Sorted sortInto(std::size_t bins, std::size_t count, Key key)
+BinOrder sortInto(std::size_t bins, std::size_t count, Key key)
 {
-    Sorted sorted;
+    BinOrder sorted;
     sorted.first.assign(bins + 1, 0);
     std::vector<int> keys(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -90,14 +89,13 @@ double quiet(const std::vector<Scatter>& scatters, double middle)
     for (const Scatter& s : scatters)
         if (s.points >= kEnough) values.push_back(s.sigma);
     if (values.size() < 15) return 0;
-    const auto fifth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 5);
-    std::nth_element(values.begin(), fifth, values.end());
-    return 1.1 * *fifth < middle * 2 / 3 ? *fifth : 0;
+    const double fifth = quantileInPlace(values, 0.2);
+    return 1.1 * fifth < middle * 2 / 3 ? fifth : 0;
 }
 
 /// Median and scatter of each bin; bins without enough points stay inactive.
 template <class Along, class Across>
-std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double step, const Sorted& sorted,
+std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double step, const BinOrder& sorted,
                               Along along, Across across, double least_points)
 {
     std::vector<double> values;
@@ -123,7 +121,7 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
                 const std::size_t i = sorted.items[k];
                 values.push_back(std::abs(across(i) - bin.value - bin.slope * (along(i) - bin.middle)));
             }
-            bin.sigma = bin.own_mm = kToSigma * upperMedianInPlace(values) * bin.cosine;
+            bin.sigma = bin.own_mm = mad_to_sigma * upperMedianInPlace(values) * bin.cosine;
             scatters.push_back({bin.sigma, bin.points});
         }
         return scatters;
@@ -137,23 +135,22 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
 /// The radius between them, NaN where there is one wall. A mark (the floor of a keyway) is no wall: its points lie
 /// where those of the other wall are absent. A shoulder is none either: its bins are few, a bore runs on.
 std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
-                               const std::vector<MeridianPoint>& points, const Sorted& by_z, double largest)
+                               const std::vector<MeridianPoint>& points, const BinOrder& by_z, double largest)
 {
     constexpr double kGap_mm = 0.4;
     constexpr double kSharedSectors = 0.55;
     constexpr std::size_t kStretches =
         120;  // the walls are looked for in longer stretches than bins: a bore has few points
-    const double none = std::numeric_limits<double>::quiet_NaN();
     const std::size_t bins = by_z.first.size() - 1;
     const std::size_t merged = (bins + kStretches - 1) / kStretches;
     const std::size_t count = (bins + merged - 1) / merged;
-    std::vector<double> splits(count, none);
+    std::vector<double> splits(count, notANumber);
     std::vector<double> radii;
     const auto scatterOf = [&](std::size_t from, std::size_t to) {  // of sorted radii
         std::vector<double> off;
         const double middle = radii[(from + to) / 2];
         for (std::size_t k = from; k < to; ++k) off.push_back(std::abs(radii[k] - middle));
-        return kToSigma * upperMedianInPlace(off);
+        return mad_to_sigma * upperMedianInPlace(off);
     };
     for (std::size_t b = 0; b < count; ++b) {
         const std::size_t from = by_z.first[b * merged];
@@ -183,7 +180,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
             }
         }
     }
-    std::vector<double> kept(bins, none);
+    std::vector<double> kept(bins, notANumber);
     for (std::size_t b = 0; b < count; ++b) {
         if (std::isnan(splits[b])) continue;
         int others = 0;
@@ -210,9 +207,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         low = std::min(low, p.z());
         high = std::max(high, p.z());
     }
-    const auto most = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() * 99 / 100);
-    std::nth_element(radii.begin(), most, radii.end());
-    const double largest = *most;
+    const double largest = quantileInPlace(radii, 0.99);
 
     MeridianBins result;
     count = std::clamp(static_cast<int>(sample.size() / 30), 5, count);
@@ -227,7 +222,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     const auto sideOf = [&](std::size_t i) {
         return std::min(result.side_count - 1, static_cast<int>((points[i].z - low) / result.step_mm));
     };
-    Sorted by_z = sortInto(sides, points.size(), sideOf);
+    BinOrder by_z = sortInto(sides, points.size(), sideOf);
     result.split_mm = findSplits(sample, axis_T_scan, points, by_z, largest);
     const bool bored = std::any_of(result.split_mm.begin(), result.split_mm.end(), [](double s) { return s == s; });
     if (!bored) result.split_mm.clear();
@@ -247,7 +242,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     std::vector<Scatter> scatters =
         fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
     if (bored) {
-        const Sorted bore = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? sideOf(i) : -1; });
+        const BinOrder bore = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? sideOf(i) : -1; });
         std::vector<double> own_filled;
         for (std::size_t b = 0; b < sides; ++b)
             if (bore.first[b + 1] > bore.first[b])
@@ -290,13 +285,14 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     result.bins.resize(walls + static_cast<std::size_t>(faces * result.face_columns));
     for (int f = 0; f < faces; ++f) {
         MeridianBin* own = result.bins.data() + walls + static_cast<std::size_t>(f * result.face_columns);
-        const Sorted by_r = sortInto(static_cast<std::size_t>(result.face_columns), points.size(), [&](std::size_t i) {
-            const int column = static_cast<int>(points[i].r / result.step_mm);
-            return !inBore(i) && result.face_of[static_cast<std::size_t>(sideOf(i))] == f &&
-                           column < result.face_columns
-                       ? column
-                       : -1;
-        });
+        const BinOrder by_r =
+            sortInto(static_cast<std::size_t>(result.face_columns), points.size(), [&](std::size_t i) {
+                const int column = static_cast<int>(points[i].r / result.step_mm);
+                return !inBore(i) && result.face_of[static_cast<std::size_t>(sideOf(i))] == f &&
+                               column < result.face_columns
+                           ? column
+                           : -1;
+            });
         const double scatter =
             std::max(floor, typical(fillBins(own, result.face_columns, 0, result.step_mm, by_r, r_of, z_of, 4)));
         for (int c = 0; c < result.face_columns; ++c) {

@@ -6,13 +6,12 @@
 #include <optional>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector2d;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double kLeastFace_mm = 1.5;   // lower ones have nothing between what the spot smears
 constexpr double kSameFace_mm = 0.001;  // the place that was sought
@@ -260,7 +259,7 @@ double MeridianLine::deviation_mm(double z, double r, double max_distance) const
             if (std::abs(error) < clearance_[bin]) {
                 const double slope = rise / profile_.step_mm;
                 const double deviation = error / std::sqrt(1 + slope * slope);
-                return std::abs(deviation) <= max_distance ? deviation : kNone;
+                return std::abs(deviation) <= max_distance ? deviation : notANumber;
             }
         }
     }
@@ -271,12 +270,12 @@ double MeridianLine::search(double z, double r, double reach) const
 {
     const Vector2d point(z, r);
     const auto bins = static_cast<std::ptrdiff_t>(outside_.first.size());
-    if (bins == 0) return kNone;
+    if (bins == 0) return notANumber;
     const double place = std::floor((z - bin_start_) / bin_step_);
-    if (!(std::abs(place) < 1e9)) return kNone;
+    if (!(std::abs(place) < 1e9)) return notANumber;
     const auto centre = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place), 0, bins - 1);
     double nearest = reach * reach;
-    double signed_distance = kNone;
+    double signed_distance = notANumber;
     const auto tryOne = [&](const Segment& segment) {
         const Vector2d along = segment.to - segment.from;
         const double t = (point - segment.from).dot(along) / along.squaredNorm();
@@ -287,7 +286,7 @@ double MeridianLine::search(double z, double r, double reach) const
         const Vector2d& normal = t <= 0 ? segment.from_normal : t >= 1 ? segment.to_normal : segment.normal;
         const bool open = (t < 0 && segment.open_from) || (t > 1 && segment.open_to);
         const double side = (point - foot).dot(normal);
-        signed_distance = open ? kNone : std::copysign(std::sqrt(distance), side);
+        signed_distance = open ? notANumber : std::copysign(std::sqrt(distance), side);
     };
     // Outward from the point's own bin, until the bins are further than what was found.
     for (std::ptrdiff_t ring = 0; ring < bins; ++ring) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "engine/registration/revolution/meridian_bins.h"
 #include "engine/registration/revolution/quick_turn.h"
@@ -11,12 +10,12 @@
 namespace lathelier::registration {
 namespace {
 
-struct Place {
+struct SamplePlace {
     double z, r;
     int sector;  ///< of 16
 };
 
-constexpr std::size_t kSectors = 16;
+constexpr std::size_t roughnessSectors = 16;
 
 double widestOf(const MeridianBins& bins, double noise_mm)
 {
@@ -31,7 +30,7 @@ bool isOnBin(const MeridianBins& bins, int key, double z, double r, double wides
     return std::abs(error) < std::min(6 * bin.sigma, widest);
 }
 
-std::vector<bool> roughOf(const std::vector<Place>& places, const MeridianBins& bins)
+std::vector<bool> roughOf(const std::vector<SamplePlace>& places, const MeridianBins& bins)
 {
     constexpr int kLeastRun = 5;
     const auto sides = static_cast<std::size_t>(bins.side_count);
@@ -47,9 +46,9 @@ std::vector<bool> roughOf(const std::vector<Place>& places, const MeridianBins& 
     struct Sector {
         double n = 0, sum = 0;
     };
-    std::vector<std::array<Sector, kSectors>> sums(lengths.size());
+    std::vector<std::array<Sector, roughnessSectors>> sums(lengths.size());
     std::vector<double> squares(lengths.size(), 0), counts(lengths.size(), 0);
-    for (const Place& p : places) {
+    for (const SamplePlace& p : places) {
         const double place = (p.z - bins.z_start_mm) / bins.step_mm;
         if (!(place >= 0) || place >= bins.side_count) continue;
         const auto b = static_cast<std::size_t>(place);
@@ -66,7 +65,7 @@ std::vector<bool> roughOf(const std::vector<Place>& places, const MeridianBins& 
     }
     std::vector<bool> round(lengths.size(), false);
     for (std::size_t run = 0; run < lengths.size(); ++run) {
-        if (lengths[run] < kLeastRun || counts[run] < 10 * kSectors) continue;
+        if (lengths[run] < kLeastRun || counts[run] < 10 * roughnessSectors) continue;
         double mean = 0;
         for (const Sector& s : sums[run]) mean += s.sum / counts[run];
         const double scatter = std::sqrt(squares[run] / counts[run]);
@@ -80,14 +79,14 @@ std::vector<bool> roughOf(const std::vector<Place>& places, const MeridianBins& 
     return rough;
 }
 
-std::vector<Place> placesOf(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan)
+std::vector<SamplePlace> samplePlaces(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan)
 {
-    std::vector<Place> places;
+    std::vector<SamplePlace> places;
     places.reserve(sample.size());
     for (const Eigen::Vector3d& point : sample) {
         const Eigen::Vector3d p = axis_T_scan * point;
         const double turn = quickTurn(p.y(), p.x()) + 0.5;
-        places.push_back({p.z(), p.head<2>().norm(), std::min(15, static_cast<int>(turn * kSectors))});
+        places.push_back({p.z(), p.head<2>().norm(), std::min(15, static_cast<int>(turn * roughnessSectors))});
     }
     return places;
 }
@@ -97,7 +96,7 @@ std::vector<Place> placesOf(const std::vector<Eigen::Vector3d>& sample, const Ei
 std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                             const MeridianBins& bins)
 {
-    return roughOf(placesOf(sample, axis_T_scan), bins);
+    return roughOf(samplePlaces(sample, axis_T_scan), bins);
 }
 
 double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
@@ -132,10 +131,10 @@ double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::
         low[b] = std::min(low[b], after);
         high[b] = std::max(high[b], after);
     }
-    const std::vector<Place> places = placesOf(sample, axis_T_scan);
+    const std::vector<SamplePlace> places = samplePlaces(sample, axis_T_scan);
     const std::vector<bool> rough = roughOf(places, bins);
     std::size_t good = 0;
-    for (const Place& p : places) {
+    for (const SamplePlace& p : places) {
         const int key = bins.find(p.z, p.r);
         if (key >= 0 && isOnBin(bins, key, p.z, p.r, widest)) {
             ++good;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/core/units.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/axial_shift_estimate.h"
 #include "engine/registration/revolution/revolution_shift.h"
@@ -15,12 +16,10 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kToUm = 1e3;
-
 /// The part with z reversed.
-TurnedPart reversed(const TurnedPart& part)
+TurnedPart reversedPart(const TurnedPart& part)
 {
-    TurnedPart result{registration::reversed(part.fit), part.shoulders};
+    TurnedPart result{reversed(part.fit), part.shoulders};
     std::reverse(result.shoulders.begin(), result.shoulders.end());
     for (Shoulder& s : result.shoulders) {
         s.z_mm = -s.z_mm;
@@ -66,7 +65,7 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
     const double cap = std::max(0.02 * largest, 6 * std::hypot(reference.fit.sigma_mm, copy.fit.sigma_mm));
     std::optional<Way> best;
     for (const bool turned : {false, true}) {
-        Way way{turned ? reversed(copy) : copy, {}, 0, 0};
+        Way way{turned ? reversedPart(copy) : copy, {}, 0, 0};
         const Isometry3d& frame = way.part.fit.axis_T_scan;
         const double cosine = (reference.fit.axis_T_scan.linear() * frame.linear().transpose())(2, 2);
         if (initial == InitialPose::Identity && cosine < 0) continue;
@@ -125,8 +124,8 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
         result.notes.push_back({notes::endForEnd, {}});
 
     const Eigen::Matrix4d covariance = reference.fit.covariance + copy.fit.covariance;
-    result.uncertainty.axial_um = 2 * kToUm * std::sqrt(variance);
-    result.uncertainty.radial_um = 2 * kToUm * std::sqrt(covariance(0, 0) + covariance(1, 1));
+    result.uncertainty.axial_um = 2 * um_per_mm * std::sqrt(variance);
+    result.uncertainty.radial_um = 2 * um_per_mm * std::sqrt(covariance(0, 0) + covariance(1, 1));
     result.uncertainty.axis_deg = 2 * std::sqrt(covariance(2, 2) + covariance(3, 3)) * 180 / std::numbers::pi;
     return result;
 }

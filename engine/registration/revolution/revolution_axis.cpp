@@ -1,10 +1,10 @@
 #include "engine/registration/revolution/revolution_axis.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/revolution_guess.h"
 #include "engine/registration/revolution/revolution_verdict.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
@@ -21,9 +21,9 @@ using Eigen::Vector3d;
 
 constexpr std::size_t kGuessPoints = 12000;
 constexpr std::size_t kSamplePoints = 60000;
-constexpr std::size_t kVotes = 200000;    // that the axis is found with…
-constexpr std::size_t kMost = 2'000'000;  // …before so many settle it, and the radii
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t kVotes = 200000;         // that the axis is found with…
+constexpr std::size_t mostPoints = 2'000'000;  // …before so many settle it, and the radii
+constexpr std::size_t straightenedPerTask = 16384;
 
 /// `count` points spread over the whole cloud.
 std::vector<Vector3d> samplePoints(const std::vector<Vector3d>& points, std::size_t count)
@@ -36,7 +36,7 @@ std::vector<Vector3d> samplePoints(const std::vector<Vector3d>& points, std::siz
 }
 
 /// A start and how good it turned out on a small sample.
-struct Trial {
+struct PoseTrial {
     Eigen::Isometry3d pose;
     MeridianBins bins;
     double consistent = -1;
@@ -47,10 +47,10 @@ struct Trial {
     double worth() const { return consistent < 0 ? -1 : consistent * on_bins; }
 };
 
-Trial tryCandidate(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& pose, double noise_mm,
-                   const Progress& progress)
+PoseTrial tryCandidate(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& pose, double noise_mm,
+                       const Progress& progress)
 {
-    Trial trial{pose, makeBins(sample, pose, 200)};
+    PoseTrial trial{pose, makeBins(sample, pose, 200)};
     for (int i = 0; i < 4; ++i) {
         if (!improve(sample, trial.pose, trial.bins, progress).determined) return trial;
         trial.bins = makeBins(sample, trial.pose, 200);
@@ -91,20 +91,19 @@ MeridianBins makeFinestBins(const std::vector<Vector3d>& sample, const Eigen::Is
     return bins;
 }
 
-RadiusProfile profileOf(const MeridianBins& bins, const std::vector<Sums::Bin>& sums, int first)
+RadiusProfile radiusProfileOf(const MeridianBins& bins, const std::vector<Sums::Bin>& sums, int first)
 {
     RadiusProfile profile;
     profile.z_start_mm = bins.z_start_mm;
     profile.step_mm = bins.step_mm;
-    const double none = std::numeric_limits<double>::quiet_NaN();
     for (int i = 0; i < bins.side_count; ++i) {
         const std::size_t place = static_cast<std::size_t>(first) + static_cast<std::size_t>(i);
         const MeridianBin& bin = bins.bins[place];
         const Sums::Bin& sum = sums[place];
         const bool known = bin.active && sum.weight > 0;
-        profile.radius_mm.push_back(known ? bin.value : none);
-        profile.slope.push_back(known ? bin.slope : none);
-        profile.sigma_mm.push_back(known ? 1 / std::sqrt(sum.weight) / bin.cosine : none);
+        profile.radius_mm.push_back(known ? bin.value : notANumber);
+        profile.slope.push_back(known ? bin.slope : notANumber);
+        profile.sigma_mm.push_back(known ? 1 / std::sqrt(sum.weight) / bin.cosine : notANumber);
         profile.points.push_back(known ? sum.weight * bin.sigma * bin.sigma : 0);
     }
     return profile;
@@ -113,7 +112,7 @@ RadiusProfile profileOf(const MeridianBins& bins, const std::vector<Sums::Bin>& 
 std::vector<Vector3d> straightened(const std::vector<Vector3d>& points, const Bend& bend, const Progress& progress)
 {
     std::vector<Vector3d> result(points.size());
-    parallelFor(points.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.size(), straightenedPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) result[i] = bend.straightened(points[i]);
     });
     return result;
@@ -125,12 +124,12 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
 {
     RevolutionFit fit;
     const std::vector<Vector3d> small = samplePoints(points, kGuessPoints);
-    Trial best;
-    std::vector<Trial> trials;
+    PoseTrial best;
+    std::vector<PoseTrial> trials;
     int tried = 0;
     const AxisCandidates candidates = findAxisCandidates(small, progress);
     for (const Eigen::Isometry3d& candidate : candidates.axis_T_scan) {
-        const Trial trial = tryCandidate(small, candidate, candidates.noise_mm, progress);
+        const PoseTrial trial = tryCandidate(small, candidate, candidates.noise_mm, progress);
         if (trial.worth() > best.worth()) best = trial;
         trials.push_back(trial);
         if ((best.consistent > 0.93 && best.on_bins > 0.6) || ++tried == 4) break;
@@ -146,7 +145,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     progress.report(0.3);
     const double round_mm = std::max(3 * candidates.noise_mm, 0.005 * best.bins.largest_mm);
     if (best.consistent <= 0.93)  // a strong bend spoils all trials; round sections tell which one is right
-        for (const Trial& trial : trials) {
+        for (const PoseTrial& trial : trials) {
             if (trial.consistent < 0) continue;
             const Bend own = findBend(small, trial.pose, trial.bins);
             if (!own.isSeen() || own.scatter_mm > round_mm) continue;
@@ -168,7 +167,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
         }
     }
     std::vector<Vector3d> chosen;
-    if (points.size() > kMost) chosen = samplePoints(points, kMost);
+    if (points.size() > mostPoints) chosen = samplePoints(points, mostPoints);
     if (fit.bend.isSeen()) chosen = straightened(chosen.empty() ? points : chosen, fit.bend, progress);
     const std::vector<Vector3d>& all = chosen.empty() ? points : chosen;
     const std::vector<Vector3d> fewer = all.size() > kVotes ? samplePoints(all, kVotes) : std::vector<Vector3d>{};
@@ -206,12 +205,11 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.sigma_mm = bins.sigma_mm;
     fit.side_share = step.sums.side_weights / static_cast<double>(all.size());
     fit.covariance = covarianceOf(all, pose, bins, step, progress);
-    fit.profile = profileOf(bins, step.sums.bins, 0);
+    fit.profile = radiusProfileOf(bins, step.sums.bins, 0);
     forgetFaceBins(fit.profile, fit.sigma_mm);
-    if (bins.wall_count > bins.side_count) fit.bore = profileOf(bins, step.sums.bins, bins.side_count);
+    if (bins.wall_count > bins.side_count) fit.bore = radiusProfileOf(bins, step.sums.bins, bins.side_count);
     const std::vector<bool> rough = roughBins(sample, pose, bins);
-    for (std::size_t i = 0; i < rough.size(); ++i)
-        fit.rough_mm.push_back(rough[i] ? bins.bins[i].value : std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = 0; i < rough.size(); ++i) fit.rough_mm.push_back(rough[i] ? bins.bins[i].value : notANumber);
     fit.not_turned = judgeRevolution(fit, sample, candidates.noise_mm);
     progress.report(1);
     return fit;

@@ -13,9 +13,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr std::size_t kSections = 24;
-constexpr std::size_t kLeastPoints = 12;
+constexpr std::size_t leastSectionPoints = 12;
 
-struct Residual {
+struct SectionResidual {
     double cosine, sine, off;
 };
 
@@ -27,9 +27,9 @@ struct Centre {
 };
 
 /// Robust circle about the section's own centre: off = c + x cos + y sin.
-bool centreOf(const std::vector<Residual>& section, double reach_mm, Centre& centre)
+bool centreOf(const std::vector<SectionResidual>& section, double reach_mm, Centre& centre)
 {
-    if (section.size() < kLeastPoints) return false;
+    if (section.size() < leastSectionPoints) return false;
     Vector3d value = Vector3d::Zero();
     double scale = reach_mm;
     Eigen::Matrix3d normal;
@@ -38,7 +38,7 @@ bool centreOf(const std::vector<Residual>& section, double reach_mm, Centre& cen
         normal.setZero();
         Vector3d right = Vector3d::Zero();
         sizes.clear();
-        for (const Residual& r : section) {
+        for (const SectionResidual& r : section) {
             const Vector3d j(1, r.cosine, r.sine);
             const double e = r.off - j.dot(value);
             sizes.push_back(std::abs(e));
@@ -96,7 +96,7 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     const double start = bins.z_start_mm + from * bins.step_mm;
     const double length = (to - from) * bins.step_mm;
     const double reach = 0.15 * bins.largest_mm;  // a bow so large is no bow
-    std::vector<std::vector<Residual>> sections(kSections);
+    std::vector<std::vector<SectionResidual>> sections(kSections);
     for (const Vector3d& point : sample) {
         const Vector3d p = axis_T_scan * point;
         const double place = (p.z() - start) / length * static_cast<double>(kSections);

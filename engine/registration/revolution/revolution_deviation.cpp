@@ -2,18 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kPi = std::numbers::pi;
-
-struct Sums {
+struct Moments {
     double n = 0;
     double sum = 0;
     double squares = 0;
@@ -24,14 +21,17 @@ struct Sums {
         sum += v;
         squares += v * v;
     }
-    void add(const Sums& other)
+    void add(const Moments& other)
     {
         n += other.n;
         sum += other.sum;
         squares += other.squares;
     }
-    double mean() const { return n > 0 ? sum / n : kNone; }
-    double deviation() const { return n > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1))) : kNone; }
+    double mean() const { return n > 0 ? sum / n : notANumber; }
+    double deviation() const
+    {
+        return n > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / n) / (n - 1))) : notANumber;
+    }
 };
 
 /// Zones, meridian and map are those of the outside.
@@ -96,16 +96,16 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
 
     UnrolledMap map;
     map.angle_count = points.size() > 100000 ? 120 : 48;
-    const double cell = 2 * kPi * radius / map.angle_count;
+    const double cell = turn_rad * radius / map.angle_count;
     map.z_count = std::clamp(static_cast<int>(length / cell * 2), 10, 400);
     map.z_step_mm = length / map.z_count;
 
     struct Part {
-        std::vector<Sums> bins, cells;
+        std::vector<Moments> bins, cells;
     };
     const auto sized = [&] {
-        return Part{std::vector<Sums>(profile.size()),
-                    std::vector<Sums>(static_cast<std::size_t>(map.z_count * map.angle_count))};
+        return Part{std::vector<Moments>(profile.size()),
+                    std::vector<Moments>(static_cast<std::size_t>(map.z_count * map.angle_count))};
     };
     const Part sums = parallelReduce(
         points.size(), std::max<std::size_t>(32768, points.size() / 8), progress, sized(),
@@ -132,7 +132,7 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
             return part;
         },
         [](Part all, const Part& part) {
-            const auto add = [](std::vector<Sums>& to, const std::vector<Sums>& from) {
+            const auto add = [](std::vector<Moments>& to, const std::vector<Moments>& from) {
                 for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
             };
             add(all.bins, part.bins);
@@ -149,7 +149,7 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
         meridian.std_mm.push_back(sums.bins[i].deviation());
     }
     result.meridian = std::move(meridian);
-    for (const Sums& s : sums.cells) map.mean_mm.push_back(static_cast<float>(s.mean()));
+    for (const Moments& s : sums.cells) map.mean_mm.push_back(static_cast<float>(s.mean()));
     result.unrolled = std::move(map);
 }
 

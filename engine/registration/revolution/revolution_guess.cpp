@@ -113,7 +113,7 @@ double share(const std::vector<OrientedPoint>& points, const Line& line, double 
     return static_cast<double>(good) / static_cast<double>(points.size());
 }
 
-Line refine(const std::vector<OrientedPoint>& points, Line line, double size)
+Line refineAxis(const std::vector<OrientedPoint>& points, Line line, double size)
 {
     std::vector<double> weights(points.size());
     double limit = 0.6;  // shrinks: first the crowd decides, then the points that agree
@@ -151,10 +151,10 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     // Starts: the complex of all normals, then each principal axis; each with and without robust refinement.
     std::vector<Line> lines;
     const std::vector<double> equal(oriented.size(), 1.0);
-    lines.push_back(refine(oriented, solveComplex(oriented, equal, {centre, Vector3d::UnitZ()}, size), size));
+    lines.push_back(refineAxis(oriented, solveComplex(oriented, equal, {centre, Vector3d::UnitZ()}, size), size));
     for (int k = 2; k >= 0; --k) {
         const Line placed = placeAxis(oriented, {centre, principal.col(k)});
-        lines.push_back(refine(oriented, placed, size));
+        lines.push_back(refineAxis(oriented, placed, size));
         lines.push_back(placed);
     }
     std::vector<std::pair<double, std::size_t>> order;

@@ -7,7 +7,7 @@ namespace lathelier::registration {
 namespace {
 
 /// What scripts read as `reason`.
-const char* keyOf(NotTurned reason)
+const char* reasonKey(NotTurned reason)
 {
     switch (reason) {
         case NotTurned::Flat: return "flat";
@@ -47,7 +47,7 @@ void refuseRevolution(const RevolutionFit& fit, const char* role)
             errors::coverageTooSmall,
             {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", kLeastCoverage_deg}});
     Values values{{"role", std::string(role)},
-                  {"reason", std::string(keyOf(fit.not_turned))},
+                  {"reason", std::string(reasonKey(fit.not_turned))},
                   {"why", phraseOf(fit.not_turned)},
                   {"residual_mm", fit.sigma_mm}};
     if (fit.not_turned == NotTurned::Bent) values.emplace_back("bow_mm", fit.bend.size_mm());

@@ -5,6 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "engine/core/units.h"
+
 namespace lathelier::registration {
 namespace {
 
@@ -12,7 +14,7 @@ namespace {
 double radiusAt(const RadiusProfile& p, double z)
 {
     const double place = (z - p.z_start_mm) / p.step_mm - 0.5;
-    if (!(place >= 0) || place >= static_cast<double>(p.size()) - 1) return std::numeric_limits<double>::quiet_NaN();
+    if (!(place >= 0) || place >= static_cast<double>(p.size()) - 1) return notANumber;
     const auto i = static_cast<std::size_t>(place);
     const double t = place - static_cast<double>(i);
     return (1 - t) * p.radius_mm[i] + t * p.radius_mm[i + 1];

@@ -123,18 +123,18 @@ std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const Re
 using Group = std::vector<const Smear*>;
 
 /// One trial width for all shoulders of a group.
-struct Trial {
+struct WidthTrial {
     double log_width = 0;
     double surprise = 0;
     std::vector<double> heights;
 };
 
-Trial tryWidth(const Group& group, double log_width, const Progress& progress)
+WidthTrial tryWidth(const Group& group, double log_width, const Progress& progress)
 {
     std::vector<Smear::Place> places(group.size());
     parallelFor(group.size(), 1, progress,
                 [&](std::size_t i, std::size_t) { places[i] = group[i]->findPlace(std::exp(log_width)); });
-    Trial trial{log_width, 0, {}};
+    WidthTrial trial{log_width, 0, {}};
     for (const Smear::Place& place : places) {
         trial.surprise += place.surprise;
         trial.heights.push_back(place.height);
@@ -142,24 +142,24 @@ Trial tryWidth(const Group& group, double log_width, const Progress& progress)
     return trial;
 }
 
-std::vector<Trial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
+std::vector<WidthTrial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
 {
-    std::vector<Trial> trials;
+    std::vector<WidthTrial> trials;
     trials.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k) trials.push_back(tryWidth(group, from + (to - from) * k / (count - 1), progress));
     return trials;
 }
 
-double leastSurprise(const std::vector<Trial>& trials)
+double leastSurprise(const std::vector<WidthTrial>& trials)
 {
     double least = std::numeric_limits<double>::infinity();
-    for (const Trial& trial : trials) least = std::min(least, trial.surprise);
+    for (const WidthTrial& trial : trials) least = std::min(least, trial.surprise);
     return least;
 }
 
 /// Trials over a factor of 3 to either side of what the misplaced points suggest, on one ladder of widths for all
 /// groups, so that their likelihoods compare.
-std::vector<Trial> coarseTrials(const Group& group, double finest, const Progress& progress)
+std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
     for (const Smear* smear : group) guesses.push_back(smear->widthGuess());
@@ -170,7 +170,7 @@ std::vector<Trial> coarseTrials(const Group& group, double finest, const Progres
 }
 
 /// The shoulders of a group, averaged over the widths that the data allow, each by its likelihood.
-std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coarse, const Progress& progress)
+std::vector<Shoulder> settle(const Group& group, const std::vector<WidthTrial>& coarse, const Progress& progress)
 {
     const double least = leastSurprise(coarse);
     std::size_t first = coarse.size(), last = 0;
@@ -181,12 +181,13 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<Trial>& coars
         }
     first = first > 0 ? first - 1 : 0;
     last = std::min(coarse.size() - 1, last + 1);
-    const std::vector<Trial> fine = tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
+    const std::vector<WidthTrial> fine =
+        tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
     const double best = leastSurprise(fine);
     std::vector<Shoulder> shoulders;
     for (std::size_t i = 0; i < group.size(); ++i) {
         double weight = 0, sum = 0, squares = 0, width = 0;
-        for (const Trial& trial : fine) {
+        for (const WidthTrial& trial : fine) {
             const double w = std::exp(best - trial.surprise);
             const double off = trial.heights[i] - fine.front().heights[i];
             weight += w;
@@ -243,9 +244,9 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
 
     ShoulderPair result;
     if (!first.empty() && !second.empty()) {
-        const std::vector<Trial> own1 = coarseTrials(first, finest, progress);
-        const std::vector<Trial> own2 = coarseTrials(second, finest, progress);
-        const std::vector<Trial> shared = coarseTrials(both, finest, progress);
+        const std::vector<WidthTrial> own1 = coarseTrials(first, finest, progress);
+        const std::vector<WidthTrial> own2 = coarseTrials(second, finest, progress);
+        const std::vector<WidthTrial> shared = coarseTrials(both, finest, progress);
         if (leastSurprise(shared) < leastSurprise(own1) + leastSurprise(own2) + 6) {
             const std::vector<Shoulder> all = settle(both, shared, progress);
             const auto split = all.begin() + static_cast<std::ptrdiff_t>(first.size());

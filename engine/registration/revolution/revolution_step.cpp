@@ -15,12 +15,12 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr std::size_t kGrain = 16384;
+constexpr std::size_t pointsPerStepTask = 16384;
 constexpr double kTukey = 6;  // in standard deviations: 99 % efficient, and blind to what lies further off
 
 /// What one point says, in the frame of the axis: its error along the normal, its weight and how the error follows the
 /// axis.
-struct Row {
+struct PointRow {
     int key = -1;  ///< of its bin; -1: it has no say
     bool side = false;
     double cosine = 0;
@@ -31,9 +31,9 @@ struct Row {
     double jacobian[4] = {};
 };
 
-[[gnu::always_inline]] inline Row rowOf(const Vector3d& p, const MeridianBins& bins)
+[[gnu::always_inline]] inline PointRow pointRowOf(const Vector3d& p, const MeridianBins& bins)
 {
-    Row row;
+    PointRow row;
     const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
     const int key = bins.find(p.z(), r);
     if (key < 0 || r == 0) return row;
@@ -70,7 +70,7 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
     // The lower triangle by hand: this loop is where the time goes.
     double h[10] = {}, g[4] = {};
     for (std::size_t i = begin; i < end; ++i) {
-        const Row row = rowOf(pose * points[i], bins);
+        const PointRow row = pointRowOf(pose * points[i], bins);
         if (row.key < 0) continue;
         const double we = row.weight * row.error;
         int k = 0;
@@ -98,11 +98,11 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
     }
 }
 
-constexpr int kSectors = 16;
+constexpr int patchSectors = 16;
 
 std::size_t patchAt(int stretch, int sector)
 {
-    return static_cast<std::size_t>(stretch) * kSectors + static_cast<std::size_t>(sector);
+    return static_cast<std::size_t>(stretch) * patchSectors + static_cast<std::size_t>(sector);
 }
 
 /// Which sixteenth of the turn, in any order.
@@ -135,7 +135,7 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
 {
     Step step;
     step.sums = parallelReduce(
-        points.size(), std::max(kGrain, points.size() / 24), progress, Sums{},
+        points.size(), std::max(pointsPerStepTask, points.size() / 24), progress, Sums{},
         [&](std::size_t begin, std::size_t end) {
             Sums part;
             accumulate(points, begin, end, pose, bins, part);
@@ -185,13 +185,13 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
     using Patches = std::vector<Vector4d>;
     const double length = bins.step_mm * bins.side_count;
     const Patches patches = parallelReduce(
-        points.size(), std::max(kGrain, points.size() / 24), progress,
-        Patches(static_cast<std::size_t>(kSectors * kStretches), Vector4d::Zero()),
+        points.size(), std::max(pointsPerStepTask, points.size() / 24), progress,
+        Patches(static_cast<std::size_t>(patchSectors * kStretches), Vector4d::Zero()),
         [&](std::size_t begin, std::size_t end) {
-            Patches part(static_cast<std::size_t>(kSectors * kStretches), Vector4d::Zero());
+            Patches part(static_cast<std::size_t>(patchSectors * kStretches), Vector4d::Zero());
             for (std::size_t i = begin; i < end; ++i) {
                 const Vector3d p = pose * points[i];
-                const Row row = rowOf(p, bins);
+                const PointRow row = pointRowOf(p, bins);
                 if (row.key < 0) continue;
                 const int sector = sectorOf(p.x(), p.y());
                 const int stretch =
@@ -212,7 +212,7 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
     Matrix4d rings = Matrix4d::Zero();
     for (int stretch = 0; stretch < kStretches; ++stretch) {
         Vector4d ring = Vector4d::Zero();
-        for (int sector = 0; sector < kSectors; ++sector) {
+        for (int sector = 0; sector < patchSectors; ++sector) {
             const Vector4d& patch = patches[patchAt(stretch, sector)];
             places += patch * patch.transpose();
             ring += patch;

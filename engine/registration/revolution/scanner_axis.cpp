@@ -64,16 +64,16 @@ std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
 /// The place from which neighbours lie one step of angle apart: noise runs along the rays and leaves their angles
 /// alone. Gauss-Newton over place and step with Tukey weights whose scale follows the residuals.
 /// Sigma infinite: there is no such place.
-struct Place {
+struct RayOrigin {
     Vector2d centre = Vector2d::Zero();
     double sigma = std::numeric_limits<double>::infinity();
 };
-Place placeOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& second)
+RayOrigin rayOriginOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& second)
 {
     const auto gradient = [](const Vector2d& arm) -> Vector2d {
         return Vector2d(arm.y(), -arm.x()) / arm.squaredNorm();
     };
-    Place place;
+    RayOrigin place;
     for (const Vector2d& p : first) place.centre += p / static_cast<double>(first.size());
     std::vector<double> angles(first.size()), sizes(first.size());
     double step = 0;
@@ -89,7 +89,7 @@ Place placeOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& s
         if (round == 0) {
             std::vector<double> sorted = sizes;
             step = upperMedianInPlace(sorted);
-            if (!(step > 1e-6)) return Place{};
+            if (!(step > 1e-6)) return RayOrigin{};
             scale = step;
         }
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -110,18 +110,18 @@ Place placeOf(const std::vector<Vector2d>& first, const std::vector<Vector2d>& s
             squares += w * residual * residual;
             weights += w;
         }
-        if (weights < 50 || residuals.size() < first.size() / 4) return Place{};
+        if (weights < 50 || residuals.size() < first.size() / 4) return RayOrigin{};
         const Vector3d change = normal.ldlt().solve(right);
-        if (!change.allFinite()) return Place{};
+        if (!change.allFinite()) return RayOrigin{};
         place.centre += change.head<2>();
         step += change.z();
-        if (!(step > 1e-6)) return Place{};
+        if (!(step > 1e-6)) return RayOrigin{};
         const Eigen::Matrix3d covariance = normal.inverse() * (squares / weights);
         place.sigma = std::sqrt(covariance(0, 0) + covariance(1, 1));
         scale = std::clamp(6 * upperMedianInPlace(residuals), 1e-9 * step, 0.5 * step);
         if (change.head<2>().norm() < 1e-3 * place.sigma + 1e-12) break;
     }
-    if (!(scale < 0.3 * step)) return Place{};  // no common step
+    if (!(scale < 0.3 * step)) return RayOrigin{};  // no common step
     return place;
 }
 
@@ -152,7 +152,7 @@ std::optional<ScannerAxis> findScannerAxis(const std::vector<Vector3d>& points, 
         second.emplace_back(next.dot(u), next.dot(v));
     }
     if (first.size() < 200) return axis;
-    const Place place = placeOf(first, second);
+    const RayOrigin place = rayOriginOf(first, second);
     if (place.sigma < axis.sigma_mm) {
         axis.point_mm = place.centre.x() * u + place.centre.y() * v;
         axis.sigma_mm = place.sigma;

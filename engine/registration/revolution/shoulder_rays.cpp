@@ -3,18 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
 #include "engine/registration/revolution/scanner_axis.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr int kSectors = 24;
-constexpr double kPi = std::numbers::pi;
+constexpr int edgeSectors = 24;
 
 /// A point near a shoulder.
 struct EdgePoint {
@@ -182,7 +180,7 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 part[static_cast<std::size_t>(e)].push_back(
                     {own, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
                      static_cast<float>(p.y() / r),
-                     static_cast<std::uint8_t>(std::min(kSectors - 1.0, turn * kSectors))});
+                     static_cast<std::uint8_t>(std::min(edgeSectors - 1.0, turn * edgeSectors))});
             }
             return part;
         },
@@ -205,7 +203,7 @@ struct SectorPlace {
 };
 
 /// Sum of squares with each edge's own place free; half of the shadow shows in the balance.
-double misfit(const std::vector<Edge>& edges, const std::vector<SectorPlace>& places, const Lean& lean)
+double shadowMisfit(const std::vector<Edge>& edges, const std::vector<SectorPlace>& places, const Lean& lean)
 {
     std::vector<std::array<double, 3>> sums(edges.size(), {0, 0, 0});
     for (const SectorPlace& p : places) {
@@ -222,13 +220,13 @@ double misfit(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pl
 
 Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& places)
 {
-    const double without = misfit(edges, places, {});
+    const double without = shadowMisfit(edges, places, {});
     Lean best;
     double least = without;
     for (double slope = 0.002; slope < 0.4; slope *= 1.3)
         for (int k = 0; k < 24; ++k) {
-            const Lean lean{slope * std::cos(2 * kPi * k / 24), slope * std::sin(2 * kPi * k / 24)};
-            const double value = misfit(edges, places, lean);
+            const Lean lean{slope * std::cos(turn_rad * k / 24), slope * std::sin(turn_rad * k / 24)};
+            const double value = shadowMisfit(edges, places, lean);
             if (value < least) {
                 least = value;
                 best = lean;
@@ -239,7 +237,7 @@ Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pla
             better = false;
             for (const auto& [da, db] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
                 const Lean lean{best.a + step * da, best.b + step * db};
-                const double value = misfit(edges, places, lean);
+                const double value = shadowMisfit(edges, places, lean);
                 if (value < least * (1 - 1e-12)) {
                     least = value;
                     best = lean;
@@ -257,12 +255,12 @@ Lean leanOfShadows(const std::vector<Edge>& edges, const std::vector<std::vector
 {
     std::vector<SectorPlace> places;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        std::vector<std::vector<Ray>> sectors(kSectors);
+        std::vector<std::vector<Ray>> sectors(edgeSectors);
         for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < 0.5});
-        for (int s = 0; s < kSectors; ++s) {
+        for (int s = 0; s < edgeSectors; ++s) {
             std::vector<Ray>& rays = sectors[static_cast<std::size_t>(s)];
             std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
-            const double angle = 2 * kPi * ((s + 0.5) / kSectors - 0.5);
+            const double angle = turn_rad * ((s + 0.5) / edgeSectors - 0.5);
             if (const auto z = balance(rays)) places.push_back({e, std::cos(angle), std::sin(angle), *z});
         }
     }

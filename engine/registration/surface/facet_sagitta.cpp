@@ -4,12 +4,13 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::registration {
 namespace {
 
-/// What the chords of so many thousandths of the facets stay below.
-double quantile(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, std::size_t thousandths,
-                const Progress& progress)
+/// What the chords of this share of the facets stay below.
+double sagittaQuantile(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, double share, const Progress& progress)
 {
     constexpr double side = 0.3;    // of the normal's length along the radius
     constexpr double level = 1e-3;  // ends of a chord: this share of the radius apart at most
@@ -32,22 +33,19 @@ double quantile(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, std::siz
         }
         sagittas.push_back(largest);
     }
-    if (sagittas.empty()) return 0;
-    const auto place = sagittas.begin() + static_cast<std::ptrdiff_t>(sagittas.size() * thousandths / 1000);
-    std::nth_element(sagittas.begin(), place, sagittas.end());
-    return *place;
+    return sagittas.empty() ? 0 : quantileInPlace(sagittas, share);
 }
 
 }  // namespace
 
 double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
 {
-    return quantile(mesh, axis_T_mesh, 900, progress);
+    return sagittaQuantile(mesh, axis_T_mesh, 0.9, progress);
 }
 
 double largestSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress)
 {
-    return quantile(mesh, axis_T_mesh, 999, progress);
+    return sagittaQuantile(mesh, axis_T_mesh, 0.999, progress);
 }
 
 }  // namespace lathelier::registration

@@ -7,14 +7,15 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/registration/surface/surface_orientation.h"
 #include "engine/registration/surroundings.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t neighbourhood = 48;  // points to a patch
-constexpr std::uint32_t together = 4;      // groups whose neighbourhoods are looked for together
+constexpr std::size_t neighbourhood = 48;    // points to a patch
+constexpr std::uint32_t groupsTogether = 4;  // groups whose neighbourhoods are looked for together
 constexpr std::size_t largest_neighbourhood = 768;
 constexpr double min_breadth = 0.25;    // narrower ones (single scan lines) are widened
 constexpr double edge_ratio = 1.35;     // of a patch's scatter to the usual one
@@ -43,15 +44,12 @@ std::vector<T> parallelConcat(std::size_t count, std::size_t grain, const Progre
 }
 
 template <class T, class Value>
-double medianOf(const std::vector<T>& items, Value value)
+double medianAmong(const std::vector<T>& items, Value value)
 {
     std::vector<double> values;
     values.reserve(items.size());
     for (const T& item : items) values.push_back(value(item));
-    if (values.empty()) return 0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return values.empty() ? 0 : upperMedianInPlace(values);
 }
 
 }  // namespace
@@ -76,8 +74,8 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
     progress.report(0.15);
     std::vector<Member> members = fitAll(progress);
     progress.report(0.7);
-    scatter_mm_ = medianOf(members, [](const Member& m) { return m.patch.sigma_mm; });
-    reach_mm_ = medianOf(members, [](const Member& m) { return m.patch.radius_mm; });
+    scatter_mm_ = medianAmong(members, [](const Member& m) { return m.patch.sigma_mm; });
+    reach_mm_ = medianAmong(members, [](const Member& m) { return m.patch.radius_mm; });
     members = splitAtEdges(members, progress);
     store(members);
     progress.report(1);
@@ -111,7 +109,7 @@ void CloudSurface::gather(std::uint32_t centre, std::size_t count, Search& searc
 void CloudSurface::surround(std::size_t group, std::size_t end, Search& search) const
 {
     const auto first = static_cast<std::uint32_t>(group);
-    const auto last = static_cast<std::uint32_t>(std::min(group + together, end) - 1);
+    const auto last = static_cast<std::uint32_t>(std::min(group + groupsTogether, end) - 1);
     Box box;
     for (std::uint32_t i = first * group_size; i < groupEnd(last); ++i) box.add(points_.point_mm(i));
     search.surroundings.collect(box, 1.1 * search.expected_mm2, 256);
@@ -166,7 +164,7 @@ std::vector<CloudSurface::Member> CloudSurface::fitAll(const Progress& progress)
                                   [&](std::size_t begin, std::size_t end, std::vector<Member>& members) {
                                       Search search(points_);
                                       for (std::size_t g = begin; g < end; ++g) {
-                                          if ((g - begin) % together == 0) surround(g, end, search);
+                                          if ((g - begin) % groupsTogether == 0) surround(g, end, search);
                                           fitGroup(static_cast<std::uint32_t>(g), search, members);
                                       }
                                   });

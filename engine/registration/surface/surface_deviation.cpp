@@ -12,8 +12,9 @@ namespace lathelier::registration {
 
 namespace {
 
-SurfaceDeviation measure(Surface& surface, const Eigen::Vector3d& origin_mm, const std::vector<Eigen::Vector3d>& points,
-                         double max_distance_mm, const Progress& progress)
+SurfaceDeviation deviationsFrom(Surface& surface, const Eigen::Vector3d& origin_mm,
+                                const std::vector<Eigen::Vector3d>& points, double max_distance_mm,
+                                const Progress& progress)
 {
     SurfaceDeviation result;
     result.notes = surface.notes();
@@ -52,16 +53,16 @@ SurfaceDeviation surfaceDeviation(const Scan& reference,
                                   double max_distance_mm, const Progress& progress)
 {
     const std::unique_ptr<Surface> surface = makeSurface(reference, progress.part(0, 0.4));
-    return measure(*surface, Eigen::Vector3d::Zero(), copy_points_in_reference_mm, max_distance_mm,
-                   progress.part(0.4, 1));
+    return deviationsFrom(*surface, Eigen::Vector3d::Zero(), copy_points_in_reference_mm, max_distance_mm,
+                          progress.part(0.4, 1));
 }
 
 SurfaceDeviation surfaceDeviation(const GeneralReference& reference,
                                   const std::vector<Eigen::Vector3d>& copy_points_in_reference_mm,
                                   double max_distance_mm, const Progress& progress)
 {
-    return measure(*reference.surface, reference.points.middle_mm, copy_points_in_reference_mm, max_distance_mm,
-                   progress);
+    return deviationsFrom(*reference.surface, reference.points.middle_mm, copy_points_in_reference_mm, max_distance_mm,
+                          progress);
 }
 
 }  // namespace lathelier::registration

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double rim_margin = 1e-4;  // of the mesh's extent
 
-double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -84,7 +84,7 @@ void MeshSurface::connect(const Progress& progress)
         for (std::size_t k = 0; k < 3; ++k) {
             const Eigen::Vector3d& p = triangle.corners_mm[k];
             corner_normals_[triangle.corners[k]] +=
-                angle(triangle.corners_mm[(k + 1) % 3] - p, triangle.corners_mm[(k + 2) % 3] - p) * unit;
+                angleBetween(triangle.corners_mm[(k + 1) % 3] - p, triangle.corners_mm[(k + 2) % 3] - p) * unit;
             triangle.edge_normals[k] = unit.cast<float>();
         }
     }

@@ -25,9 +25,10 @@ struct Pairs {
 };
 
 // Coordinates along three directions, from an origin, of the points i and i + 1; of the last one alone twice.
-class Frame {
+class PatchFrame {
 public:
-    Frame(std::span<const Eigen::Vector3d> points_mm, const Eigen::Vector3d& origin_mm, const Eigen::Matrix3d& rows)
+    PatchFrame(std::span<const Eigen::Vector3d> points_mm, const Eigen::Vector3d& origin_mm,
+               const Eigen::Matrix3d& rows)
         : points_mm_(points_mm), origin_mm_(origin_mm), rows_(rows)
     {
     }
@@ -56,7 +57,7 @@ Pair weightsAt(std::span<const double> weights, std::size_t i)
 }
 
 // The least-squares quadric z = s0 + s1 x + s2 y + s3 x² + s4 xy + s5 y²; false where the points do not tell all six.
-bool fitQuadric(const Frame& frame, std::span<const double> weights, Vector6& s)
+bool fitQuadric(const PatchFrame& frame, std::span<const double> weights, Vector6& s)
 {
     // Sums of x^i y^j for i + j up to 4, and of z x^i y^j up to 2, in the order of the powers below.
     std::array<Pair, 15> sums;
@@ -118,7 +119,7 @@ bool fitQuadric(const Frame& frame, std::span<const double> weights, Vector6& s)
 }
 
 // Weighted sum of the squares of the distances from z = s0 + s1 x + …, to second order in the slope.
-double sumOfSquares(const Frame& frame, std::span<const double> weights, const Vector6& s)
+double sumOfSquares(const PatchFrame& frame, std::span<const double> weights, const Vector6& s)
 {
     Pair sum = Pair::Zero();
     for (std::size_t i = 0; i < weights.size(); i += 2) {
@@ -196,7 +197,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
     std::array<Pair, 6> squares;
     squares.fill(Pair::Zero());
     Pair reaches = Pair::Zero();
-    const Frame about(points_mm, patch.centre_mm, Eigen::Matrix3d::Identity());
+    const PatchFrame about(points_mm, patch.centre_mm, Eigen::Matrix3d::Identity());
     for (std::size_t i = 0; i < points_mm.size(); i += 2) {
         const Pair w = weightsAt(weights, i);
         const auto [x, y, z] = about.at(i);
@@ -228,7 +229,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
     const double scale = 1 / patch.radius_mm;
     Eigen::Matrix3d rows;
     rows << patch.u.transpose(), patch.v.transpose(), patch.normal.transpose();
-    const Frame frame(points_mm, patch.centre_mm, scale * rows);
+    const PatchFrame frame(points_mm, patch.centre_mm, scale * rows);
     Vector6 s = Vector6::Zero();
     const bool is_quadric = total >= min_points_of_quadric && fitQuadric(frame, weights, s);
     patch.c << s[0] * patch.radius_mm, s[1], s[2], s[3] * scale, s[4] * scale, s[5] * scale;

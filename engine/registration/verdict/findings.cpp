@@ -139,8 +139,8 @@ double withoutFacets(const SurfaceWindows& all, std::size_t stretch, double valu
     return judgedMean_mm(all, window);
 }
 
-void judge(const SurfaceWindows& all, Finding& finding, double allowance_mm, const DeviationLimits& limits,
-           DecisionRule rule)
+void judgeFinding(const SurfaceWindows& all, Finding& finding, double allowance_mm, const DeviationLimits& limits,
+                  DecisionRule rule)
 {
     const bool is_form = finding.kind == Finding::Kind::Taper || finding.kind == Finding::Kind::Barrel;
     const double width = limits.upper_mm - limits.lower_mm;
@@ -154,8 +154,8 @@ void judge(const SurfaceWindows& all, Finding& finding, double allowance_mm, con
         finding.verdict = finding.uncertainty_mm <= by.half_mm() ? Verdict::Pass : Verdict::Undecided;
 }
 
-void describe(const SurfaceWindows& all, const Form& form, const LimitsAlong& limits, DecisionRule rule,
-              std::vector<Finding>& findings)
+void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong& limits, DecisionRule rule,
+                  std::vector<Finding>& findings)
 {
     const auto here = limits.between(form.start_mm, form.end_mm);
     const auto add = [&](Finding::Kind kind, double value, double sigma) {
@@ -166,7 +166,7 @@ void describe(const SurfaceWindows& all, const Form& form, const LimitsAlong& li
         finding.z_end_mm = form.end_mm;
         finding.value_mm = value;
         finding.uncertainty_mm = 2 * sigma;
-        if (here) judge(all, finding, kStandsOut * sigma, *here, rule);
+        if (here) judgeFinding(all, finding, kStandsOut * sigma, *here, rule);
         findings.push_back(finding);
     };
     add(Finding::Kind::Step, withoutFacets(all, form.stretch, form.value[0]), form.sigma[0]);
@@ -240,7 +240,7 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm))) {
             // `factor` is for the windows that judge alone; noisier ones were chosen among all.
             const auto sigma = static_cast<double>(w.sigma_mm);
-            judge(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
+            judgeFinding(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
         }
         findings.push_back(finding);
     }
@@ -345,7 +345,7 @@ std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlon
     std::vector<Finding> findings;
     if (all.has_sign) {
         const std::vector<Form> forms = formsOf(all, limits);
-        for (const Form& form : forms) describe(all, form, limits, rule, findings);
+        for (const Form& form : forms) describeForm(all, form, limits, rule, findings);
         findBumps(all, forms, limits, rule, factor, findings);
     } else {
         findBumps(all, {}, limits, rule, factor, findings);

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/registration/scanner_spot.h"
 #include "engine/registration/verdict/surface_cells.h"
 
 namespace lathelier::registration {
@@ -18,14 +19,13 @@ namespace {
 
 using Cube = std::array<std::int32_t, 3>;
 
-constexpr double kEdge_mm = 0.5;   // the scanner's spot smears what lies nearer to an edge
 constexpr double kTurns = 0.8;     // cosine between normals: more is an edge, where it happens within a cell
 constexpr double kSameSide = 0.7;  // cosine between normals of cells that may be averaged
 // Radius of windows, in sizes of a cell: of about 9, 13 and 21 cells.
 constexpr std::array<double, 3> kWindows = {1.6, 2.1, 2.5};
 constexpr double kRound = 1.77;  // √π: from the radius of a circle to the side of a square of its area
 constexpr int kMostLevels = 12;
-constexpr std::uint32_t kNone = CellPoints::kOutside;
+constexpr std::uint32_t noCell = CellPoints::kOutside;
 
 /// Where a normal points, as one of six sides (three where the deviation has no sign: then 0, 2, 4).
 int sideOf(const Eigen::Vector3f& normal)
@@ -50,7 +50,7 @@ public:
     {
         std::size_t size = 16;
         while (size < 2 * most) size *= 2;
-        slots_.assign(size, {kEmpty, kNone});
+        slots_.assign(size, {kEmpty, noCell});
     }
 
     std::uint32_t find(std::uint64_t key) const { return slots_[place(key)].second; }
@@ -85,7 +85,7 @@ Cube cubeOf(const Eigen::Vector3d& place, double size)
 }
 
 /// The points that count, with the deviation and the normal of one sense.
-struct Points {
+struct CountedPoints {
     std::vector<Eigen::Vector3d> place_mm;  ///< about the middle; of used points only
     std::vector<Eigen::Vector3f> normal;
     std::vector<float> deviation_mm;
@@ -93,10 +93,10 @@ struct Points {
     Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();
 };
 
-Points pointsOf(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3f>& normals,
-                const CompareResult& result)
+CountedPoints pointsOf(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3f>& normals,
+                       const CompareResult& result)
 {
-    Points used;
+    CountedPoints used;
     for (std::uint32_t i = 0; i < points.size(); ++i) {
         if (!result.used[i] || normals[i].squaredNorm() == 0) continue;
         // On the reference's surface, so that noise puts no point into another cell.
@@ -117,7 +117,7 @@ Points pointsOf(const std::vector<Eigen::Vector3d>& points, const std::vector<Ei
 
 /// The area that the points lie on: of coarse cubes with a few points each, as large as the faces through them are on
 /// average.
-double areaOf(const Points& points)
+double areaOf(const CountedPoints& points)
 {
     double size = 0;
     for (const Eigen::Vector3d& p : points.place_mm) size = std::max(size, p.norm());
@@ -161,7 +161,7 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
                 for (int side = 0; side < 6; ++side) {
                     if ((side ^ 1) == cubes.side[c]) continue;
                     const std::uint32_t other = cubes.table.find(keyOf(at, side));
-                    if (other == kNone) continue;
+                    if (other == noCell) continue;
                     const SurfaceCell& there = level.cells[other];
                     if (here.normal.dot(there.normal) < kSameSide * here.normal.norm() * there.normal.norm()) continue;
                     const double distance = (here.place_mm - there.place_mm).norm();
@@ -194,7 +194,7 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
         }
         level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
         for (std::size_t a = 0; a < 3; ++a)
-            if (static_cast<int>(a) != cubes.side[c] / 2 && mine.row[a][0] != kNone && mine.row[a][1] != kNone)
+            if (static_cast<int>(a) != cubes.side[c] / 2 && mine.row[a][0] != noCell && mine.row[a][1] != noCell)
                 level.rows[a].push_back({mine.row[a][0], c, mine.row[a][1]});
     }
 }
@@ -221,7 +221,7 @@ std::vector<bool> edgeCells(const std::vector<SurfaceCell>& cells, const std::ve
         for (int k = 0; k < 27 * 6 && !is_edge[c]; ++k) {
             const Cube at{cube[0] + k / 6 % 3 - 1, cube[1] + k / 18 % 3 - 1, cube[2] + k / 54 - 1};
             const std::uint32_t other = table.find(keyOf(at, k % 6));
-            if (other == kNone || points[other] < 2) continue;
+            if (other == noCell || points[other] < 2) continue;
             const double cosine =
                 normals[other].dot(cells[c].normal) / (normals[other].norm() * cells[c].normal.norm());
             is_edge[c] = cosine < kTurns && cosine > -kTurns;  // the other side of a thin wall is no edge
@@ -256,7 +256,7 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
     const AlignmentUncertainty& u = result.alignment.uncertainty;
     all.axial_sigma_mm = u.axial_um / 2000;
     all.tilt_sigma = u.axis_deg * std::numbers::pi / 360;
-    const Points used = pointsOf(points, normals, result);
+    const CountedPoints used = pointsOf(points, normals, result);
     all.middle_mm = used.middle_mm;
     if (used.place_mm.empty()) return all;
 
@@ -289,7 +289,7 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
         cells[c].place_mm = sums[c].place_mm / sums[c].points;
         cells[c].normal = sums[c].normal / sums[c].points;
     }
-    const std::vector<bool> is_edge = edgeCells(cells, cubes.side, std::max(kEdge_mm, size));
+    const std::vector<bool> is_edge = edgeCells(cells, cubes.side, std::max(smearedEdge_mm, size));
 
     for (std::size_t c = 0; c < cells.size(); ++c)
         if (is_edge[c]) cells[c].points = 0;

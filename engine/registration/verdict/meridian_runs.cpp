@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 
@@ -10,11 +11,10 @@ std::vector<SmoothRun> smoothRuns(const TurnedPart& part)
 {
     const RadiusProfile& p = part.fit.profile;
     std::vector<SmoothRun> runs;
-    const double none = std::numeric_limits<double>::quiet_NaN();
     const auto lowerEnd = [&](std::size_t bin) { return p.z_start_mm + static_cast<double>(bin) * p.step_mm; };
     const double jump = 8 * part.fit.sigma_mm;
     std::size_t from = 0;
-    double start = none;
+    double start = notANumber;
     const auto finish = [&](std::size_t to, double end) {
         if (to >= from + 3)
             runs.push_back(
@@ -22,9 +22,9 @@ std::vector<SmoothRun> smoothRuns(const TurnedPart& part)
     };
     for (std::size_t i = 0; i < p.size(); ++i) {
         if (std::isnan(p.radius_mm[i])) {
-            finish(i, none);
+            finish(i, notANumber);
             from = i + 1;
-            start = none;
+            start = notANumber;
             continue;
         }
         if (i == from) continue;
@@ -42,7 +42,7 @@ std::vector<SmoothRun> smoothRuns(const TurnedPart& part)
         from = i;
         start = known ? edge->z_mm : middle + p.step_mm;
     }
-    finish(p.size(), none);
+    finish(p.size(), notANumber);
     return runs;
 }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
 #include "engine/registration/verdict/revolution_grids.h"
 #include "engine/registration/verdict/surface_cells.h"
@@ -14,9 +15,8 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCoarse_mm = 3;  // cells that tell how much of the surface has points
-constexpr std::size_t kGrain = 32768;
+constexpr std::size_t pointsPerCellTask = 32768;
 constexpr std::uint8_t kNoStretch = Stretches::kNoStretch;
 constexpr std::uint32_t kOutside = CellPoints::kOutside;
 
@@ -190,7 +190,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     const AlignmentUncertainty& u = result.alignment.uncertainty;
     all.axial_sigma_mm = u.axial_um / 2000;
     all.radial_sigma_mm = u.radial_um / 2000;
-    all.tilt_sigma = u.axis_deg * kPi / 360;
+    all.tilt_sigma = u.axis_deg * std::numbers::pi / 360;
     // Without an axial shift that the geometry determines, a face is where the two scans happened to be put.
     const Eigen::Vector3d axis = reference.fit.axis_T_scan.linear().row(2);
     const bool is_shift_known = std::none_of(
@@ -209,7 +209,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     std::vector<float> along(points.size());  // z from the first data; on a face the radius
     std::vector<std::uint8_t> stretch_of(points.size(), kNoStretch);
     const auto used = parallelReduce(
-        points.size(), kGrain, progress, std::size_t{0},
+        points.size(), pointsPerCellTask, progress, std::size_t{0},
         [&](std::size_t begin, std::size_t end) {
             std::size_t count = 0;
             for (std::size_t i = begin; i < end; ++i) {
@@ -237,7 +237,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
             area += has_points[k] ? grid.cellArea() : 0;
     const double size = cellSize_mm(static_cast<double>(used), area);
     CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), kOutside), layOut(grids, size)};
-    parallelFor(points.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.size(), pointsPerCellTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             if (const std::uint8_t found = stretch_of[i]; found != kNoStretch) {
                 const double first = stretches.isFace(found) ? 0 : line.zFirst_mm();
@@ -258,7 +258,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
             const std::size_t row = k / grid.columns;
             const double z = grid.rowStart_mm(row);
             const double angle =
-                2 * kPi * (static_cast<double>(k % grid.columns) + 0.5) / static_cast<double>(grid.columns);
+                turn_rad * (static_cast<double>(k % grid.columns) + 0.5) / static_cast<double>(grid.columns);
             const Eigen::Vector3d radial(std::cos(angle), std::sin(angle), 0);
             if (grid.is_face) {
                 const double r = (z + grid.rowStart_mm(row + 1)) / 2;

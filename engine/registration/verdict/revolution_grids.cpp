@@ -3,13 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/registration/scanner_spot.h"
+
 namespace lathelier::registration {
-namespace {
-
-constexpr double kEdge_mm = 0.5;  // the scanner's spot smears what lies nearer to an edge
-
-}  // namespace
-
 Stretches::Stretches(const TurnedPart& part, const MeridianLine& line, bool with_faces) : part_(part), line_(line)
 {
     const RadiusProfile& profile = part.fit.profile;
@@ -26,13 +22,13 @@ void Stretches::addFaces()
     const std::vector<MeasuredFace>& faces = line_.faces();
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const MeasuredFace& face = faces[f];
-        if (stretches_.size() >= kNoStretch || face.outer_mm - face.inner_mm < kEdge_mm) continue;
+        if (stretches_.size() >= kNoStretch || face.outer_mm - face.inner_mm < smearedEdge_mm) continue;
         double reach = kReach_mm;
         if (f > 0) reach = std::min(reach, (face.z_mm - faces[f - 1].z_mm) / 2);
         if (f + 1 < faces.size()) reach = std::min(reach, (faces[f + 1].z_mm - face.z_mm) / 2);
         const double middle = (face.inner_mm + face.outer_mm) / 2;
-        faces_.push_back({&face, static_cast<std::uint8_t>(stretches_.size()), reach, face.inner_mm - kEdge_mm,
-                          face.outer_mm + kEdge_mm});
+        faces_.push_back({&face, static_cast<std::uint8_t>(stretches_.size()), reach, face.inner_mm - smearedEdge_mm,
+                          face.outer_mm + smearedEdge_mm});
         grids_.push_back({face.inner_mm, face.outer_mm, middle, true});
         const double z = std::clamp(face.z_mm - line_.zFirst_mm(), 0.0, line_.zLast_mm() - line_.zFirst_mm());
         stretches_.push_back(
@@ -42,9 +38,9 @@ void Stretches::addFaces()
 
 void Stretches::add(const SmoothRun& run, const RadiusProfile& profile, bool is_bore)
 {
-    const double start = run.start_mm + kEdge_mm;
-    const double end = run.end_mm - kEdge_mm;
-    if (end < start + kEdge_mm || stretches_.size() >= kNoStretch) return;
+    const double start = run.start_mm + smearedEdge_mm;
+    const double end = run.end_mm - smearedEdge_mm;
+    if (end < start + smearedEdge_mm || stretches_.size() >= kNoStretch) return;
     Grid grid{start, end};
     double variance = 0;
     double known = 0;

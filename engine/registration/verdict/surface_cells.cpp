@@ -16,18 +16,17 @@ constexpr double kPointsPerCell = 6;   // on average
 constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few of them
 constexpr double kManyCells = 30000;
 constexpr double kMostCells = 400000;
-constexpr double kStray = 6;             // robust standard deviations from the median of the cell
-constexpr std::size_t kSpreads = 2000;   // so many cells, if there are, tell the scatter of the points
-constexpr std::size_t kOfSpreads = 16;   // or one in so many
-constexpr double kFew = 3;               // points whose median a stray one moves
-constexpr double kUsualNeighbours = 21;  // cells of a window
-constexpr double kLonely = 0.1;          // of the usual number of points in a window: these are stray points
-constexpr double kFamily = 0.05;         // chance that any window of a perfect surface exceeds the allowance
-constexpr double kPrior = 50;            // points that the scatter of the whole surface counts for in a window's own
-constexpr std::size_t kLeastRows = 24;   // second differences that a variance is taken from
-constexpr double kToSigma = 1.4826;      // from the median of absolute values to the standard deviation
-constexpr double kCoincident_mm = 1e-9;  // smaller deviations are rounding
-constexpr std::size_t kGrain = 2048;     // cells of one step
+constexpr double straySigmas = 6;           // robust standard deviations from the median of the cell
+constexpr std::size_t kSpreads = 2000;      // so many cells, if there are, tell the scatter of the points
+constexpr std::size_t kOfSpreads = 16;      // or one in so many
+constexpr double fewInCell = 3;             // points whose median a stray one moves
+constexpr double kUsualNeighbours = 21;     // cells of a window
+constexpr double kLonely = 0.1;             // of the usual number of points in a window: these are stray points
+constexpr double kFamily = 0.05;            // chance that any window of a perfect surface exceeds the allowance
+constexpr double kPrior = 50;               // points that the scatter of the whole surface counts for in a window's own
+constexpr std::size_t kLeastRows = 24;      // second differences that a variance is taken from
+constexpr double kCoincident_mm = 1e-9;     // smaller deviations are rounding
+constexpr std::size_t cellsPerTask = 2048;  // cells of one step
 
 /// In the type of the values: as cheap as can be, for it is taken of every cell.
 double medianOf(std::vector<float>& values)
@@ -39,14 +38,14 @@ double medianOf(std::vector<float>& values)
 }
 
 /// Where the points of each cell stand in `order`.
-struct Sorted {
+struct CellOrder {
     std::vector<std::uint32_t> first;  ///< of cell i: from first[i] to first[i + 1] - 1
     std::vector<std::uint32_t> order;  ///< numbers of points
 };
 
-Sorted sortByCell(const CellPoints& points)
+CellOrder sortByCell(const CellPoints& points)
 {
-    Sorted sorted;
+    CellOrder sorted;
     sorted.first.assign(points.cell_count + 1, 0);
     for (const std::uint32_t c : points.cell)
         if (c != CellPoints::kOutside) ++sorted.first[c + 1];
@@ -60,7 +59,7 @@ Sorted sortByCell(const CellPoints& points)
 
 double robustSigma(std::vector<float>& absolute_values)
 {
-    return absolute_values.empty() ? 0 : kToSigma * medianOf(absolute_values);
+    return absolute_values.empty() ? 0 : mad_to_sigma * medianOf(absolute_values);
 }
 
 /// Variance of the mean of a cell times its points over the variance of a point: 1 for independent points.
@@ -184,7 +183,7 @@ double cellSize_mm(double points, double area_mm2)
 CellMeans cellMeans(const CellPoints& points, const Progress& progress)
 {
     CellMeans result;
-    const Sorted sorted = sortByCell(points);
+    const CellOrder sorted = sortByCell(points);
     const auto valuesOf = [&](std::size_t c, std::vector<float>& values) {
         values.clear();
         for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k)
@@ -192,7 +191,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
     };
     const std::size_t every = std::clamp<std::size_t>(points.cell_count / kSpreads, 1, kOfSpreads);
     std::vector<float> spreads((points.cell_count + every - 1) / every, -1);  // median distance from the median
-    parallelFor(spreads.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(spreads.size(), cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> values;
         for (std::size_t k = begin; k < end; ++k) {
             valuesOf(every * k, values);
@@ -206,14 +205,14 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
     });
     std::erase_if(spreads, [](float v) { return v < 0; });
     const bool all_count = spreads.empty();
-    const double reach = all_count ? std::numeric_limits<double>::infinity() : kStray * robustSigma(spreads);
+    const double reach = all_count ? std::numeric_limits<double>::infinity() : straySigmas * robustSigma(spreads);
     result.reach_mm = reach;
 
     std::vector<SurfaceCell>& cells = result.cells;
     std::vector<std::uint8_t>& counted = result.counted;
     cells.resize(points.cell_count);
     counted.assign(points.cell.size(), 0);
-    parallelFor(points.cell_count, kGrain, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.cell_count, cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> values;
         for (std::size_t c = begin; c < end; ++c) {
             valuesOf(c, values);
@@ -252,7 +251,7 @@ StrayCells::StrayCells(const std::vector<SurfaceCell>& cells, double reach_mm) :
 
 bool StrayCells::isInQuestion(const SurfaceCell& cell) const
 {
-    return cell.points > 0 && cell.points <= kFew;
+    return cell.points > 0 && cell.points <= fewInCell;
 }
 
 bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*>& around) const
@@ -309,7 +308,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
     result.factor = allowanceOfWorst(count, about, 2);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const CellLevel& level = levels[k];
-        parallelFor(level.cells.size(), kGrain, progress, [&](std::size_t begin, std::size_t end) {
+        parallelFor(level.cells.size(), cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t c = begin; c < end; ++c) {
                 SurfaceCell sum;
                 const std::size_t place = start[k] + about * c;

@@ -31,7 +31,7 @@ double chosenFactor(const SurfaceWindows& all, const SurfaceWindow& window)
     return std::isfinite(out) ? all.factor + clear * (2 - all.factor) : 2;
 }
 
-WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window, double factor)
+WorstPlace worstPlaceOf(const SurfaceWindows& all, const SurfaceWindow& window, double factor)
 {
     WorstPlace worst;
     worst.point_mm = window.place_mm.cast<double>();
@@ -61,16 +61,16 @@ WorstPlace placeOf(const SurfaceWindows& all, const SurfaceWindow& window, doubl
 }
 
 /// One of the smallest windows, with those that hold it.
-struct Place {
+struct WindowPlace {
     std::optional<DeviationLimits> limits;  ///< of the window that stands for it
     const SurfaceWindow* window = nullptr;  ///< the smallest that is sure enough; else the surest that can be judged
     double needed_mm = std::numeric_limits<double>::infinity();  ///< the least U of all
     double cell_mm = 0;                                          ///< of the window that has it
 };
 
-Place climb(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& smallest)
+WindowPlace climb(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& smallest)
 {
-    Place place;
+    WindowPlace place;
     for (const SurfaceWindow* w = &smallest;;) {
         const auto here = limits.between(static_cast<double>(w->z_start_mm), static_cast<double>(w->z_end_mm));
         if (here) {
@@ -214,14 +214,14 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     for (const Worst* worst : {&failing, &sure, &judged})
         if (worst->window && !result.worst) {
             const double most = worst == &failing ? result.factor : all.factor;
-            result.worst = placeOf(all, *worst->window, std::min(most, chosenFactor(all, *worst->window)));
+            result.worst = worstPlaceOf(all, *worst->window, std::min(most, chosenFactor(all, *worst->window)));
         }
     if (!any) return result;
 
     forEachSmallest(all, [&](const SurfaceWindow& window) {
         const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
         if (!limits.at(middle)) return;
-        const Place place = climb(all, limits, window);
+        const WindowPlace place = climb(all, limits, window);
         if (std::isinf(place.needed_mm)) return;  // at the border of what is left out
         const auto points = static_cast<double>(window.points);
         bool unsure = false;

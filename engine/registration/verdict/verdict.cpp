@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/verdict/findings.h"
 #include "engine/registration/verdict/surface_verdict.h"
@@ -13,7 +14,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t grain = 65536;
+constexpr std::size_t judgedPerTask = 65536;
 constexpr double clearlyAbove = 1.1;
 
 /// Points that have limits, and those within them.
@@ -38,9 +39,10 @@ Share countWithin(const CompareResult& result, const LimitsAlong& limits, const 
         }
         return share;
     };
-    return parallelReduce(result.used.size(), grain, progress, Share{}, count, [](Share all, const Share& part) {
-        return Share{all.within + part.within, all.all + part.all};
-    });
+    return parallelReduce(result.used.size(), judgedPerTask, progress, Share{}, count,
+                          [](Share all, const Share& part) {
+                              return Share{all.within + part.within, all.all + part.all};
+                          });
 }
 
 /// Number, sum and sum of squares of the deviations of each zone.
@@ -88,20 +90,19 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
         }
         return sums;
     };
-    const ZoneSums sums =
-        parallelReduce(all.counted.size(), grain, progress, ZoneSums{std::vector<std::array<double, 3>>(zones.size())},
-                       sumsOf, [](ZoneSums to, const ZoneSums& from) {
-                           for (std::size_t k = 0; k < to.of.size(); ++k)
-                               for (std::size_t j = 0; j < 3; ++j) to.of[k][j] += from.of[k][j];
-                           return to;
-                       });
+    const ZoneSums sums = parallelReduce(all.counted.size(), judgedPerTask, progress,
+                                         ZoneSums{std::vector<std::array<double, 3>>(zones.size())}, sumsOf,
+                                         [](ZoneSums to, const ZoneSums& from) {
+                                             for (std::size_t k = 0; k < to.of.size(); ++k)
+                                                 for (std::size_t j = 0; j < 3; ++j) to.of[k][j] += from.of[k][j];
+                                             return to;
+                                         });
     for (std::size_t k = 0; k < zones.size(); ++k) {
         const auto& [count, sum, squares] = sums.of[k];
         Zone& zone = zones[k];
-        const double none = std::numeric_limits<double>::quiet_NaN();
         zone.points = static_cast<std::int64_t>(count);
-        zone.mean_mm = count > 0 ? sum / count : none;
-        zone.std_mm = count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1))) : none;
+        zone.mean_mm = count > 0 ? sum / count : notANumber;
+        zone.std_mm = count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1))) : notANumber;
         if (count > 0)
             zone.uncertainty_mm = 2 * meanSigma_mm(all, zone.z_start_mm, zone.z_end_mm, count,
                                                    meanNormal(all, zone.z_start_mm, zone.z_end_mm));

@@ -3,20 +3,14 @@
 #include <cmath>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/stability/pass/cut_shaft.h"
+#include "engine/stability/refusal.h"
 
 namespace lathelier::stability {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-[[noreturn]] void refuse(const char* parameter, Value found, Text expected)
-{
-    throw Error(errors::valueNotUnderstood,
-                {{"parameter", parameter}, {"found", std::move(found)}, {"expected", expected}});
-}
-
-void check(const PassParameters& p, const LobeParameters& lobes)
+void checkPass(const PassParameters& p, const LobeParameters& lobes)
 {
     if (p.pass_z_mm.size() != 1)
         refuse("pass_z_mm", Value(p.pass_z_mm), LT_TEXT("Engine", "the stretch that the tool cuts, such as 0:100"));
@@ -40,11 +34,10 @@ const std::vector<Field<PassParameters>>& fieldsOf(const PassParameters*)
                     LT_TEXT("Engine",
                             "Stretch that the tool cuts, 0:100 from the free end toward the chuck: lobes for each "
                             "place."),
-                    LT_TEXT("Engine", "mm")}),
+                    unit::mm}),
         field("pass_depth_mm", &P::pass_depth_mm, Range{1e-6, 1e4},
               Label{LT_TEXT("Engine", "Depth of the pass"),
-                    LT_TEXT("Engine", "On the radius; the shaft is thinner by it behind the tool."),
-                    LT_TEXT("Engine", "mm")}),
+                    LT_TEXT("Engine", "On the radius; the shaft is thinner by it behind the tool."), unit::mm}),
         field("pass_stations", &P::pass_stations, Range{2, 1000},
               Label{LT_TEXT("Engine", "Stations of the pass"),
                     LT_TEXT("Engine", "Places of the tool, evenly over the pass."),
@@ -58,7 +51,7 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
                          const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
                          const Progress& progress)
 {
-    check(parameters, lobes);
+    checkPass(parameters, lobes);
     cutShaft(stock, parameters.pass_z_mm.front().from, parameters.pass_z_mm.front().to, *parameters.pass_depth_mm);
     PassResult result;
     result.parameters = parameters;
@@ -67,10 +60,12 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
     const Interval pass = parameters.pass_z_mm.front();
     const auto rows = static_cast<std::size_t>(parameters.pass_stations);
     const auto columns = static_cast<std::size_t>(lobes.points);
-    result.limit_mm.assign(rows * columns, none);
-    result.worst = {
-        {}, std::vector<double>(columns, none), std::vector<double>(columns, none), std::vector<int>(columns, -1)};
-    result.worst_z_mm.assign(columns, none);
+    result.limit_mm.assign(rows * columns, notANumber);
+    result.worst = {{},
+                    std::vector<double>(columns, notANumber),
+                    std::vector<double>(columns, notANumber),
+                    std::vector<int>(columns, -1)};
+    result.worst_z_mm.assign(columns, notANumber);
     result.stations.reserve(rows);
     for (std::size_t row = 0; row < rows; ++row) {
         const double share = static_cast<double>(row) / static_cast<double>(rows - 1);

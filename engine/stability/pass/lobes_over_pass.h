@@ -9,6 +9,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
 #include "engine/core/shaft.h"
+#include "engine/core/units.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/report/document.h"
 #include "engine/stability/lobes.h"
@@ -54,11 +55,11 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
 
 /// What is known of a spindle speed for the whole pass.
 struct PassPoint {
-    double speed_rpm = 0;                                            ///< nearest column of the result
-    double limit_mm = std::numeric_limits<double>::quiet_NaN();      ///< least limit over the pass; NaN: none
-    double z_mm = std::numeric_limits<double>::quiet_NaN();          ///< where it is, at that column
-    double frequency_hz = std::numeric_limits<double>::quiet_NaN();  ///< of the chatter there, likewise
-    bool stable = true;                                              ///< the depth of the pass is below the limit
+    double speed_rpm = 0;              ///< nearest column of the result
+    double limit_mm = notANumber;      ///< least limit over the pass; NaN: none
+    double z_mm = notANumber;          ///< where it is, at that column
+    double frequency_hz = notANumber;  ///< of the chatter there, likewise
+    bool stable = true;                ///< the depth of the pass is below the limit
 };
 /// The limit is linear between columns. Precondition: the speed lies within those of the result.
 PassPoint pointOfPass(const PassResult& result, double speed_rpm);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/stability/envelope.h"
@@ -14,11 +15,9 @@
 namespace lathelier::stability {
 namespace {
 
-const Text mm = LT_TEXT("Engine", "mm");
-
-report::Axis speedAxis(const PassResult& result)
+report::Axis passSpeedAxis(const PassResult& result)
 {
-    report::Axis axis{LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "1/min")};
+    report::Axis axis{LT_TEXT("Engine", "Spindle speed"), unit::rpm};
     axis.range = Interval{result.speed_rpm.front(), result.speed_rpm.back()};
     return axis;
 }
@@ -28,14 +27,14 @@ Json number(double value)
     return std::isfinite(value) ? Json(value) : Json();
 }
 
-Json numbers(const std::vector<double>& values, std::size_t from, std::size_t count)
+Json numbersWithin(const std::vector<double>& values, std::size_t from, std::size_t count)
 {
     Json list = Json::array();
     for (std::size_t i = from; i < from + count; ++i) list.push_back(number(values[i]));
     return list;
 }
 
-PassPoint pointAt(const PassResult& result, std::size_t column)
+PassPoint pointOfColumn(const PassResult& result, std::size_t column)
 {
     PassPoint point;
     point.speed_rpm = result.speed_rpm[column];
@@ -55,7 +54,7 @@ PassPoint pointOfPass(const PassResult& result, double speed_rpm)
     auto column = static_cast<std::size_t>(after - result.speed_rpm.begin());
     if (column == result.speed_rpm.size()) --column;
     if (column > 0 && speed_rpm - result.speed_rpm[column - 1] < result.speed_rpm[column] - speed_rpm) --column;
-    PassPoint point = pointAt(result, column);
+    PassPoint point = pointOfColumn(result, column);
     const double between = depthAt(result.worst, speed_rpm);  // NaN beside a speed without a limit
     if (std::isnan(between)) return point;
     point.limit_mm = between;
@@ -69,16 +68,16 @@ PassPoint bestOfPass(const PassResult& result)
     const auto height = [&](std::size_t i) { return result.worst.k[i] < 0 ? HUGE_VAL : result.worst.depth_mm[i]; };
     for (std::size_t i = 1; i < result.speed_rpm.size(); ++i)
         if (height(i) > height(best)) best = i;
-    return pointAt(result, best);
+    return pointOfColumn(result, best);
 }
 
 report::ColourMap passMap(const PassResult& result)
 {
     report::ColourMap map;
     map.title = LT_TEXT("Engine", "Depth of cut beyond the limit");
-    map.x = speedAxis(result);
-    map.y = {LT_TEXT("Engine", "Place of the tool z"), mm};
-    map.value = {LT_TEXT("Engine", "Beyond the limit"), mm};
+    map.x = passSpeedAxis(result);
+    map.y = {LT_TEXT("Engine", "Place of the tool z"), unit::mm};
+    map.value = {LT_TEXT("Engine", "Beyond the limit"), unit::mm};
     const double first = result.stations.front().z_mm, last = result.stations.back().z_mm;
     const double half_z = (last - first) / static_cast<double>(result.stations.size() - 1) / 2;
     const double half_rpm =
@@ -102,8 +101,8 @@ report::Plot passPlot(const PassResult& result, const std::optional<double>& spe
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Least limit over the pass");
-    plot.x = speedAxis(result);
-    plot.y = {LT_TEXT("Engine", "Depth of cut"), mm};
+    plot.x = passSpeedAxis(result);
+    plot.y = {LT_TEXT("Engine", "Depth of cut"), unit::mm};
     report::Curve curve{LT_TEXT("Engine", "least limit"), result.speed_rpm, result.worst.depth_mm};
     curve.colour = report::ColourRole::Limit;
     plot.curves = {std::move(curve)};
@@ -158,7 +157,7 @@ report::Answer passAnswer(const PassResult& result, double speed_rpm, const Lang
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Depth of the pass");
     answer.value = result.parameters.pass_depth_mm;
-    answer.unit = mm;
+    answer.unit = unit::mm;
     if (std::isfinite(point.limit_mm)) answer.upper_limit = std::round(1000 * point.limit_mm) / 1000;
     answer.verdict = point.stable ? Verdict::Pass : Verdict::Fail;
     answer.verdict_words = point.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
@@ -209,11 +208,11 @@ Json passJson(const PassResult& result)
         json["z_mm"].push_back(station.z_mm);
         json["diameter_mm"].push_back(station.diameter_mm);
         json["minimum_depth_mm"].push_back(station.minimum_mm ? Json(*station.minimum_mm) : Json());
-        json["depth_mm"].push_back(numbers(result.limit_mm, row * columns, columns));
+        json["depth_mm"].push_back(numbersWithin(result.limit_mm, row * columns, columns));
     }
-    json["worst"] = {{"depth_mm", numbers(result.worst.depth_mm, 0, columns)},
-                     {"z_mm", numbers(result.worst_z_mm, 0, columns)},
-                     {"frequency_hz", numbers(result.worst.frequency_hz, 0, columns)}};
+    json["worst"] = {{"depth_mm", numbersWithin(result.worst.depth_mm, 0, columns)},
+                     {"z_mm", numbersWithin(result.worst_z_mm, 0, columns)},
+                     {"frequency_hz", numbersWithin(result.worst.frequency_hz, 0, columns)}};
     return json;
 }
 

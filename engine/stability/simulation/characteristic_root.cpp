@@ -13,7 +13,7 @@ using Complex = std::complex<double>;
 
 constexpr double startsPerTurn = 6;    ///< of e^{iωT}
 constexpr double beyondHighest = 1.6;  ///< last start over the highest natural frequency
-constexpr int mostSteps = 60;
+constexpr int mostRootSteps = 60;
 constexpr double farthest = 40;      ///< of |Re(s)| T
 constexpr double converged = 1e-12;  ///< last step over the size of the root
 
@@ -39,7 +39,7 @@ Complex newtonStep(std::span<const Mode> modes, const CutForces& cut, double rev
 
 std::optional<Complex> rootFrom(std::span<const Mode> modes, const CutForces& cut, double revolution_s, Complex s)
 {
-    for (int step = 0; step < mostSteps; ++step) {
+    for (int step = 0; step < mostRootSteps; ++step) {
         const Complex change = newtonStep(modes, cut, revolution_s, s);
         s -= change;
         if (!std::isfinite(s.real()) || !std::isfinite(s.imag()) || std::abs(s.real()) * revolution_s > farthest)

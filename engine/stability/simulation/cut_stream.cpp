@@ -7,7 +7,7 @@ namespace lathelier::stability {
 namespace {
 
 constexpr double glide_s = 0.03;      ///< time constant of speed and depth
-constexpr double fade_s = 0.03;       ///< of one cut into the next, and of the volume
+constexpr double crossFade_s = 0.03;  ///< of one cut into the next, and of the volume
 constexpr double steady_s = 0.15;     ///< time constant of the mean deflection
 constexpr double loudness_s = 0.05;   ///< time constant of the mean size
 constexpr double fullScaleFeeds = 1;  ///< a vibration of this mean size sounds half as loud as the loudest
@@ -112,7 +112,7 @@ void CutSound::moveTo(double speed_rpm, double depth_mm)
 void CutSound::fill(std::span<float> samples, double volume)
 {
     std::fill(samples.begin(), samples.end(), 0.0F);
-    const double fade = 1 / (fade_s * rate_hz_);
+    const double fade = 1 / (crossFade_s * rate_hz_);
     part_.resize(samples.size());
     for (std::size_t v = 0; v < streams_.size(); ++v) {
         Voice& voice = streams_[v];

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/cells.h"
 #include "engine/signal/fourier.h"
 #include "engine/stability/simulation/simulation_report.h"
@@ -78,9 +79,9 @@ report::Plot wavesPlot(const SimulationResult& result, const WavePair& waves, co
     plot.remark =
         fill(text(LT_TEXT("Engine", "{whole} whole waves, ε = {phase}°"), language),
              {{"whole", std::int64_t{phase.whole}}, {"phase", fixed(phase.phase_deg, 0, language)}}, language);
-    plot.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
+    plot.x = {LT_TEXT("Engine", "Angle"), unit::deg};
     plot.x.range = Interval{0, 360};
-    plot.y = {LT_TEXT("Engine", "Height above the bottom of the steady cut"), LT_TEXT("Engine", "mm")};
+    plot.y = {LT_TEXT("Engine", "Height above the bottom of the steady cut"), unit::mm};
     std::vector<double> outer = waves.outer_mm, inner = waves.inner_mm;
     for (double& height : outer) height += result.parameters.feed_mm_rev - result.static_deflection_mm;
     for (double& height : inner) height -= result.static_deflection_mm;
@@ -98,9 +99,9 @@ report::ColourMap surfaceMap(const SimulationResult& result, int last, int revol
 {
     report::ColourMap map;
     map.title = LT_TEXT("Engine", "Turned surface, unrolled");
-    map.x = {LT_TEXT("Engine", "Angle"), LT_TEXT("Engine", "°")};
-    map.y = {LT_TEXT("Engine", "Along the axis"), LT_TEXT("Engine", "mm")};
-    map.value = {LT_TEXT("Engine", "Height"), LT_TEXT("Engine", "µm")};
+    map.x = {LT_TEXT("Engine", "Angle"), unit::deg};
+    map.y = {LT_TEXT("Engine", "Along the axis"), unit::mm};
+    map.value = {LT_TEXT("Engine", "Height"), unit::um};
     const int steps = result.steps_per_revolution;
     last = std::clamp(last, 0, std::max(0, revolutionsOf(result) - 1));
     const int first = std::max(0, last + 1 - revolutions);
@@ -133,7 +134,7 @@ report::Plot amplitudePlot(const SimulationResult& result)
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Amplitude from revolution to revolution");
     plot.x = {LT_TEXT("Engine", "Revolution"), Text{}, report::Axis::Scale::Whole};
-    plot.y = {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "µm"), report::Axis::Scale::Logarithmic};
+    plot.y = {LT_TEXT("Engine", "Amplitude"), unit::um, report::Axis::Scale::Logarithmic};
     report::Curve found{LT_TEXT("Engine", "simulated")};
     found.style = report::Curve::Style::Points;
     for (int revolution = 0; revolution < revolutionsOf(result); ++revolution) {
@@ -165,9 +166,9 @@ report::Plot spectrumPlot(const SimulationResult& result, double highest_hz, con
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Spectrum of the deflection");
-    plot.x = {LT_TEXT("Engine", "Frequency"), LT_TEXT("Engine", "Hz")};
+    plot.x = {LT_TEXT("Engine", "Frequency"), unit::hz};
     plot.x.range = Interval{0, highest_hz};
-    plot.y = {LT_TEXT("Engine", "Amplitude"), LT_TEXT("Engine", "µm")};
+    plot.y = {LT_TEXT("Engine", "Amplitude"), unit::um};
     const std::vector<double>& all = result.deflection_mm;
     std::vector<double> part(all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
     if (part.size() < 8) return plot;

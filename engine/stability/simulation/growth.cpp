@@ -15,7 +15,7 @@ constexpr int mostSnapshots = 16;
 constexpr double fewestPeriods = 2;  ///< steps of a revolution, in periods
 constexpr double keptShare = 1e-11;  ///< of the largest eigenvalue of the snapshots' products
 constexpr double smallest = 1e-60;   ///< sizes outside are scaled
-constexpr int stepsBetweenChecks = 1 << 15;
+constexpr int growthStepsBetweenChecks = 1 << 15;
 
 using Lanes = Eigen::Array<double, atOnce, 1>;
 
@@ -43,7 +43,7 @@ public:
     void turn(const Lanes* before, Lanes* now, const Progress& progress)
     {
         for (std::size_t i = 0; i < steps_; ++i) {
-            if (i % stepsBetweenChecks == 0) progress.check();
+            if (i % growthStepsBetweenChecks == 0) progress.check();
             Lanes x = Lanes::Zero(), v = Lanes::Zero();
             for (std::size_t m = 0; m < constants_.modes.size(); ++m) {
                 const ModeStep& c = constants_.modes[m];

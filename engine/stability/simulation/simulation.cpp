@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
+#include "engine/stability/refusal.h"
 #include "engine/stability/simulation/growth.h"
 #include "engine/stability/simulation/mode_step.h"
 #include "engine/stability/stability_codes.h"
@@ -12,18 +14,12 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double stepsPerPeriod = 48;     ///< of the highest mode, at first
-constexpr double growthTolerance = 1e-3;  ///< change of the growth by half the step
+constexpr double firstStepsPerPeriod = 48;  ///< of the highest mode, at first
+constexpr double growthTolerance = 1e-3;    ///< change of the growth by half the step
 constexpr int mostHalvings = 5;
-constexpr double mostSteps = 5e7;  ///< of the waveform, and of a revolution's growth
-constexpr double lastShare = 0.1;  ///< of the revolutions: the state reached
-constexpr std::size_t stepsBetweenChecks = 1 << 15;
-
-[[noreturn]] void refuse(const char* parameter, Value found, Text expected)
-{
-    throw Error(errors::valueNotUnderstood,
-                {{"parameter", parameter}, {"found", std::move(found)}, {"expected", expected}});
-}
+constexpr double mostWaveformSteps = 5e7;  ///< of the waveform, and of a revolution's growth
+constexpr double lastShare = 0.1;          ///< of the revolutions: the state reached
+constexpr std::size_t stepsBetweenReports = 1 << 15;
 
 CutForces forcesOf(const SimulationParameters& p)
 {
@@ -39,8 +35,8 @@ CutForces forcesOf(const SimulationParameters& p)
 }
 
 /// Growth with a step that is fine enough; `steps` comes out as that of a revolution.
-Growth growthOf(const std::vector<Mode>& modes, const CutForces& cut, double revolution_s, int& steps,
-                double& difference, const Progress& progress)
+Growth fineGrowthOf(const std::vector<Mode>& modes, const CutForces& cut, double revolution_s, int& steps,
+                    double& difference, const Progress& progress)
 {
     const auto with = [&](int count) {
         GrowthEffort effort;
@@ -52,7 +48,7 @@ Growth growthOf(const std::vector<Mode>& modes, const CutForces& cut, double rev
         const Growth fine = with(2 * steps);
         steps *= 2;
         difference = std::abs(fine.per_revolution - coarse.per_revolution);
-        if (difference < growthTolerance || halving + 1 == mostHalvings || 2.0 * steps > mostSteps) return fine;
+        if (difference < growthTolerance || halving + 1 == mostHalvings || 2.0 * steps > mostWaveformSteps) return fine;
         coarse = fine;
     }
 }
@@ -73,7 +69,7 @@ void cutThrough(const std::vector<Mode>& modes, const CutForces& cut, Simulation
     result.chip_mm.resize(all);
     double force = 0;
     for (std::size_t i = 0, place = 0; i < all; ++i, place = place + 1 == steps ? 0 : place + 1) {
-        if (i % stepsBetweenChecks == 0) progress.report(static_cast<double>(i) / static_cast<double>(all));
+        if (i % stepsBetweenReports == 0) progress.report(static_cast<double>(i) / static_cast<double>(all));
         if (i + steps == all) outer = left;
         double x = 0, v = 0;
         for (std::size_t m = 0; m < modes.size(); ++m) {
@@ -121,18 +117,16 @@ const std::vector<Field<SimulationParameters>>& fieldsOf(const SimulationParamet
     using P = SimulationParameters;
     static const std::vector<Field<P>> all{
         field("speed_rpm", &P::speed_rpm, Range{1e-3, 1e6},
-              Label{LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "Of the cut that is simulated."),
-                    LT_TEXT("Engine", "1/min")}),
+              Label{LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "Of the cut that is simulated."), unit::rpm}),
         field("depth_mm", &P::depth_mm, Range{1e-9, 1e4},
-              Label{LT_TEXT("Engine", "Depth of cut"), LT_TEXT("Engine", "Of the cut that is simulated."),
-                    LT_TEXT("Engine", "mm")}),
+              Label{LT_TEXT("Engine", "Depth of cut"), LT_TEXT("Engine", "Of the cut that is simulated."), unit::mm}),
         field("cutting_coefficient_N_mm2", &P::cutting_coefficient_N_mm2, Range{1e-3, 1e6},
               Label{LT_TEXT("Engine", "Cutting coefficient K_r"),
-                    LT_TEXT("Engine", "Force along the chip thickness over its area."), LT_TEXT("Engine", "N/mm²")}),
+                    LT_TEXT("Engine", "Force along the chip thickness over its area."), unit::N_mm2}),
         field("feed_mm_rev", &P::feed_mm_rev, Range{1e-6, 100},
               Label{LT_TEXT("Engine", "Feed"),
                     LT_TEXT("Engine", "Chip thickness without vibration; says when the tool leaves the cut."),
-                    LT_TEXT("Engine", "mm/rev")}),
+                    unit::mm_rev}),
         field("revolutions", &P::revolutions, Range{1, 100000},
               Label{LT_TEXT("Engine", "Revolutions"), LT_TEXT("Engine", "That are simulated.")}),
         field("direction_factor", &P::direction_factor, Range{-10, 10},
@@ -142,11 +136,11 @@ const std::vector<Field<SimulationParameters>>& fieldsOf(const SimulationParamet
                     true}),
         field("process_damping_N_mm", &P::process_damping_N_mm, Range{0, 1e9},
               Label{LT_TEXT("Engine", "Process damping C"),
-                    LT_TEXT("Engine", "Of the force C (a/v) ẋ, v the cutting speed; needs the diameter."),
-                    LT_TEXT("Engine", "N/mm"), true}),
+                    LT_TEXT("Engine", "Of the force C (a/v) ẋ, v the cutting speed; needs the diameter."), unit::N_mm,
+                    true}),
         field("diameter_mm", &P::diameter_mm, Range{1e-3, 1e5},
               Label{LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the turned surface; for the process damping."),
-                    LT_TEXT("Engine", "mm"), true})};
+                    unit::mm, true})};
     return all;
 }
 
@@ -163,19 +157,21 @@ SimulationResult simulate(const std::vector<Mode>& modes, const SimulationParame
     result.parameters = parameters;
     const CutForces cut = forcesOf(parameters);
     const double revolution_s = 60 / *parameters.speed_rpm;
-    const double first = stepsOfRevolution(modes, revolution_s, stepsPerPeriod);
+    const double first = stepsOfRevolution(modes, revolution_s, firstStepsPerPeriod);
     const double total = 2 * first * parameters.revolutions;
-    if (total > mostSteps) throw Error(errors::simulationTooLong, {{"steps", total}, {"most", mostSteps}});
+    if (total > mostWaveformSteps)
+        throw Error(errors::simulationTooLong, {{"steps", total}, {"most", mostWaveformSteps}});
     int steps = static_cast<int>(first);
     const Growth growth =
-        growthOf(modes, cut, revolution_s, steps, result.growth_step_difference, progress.part(0, 0.5));
+        fineGrowthOf(modes, cut, revolution_s, steps, result.growth_step_difference, progress.part(0, 0.5));
     result.growth_per_revolution = growth.per_revolution;
     result.frequency_hz = growth.frequency_hz;
     const double known = growthTolerance + result.growth_step_difference;
     result.cut = growth.per_revolution > 1 + known   ? CutVerdict::Chatter
                  : growth.per_revolution < 1 - known ? CutVerdict::Stable
                                                      : CutVerdict::Undecided;
-    while (static_cast<double>(steps) * parameters.revolutions > mostSteps) steps /= 2;  // the first step always fits
+    while (static_cast<double>(steps) * parameters.revolutions > mostWaveformSteps)
+        steps /= 2;  // the first step always fits
     result.steps_per_revolution = steps;
     result.step_s = revolution_s / steps;
     result.waves.turns = result.frequency_hz * revolution_s;

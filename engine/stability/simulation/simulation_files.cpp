@@ -12,7 +12,7 @@ namespace lathelier::stability {
 namespace {
 
 constexpr int sampleRate_hz = 44100;
-constexpr double fade_s = 0.005;
+constexpr double endFade_s = 0.005;
 constexpr double highestShare = 0.9;  ///< of full scale
 constexpr double fullScale = 32767;
 constexpr std::size_t step_bytes = 1 << 16;
@@ -40,7 +40,7 @@ std::string wavHead(std::uint32_t samples)
 }
 
 /// Through four neighbours (Catmull and Rom); beyond the ends their values.
-double between(const std::vector<double>& values, double place)
+double smoothBetween(const std::vector<double>& values, double place)
 {
     const auto last = static_cast<double>(values.size() - 1);
     const double whole = std::floor(std::clamp(place, 0.0, last));
@@ -79,13 +79,13 @@ Sound soundOf(const SimulationResult& result)
     sound.seconds = result.seconds();
     const double count = std::floor(sound.seconds * sampleRate_hz);
     const double scale = sound.full_scale_mm > 0 ? fullScale / sound.full_scale_mm : 0;
-    const double fade = fade_s * sampleRate_hz;
+    const double fade = endFade_s * sampleRate_hz;
     sound.bytes = wavHead(static_cast<std::uint32_t>(count));
     sound.bytes.reserve(sound.bytes.size() + 2 * static_cast<std::size_t>(count));
     for (double i = 0; i < count; ++i) {
         const double to_end = std::clamp(std::min(i, count - 1 - i) / fade, 0.0, 1.0);
         const double loud = 0.5 - 0.5 * std::cos(std::numbers::pi * to_end);
-        const double x = between(result.deflection_mm, i / (sampleRate_hz * result.step_s) - 1);
+        const double x = smoothBetween(result.deflection_mm, i / (sampleRate_hz * result.step_s) - 1);
         const double sample = std::clamp(scale * loud * (x - result.static_deflection_mm), -fullScale, fullScale);
         addNumber(sound.bytes, static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(sample))), 2);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
@@ -36,7 +37,6 @@ const char* key(CutVerdict cut)
 const std::vector<QuantityOf<SimulationResult>>& quantitiesOf(const SimulationResult*)
 {
     using R = SimulationResult;
-    const Text mm = LT_TEXT("Engine", "mm"), s = LT_TEXT("Engine", "s");
     static const auto all = describedBy<R>(
         quantity<R>("growth_per_revolution", &R::growth_per_revolution,
                     {LT_TEXT("Engine", "Growth per revolution"), {}, 4}),
@@ -45,20 +45,20 @@ const std::vector<QuantityOf<SimulationResult>>& quantitiesOf(const SimulationRe
         quantity<R>("verdict", [](const R& r) { return key(r.cut); }),
         quantity<R>("verdict_words", [](const R& r) { return wordOf(r.cut); },
                     {LT_TEXT("Engine", "Verdict"), {}, 0, false}),
-        quantity<R>("frequency_hz", &R::frequency_hz,
-                    {LT_TEXT("Engine", "Frequency of the vibration"), LT_TEXT("Engine", "Hz"), 2}),
-        quantity<R>("amplitude_mm", &R::amplitude_mm, {LT_TEXT("Engine", "Amplitude at the end"), mm, 5}),
+        quantity<R>("frequency_hz", &R::frequency_hz, {LT_TEXT("Engine", "Frequency of the vibration"), unit::hz, 2}),
+        quantity<R>("amplitude_mm", &R::amplitude_mm, {LT_TEXT("Engine", "Amplitude at the end"), unit::mm, 5}),
         quantity<R>("lost_contact_percent", &R::lost_contact_percent,
-                    {LT_TEXT("Engine", "Time out of the cut at the end"), LT_TEXT("Engine", "%"), 1}),
+                    {LT_TEXT("Engine", "Time out of the cut at the end"), unit::percent, 1}),
         quantity<R>("static_deflection_mm", &R::static_deflection_mm,
-                    {LT_TEXT("Engine", "Deflection of the steady cut"), mm, 5}),
+                    {LT_TEXT("Engine", "Deflection of the steady cut"), unit::mm, 5}),
         quantity<R>("wave_turns", [](const R& r) { return r.waves.turns; },
                     {LT_TEXT("Engine", "Waves in a revolution"), {}, 3}),
-        quantity<R>("duration_s", &R::seconds, {LT_TEXT("Engine", "Simulated time"), s, 3}),
-        quantity<R>("step_s", &R::step_s, {LT_TEXT("Engine", "Time step"), s, 7}),
+        quantity<R>("duration_s", &R::seconds, {LT_TEXT("Engine", "Simulated time"), unit::s, 3}),
+        quantity<R>("step_s", &R::step_s, {LT_TEXT("Engine", "Time step"), unit::s, 7}),
         quantity<R>("steps_per_revolution", &R::steps_per_revolution,
                     {LT_TEXT("Engine", "Time steps in a revolution"), {}, 0}),
-        quantity<R>("sound_full_scale_mm", &soundFullScale_mm, {LT_TEXT("Engine", "Full scale of the sound"), mm, 5}));
+        quantity<R>("sound_full_scale_mm", &soundFullScale_mm,
+                    {LT_TEXT("Engine", "Full scale of the sound"), unit::mm, 5}));
     return all;
 }
 
@@ -66,8 +66,8 @@ report::Plot waveformPlot(const SimulationResult& result)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Deflection of the tool");
-    plot.x = {LT_TEXT("Engine", "Time"), LT_TEXT("Engine", "s")};
-    plot.y = {LT_TEXT("Engine", "Deflection"), LT_TEXT("Engine", "mm")};
+    plot.x = {LT_TEXT("Engine", "Time"), unit::s};
+    plot.y = {LT_TEXT("Engine", "Deflection"), unit::mm};
     report::Curve curve;
     const std::vector<double>& x = result.deflection_mm;
     const std::size_t stretch = std::max<std::size_t>(1, x.size() / shownStretches);

@@ -6,16 +6,17 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/stability/simulation/growth.h"
 #include "engine/stability/simulation/simulation.h"
 
 namespace lathelier::stability {
 namespace {
 
-constexpr double stepsPerPeriod = 24;  ///< the growth is then within a few parts in a thousand
-constexpr int warmUp = 14;             ///< revolutions
-constexpr int snapshots = 8;           ///< revolutions
-constexpr double shownGrowth = 0.5;    ///< |ln growth| at the ends of the colours
+constexpr double rasterStepsPerPeriod = 24;  ///< the growth is then within a few parts in a thousand
+constexpr int warmUp = 14;                   ///< revolutions
+constexpr int rasterSnapshots = 8;           ///< revolutions
+constexpr double shownGrowth = 0.5;          ///< |ln growth| at the ends of the colours
 
 void require(bool fine, const char* parameter, Text expected)
 {
@@ -23,7 +24,7 @@ void require(bool fine, const char* parameter, Text expected)
         throw Error(errors::valueNotUnderstood, {{"parameter", parameter}, {"found", Value()}, {"expected", expected}});
 }
 
-void check(const std::vector<Mode>& modes, const RasterParameters& p)
+void checkRaster(const std::vector<Mode>& modes, const RasterParameters& p)
 {
     require(!modes.empty(), "mode", LT_TEXT("Engine", "at least one mode"));
     require(p.columns >= 2 && p.rows >= 2, "columns", LT_TEXT("Engine", "at least two columns and rows"));
@@ -39,7 +40,7 @@ void check(const std::vector<Mode>& modes, const RasterParameters& p)
 
 RasterResult stabilityRaster(const std::vector<Mode>& modes, const RasterParameters& p, const Progress& progress)
 {
-    check(modes, p);
+    checkRaster(modes, p);
     RasterResult result;
     result.parameters = p;
     result.speed_rpm.reserve(static_cast<std::size_t>(p.columns));
@@ -63,9 +64,9 @@ RasterResult stabilityRaster(const std::vector<Mode>& modes, const RasterParamet
                         dampingOfCut(*p.process_damping_N_mm, depth_mm, *p.diameter_mm, speed_rpm);
             }
             GrowthEffort effort;
-            effort.steps = static_cast<int>(stepsOfRevolution(modes, 60 / speed_rpm, stepsPerPeriod));
+            effort.steps = static_cast<int>(stepsOfRevolution(modes, 60 / speed_rpm, rasterStepsPerPeriod));
             effort.warm_up = warmUp;
-            effort.snapshots = snapshots;
+            effort.snapshots = rasterSnapshots;
             const std::vector<Growth> growths = growthsOf(modes, cuts, 60 / speed_rpm, effort, progress.quiet());
             for (std::size_t row = 0; row < rows; ++row)
                 result.growth[row * columns + column] = static_cast<float>(growths[row].per_revolution);
@@ -80,8 +81,8 @@ report::ColourMap rasterMap(const RasterResult& result)
     const RasterParameters& p = result.parameters;
     report::ColourMap map;
     map.title = LT_TEXT("Engine", "Growth of the vibration per revolution");
-    map.x = {LT_TEXT("Engine", "Spindle speed"), LT_TEXT("Engine", "1/min")};
-    map.y = {LT_TEXT("Engine", "Depth of cut"), LT_TEXT("Engine", "mm")};
+    map.x = {LT_TEXT("Engine", "Spindle speed"), unit::rpm};
+    map.y = {LT_TEXT("Engine", "Depth of cut"), unit::mm};
     map.value = {LT_TEXT("Engine", "Natural logarithm of the growth"), Text{}};
     const double half = (p.speed_rpm.to - p.speed_rpm.from) / (p.columns - 1) / 2;
     map.x_from = p.speed_rpm.from - half;

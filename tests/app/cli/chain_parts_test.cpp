@@ -143,7 +143,7 @@ Json readJson(const std::string& path)
     return Json::parse(bytes.view());
 }
 
-class ChainOfPart : public testing::TestWithParam<Part> {
+class ChainOfPart : public ::testing::TestWithParam<Part> {
 protected:
     ScratchFolder scratch_;
     std::string out_ = (scratch_ / "chain").string();
@@ -364,7 +364,7 @@ TEST_P(ChainOfPart, AFileThatChangedSinceIsToldByInspect)
     EXPECT_EQ(named, (std::set<std::string>{"setup.json", "rows.csv"}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Chain, ChainOfPart, testing::ValuesIn(parts()),
+INSTANTIATE_TEST_SUITE_P(Chain, ChainOfPart, ::testing::ValuesIn(parts()),
                          [](const auto& of) { return std::string(of.param.name); });
 
 }  // namespace

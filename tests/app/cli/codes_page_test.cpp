@@ -78,12 +78,12 @@ std::map<std::string, std::string> translations(const std::string& language)
     return result;
 }
 
-struct Words {
+struct PageWords {
     std::string title, about, errors, notes, errors_head, notes_head;
     std::map<std::string, std::string> meanings;
 };
 
-Words wordsOf(const std::string& language)
+PageWords wordsOf(const std::string& language)
 {
     if (language == "pl")
         return {
@@ -118,7 +118,7 @@ Words wordsOf(const std::string& language)
 
 std::string page(const std::string& language)
 {
-    const Words words = wordsOf(language);
+    const PageWords words = wordsOf(language);
     const std::map<std::string, std::string> translated = translations(language);
     const auto table = [&](const std::map<std::string, Code>& codes) {
         std::string lines = "|---|---|---|---|\n";
@@ -136,7 +136,7 @@ std::string page(const std::string& language)
            table(definedCodes("NoteCode"));
 }
 
-class CodesPage : public testing::TestWithParam<const char*> {};
+class CodesPage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(CodesPage, IsThatOfTheHeaders)
 {
@@ -145,7 +145,7 @@ TEST_P(CodesPage, IsThatOfTheHeaders)
     EXPECT_EQ(contentOf(path), page(GetParam())) << "see the head of this test for how to make the page anew";
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, CodesPage, testing::Values("en", "pl"));
+INSTANTIATE_TEST_SUITE_P(Languages, CodesPage, ::testing::Values("en", "pl"));
 
 TEST(Codes, NoDefinitionIsOverlooked)
 {

@@ -31,7 +31,7 @@ void applyDirective(Line& line, const std::vector<std::string>& words)
         throw std::runtime_error(line.name + ": no directive " + name);
 }
 
-std::string trimmed(const std::string& text)
+std::string withoutOuterBlanks(const std::string& text)
 {
     const std::size_t begin = text.find_first_not_of(' ');
     return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
@@ -82,7 +82,7 @@ std::vector<Line> readLines(const std::string& path)
             const std::size_t close = rest.find(']');
             if (close == std::string::npos) throw std::runtime_error(line.name + ": ] is missing");
             applyDirective(line, split(rest.substr(1, close - 1)));
-            rest = trimmed(rest.substr(close + 1));
+            rest = withoutOuterBlanks(rest.substr(close + 1));
         }
         const std::size_t arrow = rest.find("=> ");
         if (arrow == std::string::npos) throw std::runtime_error(line.name + ": => is missing");
@@ -94,7 +94,7 @@ std::vector<Line> readLines(const std::string& path)
             const std::size_t bar = rest.find(" | ");
             if (bar == std::string::npos) break;
             rest = rest.substr(bar + 3);
-            line.expectations.push_back(trimmed(rest.substr(0, rest.find(" | "))));
+            line.expectations.push_back(withoutOuterBlanks(rest.substr(0, rest.find(" | "))));
         }
         lines.push_back(std::move(line));
     }

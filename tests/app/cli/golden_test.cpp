@@ -17,31 +17,31 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Made in runAll(), removed at its end.
-fs::path folder;
-const std::string kept = LATHELIER_SOURCE_DIR "/tests/data";
+fs::path madeFolder;
+const std::string keptData = LATHELIER_SOURCE_DIR "/tests/data";
 
-class GoldenRun : public testing::Test {
+class GoldenRun : public ::testing::Test {
 public:
     explicit GoldenRun(Line line) : line_(std::move(line)) {}
 
     void TestBody() override
     {
-        const fs::path out = folder / "out";
+        const fs::path out = madeFolder / "out";
         const auto fresh = [&out] {
             fs::remove_all(out);
             fs::create_directories(out);
         };
         fresh();
         const auto fill = [&](const std::string& text) {
-            return replaced(replaced(replaced(text, "{data}", (folder / "data").string()), "{out}", out.string()),
-                            "{kept}", kept);
+            return replaced(replaced(replaced(text, "{data}", (madeFolder / "data").string()), "{out}", out.string()),
+                            "{kept}", keptData);
         };
         for (std::string* text : {&line_.run.stdout_file, &line_.run.feed_pipe, &line_.run.feed_file})
             *text = fill(*text);
         for (std::string& word : line_.run.words) word = fill(word);
         const Outcome outcome = runProgram(LATHELIER_CLI, line_.run);
         ASSERT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
-        const Evidence evidence{line_, outcome, out.string(), (folder / "data").string(),
+        const Evidence evidence{line_, outcome, out.string(), (madeFolder / "data").string(),
                                 [](const golden::Run& run) { return runProgram(LATHELIER_CLI, run); }};
         for (const std::string& expectation : line_.expectations) {
             std::string problem;
@@ -72,19 +72,19 @@ std::string testName(const std::string& name)
 
 int runAll(int argc, char** argv)
 {
-    testing::InitGoogleTest(&argc, argv);
+    ::testing::InitGoogleTest(&argc, argv);
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(LATHELIER_SOURCE_DIR "/tests/golden"))
         if (entry.path().extension() == ".txt") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)
         for (const Line& line : readLines(file.string()))
-            testing::RegisterTest("Golden", testName(line.name).c_str(), nullptr, nullptr, file.c_str(), 1,
-                                  [line]() -> testing::Test* { return new GoldenRun(line); });
+            ::testing::RegisterTest("Golden", testName(line.name).c_str(), nullptr, nullptr, file.c_str(), 1,
+                                    [line]() -> ::testing::Test* { return new GoldenRun(line); });
     const ScratchFolder scratch;
-    folder = scratch.path();
-    fs::create_directories(folder / "data");
-    makeData((folder / "data").string());
+    madeFolder = scratch.path();
+    fs::create_directories(madeFolder / "data");
+    makeData((madeFolder / "data").string());
     return RUN_ALL_TESTS();
 }
 

@@ -61,7 +61,7 @@ std::string pageIn(const fs::path& language)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-class ManualPage : public testing::TestWithParam<const char*> {};
+class ManualPage : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(ManualPage, NamesTheVerbsAndTheirOptions)
 {
@@ -79,7 +79,7 @@ TEST_P(ManualPage, NamesTheVerbsAndTheirOptions)
     for (const std::string& option : named) EXPECT_TRUE(known.count(option)) << option;
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, ManualPage, testing::Values("en", "pl"));
+INSTANTIATE_TEST_SUITE_P(Languages, ManualPage, ::testing::Values("en", "pl"));
 
 }  // namespace
 }  // namespace lathelier::golden

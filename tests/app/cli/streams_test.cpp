@@ -95,7 +95,7 @@ private:
 };
 
 /// The probe record of the sample: its JSON is a million bytes, more than a pipe holds.
-class Streams : public testing::Test {
+class Streams : public ::testing::Test {
 protected:
     static void SetUpTestSuite()
     {

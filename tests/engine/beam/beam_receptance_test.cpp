@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "shafts.h"
@@ -14,7 +13,6 @@ namespace lathelier::beam {
 namespace {
 
 constexpr double mm_N_per_m_N = 1000;
-constexpr double rigid = std::numeric_limits<double>::infinity();
 
 /// Between two places at one frequency.
 ReceptanceMatrix receptance(const Shaft& shaft, const Material& material, const BeamParameters& parameters,

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "shafts.h"
 
@@ -96,7 +95,6 @@ TEST(NaturalFrequencies, CutsDoNotMatter)
 TEST(NaturalFrequencies, DoubledOnesAreCountedTwice)
 {
     auto parameters = with(ShearModel::Hutchinson);
-    constexpr double rigid = std::numeric_limits<double>::infinity();
     parameters.supports = {{125, rigid, rigid, 0}};
     const auto halves = frequencies(rod40(), parameters);
     parameters.supports = {{125, rigid, rigid, 0}};
@@ -163,7 +161,6 @@ TEST(ModeShapes, FreeRod)
 TEST(ModeShapes, DoubledOnesAreOrthogonal)
 {
     auto parameters = with(ShearModel::Hutchinson);
-    constexpr double rigid = std::numeric_limits<double>::infinity();
     parameters.supports = {{125, rigid, rigid, 0}};
     const auto shapes = modeShapes(beamModel(rod40(), {}, parameters, std::vector<double>{0, 125, 250}), 5000);
     ASSERT_GE(shapes.size(), 2U);

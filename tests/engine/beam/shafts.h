@@ -1,11 +1,15 @@
 // Shafts that the tests of beams speak of.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "engine/beam/beam_model.h"
 
 namespace lathelier::beam {
+
+/// Stiffness of a support that gives no way.
+inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
 inline Shaft cylinder(double length_mm, double diameter_mm, double bore_mm = 0)
 {

@@ -7,26 +7,21 @@
 
 #include "engine/cad/freecad_macro.h"
 #include "engine/cad/solidworks_macro.h"
+#include "occurrences.h"
 #include "parts.h"
 
 namespace lathelier::cad {
 namespace {
 
-int count(const std::string& text, const std::string& part)
-{
-    int found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
-
 TEST(FreecadMacro, EveryUnknownHasOneConstraint)
 {
     for (const Shaft& shaft : allParts()) {
         const std::string macro = freecadMacro(shaft);
-        const int unknowns = 4 * count(macro, "Part.LineSegment(") + 5 * count(macro, "Part.ArcOfCircle(");
-        int equations = 2 * count(macro, "K('Coincident'");
+        const std::size_t unknowns =
+            4 * occurrences(macro, "Part.LineSegment(") + 5 * occurrences(macro, "Part.ArcOfCircle(");
+        std::size_t equations = 2 * occurrences(macro, "K('Coincident'");
         for (const char* kind : {"Horizontal", "Vertical", "DistanceX", "DistanceY", "Radius", "PointOnObject"})
-            equations += count(macro, fmt::format("K('{}'", kind));
+            equations += occurrences(macro, fmt::format("K('{}'", kind));
         EXPECT_EQ(unknowns, equations) << shaft.name;
     }
 }
@@ -60,8 +55,8 @@ TEST(SolidworksMacro, MetresAndOneRevolution)
 {
     const std::string macro = solidworksMacro(taper());
     EXPECT_NE(macro.find("Not tested in SolidWorks"), std::string::npos);
-    EXPECT_EQ(count(macro, "CreateArc("), 5);
-    EXPECT_EQ(count(macro, "FeatureRevolve2("), 1);
+    EXPECT_EQ(occurrences(macro, "CreateArc("), 5U);
+    EXPECT_EQ(occurrences(macro, "FeatureRevolve2("), 1U);
     EXPECT_NE(macro.find("CreateLine(0.001000000000, 0.008000000000, 0#, 0.020000000000, 0.008000000000, 0#)"),
               std::string::npos);
 }

@@ -14,18 +14,12 @@
 #include "engine/core/texts.h"
 #include "engine/io/io_codes.h"
 #include "engine/registration/registration_codes.h"
+#include "fixed_time.h"
 #include "foreign_step.h"
 #include "parts.h"
 
 namespace lathelier::cad {
 namespace {
-
-StepOptions fixedTime()
-{
-    StepOptions options;
-    options.time_stamp = "2000-01-01T00:00:00";
-    return options;
-}
 
 template <class Row>
 void expectSameRows(const std::vector<Row>& found, const std::vector<Row>& truth, double tolerance_mm,

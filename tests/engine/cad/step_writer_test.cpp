@@ -10,24 +10,12 @@
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/cad_notes.h"
 #include "engine/core/shaft_codes.h"
+#include "fixed_time.h"
+#include "occurrences.h"
 #include "parts.h"
 
 namespace lathelier::cad {
 namespace {
-
-StepOptions fixedTime()
-{
-    StepOptions options;
-    options.time_stamp = "2000-01-01T00:00:00";
-    return options;
-}
-
-std::size_t count(const std::string& text, const std::string& part)
-{
-    std::size_t found = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
-    return found;
-}
 
 /// How many surfaces of each kind a file has; the kernel makes two faces of each revolved piece.
 std::map<std::string, std::size_t> surfaces(const std::string& text)
@@ -35,7 +23,7 @@ std::map<std::string, std::size_t> surfaces(const std::string& text)
     std::map<std::string, std::size_t> result;
     for (const char* kind : {"CYLINDRICAL_SURFACE", "CONICAL_SURFACE", "TOROIDAL_SURFACE", "SPHERICAL_SURFACE",
                              "SURFACE_OF_REVOLUTION", "ADVANCED_FACE", "PLANE"})
-        if (const std::size_t found = count(text, std::string("= ") + kind + "(")) result[kind] = found;
+        if (const std::size_t found = occurrences(text, std::string("= ") + kind + "(")) result[kind] = found;
     return result;
 }
 
@@ -43,11 +31,11 @@ TEST(StepWriter, OneSolidInTheSchemaAskedForAndTheSameBytesTwice)
 {
     for (const Shaft& shaft : allParts()) {
         const std::string text = stepText(shaft, fixedTime());
-        EXPECT_EQ(count(text, "MANIFOLD_SOLID_BREP("), 1U) << shaft.name;
+        EXPECT_EQ(occurrences(text, "MANIFOLD_SOLID_BREP("), 1U) << shaft.name;
         EXPECT_NE(text.find("FILE_SCHEMA(('AUTOMOTIVE_DESIGN"), std::string::npos);
         EXPECT_EQ(text, stepText(shaft, fixedTime())) << shaft.name;
         // The product of the second writer of a process is not "shaft 2".
-        EXPECT_EQ(count(text, "PRODUCT('" + shaft.name + "','" + shaft.name + "'"), 1U) << shaft.name;
+        EXPECT_EQ(occurrences(text, "PRODUCT('" + shaft.name + "','" + shaft.name + "'"), 1U) << shaft.name;
         EXPECT_EQ(text.find("@"), std::string::npos);
         StepOptions managed = fixedTime();
         managed.schema = StepSchema::AP242;

@@ -7,12 +7,11 @@
 
 #include "engine/cam/reach.h"
 #include "engine/cam/work_frame.h"
+#include "engine/core/units.h"
 #include "tests/engine/cam/plan_data.h"
 
 namespace lathelier::cam {
 namespace {
-
-constexpr double rad = 3.14159265358979323846 / 180;
 
 HeightContour contourOf(std::vector<ShaftSegment> rows)
 {
@@ -67,11 +66,11 @@ TEST(NoseCurve, StepDownLeavesTheShadowOfTheBackEdge)
         const auto rest = leftBy(contourOf({row(20, 37, 37), row(60, 33.8, 33.8)}), {0.4, back, tool.entering});
         ASSERT_EQ(rest.size(), 1U);
         EXPECT_EQ(rest[0].cause, RestCause::BackAngle);
-        EXPECT_NEAR(rest[0].left_mm, 1.6 * std::cos(back * rad), 2e-3);
+        EXPECT_NEAR(rest[0].left_mm, 1.6 * std::cos(back * rad_per_deg), 2e-3);
         EXPECT_NEAR(rest[0].left_mm, tool.height, 2e-3);
         EXPECT_NEAR(rest[0].z_start_mm, 20, 1e-6);
         // Up to where the nose touches the floor, less what is below the threshold.
-        const double touch = 20 + 1.6 / std::tan(back * rad) + 0.4 * std::tan(back * rad / 2);
+        const double touch = 20 + 1.6 / std::tan(back * rad_per_deg) + 0.4 * std::tan(back * rad_per_deg / 2);
         EXPECT_LT(rest[0].z_end_mm, touch);
         EXPECT_GT(rest[0].z_end_mm, touch - 0.15);
     }
@@ -83,7 +82,7 @@ TEST(NoseCurve, LeadingAngleLeavesAConeAtAShoulder)
     ASSERT_EQ(rest.size(), 1U);
     EXPECT_EQ(rest[0].cause, RestCause::LeadingAngle);
     // The foot of the wall from the edge that lies on its top.
-    EXPECT_NEAR(rest[0].left_mm, 10 * std::cos(75 * rad), 0.25);
+    EXPECT_NEAR(rest[0].left_mm, 10 * std::cos(75 * rad_per_deg), 0.25);
 }
 
 TEST(NoseCurve, PaperShaftAsTheReferenceHasIt)

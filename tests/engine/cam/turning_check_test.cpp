@@ -11,7 +11,7 @@
 namespace lathelier::cam {
 namespace {
 
-void expectRest(const CheckResult& result, double from, double to, double left, RestCause cause)
+void expectRestWithin(const CheckResult& result, double from, double to, double left, RestCause cause)
 {
     const RestInterval* rest = restAt(result, (from + to) / 2);
     ASSERT_TRUE(rest) << from;
@@ -32,15 +32,15 @@ TEST(TurningCheck, SoundProgramsHaveNothingButTheirCorners)
     const CheckResult shaft = checked(textOf("paper_s1_fanuc_a.nc"), jobOf("paper_s1"));
     EXPECT_TRUE(shaft.findings.empty());
     ASSERT_EQ(shaft.rest.size(), 1U);
-    expectRest(shaft, 97.65, 98, 0.1657, RestCause::NoseRadius);
+    expectRestWithin(shaft, 97.65, 98, 0.1657, RestCause::NoseRadius);
     EXPECT_EQ(shaft.verdict, Verdict::Fail);
 
     const CheckResult neck = checked(textOf("neck_all_fanuc_a.nc"), jobOf("neck_all"));
     EXPECT_TRUE(neck.findings.empty());
     ASSERT_EQ(neck.rest.size(), 4U);
-    expectRest(neck, 27, 27.16, 0.0828, RestCause::Blade);
-    expectRest(neck, 29.84, 30, 0.0828, RestCause::Blade);
-    expectRest(neck, 88.99, 89.02, 0.0052, RestCause::NoseRadius);
+    expectRestWithin(neck, 27, 27.16, 0.0828, RestCause::Blade);
+    expectRestWithin(neck, 29.84, 30, 0.0828, RestCause::Blade);
+    expectRestWithin(neck, 88.99, 89.02, 0.0052, RestCause::NoseRadius);
     EXPECT_NEAR(neck.rest[3].left_mm, 0.0126, 0.002);
     EXPECT_LT(neck.gouge_um, 1.5);
 }

@@ -7,28 +7,19 @@
 #include <limits>
 
 #include "engine/core/random.h"
+#include "tests/engine/core/shaft_row.h"
 
 namespace lathelier {
 namespace {
 
 using Eigen::Vector2d;
 
-ShaftSegment row(double length, double start, double end, std::optional<double> arc = {})
-{
-    ShaftSegment made;
-    made.length_mm = length;
-    made.start_diameter_mm = start;
-    made.end_diameter_mm = end;
-    made.arc_radius_mm = arc;
-    return made;
-}
-
 /// Round, cylinder, fillet, shoulder, cone, chamfer, and a stepped bore from the chuck.
 Shaft rich()
 {
     Shaft shaft;
-    shaft.segments = {row(2, 16, 20, 2), row(30, 20, 20), row(1, 20, 22, -1), row(20, 40, 40),
-                      row(25, 40, 30),   row(9, 30, 30),  row(1, 30, 28)};
+    shaft.segments = {shaftRow(2, 16, 20, 2), shaftRow(30, 20, 20), shaftRow(1, 20, 22, -1), shaftRow(20, 40, 40),
+                      shaftRow(25, 40, 30),   shaftRow(9, 30, 30),  shaftRow(1, 30, 28)};
     shaft.bores = {{ShaftEnd::Chuck, {{12, 16, 16, {}, {}}, {8, 10, 10, {}, {}}}}};
     return shaft;
 }
@@ -70,7 +61,7 @@ bool isInside(const Contour& contour, const std::vector<Vector2d>& points, const
 TEST(ContourDistance, ByHand)
 {
     Shaft shaft;
-    shaft.segments = {row(10, 20, 20), row(10, 30, 30)};
+    shaft.segments = {shaftRow(10, 20, 20), shaftRow(10, 30, 30)};
     const ContourDistance distance(closedContour(shaft), 5);
     EXPECT_NEAR(distance.footOf(5, 10.25)->distance_mm, 0.25, 1e-15);
     EXPECT_NEAR(distance.footOf(5, 9.9)->distance_mm, -0.1, 1e-14);

@@ -10,22 +10,18 @@
 #include "code_of_error.h"
 #include "engine/core/shaft_codes.h"
 #include "engine/core/shaft_rules.h"
+#include "tests/engine/core/shaft_row.h"
 
 namespace lathelier {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-ShaftSegment row(double length, double start, double end, std::optional<double> arc = {})
-{
-    return {length, start, end, 0, arc, ""};
-}
+using std::numbers::pi;
 
 /// The shaft of the paper's Table 1.
 Shaft tableOne()
 {
     Shaft shaft;
-    shaft.segments = {row(98, 30, 30), row(10, 37, 37), row(70, 33.8, 33.8), row(5, 33.8, 23.8)};
+    shaft.segments = {shaftRow(98, 30, 30), shaftRow(10, 37, 37), shaftRow(70, 33.8, 33.8), shaftRow(5, 33.8, 23.8)};
     return shaft;
 }
 
@@ -37,29 +33,29 @@ TEST(ShaftContour, VolumeOfThePapersTable)
 TEST(ShaftContour, VolumesOfSphereAndTorus)
 {
     Shaft sphere;
-    sphere.segments = {row(10, 0, 20, 10.0), row(10, 20, 0, 10.0)};
-    EXPECT_NEAR(volume_mm3(sphere), 4 * kPi * 1000 / 3, 1e-9);
+    sphere.segments = {shaftRow(10, 0, 20, 10.0), shaftRow(10, 20, 0, 10.0)};
+    EXPECT_NEAR(volume_mm3(sphere), 4 * pi * 1000 / 3, 1e-9);
     EXPECT_TRUE(checkShaft(sphere).empty());
     // A half-round groove of radius 2 in a bar of 20: Pappus, the half disc's centroid 4·2/(3π) inside.
     Shaft groove;
-    groove.segments = {row(8, 20, 20), row(2, 20, 16, -2.0), row(2, 16, 20, -2.0), row(8, 20, 20)};
-    EXPECT_NEAR(volume_mm3(groove), kPi * 100 * 20 - 2 * kPi * (10 - 8 / (3 * kPi)) * (kPi * 4 / 2), 1e-9);
+    groove.segments = {shaftRow(8, 20, 20), shaftRow(2, 20, 16, -2.0), shaftRow(2, 16, 20, -2.0), shaftRow(8, 20, 20)};
+    EXPECT_NEAR(volume_mm3(groove), pi * 100 * 20 - 2 * pi * (10 - 8 / (3 * pi)) * (pi * 4 / 2), 1e-9);
 }
 
 TEST(ShaftContour, BoresAreTakenOut)
 {
     Shaft shaft;
-    shaft.segments = {row(50, 40, 40)};
+    shaft.segments = {shaftRow(50, 40, 40)};
     shaft.bores = {{ShaftEnd::Free, {{10, 20, 10, {}, ""}}}, {ShaftEnd::Chuck, {{15, 12, 12, {}, ""}}}};
-    const double cone = kPi * 10 * (100 + 50 + 25) / 3;
-    EXPECT_NEAR(volume_mm3(shaft), kPi * (400 * 50 - 36 * 15) - cone, 1e-9);
+    const double cone = pi * 10 * (100 + 50 + 25) / 3;
+    EXPECT_NEAR(volume_mm3(shaft), pi * (400 * 50 - 36 * 15) - cone, 1e-9);
     Shaft rows = shaft;
     rows.bores.clear();
-    rows.segments = {row(30, 40, 40), row(20, 40, 40)};
+    rows.segments = {shaftRow(30, 40, 40), shaftRow(20, 40, 40)};
     for (ShaftSegment& one : rows.segments) one.bore_diameter_mm = 12;
-    EXPECT_NEAR(volume_mm3(rows), kPi * (400 - 36) * 50, 1e-9);
+    EXPECT_NEAR(volume_mm3(rows), pi * (400 - 36) * 50, 1e-9);
     rows.segments[0].bore_diameter_mm = 0;
-    EXPECT_NEAR(volume_mm3(rows), kPi * (400 * 50 - 36 * 20), 1e-9);
+    EXPECT_NEAR(volume_mm3(rows), pi * (400 * 50 - 36 * 20), 1e-9);
     const Shaft beam = beamView(shaft);
     EXPECT_TRUE(beam.bores.empty());
     EXPECT_NEAR(beam.length_mm(), 50, 1e-12);
@@ -71,7 +67,7 @@ TEST(ShaftContour, AnArcBulgesTheSameWayInABoreFromEitherEnd)
 {
     for (const ShaftEnd end : {ShaftEnd::Free, ShaftEnd::Chuck}) {
         Shaft shaft;
-        shaft.segments = {row(50, 40, 40)};
+        shaft.segments = {shaftRow(50, 40, 40)};
         shaft.bores = {{end, {{10, 20, 20, 8.0, ""}}}};
         Shaft plain = shaft;
         plain.bores[0].segments[0].arc_radius_mm.reset();
@@ -82,8 +78,8 @@ TEST(ShaftContour, AnArcBulgesTheSameWayInABoreFromEitherEnd)
 TEST(ShaftContour, AnUndercutFaceIsNoPartOfTheBeam)
 {
     Shaft shaft;  // DIN 509 form F before a shoulder, in short
-    shaft.segments = {row(20, 25, 25), row(3, 24.4, 24.4), row(1, 24.4, 26.4, -1.0), row(-0.2, 26.4, 28),
-                      row(10, 34, 34)};
+    shaft.segments = {shaftRow(20, 25, 25), shaftRow(3, 24.4, 24.4), shaftRow(1, 24.4, 26.4, -1.0),
+                      shaftRow(-0.2, 26.4, 28), shaftRow(10, 34, 34)};
     EXPECT_TRUE(checkShaft(shaft).empty());
     const Shaft beam = beamView(shaft);
     ASSERT_EQ(beam.segments.size(), 4U);
@@ -134,7 +130,7 @@ TEST(ShaftRules, ContoursThatCrossAndBoresThatMeetAreRefused)
     EXPECT_EQ(codeOfError([&] { checkShaft(shaft); }), errors::boresStatedTwice);
     // A hollow arc that dips under the axis' side of a bore.
     Shaft saddle;
-    saddle.segments = {row(10, 30, 30), row(20, 30, 30, -10.5), row(10, 30, 30)};
+    saddle.segments = {shaftRow(10, 30, 30), shaftRow(20, 30, 30, -10.5), shaftRow(10, 30, 30)};
     EXPECT_TRUE(checkShaft(saddle).empty());
     saddle.bores = {{ShaftEnd::Free, {{40, 16, 16, {}, ""}}}};
     EXPECT_EQ(codeOfError([&] { checkShaft(saddle); }), errors::shaftCrosses);
@@ -150,7 +146,7 @@ TEST(ShaftRules, Remarks)
     shaft.segments[1].length_mm = 0.04;
     EXPECT_EQ(codeOf(shaft), "shaft_row_short");
     shaft = tableOne();
-    shaft.segments.insert(shaft.segments.begin(), row(2, 30, 30));
+    shaft.segments.insert(shaft.segments.begin(), shaftRow(2, 30, 30));
     EXPECT_EQ(codeOf(shaft), "shaft_rows_in_line");
     shaft = tableOne();
     shaft.bores = {{ShaftEnd::Free, {{20, 29.99, 29.99, {}, ""}}}};

@@ -17,7 +17,7 @@ namespace lathelier {
 namespace {
 
 /// Chamfer 1×45°, ⌀30, groove, ⌀30, fillet R1 to a shoulder, chamfer on ⌀40, ⌀40, taper, ⌀50.
-ShaftRows part()
+ShaftRows turnedRows()
 {
     return {{1, 28, 30, 0, {}, "chamfer"}, {20, 30, 30, 0, {}, ""},      {2, 27, 27, 0, {}, "groove"},
             {17, 30, 30, 0, {}, ""},       {1, 30, 32, 0, -1, "fillet"}, {0.5, 39, 40, 0, {}, "chamfer"},
@@ -41,16 +41,16 @@ std::string codeOf(const std::function<void()>& act)
 
 TEST(ShaftEdit, ADeletedRowGivesItsLengthToWhatItMeets)
 {
-    const ShaftRows without = deleteRow(part(), 0, KeepAfter::Places);  // the chamfer
-    ASSERT_EQ(without.size(), part().size() - 1);
+    const ShaftRows without = deleteRow(turnedRows(), 0, KeepAfter::Places);  // the chamfer
+    ASSERT_EQ(without.size(), turnedRows().size() - 1);
     EXPECT_DOUBLE_EQ(without[0].length_mm, 21);
-    EXPECT_DOUBLE_EQ(length(without), length(part()));
-    const ShaftRows no_break = deleteRow(part(), 5, KeepAfter::Places);  // the chamfer after the shoulder
+    EXPECT_DOUBLE_EQ(length(without), length(turnedRows()));
+    const ShaftRows no_break = deleteRow(turnedRows(), 5, KeepAfter::Places);  // the chamfer after the shoulder
     EXPECT_DOUBLE_EQ(no_break[5].length_mm, 30.5);
-    const ShaftRows no_fillet = deleteRow(part(), 4, KeepAfter::Places);
+    const ShaftRows no_fillet = deleteRow(turnedRows(), 4, KeepAfter::Places);
     EXPECT_DOUBLE_EQ(no_fillet[3].length_mm, 18);
-    const ShaftRows shorter = deleteRow(part(), 6, KeepAfter::Lengths);
-    EXPECT_DOUBLE_EQ(length(shorter), length(part()) - 30);
+    const ShaftRows shorter = deleteRow(turnedRows(), 6, KeepAfter::Lengths);
+    EXPECT_DOUBLE_EQ(length(shorter), length(turnedRows()) - 30);
 }
 
 TEST(ShaftEdit, RowsAreMergedByTheirKinds)
@@ -65,7 +65,7 @@ TEST(ShaftEdit, RowsAreMergedByTheirKinds)
     EXPECT_DOUBLE_EQ(one[0].end_diameter_mm, 30.3);
     ASSERT_TRUE(one[0].measured);
     EXPECT_DOUBLE_EQ(*one[0].measured->start_diameter_mm, 30.31);
-    const ShaftRows cone = mergeWithNext(part(), 7);
+    const ShaftRows cone = mergeWithNext(turnedRows(), 7);
     EXPECT_DOUBLE_EQ(cone[7].start_diameter_mm, 40);
     EXPECT_DOUBLE_EQ(cone[7].end_diameter_mm, 50);
     EXPECT_DOUBLE_EQ(cone[7].length_mm, 65);
@@ -81,56 +81,57 @@ TEST(ShaftEdit, ASplitArcStaysTheSameContour)
     after.segments = two;
     EXPECT_NEAR(volume_mm3(before), volume_mm3(after), 1e-9 * volume_mm3(before));
     EXPECT_NEAR(mergeWithNext(two, 0)[0].arc_radius_mm.value_or(0), -15, 1e-9);
-    EXPECT_DOUBLE_EQ(splitRow(part(), 7, 20)[8].start_diameter_mm, 43);
+    EXPECT_DOUBLE_EQ(splitRow(turnedRows(), 7, 20)[8].start_diameter_mm, 43);
     for (const double wrong : {0.0, -1.0, 40.0, std::nan("")})
-        EXPECT_EQ(codeOf([&] { splitRow(part(), 7, wrong); }), errors::shaftRowWrong.key) << wrong;
+        EXPECT_EQ(codeOf([&] { splitRow(turnedRows(), 7, wrong); }), errors::shaftRowWrong.key) << wrong;
 }
 
 TEST(ShaftEdit, EveryRowCanBecomeEveryForm)
 {
-    for (std::size_t row = 0; row < part().size(); ++row)
+    for (std::size_t row = 0; row < turnedRows().size(); ++row)
         for (const RowForm form :
              {RowForm::Cylinder, RowForm::Cone, RowForm::Chamfer, RowForm::Round, RowForm::Fillet, RowForm::Groove}) {
-            const ShaftRows rows = changeForm(part(), row, form);
-            ASSERT_EQ(rows.size(), part().size());
-            EXPECT_DOUBLE_EQ(rows[row].length_mm, part()[row].length_mm);
+            const ShaftRows rows = changeForm(turnedRows(), row, form);
+            ASSERT_EQ(rows.size(), turnedRows().size());
+            EXPECT_DOUBLE_EQ(rows[row].length_mm, turnedRows()[row].length_mm);
             EXPECT_EQ(isCylinder(rows[row]), form == RowForm::Cylinder || form == RowForm::Groove);
             EXPECT_EQ(rows[row].arc_radius_mm.has_value(), form == RowForm::Round || form == RowForm::Fillet);
             if (rows[row].arc_radius_mm) {
                 EXPECT_EQ(*rows[row].arc_radius_mm > 0, form == RowForm::Round);
             }
         }
-    const ShaftRows cone = changeForm(part(), 3, RowForm::Cone);  // between the groove's ⌀27 and the fillet's ⌀30
+    const ShaftRows cone = changeForm(turnedRows(), 3, RowForm::Cone);  // between the groove's ⌀27 and the fillet's ⌀30
     EXPECT_DOUBLE_EQ(cone[3].start_diameter_mm, 27);
     EXPECT_DOUBLE_EQ(cone[3].end_diameter_mm, 30);
-    const ShaftRows round = changeForm(part(), 0, RowForm::Round);  // a chamfer of 45°: a quarter over the same legs
+    const ShaftRows round =
+        changeForm(turnedRows(), 0, RowForm::Round);  // a chamfer of 45°: a quarter over the same legs
     EXPECT_NEAR(*round[0].arc_radius_mm, 1, 1e-12);
 }
 
 TEST(ShaftSizes, ADiameterTakesItsChamfersAlong)
 {
-    const ShaftRows rows = setDiameter(part(), 1, 32);
+    const ShaftRows rows = setDiameter(turnedRows(), 1, 32);
     EXPECT_DOUBLE_EQ(rows[0].start_diameter_mm, 30);
     EXPECT_DOUBLE_EQ(rows[0].end_diameter_mm, 32);
     EXPECT_DOUBLE_EQ(rows[3].start_diameter_mm, 30);  // behind the groove: another cylinder
-    const ShaftRows beside = setDiameter(part(), 6, 44);
+    const ShaftRows beside = setDiameter(turnedRows(), 6, 44);
     EXPECT_DOUBLE_EQ(beside[5].start_diameter_mm, 43);  // the chamfer keeps its legs
     EXPECT_DOUBLE_EQ(beside[5].end_diameter_mm, 44);
     EXPECT_DOUBLE_EQ(beside[7].start_diameter_mm, 44);  // the taper follows with the end that meets it
     EXPECT_DOUBLE_EQ(beside[7].end_diameter_mm, 46);
-    const ShaftRows foot = setDiameter(part(), 3, 31);
+    const ShaftRows foot = setDiameter(turnedRows(), 3, 31);
     EXPECT_DOUBLE_EQ(foot[4].start_diameter_mm, 31);
     EXPECT_DOUBLE_EQ(foot[4].end_diameter_mm, 33);
     Shaft shaft;
     shaft.segments = foot;
     EXPECT_NO_THROW(checkShaft(shaft));
     for (const double wrong : {0.0, -3.0, std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_EQ(codeOf([&] { setDiameter(part(), 1, wrong); }), errors::shaftRowWrong.key);
+        EXPECT_EQ(codeOf([&] { setDiameter(turnedRows(), 1, wrong); }), errors::shaftRowWrong.key);
 }
 
 TEST(ShaftSizes, TiedRowsShareOneDiameter)
 {
-    ShaftRows rows = tieDiameters(part(), 3, 1);
+    ShaftRows rows = tieDiameters(turnedRows(), 3, 1);
     EXPECT_EQ(tiedTo(rows, 1), std::vector<std::size_t>{3});
     rows = setDiameter(rows, 3, 29);
     EXPECT_DOUBLE_EQ(rows[1].start_diameter_mm, 29);
@@ -148,58 +149,58 @@ TEST(ShaftSizes, TiedRowsShareOneDiameter)
     EXPECT_EQ(tiedTo(rows, 1), (std::vector<std::size_t>{2, 7}));
     rows = untieDiameter(untieDiameter(rows, 7), 1);
     for (const ShaftSegment& row : rows) EXPECT_TRUE(row.tie.empty());
-    EXPECT_EQ(codeOf([] { tieDiameters(part(), 0, 1); }), errors::shaftRowWrong.key);
+    EXPECT_EQ(codeOf([] { tieDiameters(turnedRows(), 0, 1); }), errors::shaftRowWrong.key);
 }
 
 TEST(ShaftSizes, LengthsHoldPlacesOrLengthsAfterThem)
 {
-    const ShaftRows places = setLength(part(), 3, 4, 20, KeepAfter::Places);
+    const ShaftRows places = setLength(turnedRows(), 3, 4, 20, KeepAfter::Places);
     EXPECT_DOUBLE_EQ(places[3].length_mm, 19);
     EXPECT_DOUBLE_EQ(places[5].length_mm, 0.5);  // minor: goes along
     EXPECT_DOUBLE_EQ(places[6].length_mm, 28);
-    EXPECT_DOUBLE_EQ(length(places), length(part()));
-    const ShaftRows chain = setLength(part(), 3, 4, 20, KeepAfter::Lengths);
+    EXPECT_DOUBLE_EQ(length(places), length(turnedRows()));
+    const ShaftRows chain = setLength(turnedRows(), 3, 4, 20, KeepAfter::Lengths);
     EXPECT_DOUBLE_EQ(chain[6].length_mm, 30);
-    EXPECT_DOUBLE_EQ(length(chain), length(part()) + 2);
-    const ShaftRows moved = moveShoulder(part(), 4, 45, KeepAfter::Places);  // was at 41
+    EXPECT_DOUBLE_EQ(length(chain), length(turnedRows()) + 2);
+    const ShaftRows moved = moveShoulder(turnedRows(), 4, 45, KeepAfter::Places);  // was at 41
     EXPECT_DOUBLE_EQ(startOf_mm(moved, 5), 45);
-    EXPECT_DOUBLE_EQ(startOf_mm(moved, 3), startOf_mm(part(), 3));
-    EXPECT_DOUBLE_EQ(length(moved), length(part()));
-    const ShaftRows longer = moveShoulder(part(), 8, 150, KeepAfter::Places);  // the end of the part
+    EXPECT_DOUBLE_EQ(startOf_mm(moved, 3), startOf_mm(turnedRows(), 3));
+    EXPECT_DOUBLE_EQ(length(moved), length(turnedRows()));
+    const ShaftRows longer = moveShoulder(turnedRows(), 8, 150, KeepAfter::Places);  // the end of the part
     EXPECT_DOUBLE_EQ(length(longer), 150);
-    EXPECT_EQ(codeOf([] { moveShoulder(part(), 4, 75, KeepAfter::Places); }), errors::shaftRowWrong.key);
-    EXPECT_EQ(codeOf([] { moveShoulder(part(), 4, 3, KeepAfter::Places); }), errors::shaftRowWrong.key);
+    EXPECT_EQ(codeOf([] { moveShoulder(turnedRows(), 4, 75, KeepAfter::Places); }), errors::shaftRowWrong.key);
+    EXPECT_EQ(codeOf([] { moveShoulder(turnedRows(), 4, 3, KeepAfter::Places); }), errors::shaftRowWrong.key);
 }
 
 TEST(ShaftSizes, ChamfersArcsConesAndGrooves)
 {
-    ShaftRows rows = setChamfer(part(), 0, 2, 30);
+    ShaftRows rows = setChamfer(turnedRows(), 0, 2, 30);
     EXPECT_NEAR(rows[0].start_diameter_mm, 30 - 4 * std::tan(std::numbers::pi / 6), 1e-12);
     EXPECT_DOUBLE_EQ(rows[0].end_diameter_mm, 30);
     EXPECT_DOUBLE_EQ(rows[1].length_mm, 19);
-    EXPECT_DOUBLE_EQ(length(rows), length(part()));
-    rows = setArcRadius(part(), 4, 2);  // a quarter: grows over the cylinder before it
+    EXPECT_DOUBLE_EQ(length(rows), length(turnedRows()));
+    rows = setArcRadius(turnedRows(), 4, 2);  // a quarter: grows over the cylinder before it
     EXPECT_DOUBLE_EQ(rows[4].length_mm, 2);
     EXPECT_DOUBLE_EQ(rows[4].end_diameter_mm, 34);
     EXPECT_DOUBLE_EQ(*rows[4].arc_radius_mm, -2);
     EXPECT_DOUBLE_EQ(rows[3].length_mm, 16);
     const ShaftRows barrel = setArcRadius({{30, 40, 40, 0, 200, ""}}, 0, 5);
     EXPECT_NEAR(*barrel[0].arc_radius_mm, 15, 1e-9);  // half its chord
-    rows = setConeAngle(part(), 7, 2);
+    rows = setConeAngle(turnedRows(), 7, 2);
     EXPECT_DOUBLE_EQ(rows[7].end_diameter_mm, 46);
     EXPECT_NEAR(rows[7].start_diameter_mm, 46 - 80 * std::tan(2 * std::numbers::pi / 180), 1e-12);
-    rows = setGroove(part(), 2, 2, 3, 26);
+    rows = setGroove(turnedRows(), 2, 2, 3, 26);
     EXPECT_DOUBLE_EQ(rows[2].length_mm, 3);
     EXPECT_DOUBLE_EQ(rows[2].end_diameter_mm, 26);
-    EXPECT_DOUBLE_EQ(length(rows), length(part()));
-    EXPECT_EQ(codeOf([] { setChamfer(part(), 0, 25, 45); }), errors::shaftRowWrong.key);
-    EXPECT_EQ(codeOf([] { setChamfer(part(), 0, 1, 90); }), errors::shaftRowWrong.key);
-    EXPECT_EQ(codeOf([] { setConeAngle(part(), 7, 60); }), errors::shaftRowWrong.key);
+    EXPECT_DOUBLE_EQ(length(rows), length(turnedRows()));
+    EXPECT_EQ(codeOf([] { setChamfer(turnedRows(), 0, 25, 45); }), errors::shaftRowWrong.key);
+    EXPECT_EQ(codeOf([] { setChamfer(turnedRows(), 0, 1, 90); }), errors::shaftRowWrong.key);
+    EXPECT_EQ(codeOf([] { setConeAngle(turnedRows(), 7, 60); }), errors::shaftRowWrong.key);
 }
 
 TEST(ShaftSizes, WhatWasMeasuredIsKeptBesideAnEditedValue)
 {
-    const ShaftRows edited = keepMeasured(part(), setDiameter(part(), 1, 32));
+    const ShaftRows edited = keepMeasured(turnedRows(), setDiameter(turnedRows(), 1, 32));
     ASSERT_TRUE(edited[1].measured);
     EXPECT_DOUBLE_EQ(*edited[1].measured->start_diameter_mm, 30);
     EXPECT_FALSE(edited[6].measured);
@@ -209,7 +210,7 @@ TEST(ShaftSizes, WhatWasMeasuredIsKeptBesideAnEditedValue)
 TEST(ShaftItem, KeepsWhatItWasRecoveredFrom)
 {
     Shaft shaft;
-    shaft.segments = part();
+    shaft.segments = turnedRows();
     const RecoveredFrom from{"worn.ply", std::string(64, 'a'), "robust"};
     EXPECT_EQ(recoveredFrom(itemValues(shaft, from)), from);
     EXPECT_EQ(shaftOf(itemValues(shaft, from)), shaft);

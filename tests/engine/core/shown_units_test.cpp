@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/texts.h"
+#include "engine/core/units.h"
 
 namespace lathelier {
 namespace {
@@ -44,18 +45,18 @@ TEST(ShownUnits, OnlyTheUnitOfALengthIsReplaced)
 
 TEST(ShownUnits, NumbersAndLists)
 {
-    EXPECT_EQ(shownUnit(millimetre, inches()).unit, Text{"in"});
+    EXPECT_EQ(shownUnit(unit::mm, inches()).unit, Text{"in"});
     EXPECT_EQ(shownUnit(Text{"N"}, inches()), (ShownUnit{Text{"N"}}));
-    EXPECT_EQ(shownUnit(millimetre, {}), (ShownUnit{millimetre}));
-    EXPECT_EQ(shownNumber(25.4, millimetre, 3, inches()), "1.00000");
-    EXPECT_EQ(shownNumber(2.54, micrometre, 2, inches()), "100.0");
-    EXPECT_EQ(shownNumber(2.54, micrometre, 0, inches()), "100") << "no fewer than none";
+    EXPECT_EQ(shownUnit(unit::mm, {}), (ShownUnit{unit::mm}));
+    EXPECT_EQ(shownNumber(25.4, unit::mm, 3, inches()), "1.00000");
+    EXPECT_EQ(shownNumber(2.54, unit::um, 2, inches()), "100.0");
+    EXPECT_EQ(shownNumber(2.54, unit::um, 0, inches()), "100") << "no fewer than none";
     EXPECT_EQ(shownNumber(2.5, Text{"Hz"}, 1, inches()), "2.5");
-    const Value list = shownValue(std::vector<double>{25.4, 50.8}, millimetre, inches());
+    const Value list = shownValue(std::vector<double>{25.4, 50.8}, unit::mm, inches());
     EXPECT_EQ(text(list), "1, 2");
-    const Value ranges = shownValue(std::vector<Interval>{{25.4, 50.8}}, millimetre, inches());
+    const Value ranges = shownValue(std::vector<Interval>{{25.4, 50.8}}, unit::mm, inches());
     EXPECT_EQ(text(ranges), "1:2");
-    EXPECT_EQ(shownValue(std::int64_t{3}, millimetre, inches()), Value(std::int64_t{3}));
+    EXPECT_EQ(shownValue(std::int64_t{3}, unit::mm, inches()), Value(std::int64_t{3}));
     EXPECT_EQ(fill("{a_mm} mm", {{"a_mm", 25.4}}, inEngineUnits(inches())), "25.4 mm");
 }
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "../core/code_of_error.h"
+#include "engine/core/units.h"
 #include "engine/cutting/cutting_codes.h"
 
 namespace lathelier::cutting {
@@ -15,19 +15,18 @@ namespace {
 
 constexpr CuttingCoefficients steel{1748.5, 99.2, 703, 92.5};
 constexpr ToolGeometry tool{-5, 0.8};
-constexpr double degrees = 180 / std::numbers::pi;
 
 TEST(CuttingForces, TableAtTheEnteringAngleOf95)
 {
     const CuttingEdge edge(tool, 0.2, ContactLength::Arc);
     const Chip deep = edge.chipAt(3);
-    EXPECT_NEAR(deep.flowAngle() * degrees, 13.352, 5e-4);
+    EXPECT_NEAR(deep.flowAngle() * deg_per_rad, 13.352, 5e-4);
     EXPECT_NEAR(deep.contact_mm, 3.565, 5e-4);
     const CuttingForces at_3 = forcesOf(steel, deep);
     EXPECT_NEAR(at_3.F_t_N, 1402.0, 0.05);
     EXPECT_NEAR(at_3.F_f_N, 731.0, 0.05);
     EXPECT_NEAR(at_3.F_ap_N, 173.5, 0.05);
-    EXPECT_NEAR(edge.chipAt(1).flowAngle() * degrees, 41.706, 5e-4);
+    EXPECT_NEAR(edge.chipAt(1).flowAngle() * deg_per_rad, 41.706, 5e-4);
     const CuttingForces at_1 = cuttingForces(steel, tool, 0.2, 1);
     EXPECT_NEAR(at_1.F_t_N, 503.5, 0.05);
     EXPECT_NEAR(at_1.F_f_N, 212.3, 0.05);
@@ -59,7 +58,7 @@ TEST(CuttingForces, ContactIsContinuousWhereTheCornerEnds)
         for (const ContactLength contact : {ContactLength::Arc, ContactLength::Chord, ContactLength::Straight}) {
             const ToolGeometry one{lead, 0.8};
             const CuttingEdge edge(one, 0.2, contact);
-            const double corner = 0.8 * (1 - std::cos((90 - lead) / degrees));
+            const double corner = 0.8 * (1 - std::cos((90 - lead) / deg_per_rad));
             const Chip below = edge.chipAt(corner - 1e-9), above = edge.chipAt(corner + 1e-9);
             EXPECT_NEAR(below.contact_mm, above.contact_mm, 1e-7);
             EXPECT_NEAR(below.across_feed, above.across_feed, 1e-7);
@@ -75,8 +74,8 @@ TEST(CuttingForces, ContactLengths)
         std::hypot(chord.contact_mm * chord.across_feed, 3 - CuttingEdge(tool, 0.2, ContactLength::Arc).scallop_mm()),
         1e-12);
     const Chip straight = CuttingEdge(tool, 0.2, ContactLength::Straight).chipAt(3);
-    EXPECT_NEAR(straight.contact_mm, 3 / std::sin(95 / degrees), 1e-12);
-    EXPECT_NEAR(straight.area_mm2 / straight.contact_mm, 0.2 * std::sin(95 / degrees), 1e-12);
+    EXPECT_NEAR(straight.contact_mm, 3 / std::sin(95 / deg_per_rad), 1e-12);
+    EXPECT_NEAR(straight.area_mm2 / straight.contact_mm, 0.2 * std::sin(95 / deg_per_rad), 1e-12);
     EXPECT_LT(chord.contact_mm, CuttingEdge(tool, 0.2, ContactLength::Arc).chipAt(3).contact_mm);
 }
 
@@ -129,7 +128,7 @@ TEST(CuttingForces, Refusals)
 
 TEST(CuttingForces, ATurnedFeedOpensTheEntering)
 {
-    const Chip turned = CuttingEdge(tool, 0.2, ContactLength::Arc, 10 / degrees).chipAt(2);
+    const Chip turned = CuttingEdge(tool, 0.2, ContactLength::Arc, 10 / deg_per_rad).chipAt(2);
     const Chip other = CuttingEdge({5, 0.8}, 0.2, ContactLength::Arc).chipAt(2);
     EXPECT_NEAR(turned.contact_mm, other.contact_mm, 1e-12);
     EXPECT_NEAR(turned.across_feed, other.across_feed, 1e-12);

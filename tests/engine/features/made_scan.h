@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/features/recognition.h"
 #include "engine/sample/sample.h"
 
 namespace lathelier::features {
@@ -58,6 +59,13 @@ inline sample::ScannerModel askew(std::uint64_t seed, double sigma_mm = 0.05)
     scanner.scan_T_part = Eigen::Isometry3d(Eigen::Translation3d(0.3, 0.7, 0) *
                                             Eigen::AngleAxisd(0.007, Eigen::Vector3d(0.87, 0.5, 0).normalized()));
     return scanner;
+}
+
+/// The shaft of the sample, as it is recognised.
+inline const Recognition& scannedTableOne()
+{
+    static const Recognition result = recognize(scanShaft(sample::nominalShaft(), askew(3)), {});
+    return result;
 }
 
 }  // namespace lathelier::features

@@ -22,15 +22,9 @@ bool has(const Notes& notes, const NoteCode& code)
     return std::any_of(notes.begin(), notes.end(), [&](const Note& note) { return note.code == code; });
 }
 
-const Recognition& tableOne()
-{
-    static const Recognition result = recognize(scanShaft(sample::nominalShaft(), askew(3)), {});
-    return result;
-}
-
 TEST(Recognition, ThePapersShaft)
 {
-    const Recognition& r = tableOne();
+    const Recognition& r = scannedTableOne();
     ASSERT_EQ(r.segments.size(), 4U);
     const double diameters[] = {30, 37, 33.8, 33.8}, edges[] = {98, 108, 178, 183};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -62,8 +56,8 @@ TEST(Recognition, NominalSizesAreAppliedOnlyWhenAsked)
     EXPECT_NEAR(r.shaft.segments[3].end_diameter_mm, 23.8, 1e-9);
     ASSERT_TRUE(r.shaft.segments[0].measured);
     EXPECT_NE(*r.shaft.segments[0].measured->start_diameter_mm, 30.0);
-    EXPECT_NE(tableOne().shaft.segments[0].start_diameter_mm, 30.0);  // suggested, not applied
-    EXPECT_FALSE(tableOne().segments[0].suggestions.empty());
+    EXPECT_NE(scannedTableOne().shaft.segments[0].start_diameter_mm, 30.0);  // suggested, not applied
+    EXPECT_FALSE(scannedTableOne().segments[0].suggestions.empty());
 }
 
 TEST(Recognition, RoundsFilletsTapersAndGrooves)
@@ -216,7 +210,7 @@ TEST(Recognition, TurnedEndForEndAndAnywhereInSpace)
     const Recognition& plain = chamfer_first ? turned : moved;
     const Recognition& flipped = chamfer_first ? moved : turned;
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(plain.segments[i].start_diameter_mm, tableOne().segments[i].start_diameter_mm, 1.5e-3) << i;
+        EXPECT_NEAR(plain.segments[i].start_diameter_mm, scannedTableOne().segments[i].start_diameter_mm, 1.5e-3) << i;
         EXPECT_NEAR(flipped.segments[3 - i].end_diameter_mm, plain.segments[i].start_diameter_mm, 1e-3) << i;
         EXPECT_NEAR(flipped.segments[3 - i].z_end_mm, *plain.length_mm - plain.segments[i].z_start_mm, 0.02) << i;
     }
@@ -227,10 +221,10 @@ TEST(Recognition, TheSameBitsForAnyNumberOfThreads)
     const Scan scan = scanShaft(sample::nominalShaft(), askew(3));
     const ThreadLimit one(1);
     const Recognition r = recognize(scan, {});
-    ASSERT_EQ(r.segments.size(), tableOne().segments.size());
+    ASSERT_EQ(r.segments.size(), scannedTableOne().segments.size());
     for (std::size_t i = 0; i < r.segments.size(); ++i) {
-        EXPECT_EQ(r.segments[i].start_diameter_mm, tableOne().segments[i].start_diameter_mm);
-        EXPECT_EQ(r.segments[i].z_end_mm, tableOne().segments[i].z_end_mm);
+        EXPECT_EQ(r.segments[i].start_diameter_mm, scannedTableOne().segments[i].start_diameter_mm);
+        EXPECT_EQ(r.segments[i].z_end_mm, scannedTableOne().segments[i].z_end_mm);
     }
 }
 

@@ -15,12 +15,6 @@ namespace {
 
 using What = RowChange::What;
 
-const Recognition& tableOne()
-{
-    static const Recognition result = recognize(scanShaft(sample::nominalShaft(), askew(3)), {});
-    return result;
-}
-
 const Recognition& features()
 {
     static const Recognition result = recognize(scanShaft(featurePart(), askew(5)), {});
@@ -30,7 +24,7 @@ const Recognition& features()
 std::string codeOf(const std::vector<RowChange>& changes)
 {
     try {
-        refit(tableOne(), changes);
+        refit(scannedTableOne(), changes);
     } catch (const Error& error) {
         return error.code().key;
     }
@@ -39,18 +33,18 @@ std::string codeOf(const std::vector<RowChange>& changes)
 
 TEST(Refit, WithoutChangesNothingMoves)
 {
-    const Recognition again = refit(tableOne(), {});
-    EXPECT_EQ(again.shaft, tableOne().shaft);
-    EXPECT_EQ(again.notes.size(), tableOne().notes.size());
+    const Recognition again = refit(scannedTableOne(), {});
+    EXPECT_EQ(again.shaft, scannedTableOne().shaft);
+    EXPECT_EQ(again.notes.size(), scannedTableOne().notes.size());
 }
 
 TEST(Refit, ADeletedChamferLeavesItsCylinder)
 {
-    const Recognition again = refit(tableOne(), {{What::Delete, 4}});
+    const Recognition again = refit(scannedTableOne(), {{What::Delete, 4}});
     ASSERT_EQ(again.segments.size(), 3U);
     EXPECT_NEAR(again.segments[2].start_diameter_mm, 33.8, 2e-3);
     EXPECT_NEAR(again.segments[2].z_end_mm, 183, 0.06);
-    EXPECT_NEAR(*again.length_mm, *tableOne().length_mm, 1e-3);
+    EXPECT_NEAR(*again.length_mm, *scannedTableOne().length_mm, 1e-3);
     EXPECT_TRUE(again.complete);
     EXPECT_TRUE(contains(again.notes, notes::rowsChangedByHand));
     EXPECT_NO_THROW(checkShaft(again.shaft));
@@ -58,7 +52,7 @@ TEST(Refit, ADeletedChamferLeavesItsCylinder)
 
 TEST(Refit, ASplitRowIsMergedAgain)
 {
-    const Recognition split = refit(tableOne(), {{What::Split, 1, 40}});
+    const Recognition split = refit(scannedTableOne(), {{What::Split, 1, 40}});
     ASSERT_EQ(split.segments.size(), 5U);
     EXPECT_NEAR(split.segments[0].z_end_mm, 40, 0.05);
     EXPECT_NEAR(split.segments[0].start_diameter_mm, 30, 3e-3);
@@ -68,17 +62,17 @@ TEST(Refit, ASplitRowIsMergedAgain)
         ASSERT_TRUE(row.uncertainty.start_diameter_um);
         EXPECT_GT(*row.uncertainty.start_diameter_um, 0);
     }
-    const Recognition merged = refit(tableOne(), {{What::Split, 1, 40}, {What::Merge, 1}});
+    const Recognition merged = refit(scannedTableOne(), {{What::Split, 1, 40}, {What::Merge, 1}});
     ASSERT_EQ(merged.segments.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
-        EXPECT_NEAR(merged.segments[i].start_diameter_mm, tableOne().segments[i].start_diameter_mm, 2e-4);
-        EXPECT_NEAR(merged.segments[i].z_end_mm, tableOne().segments[i].z_end_mm, 2e-3);
+        EXPECT_NEAR(merged.segments[i].start_diameter_mm, scannedTableOne().segments[i].start_diameter_mm, 2e-4);
+        EXPECT_NEAR(merged.segments[i].z_end_mm, scannedTableOne().segments[i].z_end_mm, 2e-3);
     }
 }
 
 TEST(Refit, RowsOfTwoDiametersBecomeOneMeanCylinder)
 {
-    const Recognition merged = refit(tableOne(), {{What::Merge, 1}});  // over the shoulder from ⌀30 to ⌀37
+    const Recognition merged = refit(scannedTableOne(), {{What::Merge, 1}});  // over the shoulder from ⌀30 to ⌀37
     ASSERT_EQ(merged.segments.size(), 3U);
     EXPECT_GT(merged.segments[0].start_diameter_mm, 30);
     EXPECT_LT(merged.segments[0].start_diameter_mm, 31.5);

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr std::array kinds{ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI};
 
 /// Points all around with a spread of a thousandth to a half.
-Points anyProfile()
+Points anyPoints()
 {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     const auto count = *rc::gen::inRange<std::size_t>(8, 120);
@@ -26,7 +26,7 @@ Points anyProfile()
 
 RC_GTEST_PROP(CirclesProperty, MinimumZoneIsNeverBeaten, ())
 {
-    const Points points = anyProfile();
+    const Points points = anyPoints();
     const ReferenceCircles circles = fitCircles(points);
     for (const auto kind : kinds) RC_ASSERT(circles.MZCI.RONt_um <= circles.of(kind).RONt_um * (1 + 1e-12) + 1e-9);
     RC_ASSERT(circles.MICI.radius_mm >= circles.LSCI.inner_radius_mm * (1 - 1e-14));
@@ -45,7 +45,7 @@ RC_GTEST_PROP(CirclesProperty, MinimumZoneIsNeverBeaten, ())
 
 RC_GTEST_PROP(CirclesProperty, ContactsAreWhereTheCircleRests, ())
 {
-    const Points points = anyProfile();
+    const Points points = anyPoints();
     const ReferenceCircles circles = fitCircles(points);
     std::size_t outer = 0, inner = 0;
     for (const auto kind : {ReferenceCircle::MZCI, ReferenceCircle::MICI, ReferenceCircle::MCCI}) {
@@ -71,7 +71,7 @@ TEST(Circles, AllContactsOfAZoneAreListedWhenItsLastStepIsCutShort)
 
 RC_GTEST_PROP(CirclesProperty, RotationTranslationScaleAndOrderDoNotMatter, ())
 {
-    const Points points = anyProfile();
+    const Points points = anyPoints();
     const ReferenceCircles before = fitCircles(points);
     const double scale = std::pow(10.0, *rc::gen::inRange(-3, 4)) * 1.7;
     const Eigen::Rotation2Dd rotation(0.001 * *rc::gen::inRange(0, 6283));

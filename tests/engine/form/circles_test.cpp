@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-ErrorCode refusal(const Points& points)
+ErrorCode circleRefusal(const Points& points)
 {
     return codeOfError([&] { fitCircles(points); });
 }
@@ -145,14 +145,14 @@ TEST(Circles, DuplicatesAndGapsDoNotChangeTheZones)
 
 TEST(Circles, SayWhyTheyHaveNoAnswer)
 {
-    EXPECT_EQ(refusal({}), errors::tooFewPoints);
-    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}}), errors::tooFewPoints);
-    EXPECT_EQ(refusal({{1, 0}, {0, 1}, {-1, 0}, {1, 0}, {0, 1}}), errors::tooFewPoints);
-    EXPECT_EQ(refusal({{3, 4}, {3, 4}, {3, 4}, {3, 4}}), errors::pointsDegenerate);
-    EXPECT_EQ(refusal({{0, 0}, {1, 1}, {2, 2}, {5, 5}, {7, 7}}), errors::pointsDegenerate);
-    EXPECT_EQ(refusal({{1e4, 0.1}, {1e4 + 1, 0.4}, {1e4 + 2, 0.7}, {1e4 + 3, 1.0}}), errors::pointsDegenerate);
-    EXPECT_EQ(refusal({{0, 0}, {1, std::nan("")}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
-    EXPECT_EQ(refusal({{0, 0}, {1, INFINITY}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
+    EXPECT_EQ(circleRefusal({}), errors::tooFewPoints);
+    EXPECT_EQ(circleRefusal({{1, 0}, {0, 1}, {-1, 0}}), errors::tooFewPoints);
+    EXPECT_EQ(circleRefusal({{1, 0}, {0, 1}, {-1, 0}, {1, 0}, {0, 1}}), errors::tooFewPoints);
+    EXPECT_EQ(circleRefusal({{3, 4}, {3, 4}, {3, 4}, {3, 4}}), errors::pointsDegenerate);
+    EXPECT_EQ(circleRefusal({{0, 0}, {1, 1}, {2, 2}, {5, 5}, {7, 7}}), errors::pointsDegenerate);
+    EXPECT_EQ(circleRefusal({{1e4, 0.1}, {1e4 + 1, 0.4}, {1e4 + 2, 0.7}, {1e4 + 3, 1.0}}), errors::pointsDegenerate);
+    EXPECT_EQ(circleRefusal({{0, 0}, {1, std::nan("")}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
+    EXPECT_EQ(circleRefusal({{0, 0}, {1, INFINITY}, {2, 2}, {5, 1}, {7, 3}}), errors::coordinateTooLarge);
     EXPECT_NO_THROW(fitCircles(Points{{0, 0}, {1, 1}, {2, 2}, {5, 5.001}}));
 }
 

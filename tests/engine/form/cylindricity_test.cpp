@@ -51,7 +51,7 @@ Eigen::Isometry3d pose(int k)
            Eigen::Isometry3d::Identity();
 }
 
-std::vector<Vector3d> moved(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion)
+std::vector<Vector3d> movedPoints(const std::vector<Vector3d>& points, const Eigen::Isometry3d& motion)
 {
     std::vector<Vector3d> result;
     for (const Vector3d& point : points) result.push_back(motion * point);
@@ -67,7 +67,8 @@ TEST(Cylindricity, OfAPerfectCylinderInAnyPoseIsZero)
             for (int k = 0; k < 6; ++k) {
                 SCOPED_TRACE(testing::Message() << "length " << length << " turn " << turn << " pose " << k);
                 const Eigen::Isometry3d at = pose(k);
-                const CylindricityResult result = cylindricity(moved(cylinder(500, 25, length, perfect, turn), at));
+                const CylindricityResult result =
+                    cylindricity(movedPoints(cylinder(500, 25, length, perfect, turn), at));
                 EXPECT_NEAR(result.LSCY.radius_mm, 25, 1e-7);
                 EXPECT_NEAR(result.LSCY.CYLt_um, 0, 1e-5);
                 EXPECT_LE(result.MZCY.CYLt_um, result.LSCY.CYLt_um);
@@ -83,14 +84,14 @@ TEST(Cylindricity, OfLobesTaperAndBowIsTheClosedForm)
 {
     // 3 lobes of 4 µm: no axis does better.
     const auto lobes = [](double t, double) { return 0.004 * std::cos(3 * t); };
-    const CylindricityResult lobed = cylindricity(moved(stack(11, 120, 25, 80, lobes), pose(2)));
+    const CylindricityResult lobed = cylindricity(movedPoints(stack(11, 120, 25, 80, lobes), pose(2)));
     EXPECT_NEAR(lobed.MZCY.CYLt_um, 8, 1e-6);
     EXPECT_NEAR(lobed.LSCY.CYLt_um, 8, 1e-6);
     EXPECT_NEAR(lobed.LSCY.CYLq_um, 4 / std::sqrt(2.0), 1e-4);
     EXPECT_NEAR(lobed.MZCY.radius_mm, 25, 1e-8);
     // To the last digits, wherever the search begins.
     for (int k = 0; k < 8; ++k)
-        EXPECT_NEAR(cylindricity(moved(stack(11, 60, 25, 80, lobes), pose(k))).LSCY.radius_mm, 25, 1e-11) << k;
+        EXPECT_NEAR(cylindricity(movedPoints(stack(11, 60, 25, 80, lobes), pose(k))).LSCY.radius_mm, 25, 1e-11) << k;
     // Taper: 5 µm on the radius.
     const CylindricityResult taper = cylindricity(stack(11, 90, 25, 80, [](double, double u) { return 0.0025 * u; }));
     EXPECT_NEAR(taper.MZCY.CYLt_um, 5, 1e-5);
@@ -125,7 +126,7 @@ RC_GTEST_PROP(CylindricityProperty, MinimumZoneIsNeverWorseAndNoAxisNearIsBetter
     const double length = std::pow(10.0, *rc::gen::inRange(0, 3));
     std::vector<Vector3d> points = cylinder(60 + seed % 200, 10, length,
                                             [&](double t, double u) { return noise * std::cos(40 * t + 30 * u * t); });
-    points = moved(points, pose(static_cast<int>(seed % 5)));
+    points = movedPoints(points, pose(static_cast<int>(seed % 5)));
     const CylindricityResult result = cylindricity(points);
     RC_ASSERT(result.MZCY.CYLt_um <= result.LSCY.CYLt_um * (1 + 1e-12));
     RC_ASSERT(result.MZCY.contacts.size() >= 5U);
@@ -158,7 +159,7 @@ TEST(Cylindricity, IsTheSameInAnyPoseAndOrder)
     const CylindricityResult before = cylindricity(points);
     std::reverse(points.begin(), points.end());
     for (int k = 0; k < 5; ++k) {
-        const CylindricityResult after = cylindricity(moved(points, pose(k)));
+        const CylindricityResult after = cylindricity(movedPoints(points, pose(k)));
         EXPECT_NEAR(after.LSCY.CYLt_um, before.LSCY.CYLt_um, 1e-6);
         EXPECT_NEAR(after.LSCY.radius_mm, before.LSCY.radius_mm, 1e-10);
         EXPECT_NEAR(after.MZCY.CYLt_um, before.MZCY.CYLt_um, 1e-6);
@@ -218,25 +219,25 @@ TEST(Cylindricity, TheStatedUncertaintyHoldsTheTruth)
         }
 }
 
-ErrorCode refusal(const std::vector<Vector3d>& points)
+ErrorCode cylinderRefusal(const std::vector<Vector3d>& points)
 {
     return codeOfError([&] { cylindricity(points); });
 }
 
 TEST(Cylindricity, SaysWhyItHasNoAnswer)
 {
-    EXPECT_EQ(refusal({}), errors::tooFewPoints);
-    EXPECT_EQ(refusal(std::vector<Vector3d>(5, Vector3d(1, 2, 3))), errors::tooFewPoints);
-    EXPECT_EQ(refusal(std::vector<Vector3d>(50, Vector3d(1, 2, 3))), errors::pointsDegenerate);
+    EXPECT_EQ(cylinderRefusal({}), errors::tooFewPoints);
+    EXPECT_EQ(cylinderRefusal(std::vector<Vector3d>(5, Vector3d(1, 2, 3))), errors::tooFewPoints);
+    EXPECT_EQ(cylinderRefusal(std::vector<Vector3d>(50, Vector3d(1, 2, 3))), errors::pointsDegenerate);
     std::vector<Vector3d> line, ring;
     for (int i = 0; i < 30; ++i) {
         line.emplace_back(i, 2.0 * i, 3.0 * i);
         ring.emplace_back(std::cos(0.2 * i), std::sin(0.2 * i), 5);
     }
-    EXPECT_EQ(refusal(line), errors::pointsDegenerate);
-    EXPECT_EQ(refusal(ring), errors::pointsDegenerate);
+    EXPECT_EQ(cylinderRefusal(line), errors::pointsDegenerate);
+    EXPECT_EQ(cylinderRefusal(ring), errors::pointsDegenerate);
     ring[3].x() = std::nan("");
-    EXPECT_EQ(refusal(ring), errors::coordinateTooLarge);
+    EXPECT_EQ(cylinderRefusal(ring), errors::coordinateTooLarge);
 }
 
 TEST(Cylindricity, StopsWhenCancelled)

@@ -6,18 +6,11 @@
 
 #include "engine/form/form_codes.h"
 #include "engine/form/roundness/roundness.h"
+#include "tests/engine/form/exact_points.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier::form {
 namespace {
-
-/// A short wave of the form is point-to-point noise to the estimate; the tests of form state their own.
-RoundnessParameters exact()
-{
-    RoundnessParameters parameters;
-    parameters.probe_uncertainty_um = 0;
-    return parameters;
-}
 
 TEST(Roundness, TwoPointSizesStayWithinTwiceTheDeviationHoweverUneven)
 {

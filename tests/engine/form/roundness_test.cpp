@@ -7,25 +7,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
+#include "tests/engine/form/exact_points.h"
 #include "tests/engine/form/made_profile.h"
 
 namespace lathelier::form {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-/// A short wave of the form is point-to-point noise to the estimate; the tests of form state their own.
-RoundnessParameters exact()
-{
-    RoundnessParameters parameters;
-    parameters.probe_uncertainty_um = 0;
-    return parameters;
-}
+using std::numbers::pi;
 
 TEST(Roundness, ALobedProfileHasTwiceItsAmplitude)
 {
@@ -319,8 +312,7 @@ TEST(Roundness, RefusesWhatHasNoAnswer)
     EXPECT_EQ(code(profile), errors::tooFewPoints);
     profile.points_mm = {{1, 0}, {0, 1}, {-1, 0}};
     EXPECT_EQ(code(profile), errors::tooFewPoints);
-    const double missing = std::numeric_limits<double>::quiet_NaN();
-    profile.points_mm.emplace_back(missing, 0);
+    profile.points_mm.emplace_back(notANumber, 0);
     EXPECT_EQ(code(profile), errors::tooFewPoints);
     profile.points_mm.assign(10, {1, 1});
     EXPECT_NE(code(profile), errors::internal);
@@ -335,7 +327,7 @@ TEST(Roundness, RefusesWhatHasNoAnswer)
     parameters.band_upr = {{15, 500}};
     EXPECT_EQ(code(lobedProfile(evenAngles(100), {}), parameters), errors::valueNotUnderstood);
     Profile holed = lobedProfile(evenAngles(100), {});
-    holed.points_mm[7] = {missing, 1};
+    holed.points_mm[7] = {notANumber, 1};
     const RoundnessResult result = roundness(holed);
     EXPECT_TRUE(contains(result.notes, notes::pointsNotFinite));
     EXPECT_FALSE(result.used[7]);

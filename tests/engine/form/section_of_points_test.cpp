@@ -57,13 +57,13 @@ TEST(SectionOfPoints, GoesThroughAnItemUnchanged)
 {
     Profile section = sectionOfPoints(scan(5000, 0, leaning), leaning.inverse(), {50, 2});
     section.name = "z 50 mm";
-    const auto back = profileOf(lathelier::toValues(section));
+    const auto back = lathelier::profileOf(lathelier::toValues(section));
     ASSERT_TRUE(back);
     EXPECT_EQ(back->name, section.name);
     EXPECT_EQ(back->points_mm, section.points_mm);
-    EXPECT_FALSE(profileOf({{"x_mm", std::vector<double>{1}}}));
-    EXPECT_FALSE(profileOf({{"x_mm", std::vector<double>{1}}, {"y_mm", std::vector<double>{1, 2}}}));
-    EXPECT_FALSE(profileOf({{"x_mm", std::vector<double>{std::nan("")}}, {"y_mm", std::vector<double>{1}}}));
+    EXPECT_FALSE(lathelier::profileOf({{"x_mm", std::vector<double>{1}}}));
+    EXPECT_FALSE(lathelier::profileOf({{"x_mm", std::vector<double>{1}}, {"y_mm", std::vector<double>{1, 2}}}));
+    EXPECT_FALSE(lathelier::profileOf({{"x_mm", std::vector<double>{std::nan("")}}, {"y_mm", std::vector<double>{1}}}));
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ io::QdasFile example()
     return file;
 }
 
-void expectEqual(const io::QdasFile& a, const io::QdasFile& b)
+void expectSameFile(const io::QdasFile& a, const io::QdasFile& b)
 {
     EXPECT_EQ(a.part_number, b.part_number);
     EXPECT_EQ(a.part_description, b.part_description);
@@ -68,7 +68,7 @@ TEST(Dfq, theFieldsOfTheTransferFormat)
               "K0001/1 5.25\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:00:00\r\n"
               "K0001/2 50.0004\r\nK0002/2 0\r\nK0004/2 21.04.2015/12:00:00\r\n"
               "K0001/1 6\r\nK0002/1 0\r\nK0004/1 21.04.2015/12:05:00\r\n");
-    expectEqual(io::readDfq("test", written), example());
+    expectSameFile(io::readDfq("test", written), example());
 }
 
 TEST(Dfq, valuesThatAreNoneAreMarkedInvalid)
@@ -89,10 +89,10 @@ TEST(Dfq, lettersOutsideWindows1252)
     file.part_description = "wałek, вал";
     const std::string written = io::toDfq(file);
     EXPECT_TRUE(written.starts_with("\xEF\xBB\xBF"));
-    expectEqual(io::readDfq("test", written), file);
+    expectSameFile(io::readDfq("test", written), file);
     // Letters whose bytes would pass for UTF-8 do not come back as another letter.
     file.part_description = "Ã¤";
-    expectEqual(io::readDfq("test", io::toDfq(file)), file);
+    expectSameFile(io::readDfq("test", io::toDfq(file)), file);
     EXPECT_EQ(io::toWindows1252("€ …"), "\x80 \x85");
 }
 

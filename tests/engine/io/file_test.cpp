@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FileTest : public testing::Test {
+class FileTest : public ::testing::Test {
 protected:
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     std::size_t filesInFolder() const
@@ -36,7 +36,7 @@ protected:
 };
 
 template <class F>
-Error errorOf(F&& f)
+Error errorOfCall(F&& f)
 {
     try {
         f();
@@ -47,7 +47,7 @@ Error errorOf(F&& f)
     return Error(errors::unknownOption, {});
 }
 
-std::string wordOf(const Error& error, const char* name)
+std::string englishOf(const Error& error, const char* name)
 {
     const Value* value = find(error.values(), name);
     if (!value) return {};
@@ -98,7 +98,7 @@ private:
     pid_t process_;
 };
 
-class RewrittenFile : public FileTest, public testing::WithParamInterface<bool> {};
+class RewrittenFile : public FileTest, public ::testing::WithParamInterface<bool> {};
 
 TEST_P(RewrittenFile, isReadWholeOrRefused)
 {
@@ -132,13 +132,13 @@ TEST_P(RewrittenFile, isReadWholeOrRefused)
     EXPECT_LE(torn, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(InPlaceOrTruncated, RewrittenFile, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(InPlaceOrTruncated, RewrittenFile, ::testing::Bool());
 
 TEST_F(FileTest, aFileLargerThanTheMemoryIsRefusedBeforeItIsRead)
 {
     io::writeFile(path("sparse"), "x");
     fs::resize_file(path("sparse"), std::uintmax_t{1} << 42);
-    const Error error = errorOf([&] { io::FileBytes file(path("sparse")); });
+    const Error error = errorOfCall([&] { io::FileBytes file(path("sparse")); });
     EXPECT_EQ(error.code(), errors::fileTooLarge);
     EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "found_MiB")), std::int64_t{1} << 22);
     EXPECT_EQ(io::fileHead(path("sparse"), 3), std::string("x\0\0", 3));
@@ -221,23 +221,23 @@ TEST_F(FileTest, partFoldersGoWithTheirOwnersAlsoAfterACrash)
     }
     EXPECT_FALSE(fs::exists(own));
     ::setenv("TMPDIR", path("missing").c_str(), 1);
-    EXPECT_EQ(errorOf([] { io::PartFolder(); }).code(), errors::fileNotWritable);
+    EXPECT_EQ(errorOfCall([] { io::PartFolder(); }).code(), errors::fileNotWritable);
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeRead)
 {
-    const Error missing = errorOf([&] { io::FileBytes file(path("missing")); });
+    const Error missing = errorOfCall([&] { io::FileBytes file(path("missing")); });
     EXPECT_EQ(missing.code(), errors::fileNotFound);
-    EXPECT_EQ(wordOf(missing, "path"), path("missing"));
-    EXPECT_EQ(errorOf([&] { io::FileBytes file(""); }).code(), errors::fileNotFound);
-    const Error folder = errorOf([&] { io::FileBytes file(folder_.string()); });
+    EXPECT_EQ(englishOf(missing, "path"), path("missing"));
+    EXPECT_EQ(errorOfCall([&] { io::FileBytes file(""); }).code(), errors::fileNotFound);
+    const Error folder = errorOfCall([&] { io::FileBytes file(folder_.string()); });
     EXPECT_EQ(folder.code(), errors::notAFile);
-    EXPECT_EQ(wordOf(folder, "found"), "a folder");
-    EXPECT_EQ(wordOf(errorOf([&] { io::FileBytes file("/dev/zero"); }), "found"), "a device");
+    EXPECT_EQ(englishOf(folder, "found"), "a folder");
+    EXPECT_EQ(englishOf(errorOfCall([&] { io::FileBytes file("/dev/zero"); }), "found"), "a device");
     io::writeFile(path("secret"), "x");
     ::chmod(path("secret").c_str(), 0);
     if (::geteuid() != 0) {
-        EXPECT_EQ(errorOf([&] { io::FileBytes file(path("secret")); }).code(), errors::fileNotReadable);
+        EXPECT_EQ(errorOfCall([&] { io::FileBytes file(path("secret")); }).code(), errors::fileNotReadable);
     }
 }
 
@@ -283,10 +283,10 @@ TEST_F(FileTest, aDiskThatTakesNoMoreLeavesNothing)
     rlimit small = old;
     small.rlim_cur = 100000;
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    const Error error = errorOf([&] { io::writeFile(path("big"), std::string(1 << 20, 'x')); });
+    const Error error = errorOfCall([&] { io::writeFile(path("big"), std::string(1 << 20, 'x')); });
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &old), 0);
     EXPECT_EQ(error.code(), errors::fileNotWritable);
-    EXPECT_EQ(wordOf(error, "reason"), "the file would be too large");
+    EXPECT_EQ(englishOf(error, "reason"), "the file would be too large");
     EXPECT_EQ(filesInFolder(), 0u);
 }
 
@@ -301,17 +301,17 @@ TEST_F(FileTest, writesThroughLinksAndDevicesAndKeepsPermissions)
     EXPECT_EQ(fs::status(path("target")).permissions(), fs::perms(0640));
     io::writeFile("/dev/null", "gone");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
-    const Error full = errorOf([] { io::writeFile("/dev/full", "x"); });
+    const Error full = errorOfCall([] { io::writeFile("/dev/full", "x"); });
     EXPECT_EQ(full.code(), errors::fileNotWritable);
-    EXPECT_EQ(wordOf(full, "reason"), "the disk is full");
+    EXPECT_EQ(englishOf(full, "reason"), "the disk is full");
 }
 
 TEST_F(FileTest, saysWhyAFileCannotBeWritten)
 {
-    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(folder_.string(), "x"); }), "reason"), "it is a folder");
-    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(path("no/such/folder"), "x"); }), "reason"),
+    EXPECT_EQ(englishOf(errorOfCall([&] { io::writeFile(folder_.string(), "x"); }), "reason"), "it is a folder");
+    EXPECT_EQ(englishOf(errorOfCall([&] { io::writeFile(path("no/such/folder"), "x"); }), "reason"),
               "the folder does not exist");
-    EXPECT_EQ(wordOf(errorOf([&] { io::writeFile(path(std::string(300, 'n')), "x"); }), "reason"),
+    EXPECT_EQ(englishOf(errorOfCall([&] { io::writeFile(path(std::string(300, 'n')), "x"); }), "reason"),
               "the name is too long");
     EXPECT_EQ(filesInFolder(), 0u);
 }

@@ -10,34 +10,26 @@
 namespace lathelier {
 namespace {
 
+using testing::appendBytes;
 using testing::errorOf;
 using testing::integerOf;
 using testing::readText;
 
-const std::vector<Eigen::Vector3d> corners = {{0.1, 0, 0}, {10.1, 0, 0}, {0.1, 10, 0}, {0.1, 0, 10}};
-
-template <class T>
-void put(std::string& out, T value, bool bigEndian = false)
-{
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    if (bigEndian) std::reverse(bytes, bytes + sizeof(T));
-    out.append(bytes, sizeof(T));
-}
+const std::vector<Eigen::Vector3d> plyCorners = {{0.1, 0, 0}, {10.1, 0, 0}, {0.1, 10, 0}, {0.1, 0, 10}};
 
 std::string plyHeader(const std::string& format, const std::string& vertex, const std::string& rest = "")
 {
     return "ply\nformat " + format + " 1.0\ncomment unit mm\nelement vertex 4\n" + vertex + rest + "end_header\n";
 }
 
-const std::string doubles = "property double x\nproperty double y\nproperty double z\n";
-const std::string faces = "element face 2\nproperty list uchar int vertex_indices\n";
+const std::string plyDoubles = "property double x\nproperty double y\nproperty double z\n";
+const std::string plyFaces = "element face 2\nproperty list uchar int vertex_indices\n";
 
 void expectCorners(const io::ScanFile& file, double tolerance = 0)
 {
-    ASSERT_EQ(file.scan.points_mm.size(), corners.size());
-    for (std::size_t i = 0; i < corners.size(); ++i)
-        EXPECT_LE((file.scan.points_mm[i] - corners[i]).cwiseAbs().maxCoeff(), tolerance);
+    ASSERT_EQ(file.scan.points_mm.size(), plyCorners.size());
+    for (std::size_t i = 0; i < plyCorners.size(); ++i)
+        EXPECT_LE((file.scan.points_mm[i] - plyCorners[i]).cwiseAbs().maxCoeff(), tolerance);
 }
 
 TEST(Ply, binaryInBothByteOrdersKeepsDoubles)
@@ -45,16 +37,17 @@ TEST(Ply, binaryInBothByteOrdersKeepsDoubles)
     for (const bool big : {false, true}) {
         std::string text = plyHeader(
             big ? "binary_big_endian" : "binary_little_endian",
-            "property uchar flag\n" + doubles + "property float nx\nproperty float ny\nproperty float nz\n", faces);
-        for (const Eigen::Vector3d& p : corners) {
-            put<std::uint8_t>(text, 7);
-            for (int k = 0; k < 3; ++k) put(text, p[k], big);
-            for (const float n : {0.F, 0.F, 2.F}) put(text, n, big);
+            "property uchar flag\n" + plyDoubles + "property float nx\nproperty float ny\nproperty float nz\n",
+            plyFaces);
+        for (const Eigen::Vector3d& p : plyCorners) {
+            appendBytes<std::uint8_t>(text, 7);
+            for (int k = 0; k < 3; ++k) appendBytes(text, p[k], big);
+            for (const float n : {0.F, 0.F, 2.F}) appendBytes(text, n, big);
         }
         text += '\3';
-        for (const int i : {0, 1, 2}) put(text, i, big);
+        for (const int i : {0, 1, 2}) appendBytes(text, i, big);
         text += '\4';
-        for (const int i : {0, 1, 2, 3}) put(text, i, big);
+        for (const int i : {0, 1, 2, 3}) appendBytes(text, i, big);
         const io::ScanFile file = readText(text);
         expectCorners(file);
         EXPECT_EQ(file.scan.normals.at(3), Eigen::Vector3f(0, 0, 1));
@@ -71,7 +64,7 @@ TEST(Ply, asciiWithAnyLineEndAndOrderOfProperties)
 {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
         std::string text =
-            plyHeader("ascii", "property float z\nproperty uchar red\nproperty float x\nproperty float y\n", faces);
+            plyHeader("ascii", "property float z\nproperty uchar red\nproperty float x\nproperty float y\n", plyFaces);
         text += "0 255 0.1 0\n0 255 10.1 0\n0 255 0.1 1.0e1\n10 255 0.1 0\n3 0 1 2\n4 0 1 2 3\n";
         for (std::size_t at = 0; end != "\n" && (at = text.find('\n', at)) != std::string::npos; at += end.size())
             text.replace(at, 1, end);
@@ -85,12 +78,12 @@ TEST(Ply, binaryBehindAHeaderWithOtherLineEnds)
 {
     for (const std::string end : {"\r\n", "\r"}) {
         std::string text;
-        for (const char c : plyHeader("binary_little_endian", doubles)) c == '\n' ? text += end : text += c;
-        std::vector<Eigen::Vector3d> points = corners;
+        for (const char c : plyHeader("binary_little_endian", plyDoubles)) c == '\n' ? text += end : text += c;
+        std::vector<Eigen::Vector3d> points = plyCorners;
         // The first byte of the data looks like a line feed.
         points[0].x() = std::bit_cast<double>((std::bit_cast<std::uint64_t>(10.1) & ~std::uint64_t{0xFF}) | 0x0A);
         for (const Eigen::Vector3d& p : points)
-            for (int k = 0; k < 3; ++k) put(text, p[k]);
+            for (int k = 0; k < 3; ++k) appendBytes(text, p[k]);
         EXPECT_EQ(readText(text).scan.points_mm, points);
     }
 }
@@ -100,14 +93,14 @@ TEST(Ply, listsBeforeAndWithinTheVertices)
     std::string text =
         "ply\nformat binary_little_endian 1.0\nelement camera 1\nproperty list uchar float view\nelement vertex "
         "4\nproperty list uchar short tags\n" +
-        doubles + "end_header\n";
+        plyDoubles + "end_header\n";
     text += '\2';
-    put(text, 1.F);
-    put(text, 2.F);
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    appendBytes(text, 1.F);
+    appendBytes(text, 2.F);
+    for (std::size_t i = 0; i < plyCorners.size(); ++i) {
         text += static_cast<char>(i);
-        for (std::size_t k = 0; k < i; ++k) put<std::int16_t>(text, 5);
-        for (int k = 0; k < 3; ++k) put(text, corners[i][k]);
+        for (std::size_t k = 0; k < i; ++k) appendBytes<std::int16_t>(text, 5);
+        for (int k = 0; k < 3; ++k) appendBytes(text, plyCorners[i][k]);
     }
     expectCorners(readText(text));
 }
@@ -118,18 +111,20 @@ TEST(Ply, brokenHeadersAndBodiesAreLocated)
     EXPECT_EQ(type.code(), errors::malformed);
     EXPECT_EQ(integerOf(type, "line"), 4);
     EXPECT_EQ(integerOf(type, "column"), 10);
-    const Error body = errorOf(plyHeader("ascii", doubles) + "0 0 0\n1 1\n2 2 2\n3 3 3\n");
+    const Error body = errorOf(plyHeader("ascii", plyDoubles) + "0 0 0\n1 1\n2 2 2\n3 3 3\n");
     EXPECT_EQ(integerOf(body, "line"), 10);
     EXPECT_EQ(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n").code(), errors::malformed);
     EXPECT_EQ(errorOf(plyHeader("ascii", "property float x\nproperty float y\n") + "1 2\n").code(), errors::malformed);
-    const Error index = errorOf(plyHeader("ascii", doubles, faces) + "0 0 0\n1 1 1\n2 2 2\n3 3 3\n3 0 1 2\n3 0 1 4\n");
+    const Error index =
+        errorOf(plyHeader("ascii", plyDoubles, plyFaces) + "0 0 0\n1 1 1\n2 2 2\n3 3 3\n3 0 1 2\n3 0 1 4\n");
     EXPECT_EQ(index.code(), errors::malformed);
     EXPECT_EQ(integerOf(index, "line"), 16);
 }
 
 TEST(Ply, pointsThatAreNotFiniteAreLeftOutWithTheirFaces)
 {
-    std::string text = plyHeader("ascii", doubles, faces) + "0.1 0 0\nnan 0 0\n0.1 10 0\n0.1 0 10\n3 0 1 2\n3 0 2 3\n";
+    std::string text =
+        plyHeader("ascii", plyDoubles, plyFaces) + "0.1 0 0\nnan 0 0\n0.1 10 0\n0.1 0 10\n3 0 1 2\n3 0 2 3\n";
     const io::ScanFile file = readText(text);
     EXPECT_EQ(file.scan.points_mm.size(), 3u);
     ASSERT_EQ(file.scan.triangles.size(), 1u);
@@ -151,23 +146,23 @@ TEST(Pcd, asciiBinaryAndCompressed)
 {
     expectCorners(readText(pcdHeader("ascii") + "1 2 0.1 0 0\n1 2 10.1 0 0\n1 2 0.1 10 0\n1 2 0.1 0 10\n"));
     std::string binary = pcdHeader("binary");
-    for (const Eigen::Vector3d& p : corners) {
-        put<std::uint64_t>(binary, 0);
-        for (int k = 0; k < 3; ++k) put(binary, p[k]);
+    for (const Eigen::Vector3d& p : plyCorners) {
+        appendBytes<std::uint64_t>(binary, 0);
+        for (int k = 0; k < 3; ++k) appendBytes(binary, p[k]);
     }
     expectCorners(readText(binary));
     EXPECT_EQ(errorOf(binary.substr(0, binary.size() - 1)).code(), errors::truncated);
 
     std::string columns(32, '\0');  // all rgb, then all x, all y, all z
     for (int k = 0; k < 3; ++k)
-        for (const Eigen::Vector3d& p : corners) put(columns, p[k]);
+        for (const Eigen::Vector3d& p : plyCorners) appendBytes(columns, p[k]);
     // The zeros in front as one literal byte and a copy that overlaps itself; the rest literally.
     std::string packed("\0\0\xE0\x16\0", 5);
     ASSERT_EQ(1 + 7 + 0x16 + 2, 32);
     for (std::size_t at = 32; at < columns.size(); at += 32) packed += '\x1F' + columns.substr(at, 32);
     std::string compressed = pcdHeader("binary_compressed");
-    put(compressed, static_cast<std::uint32_t>(packed.size()));
-    put(compressed, static_cast<std::uint32_t>(columns.size()));
+    appendBytes(compressed, static_cast<std::uint32_t>(packed.size()));
+    appendBytes(compressed, static_cast<std::uint32_t>(columns.size()));
     const io::ScanFile file = readText(compressed + packed);
     expectCorners(file);
     EXPECT_EQ(file.facts.format, "pcd_binary_compressed");
@@ -221,12 +216,12 @@ TEST(Stl, binaryAlsoWhenItsHeaderSaysSolid)
 {
     for (const std::string start : {"solid facet endsolid", "exported", "UNITS=mm"}) {
         std::string text = start + std::string(80 - start.size(), ' ');
-        put<std::uint32_t>(text, 2);
+        appendBytes<std::uint32_t>(text, 2);
         for (const std::array<std::size_t, 3> t : {std::array<std::size_t, 3>{0, 1, 2}, {0, 2, 3}}) {
-            for (const float n : {0.F, 0.F, 1.F}) put(text, n);
+            for (const float n : {0.F, 0.F, 1.F}) appendBytes(text, n);
             for (const std::size_t i : t)
-                for (int k = 0; k < 3; ++k) put(text, static_cast<float>(corners[i][k]));
-            put<std::uint16_t>(text, 0);
+                for (int k = 0; k < 3; ++k) appendBytes(text, static_cast<float>(plyCorners[i][k]));
+            appendBytes<std::uint16_t>(text, 0);
         }
         const io::ScanFile file = readText(text);
         expectCorners(file, 1e-6);
@@ -258,7 +253,7 @@ TEST(Obj, polygonsNormalsAndIndicesFromBothEnds)
 TEST(Formats, decimalCommasOfCarelessPrograms)
 {
     expectCorners(readText("v 0,1 0 0\nv 10,1 0 0\nv 0,1 10 0\nv 0,1 0 10\n"));
-    expectCorners(readText(plyHeader("ascii", doubles) + "0,1 0 0\n10,1 0 0\n0,1 10 0\n0,1 0 10\n"));
+    expectCorners(readText(plyHeader("ascii", plyDoubles) + "0,1 0 0\n10,1 0 0\n0,1 10 0\n0,1 0 10\n"));
     EXPECT_EQ(errorOf("v 1,234 0 0\nv 5,678 0 0\n").code(), errors::numberAmbiguous);
 }
 

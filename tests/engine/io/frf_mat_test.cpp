@@ -83,7 +83,7 @@ std::string plainFile(bool big = false, bool compressed = false, bool small = fa
     return mat.bytes;
 }
 
-io::FrfFile read(const std::string& bytes, const std::string& variables = {})
+io::FrfFile readMat(const std::string& bytes, const std::string& variables = {})
 {
     return io::readFrf("test.mat", bytes, {}, {io::FrfUnitChoice::MPerN, variables});
 }
@@ -106,7 +106,7 @@ TEST(FrfMat, readsVectorsInAnyForm)
     for (const bool big : {false, true})
         for (const bool compressed : {false, true})
             for (const bool small : {false, true}) {
-                const Frf frf = read(plainFile(big, compressed, small)).frfs.at(0).frf;
+                const Frf frf = readMat(plainFile(big, compressed, small)).frfs.at(0).frf;
                 EXPECT_EQ(frf.frequency_hz, (std::vector<double>{10, 20, 30}));
                 ASSERT_EQ(frf.value.size(), 3U);
                 EXPECT_EQ(frf.value[1], std::complex<double>(2000, -5000));
@@ -135,7 +135,7 @@ TEST(FrfMat, unitAndVariablesMayHaveToBeGiven)
     mat.add("one", {1, 2}, {3, 4});
     mat.add("two", {5, 6}, {7, 8});
     EXPECT_EQ(codeOf(mat.bytes, {io::FrfUnitChoice::MPerN, {}}), errors::frfVariablesUnknown);
-    EXPECT_EQ(read(mat.bytes, "f=axis, H=two").frfs.at(0).frf.value[0], std::complex<double>(5000, 7000));
+    EXPECT_EQ(readMat(mat.bytes, "f=axis, H=two").frfs.at(0).frf.value[0], std::complex<double>(5000, 7000));
     for (const char* wrong : {"f=axis", "axis,two", "f=axis,H=three", "f=one,H=two", "H=,f="})
         EXPECT_EQ(codeOf(mat.bytes, {io::FrfUnitChoice::MPerN, wrong}), errors::frfVariablesUnknown) << wrong;
     mat.add("lines_Hz", {10, 20});
@@ -157,7 +157,7 @@ TEST(FrfMat, cutAndChangedFilesAreRefusedOrRead)
         for (std::size_t length = 0; length < whole.size(); ++length) {
             const std::string cut = whole.substr(0, length);
             try {
-                read(cut);
+                readMat(cut);
             } catch (const Error& error) {
                 EXPECT_TRUE(find(error.values(), "byte") || error.code() == errors::fileEmpty) << length;
             }
@@ -168,7 +168,7 @@ TEST(FrfMat, cutAndChangedFilesAreRefusedOrRead)
                 changed[124 + random() % (changed.size() - 124)] =
                     static_cast<char>(random() % 3 == 0 ? 255 : random());
             try {
-                read(changed);
+                readMat(changed);
             } catch (const Error& error) {
                 EXPECT_TRUE(find(error.values(), "path"));
             }

@@ -11,15 +11,15 @@ namespace {
 
 using testing::integerOf;
 
-io::FrfFile read(const std::string& text, const io::FrfOptions& options = {}, const io::ImportOptions& import = {})
+io::FrfFile readTable(const std::string& text, const io::FrfOptions& options = {}, const io::ImportOptions& import = {})
 {
     return io::readFrf("test.csv", text, import, options);
 }
 
-Error refusal(const std::string& text, const io::FrfOptions& options = {})
+Error tableRefusal(const std::string& text, const io::FrfOptions& options = {})
 {
     try {
-        read(text, options);
+        readTable(text, options);
     } catch (const Error& error) {
         EXPECT_TRUE(find(error.values(), "path"));
         return error;
@@ -33,11 +33,11 @@ std::string table(const std::string& heading, const std::string& rows = "50,1.5,
     return heading + "\n" + rows;
 }
 
-constexpr double tolerance = 1e-12;
+constexpr double frfTolerance = 1e-12;
 
 TEST(FrfTable, readsRealAndImaginaryPart)
 {
-    const io::FrfFile file = read(table("frequency_hz,real_mm_N,imag_mm_N"));
+    const io::FrfFile file = readTable(table("frequency_hz,real_mm_N,imag_mm_N"));
     ASSERT_EQ(file.frfs.size(), 1U);
     const Frf& frf = file.frfs[0].frf;
     EXPECT_EQ(frf.quantity, FrfQuantity::Receptance);
@@ -64,67 +64,68 @@ TEST(FrfTable, unitsOfHeadings)
                           {"f,real,imag\nHz,m/N,m/N", FrfQuantity::Receptance, 1000},
                           {"f_hz,real (m/s)/N,imag (m/s)/N", FrfQuantity::Mobility, 1000}};
     for (const Case& one : cases) {
-        const Frf frf = read(table(one.heading)).frfs.at(0).frf;
+        const Frf frf = readTable(table(one.heading)).frfs.at(0).frf;
         EXPECT_EQ(frf.quantity, one.quantity) << one.heading;
-        EXPECT_NEAR(frf.value[0].real() / one.scale, 1.5, tolerance) << one.heading;
+        EXPECT_NEAR(frf.value[0].real() / one.scale, 1.5, frfTolerance) << one.heading;
     }
 }
 
 TEST(FrfTable, magnitudeAndPhase)
 {
     const Frf degrees =
-        read(table("frequency_hz,magnitude_mm_N,phase_deg", "10,2,-90\n20,1,-180\n30,3,0\n")).frfs.at(0).frf;
-    EXPECT_NEAR(std::abs(degrees.value[0] - std::complex<double>(0, -2)), 0, tolerance);
-    EXPECT_NEAR(std::abs(degrees.value[1] - std::complex<double>(-1, 0)), 0, tolerance);
-    const Frf radians = read(table("f,mag_m_N,phase_rad", "10,2,-1.5707963267948966\n20,1,0\n")).frfs.at(0).frf;
+        readTable(table("frequency_hz,magnitude_mm_N,phase_deg", "10,2,-90\n20,1,-180\n30,3,0\n")).frfs.at(0).frf;
+    EXPECT_NEAR(std::abs(degrees.value[0] - std::complex<double>(0, -2)), 0, frfTolerance);
+    EXPECT_NEAR(std::abs(degrees.value[1] - std::complex<double>(-1, 0)), 0, frfTolerance);
+    const Frf radians = readTable(table("f,mag_m_N,phase_rad", "10,2,-1.5707963267948966\n20,1,0\n")).frfs.at(0).frf;
     EXPECT_NEAR(std::abs(radians.value[0] - std::complex<double>(0, -2000)), 0, 1e-9);
-    EXPECT_EQ(refusal(table("f,mag_m_N,phase")).code(), errors::frfUnitMissing);
-    EXPECT_EQ(refusal(table("f,mag_db,phase_deg"), {io::FrfUnitChoice::MPerN, {}}).code(), errors::frfUnitMissing);
+    EXPECT_EQ(tableRefusal(table("f,mag_m_N,phase")).code(), errors::frfUnitMissing);
+    EXPECT_EQ(tableRefusal(table("f,mag_db,phase_deg"), {io::FrfUnitChoice::MPerN, {}}).code(), errors::frfUnitMissing);
 }
 
 TEST(FrfTable, withoutAUnitOneHasToBeGiven)
 {
-    const Error error = refusal(table("frequency_hz,real,imag"));
+    const Error error = tableRefusal(table("frequency_hz,real,imag"));
     EXPECT_EQ(error.code(), errors::frfUnitMissing);
     EXPECT_EQ(error.code().kind, ErrorKind::InputRejected);
     EXPECT_EQ(integerOf(error, "line"), 1);
     EXPECT_EQ(integerOf(error, "column"), 2);
-    const io::FrfFile given = read(table("frequency_hz,real,imag"), {io::FrfUnitChoice::MPerS2N, {}});
+    const io::FrfFile given = readTable(table("frequency_hz,real,imag"), {io::FrfUnitChoice::MPerS2N, {}});
     EXPECT_EQ(given.frfs.at(0).frf.quantity, FrfQuantity::Accelerance);
     EXPECT_EQ(given.frfs.at(0).frf.value[0], std::complex<double>(1500, -2500));
     EXPECT_EQ(given.facts.unit_source, "given");
-    const io::FrfFile stated = read(table("frequency_hz,real_mm_N,imag_mm_N"), {io::FrfUnitChoice::MPerN, {}});
+    const io::FrfFile stated = readTable(table("frequency_hz,real_mm_N,imag_mm_N"), {io::FrfUnitChoice::MPerN, {}});
     EXPECT_EQ(stated.frfs.at(0).frf.value[0].real(), 1.5);
     EXPECT_TRUE(contains(stated.notes, notes::frfUnitNotUsed));
-    EXPECT_EQ(refusal(table("frequency_hz,real_mm_N,imag_m_N")).code(), errors::frfUnitMissing);
-    EXPECT_EQ(refusal(table("frequency_hz,real_kg,imag_kg")).code(), errors::frfUnitMissing);
+    EXPECT_EQ(tableRefusal(table("frequency_hz,real_mm_N,imag_m_N")).code(), errors::frfUnitMissing);
+    EXPECT_EQ(tableRefusal(table("frequency_hz,real_kg,imag_kg")).code(), errors::frfUnitMissing);
 }
 
 TEST(FrfTable, separatorsDecimalMarksAndRemarks)
 {
     const Frf frf =
-        read("# tip of a shaft\nfrequency_hz;real_mm_N;imag_mm_N\n50,5;1,5e-4;-2,5\n51,5;1;-2\n").frfs[0].frf;
+        readTable("# tip of a shaft\nfrequency_hz;real_mm_N;imag_mm_N\n50,5;1,5e-4;-2,5\n51,5;1;-2\n").frfs[0].frf;
     EXPECT_EQ(frf.frequency_hz[0], 50.5);
     EXPECT_EQ(frf.value[0], std::complex<double>(1.5e-4, -2.5));
 }
 
 TEST(FrfTable, coherenceIsKept)
 {
-    const Frf frf = read(table("frequency_hz,real_mm_N,imag_mm_N,coherence", "1,1,1,0.5\n2,1,1,nan\n")).frfs[0].frf;
+    const Frf frf =
+        readTable(table("frequency_hz,real_mm_N,imag_mm_N,coherence", "1,1,1,0.5\n2,1,1,nan\n")).frfs[0].frf;
     EXPECT_EQ(frf.coherence, (std::vector<double>{0.5, 0}));
 }
 
 TEST(FrfTable, frequenciesHaveToAscend)
 {
-    const Error error = refusal(table("frequency_hz,real_mm_N,imag_mm_N", "50,1,2\n52,1,2\n52,1,2\n"));
+    const Error error = tableRefusal(table("frequency_hz,real_mm_N,imag_mm_N", "50,1,2\n52,1,2\n52,1,2\n"));
     EXPECT_EQ(error.code(), errors::frfNotAscending);
     EXPECT_EQ(integerOf(error, "line"), 4);
 }
 
 TEST(FrfTable, otherTablesAreNone)
 {
-    EXPECT_EQ(refusal(table("x,y,z")).code(), errors::columnsUnknown);
-    EXPECT_EQ(refusal(table("t_s,X3_um,Y3_um")).code(), errors::columnsUnknown);
+    EXPECT_EQ(tableRefusal(table("x,y,z")).code(), errors::columnsUnknown);
+    EXPECT_EQ(tableRefusal(table("t_s,X3_um,Y3_um")).code(), errors::columnsUnknown);
 }
 
 TEST(FrfKind, isToldByContent)

@@ -17,15 +17,15 @@ using testing::uffSet;
 using testing::UffText;
 using testing::wordOf;
 
-io::FrfFile read(const std::string& bytes, const io::FrfOptions& options = {})
+io::FrfFile readUffFrf(const std::string& bytes, const io::FrfOptions& options = {})
 {
     return io::readFrf("test.uff", bytes, {}, options);
 }
 
-Error refusal(const std::string& bytes, const io::FrfOptions& options = {})
+Error uffRefusal(const std::string& bytes, const io::FrfOptions& options = {})
 {
     try {
-        read(bytes, options);
+        readUffFrf(bytes, options);
     } catch (const Error& error) {
         EXPECT_TRUE(find(error.values(), "path"));
         return error;
@@ -126,7 +126,7 @@ TEST(Uff, morePointsDeclaredThanThereAreIsRefused)
 {
     UffText set = twoPoints();
     set.points = 2508876;
-    const Error error = refusal(uffSet(set, twoValues));
+    const Error error = uffRefusal(uffSet(set, twoValues));
     EXPECT_EQ(error.code(), errors::uffPointsMissing);
     EXPECT_EQ(integerOf(error, "line"), 14);
     EXPECT_EQ(integerOf(error, "declared_line"), 9);
@@ -136,7 +136,7 @@ TEST(Uff, morePointsDeclaredThanThereAreIsRefused)
 
 TEST(Uff, brokenNumberNamesItsPlace)
 {
-    const Error error = refusal(uffSet(twoPoints(), "  1.000000000000E+00 -2.0000000x0000E+00\n"));
+    const Error error = uffRefusal(uffSet(twoPoints(), "  1.000000000000E+00 -2.0000000x0000E+00\n"));
     EXPECT_EQ(error.code(), errors::malformed);
     EXPECT_EQ(integerOf(error, "line"), 14);
     EXPECT_EQ(integerOf(error, "column"), 22);
@@ -147,7 +147,7 @@ TEST(Uff, brokenHeaderNamesItsPlace)
     std::string text = uffSet(twoPoints(), twoValues);
     const std::size_t at = text.find("         6         2");
     text[at + 19] = 'x';
-    const Error error = refusal(text);
+    const Error error = uffRefusal(text);
     EXPECT_EQ(integerOf(error, "line"), 9);
     EXPECT_EQ(integerOf(error, "column"), 20);
     EXPECT_EQ(wordOf(error, "found"), "x");
@@ -212,15 +212,15 @@ TEST(Uff, bytesBeyondTheFileAreRefused)
 {
     UffText set = twoPoints();
     const std::string payload(32, '\0');
-    const Error beyond = refusal(uffBinarySet(set, payload, false, 2000000000));
+    const Error beyond = uffRefusal(uffBinarySet(set, payload, false, 2000000000));
     EXPECT_EQ(beyond.code(), errors::truncated);
     EXPECT_TRUE(find(beyond.values(), "byte"));
     EXPECT_EQ(integerOf(beyond, "expected"), 2000000000);
-    EXPECT_EQ(refusal(uffBinarySet(set, payload, false, 16)).code(), errors::truncated);
-    const Error wrongCount = refusal(uffBinarySet(set, payload + "12", false, 32));
+    EXPECT_EQ(uffRefusal(uffBinarySet(set, payload, false, 16)).code(), errors::truncated);
+    const Error wrongCount = uffRefusal(uffBinarySet(set, payload + "12", false, 32));
     EXPECT_TRUE(find(wrongCount.values(), "byte"));
     set.points = 2000000000;
-    EXPECT_EQ(refusal(uffBinarySet(set, payload)).code(), errors::truncated);
+    EXPECT_EQ(uffRefusal(uffBinarySet(set, payload)).code(), errors::truncated);
 }
 
 TEST(Uff, otherSetsAreReadForUnitsAndNodesOrSkipped)
@@ -243,10 +243,11 @@ TEST(Uff, otherSetsAreReadForUnitsAndNodesOrSkipped)
     ASSERT_EQ(file.nodes.size(), 2U);
     EXPECT_EQ(file.nodes[0].label, -1);
     EXPECT_EQ(file.nodes[1].place[2], 3);
-    const io::FrfFile frf = read(other + units + nodes + uffSet(set, twoValues));
+    const io::FrfFile frf = readUffFrf(other + units + nodes + uffSet(set, twoValues));
     EXPECT_DOUBLE_EQ(frf.frfs.at(0).frf.value[0].real(), 1);  // 1000 units a metre are mm
-    EXPECT_EQ(refusal(other + nodes + uffSet(set, twoValues)).code(), errors::frfUnitMissing);
-    EXPECT_DOUBLE_EQ(read(uffSet(set, twoValues), {io::FrfUnitChoice::MPerN, {}}).frfs.at(0).frf.value[0].real(), 1000);
+    EXPECT_EQ(uffRefusal(other + nodes + uffSet(set, twoValues)).code(), errors::frfUnitMissing);
+    EXPECT_DOUBLE_EQ(readUffFrf(uffSet(set, twoValues), {io::FrfUnitChoice::MPerN, {}}).frfs.at(0).frf.value[0].real(),
+                     1000);
 }
 
 TEST(UffFrf, unitsBecomeMillimetresPerNewton)
@@ -273,7 +274,7 @@ TEST(UffFrf, unitsBecomeMillimetresPerNewton)
         set.ordinate = one.ordinate;
         set.unit = one.unit;
         set.per = one.per;
-        const io::FrfFile file = read(uffSet(set, twoValues));
+        const io::FrfFile file = readUffFrf(uffSet(set, twoValues));
         EXPECT_EQ(file.frfs.at(0).frf.quantity, one.quantity) << one.unit;
         EXPECT_NEAR(file.frfs.at(0).frf.value[1].real() / (3 * one.scale), 1, 1e-12) << one.unit;
         EXPECT_FALSE(has(file.notes, notes::frfLabelContradictsUnit)) << one.unit;
@@ -288,7 +289,7 @@ TEST(UffFrf, unitRulesOverLabel)
     set.unit = "(m/s)/N";
     set.denominator = 0;
     set.per = "NONE";
-    const io::FrfFile file = read(uffSet(set, twoValues), {io::FrfUnitChoice::MmPerN, {}});
+    const io::FrfFile file = readUffFrf(uffSet(set, twoValues), {io::FrfUnitChoice::MmPerN, {}});
     EXPECT_EQ(file.frfs.at(0).frf.quantity, FrfQuantity::Mobility);
     EXPECT_TRUE(has(file.notes, notes::frfLabelContradictsUnit));
     EXPECT_TRUE(has(file.notes, notes::frfUnitNotUsed));
@@ -302,7 +303,7 @@ TEST(UffFrf, negativeDirectionsFlipTheSign)
             set.response_direction = response;
             set.reference_direction = reference;
             set.response_node = -1;
-            const io::MeasuredFrf frf = read(uffSet(set, twoValues)).frfs.at(0);
+            const io::MeasuredFrf frf = readUffFrf(uffSet(set, twoValues)).frfs.at(0);
             EXPECT_EQ(frf.frf.value[0].real(), 1000 * (response * reference > 0 ? 1 : -1));
             EXPECT_EQ(frf.response_node, -1);
             EXPECT_EQ(frf.response_direction, 1);
@@ -315,14 +316,14 @@ TEST(UffFrf, drivingPointWithTheOtherSignIsRemarked)
     UffText set = twoPoints();
     set.ordinate = 8;
     set.unit = "mm";
-    EXPECT_FALSE(has(read(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
+    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
     set.response_direction = -1;
-    EXPECT_TRUE(has(read(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
+    EXPECT_TRUE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
     set.reference_direction = -1;
-    EXPECT_FALSE(has(read(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
+    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
     set.response_node = 5;
     set.response_direction = 1;
-    EXPECT_FALSE(has(read(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
+    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
 }
 
 TEST(UffFrf, coherenceOfTheSamePairIsAttached)
@@ -335,10 +336,10 @@ TEST(UffFrf, coherenceOfTheSamePairIsAttached)
     gamma.denominator = 0;
     gamma.per = "NONE";
     const std::string values = "  9.50000E-01  1.00001E+00\n";
-    const io::FrfFile file = read(uffSet(gamma, values) + uffSet(twoPoints(), twoValues));
+    const io::FrfFile file = readUffFrf(uffSet(gamma, values) + uffSet(twoPoints(), twoValues));
     EXPECT_EQ(file.frfs.at(0).frf.coherence, (std::vector<double>{0.95, 1}));
     gamma.step = 4;
-    const io::FrfFile other = read(uffSet(gamma, values) + uffSet(twoPoints(), twoValues));
+    const io::FrfFile other = readUffFrf(uffSet(gamma, values) + uffSet(twoPoints(), twoValues));
     EXPECT_TRUE(other.frfs.at(0).frf.coherence.empty());
     EXPECT_TRUE(has(other.notes, notes::frfCoherenceUnused));
 }
@@ -347,20 +348,20 @@ TEST(UffFrf, otherFunctionsArePassedOver)
 {
     UffText time = twoPoints();
     time.function = 1;
-    EXPECT_EQ(refusal(uffSet(time, twoValues)).code(), errors::frfNone);
-    const io::FrfFile file = read(uffSet(time, twoValues) + uffSet(twoPoints(), twoValues));
+    EXPECT_EQ(uffRefusal(uffSet(time, twoValues)).code(), errors::frfNone);
+    const io::FrfFile file = readUffFrf(uffSet(time, twoValues) + uffSet(twoPoints(), twoValues));
     EXPECT_EQ(file.frfs.size(), 1U);
     EXPECT_TRUE(has(file.notes, notes::frfSetsSkipped));
     UffText moment = twoPoints();
     moment.reference_direction = 5;
-    EXPECT_EQ(refusal(uffSet(moment, twoValues)).code(), errors::frfNone);
+    EXPECT_EQ(uffRefusal(uffSet(moment, twoValues)).code(), errors::frfNone);
 }
 
 TEST(UffFrf, frequenciesHaveToAscend)
 {
     UffText set = twoPoints();
     set.step = 0;
-    const Error error = refusal(uffSet(set, twoValues));
+    const Error error = uffRefusal(uffSet(set, twoValues));
     EXPECT_EQ(error.code(), errors::frfNotAscending);
     EXPECT_EQ(integerOf(error, "line"), 2);
 }
@@ -369,7 +370,7 @@ TEST(UffFrf, missingValuesAreLeftOut)
 {
     UffText set = twoPoints();
     const io::FrfFile file =
-        read(uffSet(set, "                 NaN                 NaN  3.000000000000E+00 -4.000000000000E+00\n"));
+        readUffFrf(uffSet(set, "                 NaN                 NaN  3.000000000000E+00 -4.000000000000E+00\n"));
     EXPECT_EQ(file.frfs.at(0).frf.frequency_hz, (std::vector<double>{52}));
     EXPECT_TRUE(has(file.notes, notes::frfLinesDropped));
 }

@@ -18,7 +18,7 @@ using testing::modeFrf;
 
 constexpr FrfQuantity quantities[] = {FrfQuantity::Receptance, FrfQuantity::Mobility, FrfQuantity::Accelerance};
 
-void expectEqual(const Frf& found, const Frf& expected, double relative)
+void expectSameFrf(const Frf& found, const Frf& expected, double relative)
 {
     EXPECT_EQ(found.quantity, expected.quantity);
     ASSERT_EQ(found.value.size(), expected.value.size());
@@ -42,7 +42,7 @@ TEST(FrfWriter, universalFilesComeBack)
                 const std::vector<io::MeasuredFrf> both{written, modeFrf(quantity)};
                 const io::FrfFile file = io::readFrf("test.uff", io::toUff(both), {}, {});
                 ASSERT_EQ(file.frfs.size(), 2U);
-                expectEqual(file.frfs[0].frf, written.frf, 1e-11);
+                expectSameFrf(file.frfs[0].frf, written.frf, 1e-11);
                 EXPECT_EQ(file.frfs[0].response_node, 7);
                 EXPECT_EQ(file.frfs[0].reference_direction, 3);
                 EXPECT_EQ(file.frfs[0].frf.name, "mode");
@@ -66,7 +66,7 @@ TEST(FrfWriter, tablesComeBackWithAllDigits)
         written.frf.coherence.assign(11, 0.1);
         const std::string text = io::toFrfCsv(written.frf);
         const Frf read = io::readFrf("test.csv", text, {}, {}).frfs.at(0).frf;
-        expectEqual(read, written.frf, 0);
+        expectSameFrf(read, written.frf, 0);
         EXPECT_EQ(read.frequency_hz, written.frf.frequency_hz);
     }
     EXPECT_TRUE(io::toFrfCsv(modeFrf(FrfQuantity::Receptance).frf).starts_with("frequency_hz,real_mm_N,imag_mm_N\n"));
@@ -88,9 +88,9 @@ TEST(FrfWriter, filesAreWhole)
     const std::string path = (folder / "mode.uff").string();
     const io::MeasuredFrf written = modeFrf(FrfQuantity::Mobility);
     io::writeUff(path, std::vector{written});
-    expectEqual(io::readFrf(path).frfs.at(0).frf, written.frf, 1e-11);
+    expectSameFrf(io::readFrf(path).frfs.at(0).frf, written.frf, 1e-11);
     io::writeFrfCsv((folder / "mode.csv").string(), written.frf);
-    expectEqual(io::readFrf((folder / "mode.csv").string()).frfs.at(0).frf, written.frf, 0);
+    expectSameFrf(io::readFrf((folder / "mode.csv").string()).frfs.at(0).frf, written.frf, 0);
     EXPECT_THROW(io::writeUff((folder / "no/mode.uff").string(), std::vector{written}), Error);
 }
 

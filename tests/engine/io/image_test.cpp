@@ -37,7 +37,7 @@ void expectRamp(const Image& image, const Ramp& ramp)
 }
 
 template <class Read>
-Error refusal(Read read)
+Error imageRefusal(Read read)
 {
     try {
         read();
@@ -61,7 +61,7 @@ TEST(Image, ReadsGreyOfEightAndSixteenBits)
         expectRamp(readImage("a.png", pngFile(ramp)), ramp);
         for (const bool lzw : {false, true})
             for (const bool tiled : {false, true}) {
-                SCOPED_TRACE(testing::Message() << bits << (lzw ? " lzw" : "") << (tiled ? " tiled" : ""));
+                SCOPED_TRACE(::testing::Message() << bits << (lzw ? " lzw" : "") << (tiled ? " tiled" : ""));
                 expectRamp(readImage("a.tif", test::tiffFile(ramp, {lzw, tiled})), ramp);
             }
     }
@@ -115,7 +115,7 @@ TEST(Image, TruncatedFilesTellTheRowReached)
         for (const double share : {0.3, 0.6, 0.9}) {
             const std::string half =
                 whole.substr(0, static_cast<std::size_t>(share * static_cast<double>(whole.size())));
-            const Error error = refusal([&] { readImage("half", half); });
+            const Error error = imageRefusal([&] { readImage("half", half); });
             EXPECT_TRUE(error.code() == errors::imageEndsEarly || error.code() == errors::imageDamaged) << error.what();
             EXPECT_GE(numberOf(error, "row"), 0) << error.what();
             EXPECT_GE(numberOf(error, "byte"), 0) << error.what();
@@ -127,10 +127,10 @@ TEST(Image, DamageIsAnErrorAndNoHalfPicture)
 {
     std::string png = pngFile({});
     png[png.size() / 2] = static_cast<char>(png[png.size() / 2] ^ 0x55);
-    EXPECT_EQ(refusal([&] { readImage("a.png", png); }).code(), errors::imageDamaged);
+    EXPECT_EQ(imageRefusal([&] { readImage("a.png", png); }).code(), errors::imageDamaged);
     std::string jpeg = test::jpegFile({});
     jpeg.insert(jpeg.size() / 2, "\xFF\xD3");  // a restart marker that does not belong there
-    EXPECT_EQ(refusal([&] { readImage("a.jpg", jpeg); }).code(), errors::imageDamaged);
+    EXPECT_EQ(imageRefusal([&] { readImage("a.jpg", jpeg); }).code(), errors::imageDamaged);
 }
 
 std::string pngHeader(std::uint32_t width, std::uint32_t height)
@@ -146,25 +146,25 @@ std::string pngHeader(std::uint32_t width, std::uint32_t height)
 
 TEST(Image, LimitsAreCheckedOnTheHeader)
 {
-    EXPECT_EQ(refusal([] { readImage("a", pngHeader(100000, 100000)); }).code(), errors::imageTooLarge);
-    EXPECT_EQ(refusal([] { readImage("a", pngHeader(30000, 30000)); }).code(), errors::imageTooLarge);
-    EXPECT_EQ(refusal([] { readImage("a", pngHeader(0, 10)); }).code(), errors::imageEmpty);
-    EXPECT_EQ(refusal([] { readImage("a", pngHeader(9000, 9000)); }).code(), errors::imageImplausible);
-    EXPECT_EQ(numberOf(refusal([] { readImage("a", pngHeader(9000, 9000)); }), "byte"), 16);
+    EXPECT_EQ(imageRefusal([] { readImage("a", pngHeader(100000, 100000)); }).code(), errors::imageTooLarge);
+    EXPECT_EQ(imageRefusal([] { readImage("a", pngHeader(30000, 30000)); }).code(), errors::imageTooLarge);
+    EXPECT_EQ(imageRefusal([] { readImage("a", pngHeader(0, 10)); }).code(), errors::imageEmpty);
+    EXPECT_EQ(imageRefusal([] { readImage("a", pngHeader(9000, 9000)); }).code(), errors::imageImplausible);
+    EXPECT_EQ(numberOf(imageRefusal([] { readImage("a", pngHeader(9000, 9000)); }), "byte"), 16);
 }
 
 TEST(Image, ForeignKindsAreRefusedByName)
 {
-    EXPECT_EQ(refusal([] {
+    EXPECT_EQ(imageRefusal([] {
                   readImage("a", test::tiffFile({}, {true, false, true}));
               }).code(),
               errors::imageUnsupported);
-    EXPECT_EQ(refusal([] {
+    EXPECT_EQ(imageRefusal([] {
                   readImage("a", test::tiffFile({}, {true, false, false, 4}));
               }).code(),
               errors::imageUnsupported);
-    EXPECT_EQ(refusal([] { readImage("a", "GIF89a"); }).code(), errors::formatUnknown);
-    EXPECT_EQ(refusal([] { readImage("a", ""); }).code(), errors::fileEmpty);
+    EXPECT_EQ(imageRefusal([] { readImage("a", "GIF89a"); }).code(), errors::formatUnknown);
+    EXPECT_EQ(imageRefusal([] { readImage("a", ""); }).code(), errors::fileEmpty);
 }
 
 TEST(Image, OtherPagesAreNoted)

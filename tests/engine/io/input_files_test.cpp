@@ -10,7 +10,7 @@
 namespace lathelier {
 namespace {
 
-class InputFilesTest : public testing::TestWithParam<bool> {};
+class InputFilesTest : public ::testing::TestWithParam<bool> {};
 
 TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
 {
@@ -32,7 +32,7 @@ TEST_P(InputFilesTest, DigestsAreOfTheBytesThatWereRead)
     EXPECT_EQ(files[1].sha256, io::fileSha256(path));
 }
 
-INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, testing::Bool());
+INSTANTIATE_TEST_SUITE_P(BesideOrLater, InputFilesTest, ::testing::Bool());
 
 TEST(InputFiles, AGivenTextStandsForAFileThatIsNotThere)
 {

@@ -11,17 +11,10 @@
 namespace lathelier {
 namespace {
 
+using testing::appendBytes;
 using testing::errorOf;
 using testing::integerOf;
 using testing::readText;
-
-template <class T>
-void put(std::string& out, T value)
-{
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, &value, sizeof(T));
-    out.append(bytes, sizeof(T));
-}
 
 /// The points (1, 2, 3), (4, 5, 6)… and one with the largest and the smallest number that is allowed.
 template <class T>
@@ -50,7 +43,7 @@ std::string bodyOf()
 {
     std::string body;
     for (const auto& point : numbersOf<T>())
-        for (const T value : point) put(body, value);
+        for (const T value : point) appendBytes(body, value);
     return body;
 }
 
@@ -106,8 +99,8 @@ TEST(IntegerTypes, NormalsOfPlyAndPcdAreRead)
         "COUNT 1 1 1 1 1 1\nPOINTS 4\nDATA binary\n";
     for (int i = 0; i < 4; ++i)
         for (const float value : {static_cast<float>(i), static_cast<float>(i * i), 3.0F, 0.0F, 0.6F, 0.8F}) {
-            put(ply, value);
-            put(pcd, value);
+            appendBytes(ply, value);
+            appendBytes(pcd, value);
         }
     for (const std::string& text : {ply, pcd}) {
         const io::ScanFile file = readText(text);

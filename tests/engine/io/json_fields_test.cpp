@@ -21,7 +21,7 @@ constexpr const char* shaftText = R"({
   "material": {"name": "brass", "elastic_modulus_MPa": 100000}
 })";
 
-Shaft read(const std::string& text, Notes& notes)
+Shaft readShaft(const std::string& text, Notes& notes)
 {
     const io::JsonDocument document{text};
     return io::readFields<Shaft>(document.root(), notes, {"schema"});
@@ -33,7 +33,7 @@ Error problemOf(std::string text, const std::string& from, const std::string& to
     text.replace(text.find(from), from.size(), to);
     Notes notes;
     try {
-        read(text, notes);
+        readShaft(text, notes);
     } catch (const Error& error) {
         return error;
     }
@@ -43,7 +43,7 @@ Error problemOf(std::string text, const std::string& from, const std::string& to
 TEST(JsonFields, ReadsGroupsAndRows)
 {
     Notes notes;
-    const Shaft shaft = read(shaftText, notes);
+    const Shaft shaft = readShaft(shaftText, notes);
     EXPECT_TRUE(notes.empty());
     ASSERT_EQ(shaft.segments.size(), 2U);
     EXPECT_EQ(shaft.segments[1].bore_diameter_mm, 12);
@@ -55,10 +55,10 @@ TEST(JsonFields, ReadsGroupsAndRows)
 TEST(JsonFields, WritesWhatItReads)
 {
     Notes notes;
-    Shaft shaft = read(shaftText, notes);
-    EXPECT_EQ(read(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
+    Shaft shaft = readShaft(shaftText, notes);
+    EXPECT_EQ(readShaft(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
     shaft.material.reset();
-    EXPECT_EQ(read(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
+    EXPECT_EQ(readShaft(io::objectOf(infos<Shaft>(), toValues(shaft)).dump(), notes), shaft);
     EXPECT_TRUE(notes.empty());
 }
 
@@ -67,7 +67,7 @@ TEST(JsonFields, AnUnknownKeyIsNotedWithItsPlace)
     std::string text = shaftText;
     text.replace(text.find("\"bore_diameter_mm\""), 18, "\"bohrung_mm\"");
     Notes notes;
-    EXPECT_EQ(read(text, notes).segments[1].bore_diameter_mm, 0);
+    EXPECT_EQ(readShaft(text, notes).segments[1].bore_diameter_mm, 0);
     ASSERT_EQ(notes.size(), 1U);
     EXPECT_EQ(notes[0].code, notes::unknownKey);
     EXPECT_EQ(*find(notes[0].values, "line"), Value(std::int64_t{6}));

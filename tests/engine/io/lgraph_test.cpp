@@ -35,7 +35,7 @@ const io::ProbeRecord& record(const io::ProbeFile& file)
     return std::get<io::ProbeRecord>(file.record);
 }
 
-Error refusal(const std::string& par, const std::string& dat)
+Error lgraphRefusal(const std::string& par, const std::string& dat)
 {
     try {
         io::readLGraph("made.par", par, dat, {}, {}, "made.dat");
@@ -52,7 +52,7 @@ Error refusal(const std::string& par, const std::string& dat)
 /// The check that an Error recordContradicts names.
 std::string failedCheck(const std::string& par, const std::string& dat)
 {
-    const Error error = refusal(par, dat);
+    const Error error = lgraphRefusal(par, dat);
     EXPECT_EQ(error.code(), errors::recordContradicts);
     return testing::wordOf(error, "check");
 }
@@ -116,14 +116,14 @@ TEST_P(LGraphVersions, contradictionsAreNamed)
         "rate per channel");
     EXPECT_EQ(failedCheck(par, dat + "more"), "size of the .dat file");
     EXPECT_EQ(failedCheck(par, dat + "m"), "size of the .dat file");
-    const Error cut = refusal(par, dat.substr(0, 301));
+    const Error cut = lgraphRefusal(par, dat.substr(0, 301));
     EXPECT_EQ(cut.code(), errors::truncated);
     EXPECT_EQ(testing::wordOf(cut, "path"), "made.dat");
     EXPECT_EQ(testing::integerOf(cut, "found"), 50);
     EXPECT_EQ(testing::integerOf(cut, "expected"), 100);
-    EXPECT_EQ(refusal(par, "").code(), errors::truncated);
-    EXPECT_EQ(refusal(par.substr(0, 200), dat).code(), errors::truncated);
-    EXPECT_EQ(refusal(changed([](auto& p) { p[0] = '9'; }), dat).code(), errors::formatUnknown);
+    EXPECT_EQ(lgraphRefusal(par, "").code(), errors::truncated);
+    EXPECT_EQ(lgraphRefusal(par.substr(0, 200), dat).code(), errors::truncated);
+    EXPECT_EQ(lgraphRefusal(changed([](auto& p) { p[0] = '9'; }), dat).code(), errors::formatUnknown);
     if (GetParam() == Made::Two) {
         EXPECT_EQ(failedCheck(changed([](auto& p) { put<std::int64_t>(p, 227, 99); }), dat), "frames, stated twice");
     } else {
@@ -145,7 +145,7 @@ TEST(LGraph, hostileCountsCostNothing)
     put<std::int64_t>(par, 67, std::int64_t{1} << 60);  // three channels of 2^60 frames: nothing is allocated
     put<std::int64_t>(par, 75, 3 * (std::int64_t{1} << 60));
     testing::putExtended(par, 83, static_cast<long double>(std::int64_t{1} << 60) / 10000);
-    EXPECT_EQ(refusal(par, dat).code(), errors::truncated);
+    EXPECT_EQ(lgraphRefusal(par, dat).code(), errors::truncated);
     put<std::int64_t>(par, 67, -100);
     EXPECT_EQ(failedCheck(par, dat), "frames");
 }

@@ -11,13 +11,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::cylinderDiameter;
 
-const fs::path folder = fs::path(LATHELIER_SOURCE_DIR) / "tests/data";
+const fs::path encodingsFolder = fs::path(LATHELIER_SOURCE_DIR) / "tests/data";
 constexpr double certifiedDiameter_mm = 57.28923;
 
 TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
 {
     int read = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder / "odd_encodings")) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(encodingsFolder / "odd_encodings")) {
         const std::string name = entry.path().filename().string();
         if (name >= "90") continue;
         SCOPED_TRACE(name);
@@ -33,7 +33,7 @@ TEST(OddEncodings, eachReadableDisguiseHasTheCertifiedDiameter)
 TEST(OddEncodings, anEmptyFileIsRefused)
 {
     try {
-        io::readScan((folder / "odd_encodings/90_zero_bytes.xyz").string());
+        io::readScan((encodingsFolder / "odd_encodings/90_zero_bytes.xyz").string());
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::fileEmpty);
@@ -42,7 +42,7 @@ TEST(OddEncodings, anEmptyFileIsRefused)
 
 TEST(OddEncodings, ambiguousNumbersAreAskedAbout)
 {
-    const std::string path = (folder / "odd_encodings/94_ambiguous_thousands_or_decimals.csv").string();
+    const std::string path = (encodingsFolder / "odd_encodings/94_ambiguous_thousands_or_decimals.csv").string();
     try {
         io::readScan(path);
         FAIL();

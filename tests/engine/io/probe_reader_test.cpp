@@ -17,12 +17,12 @@
 namespace lathelier {
 namespace {
 
-const std::string practice = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
+const std::string practiceRecords = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
 
 TEST(ProbeReader, practiceRecordAsTableAndAsPair)
 {
-    const io::ProbeFile table = io::readProbeRecord(practice + "section01_raw.csv");
-    const io::ProbeFile pair = io::readProbeRecord(practice + "section01_lgraph1.dat");
+    const io::ProbeFile table = io::readProbeRecord(practiceRecords + "section01_raw.csv");
+    const io::ProbeFile pair = io::readProbeRecord(practiceRecords + "section01_lgraph1.dat");
     EXPECT_EQ(table.facts.format, "probe_csv_raw");
     EXPECT_EQ(pair.facts.format, "lgraph_1");
     const auto& a = std::get<io::ProbeRecord>(table.record);
@@ -60,7 +60,7 @@ TEST(ProbeReader, practiceRecordAsTableAndAsPair)
 
 TEST(ProbeReader, practiceAverages)
 {
-    const io::ProbeFile file = io::readProbeRecord(practice + "averaged_20x200.csv");
+    const io::ProbeFile file = io::readProbeRecord(practiceRecords + "averaged_20x200.csv");
     const auto& record = std::get<io::AveragedRecord>(file.record);
     ASSERT_EQ(record.sections.size(), 20U);
     EXPECT_EQ(file.facts.format, "probe_csv_averaged");
@@ -77,20 +77,20 @@ TEST(ProbeReader, practiceAverages)
     EXPECT_EQ(std::get<std::string>(*find(record.header, "D_mm")), "50");
 }
 
-io::ProbeFile read(const std::string& text, const io::ImportOptions& options = {})
+io::ProbeFile readRecord(const std::string& text, const io::ImportOptions& options = {})
 {
     return io::readProbeTable("test", text, options);
 }
 
 io::ProbeRecord raw(const std::string& text, const io::ImportOptions& options = {})
 {
-    return std::get<io::ProbeRecord>(read(text, options).record);
+    return std::get<io::ProbeRecord>(readRecord(text, options).record);
 }
 
-Error refusal(const std::string& text, const io::ImportOptions& options = {})
+Error recordRefusal(const std::string& text, const io::ImportOptions& options = {})
 {
     try {
-        read(text, options);
+        readRecord(text, options);
     } catch (const Error& error) {
         EXPECT_TRUE(find(error.values(), "path"));
         return error;
@@ -139,7 +139,7 @@ TEST(ProbeReader, unitsOfChannels)
     io::ImportOptions mm;
     mm.unit = io::LengthUnit::Millimetre;
     EXPECT_EQ(raw("t_s,X3,Y3\n0,1,2\n1,2,3\n", mm).channels[0].unit, io::ProbeChannel::Unit::Millimetre);
-    EXPECT_TRUE(contains(read("t_s,X3,Y3\n0,1,2\n1,2,3\n").notes, notes::channelUnitUnknown));
+    EXPECT_TRUE(contains(readRecord("t_s,X3,Y3\n0,1,2\n1,2,3\n").notes, notes::channelUnitUnknown));
 }
 
 TEST(ProbeReader, whatTheHeaderSays)
@@ -170,39 +170,39 @@ std::string timed(int rows, const std::function<double(int)>& time, int decimals
 TEST(ProbeReader, times)
 {
     const auto even = [](int i) { return i / 6500.0; };
-    io::ProbeFile file = read(timed(2000, even, 7));
+    io::ProbeFile file = readRecord(timed(2000, even, 7));
     EXPECT_EQ(testing::furtherNotes(file.notes), 0U);
     EXPECT_NEAR(std::get<io::ProbeRecord>(file.record).rate_hz, 6500, 1e-2);
     EXPECT_EQ(std::get<io::ProbeRecord>(file.record).time_s.size(), 2000U);
     // Rounded to 0.1 ms, the single times say less than all of them together.
-    file = read(timed(2000, even, 4));
+    file = readRecord(timed(2000, even, 4));
     EXPECT_TRUE(contains(file.notes, notes::timeCoarse));
     EXPECT_NEAR(std::get<io::ProbeRecord>(file.record).rate_hz, 6500, 2);
     EXPECT_TRUE(std::get<io::ProbeRecord>(file.record).time_s.empty());
     // A gap.
-    file = read(timed(
+    file = readRecord(timed(
         2000, [&](int i) { return even(i < 1000 ? i : i + 5); }, 7));
     ASSERT_TRUE(contains(file.notes, notes::timeIrregular));
     EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "count")), 1);
     EXPECT_EQ(std::get<std::int64_t>(*find(file.notes[0].values, "line")), 1002);
     EXPECT_NEAR(std::get<io::ProbeRecord>(file.record).rate_hz, 6500, 5);
     // Times that go back, or stand still.
-    const Error back = refusal(timed(
+    const Error back = recordRefusal(timed(
         2000, [&](int i) { return even(i < 1000 ? i : i - 100); }, 7));
     EXPECT_EQ(back.code(), errors::malformed);
     EXPECT_EQ(testing::integerOf(back, "line"), 1002);
-    EXPECT_EQ(refusal(timed(
-                          2000, [&](int i) { return even(i == 1000 ? 999 : i); }, 7))
+    EXPECT_EQ(recordRefusal(timed(
+                                2000, [&](int i) { return even(i == 1000 ? 999 : i); }, 7))
                   .code(),
               errors::malformed);
-    EXPECT_TRUE(contains(read("time,X3_um,Y3_um\n0,1,2\n1,1,2\n2,1,2\n").notes, notes::timeUnitAssumed));
-    EXPECT_TRUE(contains(read("X3_um,Y3_um\n0.5,1\n1,1\n2,1\n").notes, notes::rateUnknown));
+    EXPECT_TRUE(contains(readRecord("time,X3_um,Y3_um\n0,1,2\n1,1,2\n2,1,2\n").notes, notes::timeUnitAssumed));
+    EXPECT_TRUE(contains(readRecord("X3_um,Y3_um\n0.5,1\n1,1\n2,1\n").notes, notes::rateUnknown));
     EXPECT_EQ(raw("# rate_kHz=6.5\nX3_um,Y3_um\n0.5,1\n1,1\n2,1\n").rate_hz, 6500);
 }
 
 TEST(ProbeReader, lostSamplesStayAsHoles)
 {
-    const io::ProbeFile file = read("t_s,X3_um,Y3_um\n0,1,2\n1,nan,3\n2,3,\n3,4,5\n");
+    const io::ProbeFile file = readRecord("t_s,X3_um,Y3_um\n0,1,2\n1,nan,3\n2,3,\n3,4,5\n");
     const auto& record = std::get<io::ProbeRecord>(file.record);
     ASSERT_EQ(record.frames(), 4U);
     EXPECT_TRUE(std::isnan(record.channels[0].values[1]));
@@ -211,7 +211,7 @@ TEST(ProbeReader, lostSamplesStayAsHoles)
     // A frame without its time has no place.
     std::string rows = "t_s,X3_um,Y3_um\n0,1,2\nnan,2,3\n";
     for (int i = 2; i < 20; ++i) rows += fmt::format("{},1,2\n", i);
-    const io::ProbeFile timeless = read(rows);
+    const io::ProbeFile timeless = readRecord(rows);
     EXPECT_EQ(std::get<io::ProbeRecord>(timeless.record).frames(), 19U);
     EXPECT_EQ(std::get<io::ProbeRecord>(timeless.record).rate_hz, 1);
     EXPECT_TRUE(contains(timeless.notes, notes::timeIrregular));
@@ -220,19 +220,19 @@ TEST(ProbeReader, lostSamplesStayAsHoles)
 TEST(ProbeReader, averages)
 {
     const std::string head = "section,z_mm,i,angle_deg,X3_um,Y3_um,Xp_um,Yp_um\n";
-    const io::ProbeFile file = read(head + "2,10,0,0,1,2,3,4\n2,10,1,180,5,6,7,8\n1,5,0,0,9,8,7,6\n");
+    const io::ProbeFile file = readRecord(head + "2,10,0,0,1,2,3,4\n2,10,1,180,5,6,7,8\n1,5,0,0,9,8,7,6\n");
     const auto& record = std::get<io::AveragedRecord>(file.record);
     ASSERT_EQ(record.sections.size(), 2U);
     EXPECT_EQ(record.sections[0].section, 2);
     EXPECT_EQ(record.sections[0].Yp_um, (std::vector<double>{4, 8}));
     EXPECT_EQ(record.sections[1].z_mm, 5);
     EXPECT_TRUE(record.sections[0].sX3_um.empty());
-    EXPECT_EQ(refusal(head + "1,5,0,0,1,2,3,4\n1,6,1,180,5,6,7,8\n").code(), errors::malformed);
-    EXPECT_EQ(refusal(head + "1.5,5,0,0,1,2,3,4\n2,6,1,180,5,6,7,8\n").code(), errors::malformed);
-    EXPECT_EQ(refusal("section,angle_deg,X3_um,Y3_um\n1,0,1,2\n1,1,5,6\n").code(), errors::columnsUnknown);
-    EXPECT_EQ(refusal("section,angle_deg,X3,Y3,Xp,Yp\n1,0,1,2,3,4\n1,1,5,6,7,8\n").code(), errors::unitUnknown);
+    EXPECT_EQ(recordRefusal(head + "1,5,0,0,1,2,3,4\n1,6,1,180,5,6,7,8\n").code(), errors::malformed);
+    EXPECT_EQ(recordRefusal(head + "1.5,5,0,0,1,2,3,4\n2,6,1,180,5,6,7,8\n").code(), errors::malformed);
+    EXPECT_EQ(recordRefusal("section,angle_deg,X3_um,Y3_um\n1,0,1,2\n1,1,5,6\n").code(), errors::columnsUnknown);
+    EXPECT_EQ(recordRefusal("section,angle_deg,X3,Y3,Xp,Yp\n1,0,1,2,3,4\n1,1,5,6,7,8\n").code(), errors::unitUnknown);
     const auto mm = std::get<io::AveragedRecord>(
-        read("section,angle_rad,X3_mm,Y3_mm,Xp_mm,Yp_mm\n1,0,1,2,3,4\n1,1,5,6,7,8\n").record);
+        readRecord("section,angle_rad,X3_mm,Y3_mm,Xp_mm,Yp_mm\n1,0,1,2,3,4\n1,1,5,6,7,8\n").record);
     EXPECT_DOUBLE_EQ(mm.sections[0].X3_um[1], 5000);
     EXPECT_NEAR(mm.sections[0].angle_deg[1], 57.29577951, 1e-8);
     EXPECT_TRUE(std::isnan(mm.sections[0].z_mm));
@@ -240,11 +240,11 @@ TEST(ProbeReader, averages)
 
 TEST(ProbeReader, whatIsNoRecord)
 {
-    EXPECT_EQ(refusal("").code(), errors::fileEmpty);
-    EXPECT_EQ(refusal("x,y,z\n1,2,3\n4,5,6\n").code(), errors::formatUnknown);
-    EXPECT_EQ(refusal("angle_deg,r\n1,2\n4,5\n").code(), errors::formatUnknown);
-    EXPECT_EQ(refusal("t_s,n\n0,1\n1,2\n").code(), errors::columnsUnknown);
-    const Error broken = refusal("t_s,X3_um\n0,1\n1,two\n2,3\n");
+    EXPECT_EQ(recordRefusal("").code(), errors::fileEmpty);
+    EXPECT_EQ(recordRefusal("x,y,z\n1,2,3\n4,5,6\n").code(), errors::formatUnknown);
+    EXPECT_EQ(recordRefusal("angle_deg,r\n1,2\n4,5\n").code(), errors::formatUnknown);
+    EXPECT_EQ(recordRefusal("t_s,n\n0,1\n1,2\n").code(), errors::columnsUnknown);
+    const Error broken = recordRefusal("t_s,X3_um\n0,1\n1,two\n2,3\n");
     EXPECT_EQ(broken.code(), errors::malformed);
     EXPECT_EQ(testing::integerOf(broken, "line"), 3);
     EXPECT_FALSE(io::isProbeTable("x,y,z\n1,2,3\n4,5,6\n"));

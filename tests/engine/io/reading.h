@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <string>
 
 #include "engine/core/core_codes.h"
@@ -50,6 +51,15 @@ inline std::size_t furtherNotes(const Notes& notes)
 {
     return static_cast<std::size_t>(
         std::count_if(notes.begin(), notes.end(), [](const Note& note) { return !(note.code == notes::columnsRead); }));
+}
+
+template <class T>
+void appendBytes(std::string& out, T value, bool bigEndian = false)
+{
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, &value, sizeof(T));
+    if (bigEndian) std::reverse(bytes, bytes + sizeof(T));
+    out.append(bytes, sizeof(T));
 }
 
 inline std::string reasonOf(const io::SkippedRow& row)

@@ -8,7 +8,7 @@
 namespace lathelier {
 namespace {
 
-void put(std::string& out, std::uint32_t unit, int bytes, bool bigEndian)
+void putUnit(std::string& out, std::uint32_t unit, int bytes, bool bigEndian)
 {
     for (int i = 0; i < bytes; ++i) out += static_cast<char>(unit >> (8 * (bigEndian ? bytes - 1 - i : i)));
 }
@@ -16,13 +16,13 @@ void put(std::string& out, std::uint32_t unit, int bytes, bool bigEndian)
 std::string wide(const std::u32string& text, int bytes, bool bigEndian)
 {
     std::string result;
-    put(result, 0xFEFF, bytes, bigEndian);
+    putUnit(result, 0xFEFF, bytes, bigEndian);
     for (const char32_t c : text) {
         if (bytes == 4 || c < 0x10000) {
-            put(result, c, bytes, bigEndian);
+            putUnit(result, c, bytes, bigEndian);
         } else {
-            put(result, 0xD800 + ((c - 0x10000) >> 10), 2, bigEndian);
-            put(result, 0xDC00 + ((c - 0x10000) & 0x3FF), 2, bigEndian);
+            putUnit(result, 0xD800 + ((c - 0x10000) >> 10), 2, bigEndian);
+            putUnit(result, 0xDC00 + ((c - 0x10000) & 0x3FF), 2, bigEndian);
         }
     }
     return result;
@@ -56,13 +56,13 @@ TEST(WideEncodings, HalvesAndNumbersThatAreNoCharactersAreReplaced)
 {
     const std::string replacement = "\xEF\xBF\xBD";
     std::string halves;
-    put(halves, 0xFEFF, 2, false);
-    for (const std::uint32_t unit : {0x61U, 0xD800U, 0x62U, 0xDC00U, 0x63U, 0xD83DU}) put(halves, unit, 2, false);
+    putUnit(halves, 0xFEFF, 2, false);
+    for (const std::uint32_t unit : {0x61U, 0xD800U, 0x62U, 0xDC00U, 0x63U, 0xD83DU}) putUnit(halves, unit, 2, false);
     EXPECT_EQ(io::decodeText(halves, io::Encoding::Auto).view(),
               "a" + replacement + "b" + replacement + "c" + replacement);
     std::string beyond;
-    put(beyond, 0xFEFF, 4, false);
-    for (const std::uint32_t unit : {0x61U, 0xD800U, 0x110000U, 0x62U}) put(beyond, unit, 4, false);
+    putUnit(beyond, 0xFEFF, 4, false);
+    for (const std::uint32_t unit : {0x61U, 0xD800U, 0x110000U, 0x62U}) putUnit(beyond, unit, 4, false);
     EXPECT_EQ(io::decodeText(beyond, io::Encoding::Auto).view(), "a" + replacement + replacement + "b");
 }
 

@@ -15,16 +15,16 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double from_hz = 50, to_hz = 1500, step_hz = 5;
+constexpr double firstLine_hz = 50, lastLine_hz = 1500, lineStep_hz = 5;
 
 SpindleReceptance truth()
 {
-    return {livelySpindle(from_hz, to_hz, step_hz)};
+    return {livelySpindle(firstLine_hz, lastLine_hz, lineStep_hz)};
 }
 
 /// All pairs a ≤ b of the points, as receptances with complex noise of `noise` times |G|.
-SpindleMeasurements measured(const std::vector<std::pair<double, std::vector<double>>>& rods, double noise,
-                             bool with_coherence = false)
+SpindleMeasurements measuredRods(const std::vector<std::pair<double, std::vector<double>>>& rods, double noise,
+                                 bool with_coherence = false)
 {
     SpindleMeasurements result;
     std::uint64_t stream = 0;
@@ -35,9 +35,9 @@ SpindleMeasurements measured(const std::vector<std::pair<double, std::vector<dou
                 ReceptanceParameters parameters;
                 parameters.respond_z_mm = length_mm - distances_mm[a];
                 parameters.excite_z_mm = length_mm - distances_mm[b];
-                parameters.from_hz = from_hz;
-                parameters.to_hz = to_hz;
-                parameters.step_hz = step_hz;
+                parameters.from_hz = firstLine_hz;
+                parameters.to_hz = lastLine_hz;
+                parameters.step_hz = lineStep_hz;
                 Frf frf = shaftReceptance(cylinder(length_mm, 40), parameters, truth()).frf;
                 ++stream;
                 for (std::size_t i = 0; i < frf.value.size(); ++i) {
@@ -58,9 +58,9 @@ const std::vector<std::pair<double, std::vector<double>>> threeRods{
 double newPartRmsPercent(const SpindleReceptance& found)
 {
     ReceptanceParameters parameters;
-    parameters.from_hz = from_hz;
-    parameters.to_hz = to_hz;
-    parameters.step_hz = step_hz;
+    parameters.from_hz = firstLine_hz;
+    parameters.to_hz = lastLine_hz;
+    parameters.step_hz = lineStep_hz;
     const Frf expected = shaftReceptance(newPart(), parameters, truth()).frf;
     const Frf got = shaftReceptance(newPart(), parameters, found).frf;
     double sum = 0;
@@ -76,7 +76,7 @@ TEST(SpindleLine, ScaledUnknownsAreTheMatrix)
 
 TEST(IdentifySpindle, WithoutNoiseFindsTheSpindle)
 {
-    const auto result = identifySpindle(measured({threeRods[0], threeRods[2]}, 0));
+    const auto result = identifySpindle(measuredRods({threeRods[0], threeRods[2]}, 0));
     EXPECT_LT(result.residual_rms_percent, 1e-6);
     EXPECT_LT(newPartRmsPercent(result.spindle), 1e-5);
     const auto& table = std::get<SpindleTable>(result.spindle.source);
@@ -91,7 +91,7 @@ TEST(IdentifySpindle, WithoutNoiseFindsTheSpindle)
 
 TEST(IdentifySpindle, OnePercentOfNoiseAndThreeRods)
 {
-    auto measurements = measured(threeRods, 0.01);
+    auto measurements = measuredRods(threeRods, 0.01);
     const auto plain = identifySpindle(measurements);
     EXPECT_LT(newPartRmsPercent(plain.spindle), 2);
     EXPECT_NEAR(plain.residual_rms_percent, 1, 0.3);
@@ -106,7 +106,7 @@ TEST(IdentifySpindle, OnePercentOfNoiseAndThreeRods)
 
 TEST(IdentifySpindle, PredictsARodHeldOut)
 {
-    const auto measurements = measured(threeRods, 0.01, true);
+    const auto measurements = measuredRods(threeRods, 0.01, true);
     IdentificationParameters parameters;
     parameters.hold_out = 2;
     const auto result = identifySpindle(measurements, parameters);
@@ -119,7 +119,7 @@ TEST(IdentifySpindle, PredictsARodHeldOut)
 
 TEST(IdentifySpindle, AccelerancesAreTheSame)
 {
-    auto measurements = measured({threeRods[0], threeRods[2]}, 0);
+    auto measurements = measuredRods({threeRods[0], threeRods[2]}, 0);
     for (RodFrf& one : measurements.frfs) {
         one.frf.quantity = FrfQuantity::Accelerance;
         for (std::size_t i = 0; i < one.frf.value.size(); ++i)
@@ -131,21 +131,21 @@ TEST(IdentifySpindle, AccelerancesAreTheSame)
 TEST(IdentifySpindle, Refusals)
 {
     EXPECT_EQ(codeOfError([] { identifySpindle({}); }), errors::tooFewMeasuredPoints);
-    EXPECT_EQ(codeOfError([] { identifySpindle(measured({{150, {50}}}, 0)); }), errors::tooFewMeasuredPoints);
-    auto beyond = measured({threeRods[0]}, 0);
+    EXPECT_EQ(codeOfError([] { identifySpindle(measuredRods({{150, {50}}}, 0)); }), errors::tooFewMeasuredPoints);
+    auto beyond = measuredRods({threeRods[0]}, 0);
     beyond.rods[0].distance_from_chuck_mm[1] = 151;
     EXPECT_EQ(codeOfError([&] { identifySpindle(beyond); }), errors::measuredPointBeyondRod);
-    auto uneven = measured({threeRods[0]}, 0);
+    auto uneven = measuredRods({threeRods[0]}, 0);
     uneven.frfs[1].frf.frequency_hz[3] += 0.1;
     EXPECT_EQ(codeOfError([&] { identifySpindle(uneven); }), errors::frfLinesDiffer);
-    auto unknown = measured({threeRods[0]}, 0);
+    auto unknown = measuredRods({threeRods[0]}, 0);
     unknown.frfs[1].point_a = 9;
     EXPECT_EQ(codeOfError([&] { identifySpindle(unknown); }), errors::measuredPairUnknown);
 }
 
 TEST(SpindleCheck, SaysWhatEachLineAndResponseLeave)
 {
-    const SpindleMeasurements measurements = measured(threeRods, 0.01);
+    const SpindleMeasurements measurements = measuredRods(threeRods, 0.01);
     IdentificationParameters parameters;
     parameters.hold_out = 2;
     const auto found = identifySpindle(measurements, parameters);

@@ -23,7 +23,7 @@ struct Measurement {
     std::uint64_t seed = 1;
 };
 
-Frf measured(const ModalModel& truth, const Measurement& how)
+Frf noisyFrf(const ModalModel& truth, const Measurement& how)
 {
     std::vector<double> lines;
     for (int i = 0; how.from_hz + i * how.step_hz <= how.to_hz; ++i) lines.push_back(how.from_hz + i * how.step_hz);
@@ -59,7 +59,7 @@ double distance(const ModalMode& a, const ModalMode& b)
 
 void expectExact(const ModalModel& truth, const Measurement& how, const ModalParameters& parameters = {})
 {
-    const ModalFit fit = fitModes(measured(truth, how), parameters);
+    const ModalFit fit = fitModes(noisyFrf(truth, how), parameters);
     ASSERT_THAT(fit.modes, SizeIs(truth.modes.size()));
     for (std::size_t k = 0; k < truth.modes.size(); ++k) {
         EXPECT_LT(distance(fit.model.modes[k], truth.modes[k]), 1e-8) << k;
@@ -89,7 +89,7 @@ TEST(ModalFit, RecoversComplexResidues)
 TEST(ModalFit, NoiseOfOnePercentMovesLittle)
 {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const ModalFit fit = fitModes(measured(sixModes(), {40, 1500, 1, .01, seed}));
+        const ModalFit fit = fitModes(noisyFrf(sixModes(), {40, 1500, 1, .01, seed}));
         ASSERT_THAT(fit.modes, SizeIs(6)) << seed;
         for (std::size_t k = 0; k < 6; ++k) {
             const ModalMode &found = fit.model.modes[k], &truth = sixModes().modes[k];
@@ -104,7 +104,7 @@ TEST(ModalFit, TwoModesFivePercentApartAreTold)
 {
     const ModalModel truth = of({{400, .02, 2e4}, {420, .02, 3e4}});
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        const ModalFit fit = fitModes(measured(truth, {200, 700, .5, .01, seed}));
+        const ModalFit fit = fitModes(noisyFrf(truth, {200, 700, .5, .01, seed}));
         ASSERT_THAT(fit.modes, SizeIs(2)) << seed;
         for (std::size_t k = 0; k < 2; ++k) EXPECT_LT(distance(fit.model.modes[k], truth.modes[k]), .02) << seed;
     }
@@ -118,7 +118,7 @@ TEST(ModalFit, UncertaintiesCoverTheTruth)
     parameters.modes = 1;
     int inside[3] = {0, 0, 0};
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-        const ModalFit fit = fitModes(measured(truth, {120, 420, 1, .01, seed}), parameters);
+        const ModalFit fit = fitModes(noisyFrf(truth, {120, 420, 1, .01, seed}), parameters);
         ASSERT_THAT(fit.modes, SizeIs(1));
         const FittedMode& found = fit.modes.front();
         constexpr double k95 = 1.96;
@@ -136,7 +136,7 @@ TEST(ModalFit, CoherenceWeighsLines)
 {
     // A stretch of lines is ruined, and its coherence says so.
     const ModalModel truth = of({{223, .03, 1e4}});
-    Frf frf = measured(truth, {50, 1000, 1, .005});
+    Frf frf = noisyFrf(truth, {50, 1000, 1, .005});
     frf.coherence.assign(frf.value.size(), 0.999);
     for (std::size_t i = 0; i < frf.value.size(); ++i)
         if (frf.frequency_hz[i] > 215 && frf.frequency_hz[i] < 222) {
@@ -152,20 +152,20 @@ TEST(ModalFit, WhatLiesOutsideTheRangeIsNoMode)
 {
     const ModalModel truth = of({{100, .02, 2e4}, {500, .02, 1e4}, {2000, .02, 2e4}});
     for (const double noise : {0., .01}) {
-        const ModalFit fit = fitModes(measured(truth, {300, 1000, 1, noise}));
+        const ModalFit fit = fitModes(noisyFrf(truth, {300, 1000, 1, noise}));
         ASSERT_THAT(fit.modes, SizeIs(1));
         EXPECT_LT(distance(fit.model.modes[0], truth.modes[1]), noise > 0 ? .01 : 1e-8);
     }
     ModalParameters parameters;
     parameters.range_hz = {{300, 1000}};
-    EXPECT_THAT(fitModes(measured(truth, {40, 3000, 1, .01}), parameters).modes, SizeIs(1));
+    EXPECT_THAT(fitModes(noisyFrf(truth, {40, 3000, 1, .01}), parameters).modes, SizeIs(1));
 }
 
 TEST(ModalFit, NoiseMakesNoModes)
 {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        EXPECT_THAT(fitModes(measured(of({{223, .03, 1e4}}), {50, 1000, 1, .03, seed})).modes, SizeIs(1)) << seed;
-        const ModalFit none = fitModes(measured({{}, {}, {0, 1e-4}}, {50, 1000, 1, .01, seed}));
+        EXPECT_THAT(fitModes(noisyFrf(of({{223, .03, 1e4}}), {50, 1000, 1, .03, seed})).modes, SizeIs(1)) << seed;
+        const ModalFit none = fitModes(noisyFrf({{}, {}, {0, 1e-4}}, {50, 1000, 1, .01, seed}));
         EXPECT_THAT(none.modes, SizeIs(0)) << seed;
         EXPECT_TRUE(contains(none.notes, notes::noModes));
     }
@@ -175,28 +175,28 @@ TEST(ModalFit, MoreModesThanThereAreAreNotMadeUp)
 {
     ModalParameters parameters;
     parameters.modes = 5;
-    const ModalFit fit = fitModes(measured(of({{223, .03, 1e4}}), {50, 1000, 1, .01}), parameters);
+    const ModalFit fit = fitModes(noisyFrf(of({{223, .03, 1e4}}), {50, 1000, 1, .01}), parameters);
     EXPECT_LE(fit.modes.size(), std::size_t{2});
     EXPECT_TRUE(contains(fit.notes, notes::fewerModes));
     parameters.modes = 1;
-    EXPECT_THAT(fitModes(measured(sixModes(), {40, 1500, 1, .01}), parameters).modes, SizeIs(1));
+    EXPECT_THAT(fitModes(noisyFrf(sixModes(), {40, 1500, 1, .01}), parameters).modes, SizeIs(1));
 }
 
 TEST(ModalFit, SaysWhatItRemarks)
 {
-    const ModalFit coarse = fitModes(measured(of({{223, .01, 1e4}}), {50, 1000, 4, .001}));
+    const ModalFit coarse = fitModes(noisyFrf(of({{223, .01, 1e4}}), {50, 1000, 4, .001}));
     EXPECT_TRUE(contains(coarse.notes, notes::modeNotResolved));
-    const ModalFit cross = fitModes(measured(of({{223, .03, 1e4}, {600, .02, -2e4}}), {}));
+    const ModalFit cross = fitModes(noisyFrf(of({{223, .03, 1e4}, {600, .02, -2e4}}), {}));
     EXPECT_TRUE(contains(cross.notes, notes::modeOutOfPhase));
-    EXPECT_THROW(fitModes(measured(of({{223, .03, 1e4}}), {50, 55, 1})), Error);
-    Frf mobility = measured(of({{223, .03, 1e4}}), {});
+    EXPECT_THROW(fitModes(noisyFrf(of({{223, .03, 1e4}}), {50, 55, 1})), Error);
+    Frf mobility = noisyFrf(of({{223, .03, 1e4}}), {});
     mobility.quantity = FrfQuantity::Mobility;
     EXPECT_THROW(fitModes(mobility), Error);
 }
 
 TEST(ModalFit, ScalesWithItsUnits)
 {
-    const Frf frf = measured(of({{223, .03, 1e4}, {600, .02, 2e4}}), {50, 1000, 1, .01});
+    const Frf frf = noisyFrf(of({{223, .03, 1e4}, {600, .02, 2e4}}), {50, 1000, 1, .01});
     Frf scaled = frf;
     for (double& f : scaled.frequency_hz) f *= 3;
     for (auto& value : scaled.value) value *= 0.5;
@@ -212,7 +212,7 @@ TEST(ModalFit, ScalesWithItsUnits)
 
 TEST(ModalFit, IsTheSameWithAnyNumberOfThreads)
 {
-    const Frf frf = measured(sixModes(), {40, 1500, 1, .01});
+    const Frf frf = noisyFrf(sixModes(), {40, 1500, 1, .01});
     const ModalFit all = fitModes(frf);
     const ThreadLimit limit(1);
     EXPECT_EQ(fitModes(frf).model, all.model);
@@ -227,7 +227,7 @@ TEST(ModalFit, StopsWhenAskedTo)
         last = fraction;
         if (fraction > .3) stop.request_stop();
     });
-    EXPECT_THROW(fitModes(measured(sixModes(), {40, 1500, 1, .01}), {}, progress), Cancelled);
+    EXPECT_THROW(fitModes(noisyFrf(sixModes(), {40, 1500, 1, .01}), {}, progress), Cancelled);
     EXPECT_LT(last, .5);
 }
 
@@ -247,7 +247,7 @@ TEST(ModalFit, ADraggedPeakStandsWhereItWasDropped)
 
 TEST(ModalFit, ModesChangedByHandKeepTheRest)
 {
-    const auto measuredFrf = std::make_shared<const Frf>(measured(sixModes(), {40, 1500, 1, .01}));
+    const auto measuredFrf = std::make_shared<const Frf>(noisyFrf(sixModes(), {40, 1500, 1, .01}));
     const auto fit = std::make_shared<const ModalFit>(fitModes(*measuredFrf));
     const ResponseStudy plain = studyResponse(measuredFrf, nullptr, fit);
     EXPECT_NEAR(plain.error_rms_percent, fit->error_rms_percent, 1e-12);

@@ -71,7 +71,7 @@ TEST(SpindleReceptance, IsLinearBetweenLinesAndNothingBeyond)
     EXPECT_EQ(codeOfError([&] { spindle.at(200.1); }), errors::frequencyOutsideSpindle);
 }
 
-constexpr const char* shaftText = R"({"name": "a", "marks": [], "segments": [
+constexpr const char* shaftJson = R"({"name": "a", "marks": [], "segments": [
   {"length_mm": 50, "start_diameter_mm": 30, "end_diameter_mm": 30, "tolerance": {"class": "h6"}, "measured": {}},
   {"length_mm": 50, "start_diameter_mm": 40, "end_diameter_mm": 50}],
   "bores": [{"from": "chuck", "segments": [{"length_mm": 20, "start_diameter_mm": 12, "end_diameter_mm": 12},
@@ -80,9 +80,9 @@ constexpr const char* shaftText = R"({"name": "a", "marks": [], "segments": [
 TEST(ShaftFile, LaysBoresIntoTheSegments)
 {
     Notes notes;
-    const Shaft shaft = readShaftFile(shaftText, notes);
+    const Shaft shaft = readShaftFile(shaftJson, notes);
     EXPECT_TRUE(notes.empty());
-    EXPECT_EQ(readShaft(shaftText, notes).bores.size(), 1U);
+    EXPECT_EQ(readShaft(shaftJson, notes).bores.size(), 1U);
     ASSERT_EQ(shaft.segments.size(), 4U);
     EXPECT_EQ(shaft.segments[0].length_mm, 40);
     EXPECT_EQ(shaft.segments[0].bore_diameter_mm, 0);
@@ -93,7 +93,7 @@ TEST(ShaftFile, LaysBoresIntoTheSegments)
     EXPECT_EQ(shaft.segments[3].start_diameter_mm, 46);
     EXPECT_EQ(shaft.segments[3].bore_diameter_mm, 12);
     EXPECT_NEAR(shaft.length_mm(), 100, 1e-12);
-    std::string twice = shaftText;
+    std::string twice = shaftJson;
     twice.replace(twice.find("\"end_diameter_mm\": 30"), 0, "\"bore_diameter_mm\": 5, ");
     EXPECT_EQ(codeOfError([&] { readShaftFile(twice, notes); }), errors::boresStatedTwice);
 }

@@ -18,7 +18,7 @@ using io::readStock;
 using io::shaftText;
 using io::stockText;
 
-constexpr double rigid = std::numeric_limits<double>::infinity();
+constexpr double rigidStiffness = std::numeric_limits<double>::infinity();
 
 ReceptanceParameters coarse()
 {
@@ -30,7 +30,7 @@ ReceptanceParameters coarse()
 TEST(ShaftStudy, WeighsAndBendsAsACantilever)
 {
     const Shaft rod = cylinder(250, 40);
-    const ShaftHolding clamped{{}, {{250, rigid, rigid, 0}}};
+    const ShaftHolding clamped{{}, {{250, rigidStiffness, rigidStiffness, 0}}};
     const ShaftStudy study = studyShaft(rod, coarse(), clamped);
     const double area_mm2 = std::numbers::pi * 400;
     EXPECT_NEAR(study.mass_kg, area_mm2 * 250 * 7850e-9, 1e-9);

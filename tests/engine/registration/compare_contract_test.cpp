@@ -3,10 +3,10 @@
 
 #include <atomic>
 #include <functional>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/units.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/registration_codes.h"
@@ -42,7 +42,6 @@ TEST(Compare, RefusesHostileClouds)
             scan.points_mm.push_back(place(randomUniform(1, 0, i), randomUniform(1, 1, i), randomUniform(1, 2, i)));
         return scan;
     };
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::pair<Scan, ErrorCode>> hostile{
         {Scan{}, errors::tooFewPoints},
         {cloud(2, [](double x, double y, double z) { return Vector3d(x, y, z); }), errors::tooFewPoints},
@@ -57,7 +56,7 @@ TEST(Compare, RefusesHostileClouds)
          errors::coordinateTooLarge},
         {cloud(1000, [](double x, double y, double z) { return Vector3d(1e300 * x, -1e300 * y, z); }),
          errors::coordinateTooLarge},
-        {cloud(1000, [&](double x, double y, double z) { return Vector3d(x > 0.9 ? nan : x, y, z); }),
+        {cloud(1000, [&](double x, double y, double z) { return Vector3d(x > 0.9 ? notANumber : x, y, z); }),
          errors::coordinateTooLarge},
     };
     for (std::size_t k = 0; k < hostile.size(); ++k)

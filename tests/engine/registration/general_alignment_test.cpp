@@ -9,6 +9,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/io/io_codes.h"
 #include "engine/registration/general/general.h"
 #include "engine/registration/general/observability.h"
@@ -21,7 +22,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double deg = std::numbers::pi / 180;
 const Vector3d bracket_centre(40, 40, 30);
 
 Isometry3d randomPose(std::mt19937& random, double angle, double shift_mm)
@@ -31,23 +31,23 @@ Isometry3d randomPose(std::mt19937& random, double angle, double shift_mm)
     return Eigen::Translation3d(shift_mm * direction()) * Eigen::AngleAxisd(angle, direction());
 }
 
-Scan moved(Scan scan, const Isometry3d& pose)
+Scan movedScan(Scan scan, const Isometry3d& pose)
 {
     for (Vector3d& p : scan.points_mm) p = pose * p;
     return scan;
 }
 
-struct PoseError {
+struct MotionError {
     double translation_um;
     double rotation_deg;
 };
 
 /// Of reference_T_copy for a copy that was moved by `copy_T_reference`, at `at_mm` of the reference.
-PoseError poseError(const Alignment& alignment, const Isometry3d& copy_T_reference,
-                    const Vector3d& at_mm = bracket_centre)
+MotionError motionError(const Alignment& alignment, const Isometry3d& copy_T_reference,
+                        const Vector3d& at_mm = bracket_centre)
 {
     const Isometry3d error = alignment.reference_T_copy * copy_T_reference;
-    return {1000 * (error * at_mm - at_mm).norm(), Eigen::AngleAxisd(error.linear()).angle() / deg};
+    return {1000 * (error * at_mm - at_mm).norm(), Eigen::AngleAxisd(error.linear()).angle() / rad_per_deg};
 }
 
 template <class Place>
@@ -70,12 +70,12 @@ TEST(AlignGeneral, RecoversAnyPoseWithinItsUncertainty)
     std::mt19937 random(5);
     const GeneralReference reference = prepareReference(sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1));
     for (int i = 0; i < 4; ++i) {
-        const Isometry3d pose = randomPose(random, (i * 60) * deg, 500);
+        const Isometry3d pose = randomPose(random, (i * 60) * rad_per_deg, 500);
         const Scan copy = sample::scanBracket(30000, 0.05, pose, 100 + static_cast<unsigned>(i));
         const Alignment a = alignGeneral(reference, copy, CompareMethod::Plane, InitialPose::Auto);
         EXPECT_TRUE(a.converged);
         EXPECT_TRUE(a.free_motions.empty());
-        const PoseError e = poseError(a, pose);
+        const MotionError e = motionError(a, pose);
         EXPECT_LT(e.translation_um, 10) << "pose " << i;
         EXPECT_LT(e.rotation_deg, 0.006) << "pose " << i;
         EXPECT_GT(a.uncertainty.axial_um, 0.5);
@@ -90,7 +90,7 @@ TEST(AlignGeneral, FindsAPartThatIsPartlyMissingAmongSpuriousPoints)
     const Scan reference = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
     const GeneralReference prepared = prepareReference(reference);
     for (int i = 0; i < 3; ++i) {
-        const Isometry3d pose = randomPose(random, (20 + 75 * i) * deg, 200);
+        const Isometry3d pose = randomPose(random, (20 + 75 * i) * rad_per_deg, 200);
         const Vector3d cut = Vector3d(i == 0, i == 1, i == 2) + Vector3d(0.1, 0.3, 0.2);
         Scan copy = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 50 + static_cast<unsigned>(i));
         std::vector<double> heights;
@@ -98,39 +98,39 @@ TEST(AlignGeneral, FindsAPartThatIsPartlyMissingAmongSpuriousPoints)
         std::nth_element(heights.begin(), heights.begin() + 21000, heights.end());
         std::erase_if(copy.points_mm, [&](const Vector3d& p) { return cut.dot(p) > heights[21000]; });
         for (int s = 0; s < 420; ++s) copy.points_mm.emplace_back(place(random), place(random), place(random));
-        const Alignment a = alignGeneral(prepared, moved(copy, pose), CompareMethod::Plane, InitialPose::Auto);
+        const Alignment a = alignGeneral(prepared, movedScan(copy, pose), CompareMethod::Plane, InitialPose::Auto);
         EXPECT_TRUE(a.converged);
-        const PoseError e = poseError(a, pose);
+        const MotionError e = motionError(a, pose);
         EXPECT_LT(e.translation_um, 12) << "cut " << i;
         EXPECT_LT(e.rotation_deg, 0.01) << "cut " << i;
-        const Alignment b = alignGeneral(moved(copy, pose), reference, CompareMethod::Plane, InitialPose::Auto);
-        EXPECT_LT(poseError(b, pose.inverse(), pose * bracket_centre).translation_um, 12) << "swapped, cut " << i;
+        const Alignment b = alignGeneral(movedScan(copy, pose), reference, CompareMethod::Plane, InitialPose::Auto);
+        EXPECT_LT(motionError(b, pose.inverse(), pose * bracket_centre).translation_um, 12) << "swapped, cut " << i;
     }
 }
 
 TEST(AlignGeneral, TakesMeshesOnEitherSide)
 {
     std::mt19937 random(9);
-    const Isometry3d pose = randomPose(random, 70 * deg, 100);
+    const Isometry3d pose = randomPose(random, 70 * rad_per_deg, 100);
     const Scan cloud = sample::scanBracket(30000, 0.05, pose, 3);
     const Alignment onto_mesh = alignGeneral(sample::bracketMesh(), cloud, CompareMethod::Plane, InitialPose::Auto);
-    EXPECT_LT(poseError(onto_mesh, pose).translation_um, 6);
+    EXPECT_LT(motionError(onto_mesh, pose).translation_um, 6);
     const Alignment of_mesh = alignGeneral(cloud, sample::bracketMesh(), CompareMethod::Plane, InitialPose::Auto);
-    EXPECT_LT(poseError(of_mesh, pose.inverse(), pose * bracket_centre).translation_um, 6);
-    const Alignment both = alignGeneral(sample::bracketMesh(), moved(sample::bracketMesh(), pose), CompareMethod::Plane,
-                                        InitialPose::Auto);
-    EXPECT_LT(poseError(both, pose).translation_um, 0.01);
+    EXPECT_LT(motionError(of_mesh, pose.inverse(), pose * bracket_centre).translation_um, 6);
+    const Alignment both = alignGeneral(sample::bracketMesh(), movedScan(sample::bracketMesh(), pose),
+                                        CompareMethod::Plane, InitialPose::Auto);
+    EXPECT_LT(motionError(both, pose).translation_um, 0.01);
 }
 
 TEST(AlignGeneral, ForwardAndInverseAgree)
 {
     std::mt19937 random(11);
-    const Isometry3d pose = randomPose(random, 25 * deg, 20);
+    const Isometry3d pose = randomPose(random, 25 * rad_per_deg, 20);
     const Scan a = sample::scanBracket(40000, 0.05, Isometry3d::Identity(), 1);
     const Scan b = sample::scanBracket(40000, 0.05, pose, 2);
     const Alignment forward = alignGeneral(a, b, CompareMethod::Plane, InitialPose::Auto);
     const Alignment inverse = alignGeneral(b, a, CompareMethod::Plane, InitialPose::Auto);
-    const PoseError e = poseError(forward, inverse.reference_T_copy);
+    const MotionError e = motionError(forward, inverse.reference_T_copy);
     EXPECT_LT(e.translation_um, 4);
     EXPECT_LT(e.rotation_deg, 0.004);
 }
@@ -138,12 +138,12 @@ TEST(AlignGeneral, ForwardAndInverseAgree)
 TEST(AlignGeneral, DoesNotDependOnWhereBothStand)
 {
     std::mt19937 random(13);
-    const Isometry3d pose = randomPose(random, 10 * deg, 5);
+    const Isometry3d pose = randomPose(random, 10 * rad_per_deg, 5);
     const Isometry3d far = Eigen::Translation3d(1e6, -2e6, 5e5) * Eigen::AngleAxisd(2, Vector3d(1, 2, 3).normalized());
     const Scan a = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
     const Scan b = sample::scanBracket(20000, 0.05, pose, 2);
     const Alignment here = alignGeneral(a, b, CompareMethod::Plane, InitialPose::Auto);
-    const Alignment there = alignGeneral(moved(a, far), moved(b, far), CompareMethod::Plane, InitialPose::Auto);
+    const Alignment there = alignGeneral(movedScan(a, far), movedScan(b, far), CompareMethod::Plane, InitialPose::Auto);
     const Isometry3d expected = far * here.reference_T_copy * far.inverse();
     const Vector3d at = far * bracket_centre;
     EXPECT_LT(1000 * (there.reference_T_copy * at - expected * at).norm(), 2);
@@ -153,11 +153,11 @@ TEST(AlignGeneral, OfACloudWithItselfIsExact)
 {
     std::mt19937 random(15);
     const Scan a = sample::scanBracket(20000, 0.05, Isometry3d::Identity(), 1);
-    const Isometry3d pose = randomPose(random, 100 * deg, 50);
+    const Isometry3d pose = randomPose(random, 100 * rad_per_deg, 50);
     for (const Isometry3d& p : {Isometry3d::Identity(), pose}) {
-        const Alignment alignment = alignGeneral(a, moved(a, p), CompareMethod::Plane, InitialPose::Auto);
+        const Alignment alignment = alignGeneral(a, movedScan(a, p), CompareMethod::Plane, InitialPose::Auto);
         EXPECT_TRUE(alignment.converged);
-        const PoseError e = poseError(alignment, p);
+        const MotionError e = motionError(alignment, p);
         EXPECT_LT(e.translation_um, 1e-6);
         EXPECT_LT(e.rotation_deg, 1e-9);
     }
@@ -183,8 +183,9 @@ TEST(AlignGeneral, ThePlaneLeavesThreeMotionsFree)
     const auto plate = [](unsigned seed) {
         return scanOf(20000, 0.02, seed, [](double s, double t, double e) { return Vector3d(60 * s, 40 * t, e); });
     };
-    const Isometry3d pose = Eigen::Translation3d(0, 0, 3) * Eigen::AngleAxisd(4 * deg, Vector3d(1, 1, 0).normalized());
-    const Alignment a = alignGeneral(plate(1), moved(plate(2), pose), CompareMethod::Plane, InitialPose::Identity);
+    const Isometry3d pose =
+        Eigen::Translation3d(0, 0, 3) * Eigen::AngleAxisd(4 * rad_per_deg, Vector3d(1, 1, 0).normalized());
+    const Alignment a = alignGeneral(plate(1), movedScan(plate(2), pose), CompareMethod::Plane, InitialPose::Identity);
     EXPECT_TRUE(a.converged);
     ASSERT_EQ(a.free_motions.size(), 3U);
     int translations = 0;
@@ -199,9 +200,9 @@ TEST(AlignGeneral, ThePlaneLeavesThreeMotionsFree)
     EXPECT_EQ(translations, 2);
     EXPECT_TRUE(contains(a.notes, notes::motionNotDetermined));
     const Vector3d turned = a.reference_T_copy.linear() * pose.linear() * Vector3d::UnitZ();
-    EXPECT_LT(std::acos(std::min(1.0, std::abs(turned.z()))) / deg, 0.01);
+    EXPECT_LT(std::acos(std::min(1.0, std::abs(turned.z()))) / rad_per_deg, 0.01);
     // The tilt is undone, nothing else: no turn about the normal, no shift along the plane.
-    EXPECT_NEAR(Eigen::AngleAxisd(a.reference_T_copy.linear()).angle() / deg, 4, 0.05);
+    EXPECT_NEAR(Eigen::AngleAxisd(a.reference_T_copy.linear()).angle() / rad_per_deg, 4, 0.05);
 }
 
 TEST(AlignGeneral, TheCylinderLeavesRollAndShiftFree)
@@ -213,8 +214,8 @@ TEST(AlignGeneral, TheCylinderLeavesRollAndShiftFree)
         });
     };
     const Isometry3d pose =
-        Eigen::Translation3d(1, 0.5, 0) * Eigen::AngleAxisd(3 * deg, Vector3d(1, 2, 0).normalized());
-    const Alignment a = alignGeneral(tube(1), moved(tube(2), pose), CompareMethod::Plane, InitialPose::Identity);
+        Eigen::Translation3d(1, 0.5, 0) * Eigen::AngleAxisd(3 * rad_per_deg, Vector3d(1, 2, 0).normalized());
+    const Alignment a = alignGeneral(tube(1), movedScan(tube(2), pose), CompareMethod::Plane, InitialPose::Identity);
     EXPECT_TRUE(a.converged);
     ASSERT_EQ(a.free_motions.size(), 2U);
     bool roll = false;
@@ -228,7 +229,7 @@ TEST(AlignGeneral, TheCylinderLeavesRollAndShiftFree)
     }
     EXPECT_TRUE(roll && shift);
     const Vector3d axis = a.reference_T_copy.linear() * pose.linear() * Vector3d::UnitZ();
-    EXPECT_LT(std::acos(std::min(1.0, std::abs(axis.z()))) / deg, 0.005);
+    EXPECT_LT(std::acos(std::min(1.0, std::abs(axis.z()))) / rad_per_deg, 0.005);
 }
 
 TEST(AlignGeneral, TheSphereLeavesThreeRotationsFree)
@@ -241,15 +242,16 @@ TEST(AlignGeneral, TheSphereLeavesThreeRotationsFree)
             return Vector3d((25 + e) * Vector3d(r * std::cos(a), r * std::sin(a), z));
         });
     };
-    const Isometry3d pose = Eigen::Translation3d(1, -2, 0.5) * Eigen::AngleAxisd(30 * deg, Vector3d::UnitX());
-    const Alignment a = alignGeneral(ball(1), moved(ball(2), pose), CompareMethod::Plane, InitialPose::Identity);
+    const Isometry3d pose = Eigen::Translation3d(1, -2, 0.5) * Eigen::AngleAxisd(30 * rad_per_deg, Vector3d::UnitX());
+    const Alignment a = alignGeneral(ball(1), movedScan(ball(2), pose), CompareMethod::Plane, InitialPose::Identity);
     EXPECT_TRUE(a.converged);
     ASSERT_EQ(a.free_motions.size(), 3U);
     for (const FreeMotion& m : a.free_motions) {
         EXPECT_EQ(m.kind, FreeMotion::Kind::Rotation);
         EXPECT_LT(m.point_mm.norm(), 0.5);
     }
-    EXPECT_LT(Eigen::AngleAxisd(a.reference_T_copy.linear()).angle() / deg, 0.1) << "nothing asks for a rotation";
+    EXPECT_LT(Eigen::AngleAxisd(a.reference_T_copy.linear()).angle() / rad_per_deg, 0.1)
+        << "nothing asks for a rotation";
     EXPECT_LT(1000 * (a.reference_T_copy * pose * Vector3d::Zero()).norm(), 3);
 }
 
@@ -274,11 +276,12 @@ TEST(AlignGeneral, ASymmetricPlateTakesTheSmallestRotationAndSaysSo)
             return p;
         });
     };
-    const Isometry3d pose = Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(35 * deg, Vector3d(1, 2, 3).normalized());
-    const Alignment a = alignGeneral(box(1), moved(box(2), pose), CompareMethod::Plane, InitialPose::Auto);
+    const Isometry3d pose =
+        Eigen::Translation3d(3, 4, 5) * Eigen::AngleAxisd(35 * rad_per_deg, Vector3d(1, 2, 3).normalized());
+    const Alignment a = alignGeneral(box(1), movedScan(box(2), pose), CompareMethod::Plane, InitialPose::Auto);
     EXPECT_TRUE(a.converged);
     EXPECT_TRUE(contains(a.notes, notes::severalPosesFit));
-    EXPECT_LT(poseError(a, pose, Vector3d::Zero()).translation_um, 5);
+    EXPECT_LT(motionError(a, pose, Vector3d::Zero()).translation_um, 5);
 }
 
 TEST(AlignGeneral, DifferentPartsDoNotFit)
@@ -296,11 +299,11 @@ TEST(AlignGeneral, PointToPointStaysHonest)
 {
     std::mt19937 random(19);
     const Scan a = sample::scanBracket(30000, 0.05, Isometry3d::Identity(), 1);
-    const Isometry3d pose = randomPose(random, 5 * deg, 2);
+    const Isometry3d pose = randomPose(random, 5 * rad_per_deg, 2);
     const Alignment alignment =
         alignGeneral(a, sample::scanBracket(30000, 0.05, pose, 2), CompareMethod::Point, InitialPose::Identity);
     if (alignment.converged) {
-        EXPECT_LT(poseError(alignment, pose).translation_um, 60);
+        EXPECT_LT(motionError(alignment, pose).translation_um, 60);
     }
 }
 

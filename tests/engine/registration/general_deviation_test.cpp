@@ -10,9 +10,11 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface/surface_deviation.h"
 #include "engine/sample/sample.h"
+#include "tests/engine/registration/cube_mesh.h"
 
 namespace lathelier::registration {
 namespace {
@@ -55,15 +57,6 @@ std::vector<Vector3d> spherePoints(int count, double radius, double sigma, unsig
         points.emplace_back(Vector3d(7, -3, 2) + h * Vector3d(r * std::cos(a), r * std::sin(a), z));
     }
     return points;
-}
-
-Scan cube(double side)
-{
-    Scan scan;
-    for (int i = 0; i < 8; ++i) scan.points_mm.emplace_back(side * (i & 1), side * (i >> 1 & 1), side * (i >> 2 & 1));
-    scan.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return scan;
 }
 
 double signedBoxDistance(const Vector3d& p, double side)
@@ -139,8 +132,7 @@ TEST(SurfaceDeviation, OfAMeshWithoutSharedVerticesHasASign)
 
 TEST(SurfaceDeviation, FarPointsAndPointsThatAreNotFiniteHaveNone)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const SurfaceDeviation d = surfaceDeviation(cube(10), {{5, 5, 11}, {5, 5, 11.01}, {nan, 0, 0}}, 1);
+    const SurfaceDeviation d = surfaceDeviation(cube(10), {{5, 5, 11}, {5, 5, 11.01}, {notANumber, 0, 0}}, 1);
     EXPECT_FLOAT_EQ(d.deviation_mm[0], 1);
     EXPECT_TRUE(std::isnan(d.deviation_mm[1]));
     EXPECT_TRUE(std::isnan(d.deviation_mm[2]));

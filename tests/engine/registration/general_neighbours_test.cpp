@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/parallel.h"
+#include "engine/core/units.h"
 #include "engine/registration/neighbours/cloud_distance.h"
 #include "engine/registration/neighbours/neighbours.h"
 #include "engine/registration/neighbours/neighbours_order.h"
@@ -183,9 +184,8 @@ TEST(NearestDistances, EmptyInputsGiveNothing)
 
 TEST(NearestDistances, AQueryThatIsNotFiniteHasNone)
 {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
-    const std::vector<float> d = nearestDistances({{1, 2, 3}}, {{nan, 0, 0}, {0, infinity, 0}, {1, 2, 4}}, 10);
+    const std::vector<float> d = nearestDistances({{1, 2, 3}}, {{notANumber, 0, 0}, {0, infinity, 0}, {1, 2, 4}}, 10);
     EXPECT_TRUE(std::isnan(d[0]));
     EXPECT_TRUE(std::isnan(d[1]));
     EXPECT_EQ(d[2], 1.0F);

@@ -9,6 +9,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/surface/mesh_repair.h"
 #include "engine/registration/surface/surface_deviation.h"
+#include "tests/engine/registration/cube_mesh.h"
 
 namespace lathelier::registration {
 namespace {
@@ -42,15 +43,6 @@ Scan coarseShaft(int sides = 36, int rings = 41)
         add(rounded(corner(s, 900)), rounded(corner(s + 1, 900)), Vector3d(0, 0, 900));
     }
     return mesh;
-}
-
-Scan cube(double side)
-{
-    Scan scan;
-    for (int i = 0; i < 8; ++i) scan.points_mm.emplace_back(side * (i & 1), side * (i >> 1 & 1), side * (i >> 2 & 1));
-    scan.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return scan;
 }
 
 TEST(MeshReference, ComparedWithItselfDiffersNowhereByAnyMethod)

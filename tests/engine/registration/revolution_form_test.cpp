@@ -15,7 +15,7 @@ namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector3d;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// `count` points by a rule from three even random numbers, with noise in all directions.
 Scan cloud(std::size_t count, double sigma_mm, const std::function<Vector3d(double, double, double)>& place)
@@ -40,7 +40,7 @@ Scan shaftScan(double row_pitch_mm, double angle_step_deg, std::uint64_t seed)
 
 Scan bent(Scan scan, double bow_mm)
 {
-    for (Vector3d& p : scan.points_mm) p.x() += bow_mm * std::sin(kPi * std::clamp(p.z() / 183, 0.0, 1.0));
+    for (Vector3d& p : scan.points_mm) p.x() += bow_mm * std::sin(pi * std::clamp(p.z() / 183, 0.0, 1.0));
     return scan;
 }
 
@@ -81,23 +81,23 @@ TEST(NotTurned, IsRefusedWithItsReason)
                               [](double a, double b, double) {
                                   const double up = 2 * a - 1;
                                   const double across = std::sqrt(1 - up * up);
-                                  return Vector3d(25 * across * std::cos(2 * kPi * b),
-                                                  25 * across * std::sin(2 * kPi * b), 25 * up);
+                                  return Vector3d(25 * across * std::cos(2 * pi * b),
+                                                  25 * across * std::sin(2 * pi * b), 25 * up);
                               })),
               "not_a_body_of_revolution no_single_axis");
     EXPECT_EQ(refusalOf(cloud(12000, 0.03,
                               [](double a, double b, double) {  // a hexagonal bar, 30 across flats
-                                  const double third = kPi / 3;
-                                  const double angle = 2 * kPi * a;
+                                  const double third = pi / 3;
+                                  const double angle = 2 * pi * a;
                                   const double r = 15 / std::cos(std::fmod(angle + third / 2, third) - third / 2);
                                   return Vector3d(r * std::cos(angle), r * std::sin(angle), 80 * b);
                               })),
               "not_a_body_of_revolution not_round");
     EXPECT_EQ(refusalOf(cloud(12000, 0.01,
                               [](double a, double b, double) {  // a spring of 0.8 mm wire
-                                  const double t = 2 * kPi * 30 * a;
+                                  const double t = 2 * pi * 30 * a;
                                   const Vector3d out(std::cos(t), std::sin(t), 0);
-                                  const double turn = 2 * kPi * b;
+                                  const double turn = 2 * pi * b;
                                   return Vector3d(out * (12 + 0.8 * std::cos(turn)) +
                                                   Vector3d(0, 0, 90 * a + 0.8 * std::sin(turn)));
                               })),
@@ -114,7 +114,7 @@ TEST(NotTurned, TakesItsMeasureFromTheArc)
     const auto arc = [&](double degrees) {
         Scan part;
         for (const Vector3d& p : whole.points_mm)
-            if (std::atan2(p.y(), p.x()) * 180 / kPi + 180 < degrees) part.points_mm.push_back(p);
+            if (std::atan2(p.y(), p.x()) * 180 / pi + 180 < degrees) part.points_mm.push_back(p);
         return part;
     };
     EXPECT_EQ(refusalOf(arc(40)), "coverage_too_small");
@@ -145,7 +145,7 @@ TEST(HollowPart, HasAWallInsideAndOneOutside)
     const auto hollow = [](std::uint64_t seed, const Eigen::Isometry3d& pose) {
         Scan scan;
         for (std::size_t i = 0; i < 60000; ++i) {
-            const double angle = 2 * kPi * randomUniform(seed, 0, i);
+            const double angle = 2 * pi * randomUniform(seed, 0, i);
             const double z = 60 * randomUniform(seed, 1, i);
             const bool inside = randomUniform(seed, 2, i) < 0.35;
             const double r = (inside ? (z < 20 ? 14 : 12) : (z < 25 ? 20 : 30)) + 0.05 * randomNormal(seed, 3, i);
@@ -185,13 +185,13 @@ TEST(RoughZones, DoNotSetTheScatter)
         if (z < 40) r -= std::clamp(2.4 * std::abs(std::fmod(z / 2 - turn + 1, 1.0) - 0.5) - 0.1, 0.0, 1.0);
         if (z > 62) r -= 0.45 * std::abs(2 * std::fmod(60 * (turn + z / 90) + 60, 1.0) - 1);
         r += 0.05 * randomNormal(8, 2, i);
-        scan.points_mm.emplace_back(r * std::cos(2 * kPi * turn), r * std::sin(2 * kPi * turn), z);
+        scan.points_mm.emplace_back(r * std::cos(2 * pi * turn), r * std::sin(2 * pi * turn), z);
     }
     const RevolutionFit fit = fitRevolution(scan.points_mm);
     ASSERT_TRUE(isBodyOfRevolution(fit));
     EXPECT_NEAR(fit.sigma_mm, 0.05, 0.01);  // 0.3 with the rough zones
     const Vector3d direction = fit.axis_T_scan.linear().row(2);
-    EXPECT_LT(std::acos(std::min(1.0, std::abs(direction.z()))) * 180 / kPi, 0.02);
+    EXPECT_LT(std::acos(std::min(1.0, std::abs(direction.z()))) * 180 / pi, 0.02);
     EXPECT_GT(compare(scan, scan, revolution()).statistics.overlap_percent, 90);
 }
 

@@ -14,7 +14,7 @@ namespace {
 using namespace testing_pair;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// How a part stands under the scanner: turned about its middle, then moved.
 Isometry3d standing(double tilt_deg, double azimuth, double offset_mm, double offset_azimuth, double lift_mm,
@@ -24,7 +24,7 @@ Isometry3d standing(double tilt_deg, double azimuth, double offset_mm, double of
     return Isometry3d(
         Eigen::Translation3d(offset_mm * std::cos(offset_azimuth), offset_mm * std::sin(offset_azimuth), lift_mm) *
         Eigen::Translation3d(middle) *
-        Eigen::AngleAxisd(tilt_deg * kPi / 180, Vector3d(std::cos(azimuth), std::sin(azimuth), 0)) *
+        Eigen::AngleAxisd(tilt_deg * pi / 180, Vector3d(std::cos(azimuth), std::sin(azimuth), 0)) *
         Eigen::AngleAxisd(roll, Vector3d::UnitZ()) * Eigen::Translation3d(-middle));
 }
 
@@ -86,7 +86,7 @@ TEST(LeaningScans, KeepTheAxialPositionWithAnEndMissing)
         // Beside the scanner's axis in the direction in which it leans: there rays toward the part's axis are most
         // wrong.
         b.scan_T_part =
-            standing(4 + k * 1.0, 0.7 * k, 2.5, 0.7 * k + (k % 4 < 2 ? -kPi / 2 : kPi / 2), k < 3 ? 8 : -9, k);
+            standing(4 + k * 1.0, 0.7 * k, 2.5, 0.7 * k + (k % 4 < 2 ? -pi / 2 : pi / 2), k < 3 ? 8 : -9, k);
         const LeaningScan scan = scans(b);
         EXPECT_FALSE(contains(scan.alignment.notes, notes::motionNotDetermined)) << k;
         EXPECT_LT(std::abs(scan.axial_um), 8) << k;
@@ -106,8 +106,8 @@ TEST(LeaningScans, AxialUncertaintyCoversTheTruth)
         b.sigma_mm = k % 2 ? 0.05 : 0.10;
         b.dropout_share = 0.15 * (k % 3);
         b.spurious_share = 0.01 * (k / 3 % 3);
-        b.scan_T_part = standing(10 * draw(0), 2 * kPi * draw(1), 3 * draw(2), 2 * kPi * draw(3), 24 * draw(4) - 12,
-                                 2 * kPi * draw(5));
+        b.scan_T_part = standing(10 * draw(0), 2 * pi * draw(1), 3 * draw(2), 2 * pi * draw(3), 24 * draw(4) - 12,
+                                 2 * pi * draw(5));
         const LeaningScan scan = scans(b);
         EXPECT_FALSE(contains(scan.alignment.notes, notes::motionNotDetermined)) << k;
         if (std::abs(scan.axial_um) <= scan.alignment.uncertainty.axial_um) ++covered;

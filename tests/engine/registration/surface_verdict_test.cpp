@@ -8,19 +8,12 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/verdict/verdict.h"
 #include "tests/engine/registration/bumped_scan.h"
+#include "tests/engine/registration/within_tolerance.h"
 
 namespace lathelier::registration {
 namespace {
 
 using namespace testing_bump;
-
-CompareParameters within(double tolerance_mm, DecisionRule decision = DecisionRule::Simple)
-{
-    CompareParameters parameters;
-    parameters.tolerance_mm = tolerance_mm;
-    parameters.decision = decision;
-    return parameters;
-}
 
 /// What the verdict needs, of a part that is no body of revolution.
 CompareResult compareQuickly(const BoxScans& scans, CompareParameters asked)
@@ -41,12 +34,12 @@ TEST(SurfaceVerdict, TheSameShapeTwicePassesWhateverTheNoise)
 {
     for (const std::uint64_t seed : {1U, 2U}) {
         const ShaftScans scans = shaftTwice(seed, {.sigma_mm = 0.1, .step_deg = 6.6, .dropout = 0.3, .spurious = 0.02});
-        CompareResult result = compare(scans.reference, scans.copy, within(0.03));
+        CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.03));
         EXPECT_EQ(result.verdict, Verdict::Pass);
         EXPECT_LT(*result.within_tolerance_percent, 40) << "a share of points would have failed it";
         EXPECT_NEAR(result.scatter_mm, 0.1, 0.003);
         for (const Zone& zone : result.zones) EXPECT_LT(std::abs(zone.mean_mm), 1.6 * zone.uncertainty_mm);
-        judge(result, within(0.03, DecisionRule::Guarded));
+        judge(result, withinTolerance(0.03, DecisionRule::Guarded));
         EXPECT_NE(result.verdict, Verdict::Fail);
     }
 }
@@ -63,7 +56,7 @@ TEST(SurfaceVerdict, RowsCoarserThanTheSpotMoveNothing)
         const Scan reference = sample::scanShaft(sample::nominalShaft(), scanner);
         scanner.seed = 2 * seed + 1;
         const Scan copy = sample::scanShaft(sample::nominalShaft(), scanner);
-        const CompareResult result = compare(reference, copy, within(0.03));
+        const CompareResult result = compare(reference, copy, withinTolerance(0.03));
         EXPECT_EQ(result.verdict, Verdict::Pass) << seed;
         // Both stand upright at the same height: no shift is true.
         const double axial_um = 1000 * std::abs(result.alignment.reference_T_copy.translation().z());
@@ -74,9 +67,9 @@ TEST(SurfaceVerdict, RowsCoarserThanTheSpotMoveNothing)
 TEST(SurfaceVerdict, NamesTheCollarOfTheSample)
 {
     const ShaftScans scans = shaftTwice(3, {.step_deg = 3.6, .copy = sample::copiedShaft()});
-    CompareResult result = compare(scans.reference, scans.copy, within(0.08));
+    CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.08));
     EXPECT_EQ(result.verdict, Verdict::Pass);
-    judge(result, within(0.04));
+    judge(result, withinTolerance(0.04));
     EXPECT_EQ(result.verdict, Verdict::Fail);
     const Finding* collar = findKind(result, Finding::Kind::Step, 103);
     ASSERT_TRUE(collar);
@@ -94,9 +87,9 @@ TEST(SurfaceVerdict, NamesTheCollarOfTheSample)
 TEST(SurfaceVerdict, SeesASmallBumpOnAShaft)
 {
     ShaftScans scans = shaftTwice(4, {.sigma_mm = 0.05, .step_deg = 3});
-    EXPECT_EQ(compare(scans.reference, scans.copy, within(0.08)).verdict, Verdict::Pass);
+    EXPECT_EQ(compare(scans.reference, scans.copy, withinTolerance(0.08)).verdict, Verdict::Pass);
     addBump(scans, 4, 0.12, 4);
-    const CompareResult result = compare(scans.reference, scans.copy, within(0.08));
+    const CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.08));
     EXPECT_EQ(result.verdict, Verdict::Fail);
     EXPECT_GT(*result.within_tolerance_percent, 85);
     ASSERT_TRUE(result.worst);
@@ -107,27 +100,27 @@ TEST(SurfaceVerdict, SeesASmallBumpOnAShaft)
 TEST(SurfaceVerdict, SeesASmallBumpOnABox)
 {
     const BoxScans scans = boxTwice(5, 0.03, 12, 0.12, 4, true);
-    const CompareResult result = compare(scans.reference, scans.copy, within(0.08));
+    const CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.08));
     EXPECT_EQ(result.verdict, Verdict::Fail);
     ASSERT_TRUE(result.worst);
     EXPECT_LT((result.worst->point_mm - scans.bump_mm).norm(), 2);
     EXPECT_FALSE(result.worst->z_mm);
     const BoxScans same = boxTwice(5, 0.03, 12, 0, 4, true);
-    EXPECT_EQ(compare(same.reference, same.copy, within(0.08)).verdict, Verdict::Pass);
+    EXPECT_EQ(compare(same.reference, same.copy, withinTolerance(0.08)).verdict, Verdict::Pass);
 }
 
 TEST(SurfaceVerdict, SeesASmallBumpOnABoxWhateverTheReferencesNoise)
 {
     for (const std::uint64_t seed : {1U, 4U, 7U}) {
         const BoxScans scans = boxTwice(seed, 0.05, 12, 0.12, 4, false);
-        CompareResult result = compareQuickly(scans, within(0.08));
+        CompareResult result = compareQuickly(scans, withinTolerance(0.08));
         EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
         ASSERT_TRUE(result.worst);
         EXPECT_LT((result.worst->point_mm - scans.bump_mm).norm(), 2);
         const Finding* bump = findKind(result, Finding::Kind::Bump, 0);
         ASSERT_TRUE(bump);
         EXPECT_EQ(bump->verdict, Verdict::Fail);
-        judge(result, within(0.08, DecisionRule::Guarded));
+        judge(result, withinTolerance(0.08, DecisionRule::Guarded));
         EXPECT_EQ(result.verdict, Verdict::Fail) << seed;
     }
 }
@@ -135,19 +128,19 @@ TEST(SurfaceVerdict, SeesASmallBumpOnABoxWhateverTheReferencesNoise)
 TEST(SurfaceVerdict, NoiseAlikeAlongScanLinesNeverFails)
 {
     const BoxScans scans = boxTwice(1, 0.05, 10, 0, 4, false, 1);
-    CompareResult result = compareQuickly(scans, within(0.03));
+    CompareResult result = compareQuickly(scans, withinTolerance(0.03));
     EXPECT_NE(result.verdict, Verdict::Fail);
-    judge(result, within(0.03, DecisionRule::Guarded));
+    judge(result, withinTolerance(0.03, DecisionRule::Guarded));
     EXPECT_NE(result.verdict, Verdict::Fail);
 }
 
 TEST(SurfaceVerdict, SaysWhatWouldDecide)
 {
     const ShaftScans scans = shaftTwice(6, {.sigma_mm = 0.1, .step_deg = 9});
-    CompareResult result = compare(scans.reference, scans.copy, within(0.0005));
+    CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.0005));
     EXPECT_EQ(result.verdict, Verdict::Undecided);
     EXPECT_TRUE(contains(result.notes, notes::scanTooPoor));
-    judge(result, within(0.05));
+    judge(result, withinTolerance(0.05));
     EXPECT_EQ(result.verdict, Verdict::Pass);
     EXPECT_FALSE(contains(result.notes, notes::scanTooPoor));
 }
@@ -155,7 +148,8 @@ TEST(SurfaceVerdict, SaysWhatWouldDecide)
 TEST(SurfaceVerdict, FacetsOfACoarseMeshAreNoDeviation)
 {
     const ShaftScans scans = shaftTwice(7, {.step_deg = 6.6});
-    const CompareResult result = compare(sample::shaftMesh(sample::nominalShaft(), 36), scans.copy, within(0.03));
+    const CompareResult result =
+        compare(sample::shaftMesh(sample::nominalShaft(), 36), scans.copy, withinTolerance(0.03));
     EXPECT_NE(result.verdict, Verdict::Fail);
     EXPECT_TRUE(contains(result.notes, notes::facetsCoarse));
     EXPECT_TRUE(result.findings.empty());
@@ -165,7 +159,7 @@ TEST(SurfaceVerdict, AFileComparedWithItselfIsZeroToTheLastDigits)
 {
     const Scan mesh = sample::shaftMesh(sample::nominalShaft(), 60);
     for (const Symmetry symmetry : {Symmetry::Auto, Symmetry::None}) {
-        CompareParameters asked = within(0.001, DecisionRule::Guarded);
+        CompareParameters asked = withinTolerance(0.001, DecisionRule::Guarded);
         asked.symmetry = symmetry;
         const CompareResult result = compare(mesh, mesh, asked);
         EXPECT_LT(result.statistics.rmse_mm, 1e-11);
@@ -176,7 +170,7 @@ TEST(SurfaceVerdict, AFileComparedWithItselfIsZeroToTheLastDigits)
 TEST(SurfaceVerdict, ZonesHaveLimitsOfTheirOwn)
 {
     const ShaftScans scans = shaftTwice(8, {.step_deg = 6.6, .copy = sample::copiedShaft()});
-    CompareParameters asked = within(0.045);
+    CompareParameters asked = withinTolerance(0.045);
     asked.zones = {{"collar", 98.5, 107.5, 0.0, 0.08}, {"grip", 0, 20, {}, {}}};
     CompareResult result = compare(scans.reference, scans.copy, asked);
     EXPECT_EQ(result.verdict, Verdict::Pass);
@@ -214,9 +208,9 @@ TEST(SurfaceVerdict, AMissingStretchIsNamed)
 TEST(SurfaceVerdict, IsTheSameForAnyNumberOfThreads)
 {
     ShaftScans scans = shaftTwice(10, {.step_deg = 6.6, .copy = sample::copiedShaft()});
-    const CompareResult all = compare(scans.reference, scans.copy, within(0.04));
+    const CompareResult all = compare(scans.reference, scans.copy, withinTolerance(0.04));
     const ThreadLimit one(1);
-    const CompareResult alone = compare(scans.reference, scans.copy, within(0.04));
+    const CompareResult alone = compare(scans.reference, scans.copy, withinTolerance(0.04));
     ASSERT_EQ(all.windows->windows.size(), alone.windows->windows.size());
     for (std::size_t i = 0; i < all.windows->windows.size(); ++i) {
         EXPECT_EQ(all.windows->windows[i].mean_mm, alone.windows->windows[i].mean_mm);

@@ -9,18 +9,12 @@
 #include "engine/report/chart_csv.h"
 #include "engine/report/plot_frame.h"
 #include "engine/report/plot_svg.h"
+#include "tests/engine/report/occurrences.h"
 
 namespace lathelier {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::size_t count(const std::string& text, const std::string& what)
-{
-    std::size_t result = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++result;
-    return result;
-}
 
 /// A lobe chart as the window and the report will have it: a limit curve with what is stable below.
 report::Plot lobes()
@@ -186,7 +180,7 @@ TEST(ChartCsv, BarsStandAtTheirMiddlesAndNamesAreQuoted)
     EXPECT_EQ(toCsv(plot), "\"z, along (mm)\",amplitude (µm)\n1,3\n2,\n");
     plot.curves[0].said = {0.125, 0.25};
     plot.curves[0].said_unit = Text{"mm"};
-    EXPECT_EQ(count(toCsv(plot), "0.125"), 1u);
+    EXPECT_EQ(occurrences(toCsv(plot), "0.125"), 1u);
 }
 
 }  // namespace

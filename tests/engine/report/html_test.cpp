@@ -7,9 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/report/plain_text.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/svg.h"
+#include "tests/engine/report/occurrences.h"
 
 namespace lathelier {
 namespace {
@@ -45,20 +47,13 @@ report::Document fullDocument()
     plot.curves = {{nasty, {0, 1, 2}, {0, NAN, 2}, report::Curve::Style::Line, {}, -1},
                    {nasty, {0, 1, 2}, {1, 2, 3}, report::Curve::Style::Band, {0, 1, 2}, -1},
                    {nasty, {0, 1, 2}, {5, 6}, report::Curve::Style::Bars, {}, -1}};
-    document.sections = {{nasty,
-                          {nastyAnswer(), report::Paragraph{LT_TEXT("Engine", "{x}"), {{"x", nasty}}},
-                           report::QuantityTable{
-                               nasty, {{nasty, nasty, {}}, {"n", NAN, {}}, {"m", 1.23456, LT_TEXT("Engine", "mm"), 2}}},
-                           report::Table{nasty, {nasty, "b"}, {{nasty, std::int64_t{-1234567}}}, {}}, plot, map,
-                           report::Picture{nasty, "not really"}, Notes{{notes::sourceMissing, {{"path", nasty}}}}}}};
+    document.sections = {
+        {nasty,
+         {nastyAnswer(), report::Paragraph{LT_TEXT("Engine", "{x}"), {{"x", nasty}}},
+          report::QuantityTable{nasty, {{nasty, nasty, {}}, {"n", NAN, {}}, {"m", 1.23456, unit::mm, 2}}},
+          report::Table{nasty, {nasty, "b"}, {{nasty, std::int64_t{-1234567}}}, {}}, plot, map,
+          report::Picture{nasty, "not really"}, Notes{{notes::sourceMissing, {{"path", nasty}}}}}}};
     return document;
-}
-
-std::size_t count(const std::string& text, const std::string& what)
-{
-    std::size_t result = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++result;
-    return result;
 }
 
 TEST(Html, WhatComesFromFilesIsEscapedEverywhere)
@@ -67,7 +62,7 @@ TEST(Html, WhatComesFromFilesIsEscapedEverywhere)
     EXPECT_EQ(html.find("<script"), std::string::npos);
     EXPECT_EQ(html.find("alert(\""), std::string::npos);
     EXPECT_EQ(html.find('\xFF'), std::string::npos);
-    EXPECT_GE(count(html, tamed), 15u);
+    EXPECT_GE(occurrences(html, tamed), 15u);
 }
 
 TEST(Html, NothingIsFetchedFromOutside)
@@ -86,7 +81,9 @@ TEST(Html, EveryElementIsClosed)
     for (const char* tag :
          {"table", "tr", "td", "th", "div", "section", "figure", "svg", "text", "ul", "li", "p", "h1", "h2", "h3"}) {
         const std::string open = std::string("<") + tag;
-        EXPECT_EQ(count(html, open + ">") + count(html, open + " "), count(html, std::string("</") + tag + ">")) << tag;
+        EXPECT_EQ(occurrences(html, open + ">") + occurrences(html, open + " "),
+                  occurrences(html, std::string("</") + tag + ">"))
+            << tag;
     }
 }
 
@@ -126,12 +123,12 @@ TEST(PlainText, ColumnsLineUp)
     rms.quantity = "RMS";
     rms.value = 1;
     rms.decimals = 2;
-    rms.unit = LT_TEXT("Engine", "mm");
+    rms.unit = unit::mm;
     rms.upper_limit = 2;
     rms.verdict = Verdict::Pass;
     const report::Section section{
         "x",
-        {rms, report::QuantityTable{"T", {{"wał", 1.5, LT_TEXT("Engine", "mm")}, {"longer", std::int64_t{12}, {}}}},
+        {rms, report::QuantityTable{"T", {{"wał", 1.5, unit::mm}, {"longer", std::int64_t{12}, {}}}},
          report::Table{"Z", {"a", "bb"}, {{1.0, 22.25}}, {0, 2}}}};
     EXPECT_EQ(report::toPlainText(section),
               "RMS 1.00\u00A0mm · limit 2\u00A0mm  ✓ within tolerance\n\nT\n  wał     1.500 mm\n  longer     12\n\nZ\n "

@@ -8,6 +8,7 @@
 #include "engine/report/html.h"
 #include "engine/report/ring_labels.h"
 #include "engine/report/svg.h"
+#include "tests/engine/report/occurrences.h"
 
 namespace lathelier {
 namespace {
@@ -29,13 +30,6 @@ report::PolarPlot plotWith(double amplitude_um, double radius_mm = 25, std::size
                     {std::string("MICI"), 0, 0, 0, 4, true}};
     plot.contacts = {{0, amplitude_um, true}, {60, -amplitude_um, false}};
     return plot;
-}
-
-std::size_t count(const std::string& text, const std::string& what)
-{
-    std::size_t result = 0;
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++result;
-    return result;
 }
 
 TEST(PolarSvg, TheMagnificationIsRoundAndFits)
@@ -66,7 +60,7 @@ TEST(PolarSvg, StatesWhatIsDrawn)
     EXPECT_NE(svg.find("outer circle"), std::string::npos);
     EXPECT_NE(svg.find("inner circle"), std::string::npos);
     EXPECT_NE(svg.find(">330°<"), std::string::npos);
-    EXPECT_GE(count(svg, "stroke-dasharray"), 2u);  // the dashed circle and its legend
+    EXPECT_GE(occurrences(svg, "stroke-dasharray"), 2u);  // the dashed circle and its legend
     report::PolarPlot plot = plotWith(3);
     plot.magnification = 500;
     EXPECT_NE(report::toSvg(plot).find("magnified 500 times"), std::string::npos);
@@ -79,7 +73,7 @@ TEST(PolarSvg, LongTracesAreThinnedAndGapsStayOpen)
     const std::string whole = report::toSvg(plot);
     for (std::size_t i = 100; i < 120; ++i) plot.traces[0].deviation_um[i] = std::numeric_limits<double>::quiet_NaN();
     const std::string broken = report::toSvg(plot);
-    EXPECT_EQ(count(broken, "nan"), 0u);
+    EXPECT_EQ(occurrences(broken, "nan"), 0u);
     EXPECT_NE(whole, broken);
     EXPECT_NO_THROW(report::toSvg(report::PolarPlot{}));
 }

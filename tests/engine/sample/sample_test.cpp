@@ -18,7 +18,7 @@
 namespace lathelier {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double volume_mm3(const Scan& mesh)
 {
@@ -60,13 +60,13 @@ TEST(Sample, MeshesAreClosedAndHaveTheRightVolume)
 {
     const Scan shaft = sample::shaftMesh(sample::nominalShaft(), 720);
     EXPECT_TRUE(isClosed(shaft));
-    const double chamfer = kPi * 5 / 3 * (16.9 * 16.9 + 16.9 * 11.9 + 11.9 * 11.9);
-    const double solid = kPi * (15 * 15 * 98 + 18.5 * 18.5 * 10 + 16.9 * 16.9 * 70) + chamfer;
+    const double chamfer = pi * 5 / 3 * (16.9 * 16.9 + 16.9 * 11.9 + 11.9 * 11.9);
+    const double solid = pi * (15 * 15 * 98 + 18.5 * 18.5 * 10 + 16.9 * 16.9 * 70) + chamfer;
     EXPECT_NEAR(volume_mm3(shaft) / solid, 1, 2e-5);
 
     const Scan bracket = sample::bracketMesh();
     EXPECT_TRUE(isClosed(bracket));
-    const double walls = 12 * (100 * 80 + 80 * 78) - 12 * kPi * (8 * 8 + 12.5 * 12.5 + 18 * 18);
+    const double walls = 12 * (100 * 80 + 80 * 78) - 12 * pi * (8 * 8 + 12.5 * 12.5 + 18 * 18);
     EXPECT_NEAR(volume_mm3(bracket) / walls, 1, 2e-4);
 }
 

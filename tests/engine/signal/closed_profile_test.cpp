@@ -7,17 +7,16 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/signal/harmonics.h"
 
 namespace lathelier::signal {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
-
 std::vector<double> evenAngles(std::size_t n)
 {
     std::vector<double> result(n);
-    for (std::size_t i = 0; i < n; ++i) result[i] = turn * static_cast<double>(i) / static_cast<double>(n);
+    for (std::size_t i = 0; i < n; ++i) result[i] = turn_rad * static_cast<double>(i) / static_cast<double>(n);
     return result;
 }
 
@@ -26,7 +25,7 @@ std::vector<double> unevenAngles(std::size_t n, double share)
 {
     std::vector<double> result = evenAngles(n);
     for (std::size_t i = 0; i < n; ++i)
-        result[i] += share * turn / static_cast<double>(n) * (2 * randomUniform(11, 0, i) - 1);
+        result[i] += share * turn_rad / static_cast<double>(n) * (2 * randomUniform(11, 0, i) - 1);
     return result;
 }
 
@@ -111,7 +110,7 @@ TEST(GaussianFilter, AnEccentricProfileOf200PointsIsFilteredExactly)
 TEST(GaussianFilter, DoesNotRingBesideAKeyway)
 {
     std::vector<double> angle, missing;
-    for (const double a : evenAngles(3600)) (a > 1 && a < 1 + turn * 8 / 360 ? missing : angle).push_back(a);
+    for (const double a : evenAngles(3600)) (a > 1 && a < 1 + turn_rad * 8 / 360 ? missing : angle).push_back(a);
     const std::vector<Wave> waves{{2, .005, 1}, {3, .004, 2}, {5, .002, 0}};
     const std::vector<double> values = wavesAt(angle, waves);
     const FilteredValues found = filterClosedAt(angle, values, {{}, 50});
@@ -121,8 +120,10 @@ TEST(GaussianFilter, DoesNotRingBesideAKeyway)
     double beside = 0, away = 0;
     for (std::size_t i = 0; i < angle.size(); ++i) {
         const double error = std::abs(found.values[i] - wavesAt({angle[i]}, damped)[0]);
-        const double distance = std::abs(std::remainder(angle[i] - 1 - turn * 4 / 360, turn)) - turn * 4 / 360;
-        (distance < turn * 1.4 / 50 ? beside : away) = std::max(distance < turn * 1.4 / 50 ? beside : away, error);
+        const double distance =
+            std::abs(std::remainder(angle[i] - 1 - turn_rad * 4 / 360, turn_rad)) - turn_rad * 4 / 360;
+        (distance < turn_rad * 1.4 / 50 ? beside : away) =
+            std::max(distance < turn_rad * 1.4 / 50 ? beside : away, error);
     }
     EXPECT_LT(away, 1e-10);     // the same as without a gap
     EXPECT_LT(beside, 1.5e-4);  // 1.4 % of the form of 11 µm
@@ -136,7 +137,7 @@ TEST(GaussianFilter, GapsDoNotInventNoise)
     // White noise stays below its own level everywhere, also at the edges of many gaps.
     std::vector<double> angle;
     for (const double a : evenAngles(3600))
-        if (std::fmod(a, turn / 7) > .1) angle.push_back(a);
+        if (std::fmod(a, turn_rad / 7) > .1) angle.push_back(a);
     std::vector<double> values;
     for (std::size_t i = 0; i < angle.size(); ++i) values.push_back(25 + .001 * randomNormal(2, 0, i));
     for (const double v : filterClosedAt(angle, values, {{}, 50}).values) EXPECT_LT(std::abs(v - 25), .001);
@@ -149,7 +150,7 @@ TEST(GaussianFilter, OrderAndDuplicatesDoNotMatter)
     const std::vector<double> sorted = filterClosedAt(angle, wavesAt(angle, waves), {{}, 15}).values;
     std::vector<double> mixed, expected;
     for (std::size_t i = 0; i < 400; ++i) {
-        mixed.push_back(angle[i * 77 % 400] - turn);
+        mixed.push_back(angle[i * 77 % 400] - turn_rad);
         expected.push_back(sorted[i * 77 % 400]);
     }
     EXPECT_LT(largestDifference(filterClosedAt(mixed, wavesAt(mixed, waves), {{}, 15}).values, expected), 1e-11);
@@ -166,7 +167,7 @@ void expectWaves(const std::vector<Harmonic>& found, const std::vector<Wave>& wa
             EXPECT_LT(h.amplitude, tolerance) << h.upr;
         } else {
             EXPECT_NEAR(h.amplitude, wave->amplitude, tolerance) << h.upr;
-            EXPECT_NEAR(std::remainder(h.phase_rad - wave->phase, turn), 0, tolerance / wave->amplitude) << h.upr;
+            EXPECT_NEAR(std::remainder(h.phase_rad - wave->phase, turn_rad), 0, tolerance / wave->amplitude) << h.upr;
         }
     }
 }
@@ -236,11 +237,11 @@ TEST(GaussianFilter, NeverAddsToASquareHoweverItIsSampled)
     for (std::uint64_t seed = 0; seed < 40; ++seed)
         for (const double cutoff : {15., 50., 150.}) {
             std::vector<double> angle;
-            for (std::size_t i = 0; i < 200; ++i) angle.push_back(turn * randomUniform(seed, 3, i));
+            for (std::size_t i = 0; i < 200; ++i) angle.push_back(turn_rad * randomUniform(seed, 3, i));
             if (seed % 2) angle = denser(200, .02 * static_cast<double>(seed));
             std::vector<double> values;
             for (const double a : angle) {
-                const double side = std::remainder(a, turn / 4);
+                const double side = std::remainder(a, turn_rad / 4);
                 values.push_back(10 / std::cos(side));
             }
             const auto [low, high] = std::minmax_element(values.begin(), values.end());
@@ -254,7 +255,7 @@ TEST(Harmonics, BesideAKeywayTheLowOrdersAreExact)
 {
     std::vector<double> angle;
     for (const double a : evenAngles(3600))
-        if (a < 1 || a > 1 + turn * 8 / 360) angle.push_back(a);
+        if (a < 1 || a > 1 + turn_rad * 8 / 360) angle.push_back(a);
     const std::vector<Wave> low{{2, .005, 1}, {3, .004, 3}, {15, .001, .5}};
     const std::vector<Harmonic> found = harmonicsAt(angle, wavesAt(angle, low), 500);
     EXPECT_EQ(found.size(), 500u);

@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/core/units.h"
 #include "engine/signal/nonuniform_fourier.h"
 
 namespace lathelier::signal {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double turn = 2 * std::numbers::pi;
-
 std::vector<double> noise(std::size_t n, std::uint64_t seed)
 {
     std::vector<double> result(n);
@@ -40,7 +39,7 @@ TEST_P(FourierOfLength, IsTheDefinitionAndComesBack)
     const std::size_t n = GetParam();
     const std::vector<double> values = noise(n, n);
     std::vector<double> angle(n);
-    for (std::size_t j = 0; j < n; ++j) angle[j] = turn * static_cast<double>(j) / static_cast<double>(n);
+    for (std::size_t j = 0; j < n; ++j) angle[j] = turn_rad * static_cast<double>(j) / static_cast<double>(n);
     const FourierTransform transform(n);
     const std::vector<Complex> spectrum = transform.forward(values);
     ASSERT_EQ(spectrum.size(), n / 2 + 1);
@@ -61,9 +60,9 @@ TEST(NonuniformFourier, SumsAndSeriesOfManyValuesAreTheDefinition)
 {
     const std::vector<double> values = noise(20000, 4);
     std::vector<double> angle(values.size());
-    for (std::size_t j = 0; j < angle.size(); ++j) angle[j] = turn * (3 * randomUniform(6, 0, j) - 1);
+    for (std::size_t j = 0; j < angle.size(); ++j) angle[j] = turn_rad * (3 * randomUniform(6, 0, j) - 1);
     angle[2] = 0;
-    angle[3] = turn;
+    angle[3] = turn_rad;
     for (const int limit : {1, 2, 50, 190}) {
         const std::vector<Complex> found = fourierSums(angle, values, limit);
         const std::vector<Complex> expected = sums(angle, values, limit);
@@ -82,10 +81,10 @@ TEST(NonuniformFourier, SumsAreTheDefinition)
 {
     const std::vector<double> values = noise(300, 3);
     std::vector<double> angle(values.size());
-    for (std::size_t j = 0; j < angle.size(); ++j) angle[j] = turn * (3 * randomUniform(5, 0, j) - 1);
+    for (std::size_t j = 0; j < angle.size(); ++j) angle[j] = turn_rad * (3 * randomUniform(5, 0, j) - 1);
     angle[1] = angle[0];
     angle[2] = 0;
-    angle[3] = turn;
+    angle[3] = turn_rad;
     for (const int limit : {0, 1, 2, 7, 150, 400}) {
         const std::vector<Complex> found = fourierSums(angle, values, limit);
         const std::vector<Complex> expected = sums(angle, values, limit);
@@ -100,7 +99,7 @@ TEST(NonuniformFourier, SeriesIsTheDefinition)
     for (std::uint64_t k = 0; k <= 120; ++k)
         coefficients.emplace_back(randomNormal(7, 0, k), k ? randomNormal(7, 1, k) : 0.0);
     std::vector<double> angle;
-    for (std::uint64_t j = 0; j < 500; ++j) angle.push_back(turn * (2 * randomUniform(8, 0, j) - 1));
+    for (std::uint64_t j = 0; j < 500; ++j) angle.push_back(turn_rad * (2 * randomUniform(8, 0, j) - 1));
     const std::vector<double> found = fourierSeries(coefficients, angle);
     for (std::size_t j = 0; j < angle.size(); ++j) {
         double expected = coefficients[0].real();

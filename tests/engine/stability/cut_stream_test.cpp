@@ -7,15 +7,15 @@
 #include <cmath>
 
 #include "engine/stability/simulation/characteristic_root.h"
+#include "tests/engine/stability/machines.h"
 
 namespace lathelier::stability {
 namespace {
 
 constexpr double rate_hz = 44100;
-const std::vector<Mode> weak{{223, 0.03, 1e4}};
 const std::vector<Mode> stiff{{480, 0.03, 5e4}, {760, 0.02, 8e4}};
 
-StreamParameters cutAt(double speed_rpm, double depth_mm, double noise_percent = 1)
+StreamParameters streamAt(double speed_rpm, double depth_mm, double noise_percent = 1)
 {
     StreamParameters p;
     p.speed_rpm = speed_rpm;
@@ -56,8 +56,8 @@ double frequencyOf(const std::vector<float>& samples, std::size_t begin, std::si
 TEST(CutStream, GrowsAndSwingsAsTheCharacteristicEquationSays)
 {
     const double speed_rpm = 2885, depth_mm = 0.34;
-    const Growth exact = growthOfRoots(weak, {2000 * depth_mm, 0, 1}, 60 / speed_rpm);
-    CutStream stream(weak, cutAt(speed_rpm, depth_mm, 0), rate_hz);
+    const Growth exact = growthOfRoots(paperA, {2000 * depth_mm, 0, 1}, 60 / speed_rpm);
+    CutStream stream(paperA, streamAt(speed_rpm, depth_mm, 0), rate_hz);
     const std::vector<float> samples = samplesOf(stream, 1.2);
     const auto revolution = static_cast<std::size_t>(std::lround(60 / speed_rpm * rate_hz));
     const std::size_t begin = 20 * revolution, end = 50 * revolution;
@@ -68,14 +68,14 @@ TEST(CutStream, GrowsAndSwingsAsTheCharacteristicEquationSays)
 
 TEST(CutStream, ChatterIsBoundedByTheToolLeavingTheCutAndAStableCutIsQuiet)
 {
-    CutStream chatter(weak, cutAt(2885, 0.6), rate_hz);
+    CutStream chatter(paperA, streamAt(2885, 0.6), rate_hz);
     const std::vector<float> loud = samplesOf(chatter, 2);
     const std::size_t half = loud.size() / 2;
     const double earlier = largest(loud, half, half + half / 2), later = largest(loud, half + half / 2, loud.size());
     EXPECT_GT(later, 0.5);
     EXPECT_LT(later, 20);
     EXPECT_NEAR(later, earlier, 0.15 * earlier) << "a limit cycle";
-    CutStream stable(weak, cutAt(2885, 0.2), rate_hz);
+    CutStream stable(paperA, streamAt(2885, 0.2), rate_hz);
     const std::vector<float> quiet = samplesOf(stable, 2);
     EXPECT_LT(largest(quiet, half, quiet.size()), 0.05 * later);
     EXPECT_GT(largest(quiet, half, quiet.size()), 0) << "the chip tears";
@@ -83,7 +83,7 @@ TEST(CutStream, ChatterIsBoundedByTheToolLeavingTheCutAndAStableCutIsQuiet)
 
 TEST(CutStream, SameCallsGiveTheSameSamplesHoweverTheyAreCut)
 {
-    CutStream one(weak, cutAt(2885, 0.5), rate_hz), other(weak, cutAt(2885, 0.5), rate_hz);
+    CutStream one(paperA, streamAt(2885, 0.5), rate_hz), other(paperA, streamAt(2885, 0.5), rate_hz);
     const std::vector<float> whole = samplesOf(one, 0.1);
     std::vector<float> parts(whole.size());
     other.fill({parts.data(), 1000});
@@ -94,7 +94,7 @@ TEST(CutStream, SameCallsGiveTheSameSamplesHoweverTheyAreCut)
 TEST(CutSound, NeverJumpsWhenTheCutIsChanged)
 {
     CutSound sound(rate_hz);
-    sound.take(weak, cutAt(2885, 0.6));
+    sound.take(paperA, streamAt(2885, 0.6));
     std::vector<float> samples(static_cast<std::size_t>(rate_hz));
     sound.fill(samples, 0.5);
     const auto steepest = [](const std::vector<float>& s, std::size_t begin) {
@@ -118,7 +118,7 @@ TEST(CutSound, NeverJumpsWhenTheCutIsChanged)
     EXPECT_LT(changed([&] { sound.moveTo(2885, 0.2); }), 2 * usual);
     EXPECT_LT(changed([&] { sound.moveTo(2885, 0.6); }), 2 * usual);
     // A stiffer machine sounds higher: its own steps are steeper than those of the weak one.
-    EXPECT_LT(changed([&] { sound.take(stiff, cutAt(2000, 3)); }), 6 * usual);
+    EXPECT_LT(changed([&] { sound.take(stiff, streamAt(2000, 3)); }), 6 * usual);
 }
 
 TEST(CutSound, IsSilentWithoutACutAndWithinFullScale)
@@ -127,7 +127,7 @@ TEST(CutSound, IsSilentWithoutACutAndWithinFullScale)
     std::vector<float> samples(4410, 1.0F);
     sound.fill(samples, 1);
     EXPECT_EQ(largest(samples, 0, samples.size()), 0);
-    sound.take(weak, cutAt(2885, 1.1));
+    sound.take(paperA, streamAt(2885, 1.1));
     samples.resize(88200);
     sound.fill(samples, 5);
     EXPECT_LE(largest(samples, 0, samples.size()), 1);

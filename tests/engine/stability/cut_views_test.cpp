@@ -9,20 +9,19 @@
 #include "engine/stability/lobes.h"
 #include "engine/stability/simulation/growth_chart.h"
 #include "engine/stability/simulation/why.h"
+#include "tests/engine/stability/machines.h"
 
 namespace lathelier::stability {
 namespace {
 
-const std::vector<Mode> one{{223, 0.03, 1e4}};
-
-SimulationResult cutAt(double speed_rpm, double depth_mm, int revolutions = 60)
+SimulationResult simulatedCutAt(double speed_rpm, double depth_mm, int revolutions = 60)
 {
     SimulationParameters p;
     p.speed_rpm = speed_rpm;
     p.depth_mm = depth_mm;
-    p.cutting_coefficient_N_mm2 = 2000;
+    p.cutting_coefficient_N_mm2 = coefficient_N_mm2;
     p.revolutions = revolutions;
-    return simulate(one, p);
+    return simulate(paperA, p);
 }
 
 TEST(CutViews, MarksOfChatterAsWorkedByHand)
@@ -38,7 +37,7 @@ TEST(CutViews, MarksOfChatterAsWorkedByHand)
 TEST(CutViews, TheLastRevolutionIsThatOfTheResultAndTheOuterWaveTheInnerOneBefore)
 {
     for (const double depth_mm : {0.2, 0.6}) {  // with contact, and with loss of it
-        const SimulationResult cut = cutAt(2885, depth_mm);
+        const SimulationResult cut = simulatedCutAt(2885, depth_mm);
         EXPECT_EQ(revolutionsOf(cut), 60);
         const WavePair last = wavesOf(cut, 59);
         EXPECT_EQ(last.inner_mm, cut.waves.inner_mm);
@@ -58,7 +57,7 @@ TEST(CutViews, TheLastRevolutionIsThatOfTheResultAndTheOuterWaveTheInnerOneBefor
 
 TEST(CutViews, TheSurfaceHoldsARowForEachRevolution)
 {
-    const SimulationResult cut = cutAt(2885, 0.6);
+    const SimulationResult cut = simulatedCutAt(2885, 0.6);
     const report::ColourMap map = surfaceMap(cut, 59, 40);
     EXPECT_EQ(map.rows, 40);
     EXPECT_NEAR(map.y_from, 2.0, 1e-12);
@@ -66,12 +65,12 @@ TEST(CutViews, TheSurfaceHoldsARowForEachRevolution)
     EXPECT_EQ(map.values.size(), static_cast<std::size_t>(map.rows) * static_cast<std::size_t>(map.columns));
     EXPECT_GT(map.limit, 10) << "chatter marks, µm";
     EXPECT_EQ(surfaceMap(cut, 4, 40).rows, 5);
-    EXPECT_LT(surfaceMap(cutAt(2885, 0.15, 120), 119, 10).limit, 0.01) << "a stable cut leaves none";
+    EXPECT_LT(surfaceMap(simulatedCutAt(2885, 0.15, 120), 119, 10).limit, 0.01) << "a stable cut leaves none";
 }
 
 TEST(CutViews, TheAmplitudeFollowsTheGrowthUntilTheToolLeavesTheCut)
 {
-    const SimulationResult cut = cutAt(2885, 0.36);
+    const SimulationResult cut = simulatedCutAt(2885, 0.36);
     const report::Plot plot = amplitudePlot(cut);
     ASSERT_EQ(plot.curves.size(), 2U);
     EXPECT_NEAR(plot.curves[0].y[20] / plot.curves[0].y[10], std::pow(cut.growth_per_revolution, 10), 0.03);
@@ -80,7 +79,7 @@ TEST(CutViews, TheAmplitudeFollowsTheGrowthUntilTheToolLeavesTheCut)
 
 TEST(CutViews, TheSpectrumStandsAtTheFrequencyOfTheVibration)
 {
-    const SimulationResult cut = cutAt(2885, 0.33, 100);
+    const SimulationResult cut = simulatedCutAt(2885, 0.33, 100);
     const report::Plot plot = spectrumPlot(cut, 1000);
     const auto& curve = plot.curves.front();
     const auto top = static_cast<std::size_t>(std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin());
@@ -91,13 +90,13 @@ TEST(CutViews, TheSpectrumStandsAtTheFrequencyOfTheVibration)
 TEST(GrowthChart, LiesOverTheMapOnScreenAndOnPaper)
 {
     LobeParameters asked;
-    asked.cutting_coefficient_N_mm2 = 2000;
+    asked.cutting_coefficient_N_mm2 = coefficient_N_mm2;
     asked.speed_rpm = {{2000, 4000}};
-    const LobeResult exact = findLobes(frfOf(one, 4000), asked);
+    const LobeResult exact = findLobes(frfOf(paperA, 4000), asked);
     RasterParameters grid;
     grid.speed_rpm = {2000, 4000};
     grid.columns = grid.rows = 12;
-    const RasterResult raster = stabilityRaster(one, grid);
+    const RasterResult raster = stabilityRaster(paperA, grid);
     const report::Plot with = growthChart(exact, &raster, {2800, 0.2}),
                        without = growthChart(exact, nullptr, {2800, 0.2});
     ASSERT_TRUE(with.ground.has_value());
@@ -107,18 +106,18 @@ TEST(GrowthChart, LiesOverTheMapOnScreenAndOnPaper)
     EXPECT_NE(toSvg(with).find("<image"), std::string::npos);
     EXPECT_EQ(toSvg(without).find("<image"), std::string::npos);
     asked.relation = SpeedRelation::Published;
-    const report::Plot both = comparisonChart(exact, findLobes(frfOf(one, 4000), asked), &raster, {2800, 0.2});
+    const report::Plot both = comparisonChart(exact, findLobes(frfOf(paperA, 4000), asked), &raster, {2800, 0.2});
     EXPECT_EQ(both.curves.size(), 2U);
 }
 
 TEST(Why, StatesTheNumbersOfThisCut)
 {
     LobeParameters asked;
-    asked.cutting_coefficient_N_mm2 = 2000;
+    asked.cutting_coefficient_N_mm2 = coefficient_N_mm2;
     asked.speed_rpm = {{2000, 4000}};
-    const Frf frf = frfOf(one, 4000);
+    const Frf frf = frfOf(paperA, 4000);
     const LobeResult lobes = findLobes(frf, asked);
-    const std::vector<WhyLine> lines = whyOf(cutAt(2885, 0.2), lobes, frf);
+    const std::vector<WhyLine> lines = whyOf(simulatedCutAt(2885, 0.2), lobes, frf);
     ASSERT_EQ(lines.size(), 8U);
     EXPECT_EQ(lines[0].numbers, "60 / 2885 = 20.80 ms");
     EXPECT_EQ(lines[1].numbers, "2000 · 0.200 · 0.100 = 40.0 N");

@@ -15,14 +15,13 @@
 #include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_codes.h"
 #include "tests/engine/core/code_of_error.h"
+#include "tests/engine/stability/machines.h"
 
 namespace lathelier::stability {
 namespace {
 
-const std::vector<Mode> one{{223, 0.03, 1e4}};
 const std::vector<Mode> out_of_phase{{223, 0.03, 1e4}, {560, 0.03, -2e4}};  // of places that move opposite ways
 const std::vector<Mode> three{{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
-constexpr double coefficient_N_mm2 = 2000;
 
 SimulationParameters cutting(double speed_rpm, double depth_mm, int revolutions = 1)
 {
@@ -56,7 +55,7 @@ double drawnSpeed(std::uint64_t number, double from_rpm, double to_rpm)
 
 TEST(Simulation, AgreesWithTheExactBoundary)
 {
-    for (const std::vector<Mode>& modes : {one, three, out_of_phase})
+    for (const std::vector<Mode>& modes : {paperA, three, out_of_phase})
         for (std::uint64_t i = 0; i < 30; ++i) {
             const double speed = drawnSpeed(i, 1200, 6000), limit = limitAt(modes, speed);
             const double share = i % 2 == 0 ? 0.9 : 1.1;
@@ -71,10 +70,10 @@ TEST(Simulation, ThePublishedRelationAgreesAtFewPoints)
 {
     int published = 0;
     for (std::uint64_t i = 0; i < 30; ++i) {
-        const double speed = drawnSpeed(i, 1200, 6000), exact = limitAt(one, speed);
-        const double said = limitAt(one, speed, SpeedRelation::Published);
+        const double speed = drawnSpeed(i, 1200, 6000), exact = limitAt(paperA, speed);
+        const double said = limitAt(paperA, speed, SpeedRelation::Published);
         const double depth = std::sqrt(exact * said);  // between the two, unless they agree
-        const bool chatters = simulate(one, cutting(speed, depth)).cut == CutVerdict::Chatter;
+        const bool chatters = simulate(paperA, cutting(speed, depth)).cut == CutVerdict::Chatter;
         EXPECT_EQ(chatters, depth > exact) << speed;
         published += chatters == (depth > said);
     }
@@ -83,9 +82,9 @@ TEST(Simulation, ThePublishedRelationAgreesAtFewPoints)
     int right = 0;
     for (std::uint64_t i = 0; i < 30; ++i) {
         const double speed = drawnSpeed(i, 2500, 4500), depth = 0.31 + 0.5 * randomUniform(7, 2, i);
-        const bool chatters = simulate(one, cutting(speed, depth)).cut == CutVerdict::Chatter;
-        EXPECT_EQ(chatters, depth > limitAt(one, speed)) << speed << " " << depth;
-        right += chatters == (depth > limitAt(one, speed, SpeedRelation::Published));
+        const bool chatters = simulate(paperA, cutting(speed, depth)).cut == CutVerdict::Chatter;
+        EXPECT_EQ(chatters, depth > limitAt(paperA, speed)) << speed << " " << depth;
+        right += chatters == (depth > limitAt(paperA, speed, SpeedRelation::Published));
     }
     RecordProperty("published_relation_right_of_30", right);
     EXPECT_GE(right, 5);
@@ -94,7 +93,7 @@ TEST(Simulation, ThePublishedRelationAgreesAtFewPoints)
 
 TEST(Simulation, GrowthIsThatOfTheRightmostRoot)
 {
-    for (const std::vector<Mode>& modes : {one, three, out_of_phase})
+    for (const std::vector<Mode>& modes : {paperA, three, out_of_phase})
         for (std::uint64_t i = 0; i < 20; ++i) {
             const double speed = drawnSpeed(i, 600, 6000), depth = 0.1 + randomUniform(7, 3, i);
             SimulationParameters p = cutting(speed, depth);
@@ -126,12 +125,12 @@ TEST(CharacteristicRoot, FulfilsTheEquationAtTheLimit)
 TEST(Simulation, ErrorIsOfSecondOrder)
 {
     const CutForces cut{coefficient_N_mm2 * 0.5, 0, 1};
-    const double truth = growthOfRoots(one, cut, 60.0 / 2885).per_revolution;
+    const double truth = growthOfRoots(paperA, cut, 60.0 / 2885).per_revolution;
     std::array<double, 3> error{};
     for (std::size_t i = 0; i < 3; ++i) {
         GrowthEffort effort;
         effort.steps = 100 << i;
-        error[i] = growthsOf(one, {&cut, 1}, 60.0 / 2885, effort).front().per_revolution - truth;
+        error[i] = growthsOf(paperA, {&cut, 1}, 60.0 / 2885, effort).front().per_revolution - truth;
     }
     EXPECT_NEAR(error[0] / error[1], 4, 0.2);
     EXPECT_NEAR(error[1] / error[2], 4, 0.2);
@@ -160,7 +159,7 @@ double plainAmplitude(double speed_rpm, double depth_mm, double feed_mm, int rev
 
 TEST(Simulation, LossOfContactKeepsTheAmplitudeFinite)
 {
-    const SimulationResult found = simulate(one, cutting(2885, 0.5, 200));
+    const SimulationResult found = simulate(paperA, cutting(2885, 0.5, 200));
     EXPECT_EQ(found.cut, CutVerdict::Chatter);
     EXPECT_GT(found.lost_contact_percent, 10);
     EXPECT_LT(found.lost_contact_percent, 90);
@@ -168,12 +167,12 @@ TEST(Simulation, LossOfContactKeepsTheAmplitudeFinite)
     // A cut with K_r a = 1000 N/mm and twice the feed vibrates twice as much: nothing else has a length.
     SimulationParameters p = cutting(2885, 0.5, 200);
     p.feed_mm_rev = 0.2;
-    EXPECT_NEAR(simulate(one, p).amplitude_mm / found.amplitude_mm, 2, 1e-9);
+    EXPECT_NEAR(simulate(paperA, p).amplitude_mm / found.amplitude_mm, 2, 1e-9);
 }
 
 TEST(Simulation, AStableCutSettlesAtItsStaticDeflection)
 {
-    const SimulationResult found = simulate(one, cutting(2885, 0.2, 200));
+    const SimulationResult found = simulate(paperA, cutting(2885, 0.2, 200));
     EXPECT_EQ(found.cut, CutVerdict::Stable);
     EXPECT_NEAR(found.deflection_mm.back(), coefficient_N_mm2 * 0.2 * 0.1 / 1e4, 1e-8);
     EXPECT_NEAR(found.chip_mm.back(), 0.1, 1e-8);
@@ -188,16 +187,16 @@ TEST(Simulation, IncompleteQuestionsAreRefused)
         return codeOfError([&] { simulate(modes, p); });
     };
     EXPECT_EQ(code({}, cutting(1000, 1)), errors::valueNotUnderstood);
-    EXPECT_EQ(code(one, {}), errors::valueNotUnderstood);
+    EXPECT_EQ(code(paperA, {}), errors::valueNotUnderstood);
     SimulationParameters damped = cutting(1000, 1);
     damped.process_damping_N_mm = 100;
-    EXPECT_EQ(code(one, damped), errors::valueNotUnderstood);
-    EXPECT_EQ(code(one, cutting(0.01, 1, 100000)), errors::simulationTooLong);
+    EXPECT_EQ(code(paperA, damped), errors::valueNotUnderstood);
+    EXPECT_EQ(code(paperA, cutting(0.01, 1, 100000)), errors::simulationTooLong);
 }
 
 TEST(Simulation, SoundIsAWaveFileWithoutClicks)
 {
-    const SimulationResult found = simulate(one, cutting(2885, 0.5, 100));
+    const SimulationResult found = simulate(paperA, cutting(2885, 0.5, 100));
     const Sound sound = soundOf(found);
     ASSERT_EQ(sound.bytes.substr(0, 4), "RIFF");
     ASSERT_EQ(sound.bytes.substr(8, 8), "WAVEfmt ");
@@ -239,7 +238,7 @@ TEST(StabilityRaster, IsTheSameForAnyNumberOfThreadsAndAgreesWithTheRoots)
     EXPECT_EQ(codeOfError([] { stabilityRaster({}, {}); }), errors::valueNotUnderstood);
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(stabilityRaster(one, p, Progress(stop.get_token(), {})), Cancelled);
+    EXPECT_THROW(stabilityRaster(paperA, p, Progress(stop.get_token(), {})), Cancelled);
 }
 
 LobeParameters damped(Interval speeds, int points)
@@ -255,7 +254,7 @@ LobeParameters damped(Interval speeds, int points)
 
 TEST(ProcessDamping, TheSimulationAgreesWithItsLobes)
 {
-    const LobeResult lobes = findLobes(frfOf(one, 9000), damped({300, 4300}, 4001));
+    const LobeResult lobes = findLobes(frfOf(paperA, 9000), damped({300, 4300}, 4001));
     for (std::uint64_t i = 0; i < 10; ++i) {
         const double speed = std::round(drawnSpeed(i, 320, 4200));
         const double limit = pointOfWork(lobes, speed, 0).limit_mm;
@@ -264,7 +263,7 @@ TEST(ProcessDamping, TheSimulationAgreesWithItsLobes)
             SimulationParameters p = cutting(speed, share * limit);
             p.process_damping_N_mm = 400;
             p.diameter_mm = 40;
-            EXPECT_EQ(simulate(one, p).cut, share < 1 ? CutVerdict::Stable : CutVerdict::Chatter)
+            EXPECT_EQ(simulate(paperA, p).cut, share < 1 ? CutVerdict::Stable : CutVerdict::Chatter)
                 << speed << " " << limit;
         }
     }
@@ -274,7 +273,7 @@ TEST(ProcessDamping, RaisesTheLimitMostAtLowSpeed)
 {
     LobeParameters plain = damped({300, 4300}, 4001);
     plain.process_damping_N_mm.reset();
-    const Frf frf = frfOf(one, 9000);
+    const Frf frf = frfOf(paperA, 9000);
     const LobeLimit with = findLobes(frf, damped({300, 4300}, 4001)).limit, without = findLobes(frf, plain).limit;
     const auto least = [](const LobeLimit& limit, std::size_t from, std::size_t to) {
         double result = HUGE_VAL;
@@ -294,7 +293,7 @@ TEST(ProcessDamping, RaisesTheLimitMostAtLowSpeed)
 
 TEST(ProcessDamping, NeedsCoefficientDiameterAndTheExactRelation)
 {
-    const Frf frf = frfOf(one, 5000);
+    const Frf frf = frfOf(paperA, 5000);
     const auto code = [&](auto change) {
         LobeParameters p = damped({1000, 2000}, 5);
         change(p);

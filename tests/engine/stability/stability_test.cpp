@@ -12,13 +12,10 @@
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_codes.h"
 #include "tests/engine/core/code_of_error.h"
+#include "tests/engine/stability/machines.h"
 
 namespace lathelier::stability {
 namespace {
-
-/// Paper A's example: 223 Hz, 3 %, 1e7 N/m; K_r 2e9 N/m².
-const std::vector<Mode> paperA{{223, 0.03, 1e4}};
-constexpr double coefficient_N_mm2 = 2000;
 
 LobeParameters asking(SpeedRelation relation, Interval speeds, int points = 2)
 {
@@ -30,7 +27,7 @@ LobeParameters asking(SpeedRelation relation, Interval speeds, int points = 2)
     return p;
 }
 
-double limitAt(SpeedRelation relation, double speed_rpm)
+double paperLimitAt(SpeedRelation relation, double speed_rpm)
 {
     return findLobes(frfOf(paperA, 6000), asking(relation, {speed_rpm, speed_rpm + 1})).limit.depth_mm.front();
 }
@@ -41,8 +38,8 @@ TEST(Lobes, LimitsOfTheWorkedExample)
     const double exact[] = {.5249, .3789, .3098, .6487, .6035, .7003};
     const double published[] = {.9325, .3410, .4702, 1.2155, .3090, 1.4660};
     for (std::size_t i = 0; i < 6; ++i) {
-        EXPECT_NEAR(limitAt(SpeedRelation::Exact, speeds[i]), exact[i], 6e-5) << speeds[i];
-        EXPECT_NEAR(limitAt(SpeedRelation::Published, speeds[i]), published[i], 1.1e-4) << speeds[i];
+        EXPECT_NEAR(paperLimitAt(SpeedRelation::Exact, speeds[i]), exact[i], 6e-5) << speeds[i];
+        EXPECT_NEAR(paperLimitAt(SpeedRelation::Published, speeds[i]), published[i], 1.1e-4) << speeds[i];
     }
 }
 
@@ -292,7 +289,7 @@ TEST(Speed, TheExactOptimumIsBetterThanItsNeighbours)
     const auto worst = [](double speed) {
         double least = HUGE_VAL;
         for (double share = 0.98; share <= 1.0201; share += 0.002)
-            least = std::fmin(least, limitAt(SpeedRelation::Exact, share * speed));
+            least = std::fmin(least, paperLimitAt(SpeedRelation::Exact, share * speed));
         return least;
     };
     EXPECT_GE(result.recommended_rpm, result.lobe_rpm.from);

@@ -16,7 +16,7 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 ConvexPolygon box(double z0, double z1, double x0, double x1)
 {

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "engine/core/units.h"
 #include "engine/stock/stock_codes.h"
 #include "engine/stock/stock_plots.h"
 #include "engine/stock/stock_quantities.h"
@@ -18,7 +19,7 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 StockResult run(const Shaft& stock, const std::string& blocks, const StockParameters& parameters)
 {
@@ -304,7 +305,7 @@ RC_GTEST_PROP(StockCheckProperty, NoMovesAreTooWild, (unsigned seed))
     std::mt19937 random(seed);
     const auto pick = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     const auto place = [&](double scale) {
-        const double wild[] = {gcode::none, 1e300, -1e300, INFINITY, 0};
+        const double wild[] = {notANumber, 1e300, -1e300, INFINITY, 0};
         return pick(12) == 0 ? wild[pick(5)] : std::uniform_real_distribution<double>(-scale, scale)(random);
     };
     std::vector<gcode::Move> moves;

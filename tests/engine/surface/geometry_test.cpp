@@ -9,7 +9,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(ChatterGeometry, WorkedExample)
 {

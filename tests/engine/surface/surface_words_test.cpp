@@ -22,7 +22,7 @@ std::string said(const report::Paragraph& paragraph)
     return fill(paragraph.pattern.english, paragraph.values);
 }
 
-ImageMarks marksOf(double nu, ChatterKind kind)
+ImageMarks marksWithNu(double nu, ChatterKind kind)
 {
     ImageMarks image;
     image.speed_rpm = 2016;
@@ -81,27 +81,28 @@ TEST(Stripes, OfNothingOrOfTooManyAreNone)
 
 TEST(SurfaceWords, TheRefereeDecidesByTheRestOfAWave)
 {
-    EXPECT_EQ(refereeOf(*marksOf(-0.256, ChatterKind::Regenerative).chatter_marks), Referee::Exact);
-    EXPECT_EQ(refereeOf(*marksOf(-0.02, ChatterKind::Forced).chatter_marks), Referee::Published);
-    EXPECT_EQ(refereeOf(*marksOf(0.25, ChatterKind::Forced).chatter_marks), Referee::Neither);
-    EXPECT_EQ(refereeOf(*marksOf(-0.48, ChatterKind::Regenerative).chatter_marks), Referee::Neither);
-    const auto sentence = refereeSentence(marksOf(-0.256, ChatterKind::Regenerative), knownDirections());
+    EXPECT_EQ(refereeOf(*marksWithNu(-0.256, ChatterKind::Regenerative).chatter_marks), Referee::Exact);
+    EXPECT_EQ(refereeOf(*marksWithNu(-0.02, ChatterKind::Forced).chatter_marks), Referee::Published);
+    EXPECT_EQ(refereeOf(*marksWithNu(0.25, ChatterKind::Forced).chatter_marks), Referee::Neither);
+    EXPECT_EQ(refereeOf(*marksWithNu(-0.48, ChatterKind::Regenerative).chatter_marks), Referee::Neither);
+    const auto sentence = refereeSentence(marksWithNu(-0.256, ChatterKind::Regenerative), knownDirections());
     ASSERT_TRUE(sentence);
     EXPECT_NE(said(*sentence).find("ν = -0.256, axial period 3.9 f"), std::string::npos) << said(*sentence);
     // Without the directions the sign of ν is open.
-    EXPECT_FALSE(refereeSentence(marksOf(-0.256, ChatterKind::Regenerative), {}));
+    EXPECT_FALSE(refereeSentence(marksWithNu(-0.256, ChatterKind::Regenerative), {}));
 }
 
 TEST(SurfaceWords, ForcedOrRegenerative)
 {
-    EXPECT_NE(said(*originSentence(marksOf(0.02, ChatterKind::Forced))).find("Forced or regenerative?"),
+    EXPECT_NE(said(*originSentence(marksWithNu(0.02, ChatterKind::Forced))).find("Forced or regenerative?"),
               std::string::npos);
-    EXPECT_NE(said(*originSentence(marksOf(-0.256, ChatterKind::Regenerative))).find("ε = 268°"), std::string::npos);
+    EXPECT_NE(said(*originSentence(marksWithNu(-0.256, ChatterKind::Regenerative))).find("ε = 268°"),
+              std::string::npos);
 }
 
 TEST(SurfaceWords, SpeedsWithWholeWavesStandAboutTheCut)
 {
-    const auto speeds = wholeWaveSpeeds(marksOf(-0.256, ChatterKind::Regenerative));
+    const auto speeds = wholeWaveSpeeds(marksWithNu(-0.256, ChatterKind::Regenerative));
     ASSERT_EQ(speeds.size(), 4U);
     EXPECT_EQ(speeds[1].k, 11);
     EXPECT_NEAR(speeds[1].speed_rpm, 1969.1, 0.5);

@@ -11,7 +11,7 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<double> evenAngles(std::size_t n)
 {
@@ -39,7 +39,7 @@ TEST(ErrorMotion, SettingAndEccentricityAreNoErrorMotion)
     // Two lobes of 1.5 µm on an eccentricity of 12 µm; every other revolution lies 0.8 µm higher.
     for (int k = 0; k < 10; ++k)
         for (const double angle : angle_deg) {
-            const double t = angle * kPi / 180;
+            const double t = angle * pi / 180;
             values.push_back(7 + 12 * std::cos(t - 0.7) + 1.5 * std::cos(2 * t) + (k % 2 ? 0.8 : 0));
         }
     const ErrorMotion motion = errorMotion(values, angle_deg);
@@ -54,7 +54,7 @@ TEST(ErrorMotion, AnglesMayBeUnevenOrRepeated)
     std::vector<double> angle_deg, mean;
     for (std::size_t i = 0; i < 300; ++i) angle_deg.push_back(360 * randomUniform(1, 2, i));
     angle_deg.push_back(angle_deg.front());
-    for (const double angle : angle_deg) mean.push_back(-3 + 5 * std::sin(angle * kPi / 180));
+    for (const double angle : angle_deg) mean.push_back(-3 + 5 * std::sin(angle * pi / 180));
     const ErrorMotion motion = errorMotionOfMean(mean, angle_deg);
     EXPECT_NEAR(motion.synchronous_um, 0, 1e-9);
     EXPECT_TRUE(std::isnan(motion.asynchronous_um));
@@ -67,13 +67,13 @@ TEST(ErrorMotion, TheRotatingDirectionFollowsTheAxisWhicheverWayItTurns)
     for (const double sense : {1.0, -1.0}) {
         std::vector<double> x, y;
         for (const double angle : angle_deg) {
-            const double t = angle * kPi / 180;
+            const double t = angle * pi / 180;
             x.push_back(9 * std::cos(t) + 0.5 * std::cos(t) * std::cos(3 * t));
             y.push_back(sense * (9 * std::sin(t) + 0.5 * std::sin(t) * std::cos(3 * t)));
         }
         const std::vector<double> rotating = rotatingDirection(x, y, angle_deg);
         for (std::size_t i = 0; i < rotating.size(); ++i)
-            EXPECT_NEAR(rotating[i], 9 + 0.5 * std::cos(3 * angle_deg[i] * kPi / 180), 1e-12);
+            EXPECT_NEAR(rotating[i], 9 + 0.5 * std::cos(3 * angle_deg[i] * pi / 180), 1e-12);
     }
 }
 
@@ -86,7 +86,7 @@ SectionSignals noisy(std::size_t revolutions, std::size_t points, double sigma, 
         for (std::size_t k = 0; k < revolutions; ++k)
             for (std::size_t i = 0; i < points; ++i) {
                 const double turn = static_cast<double>(i) / static_cast<double>(points);
-                signals.um[probe].push_back(10 + 3 * std::cos(2 * kPi * turn) +
+                signals.um[probe].push_back(10 + 3 * std::cos(2 * pi * turn) +
                                             drift_um * (static_cast<double>(k) + turn) +
                                             sigma * randomNormal(7, probe, k * points + i));
             }
@@ -99,7 +99,7 @@ TEST(Statistics, TheConfidenceHoldsTheTruthNineteenTimesOutOfTwenty)
     const ProbeStatistics statistics = statisticsOf(signals, Probe::Xp);
     int inside = 0;
     for (std::size_t i = 0; i < signals.points; ++i) {
-        const double truth = 10 + 3 * std::cos(2 * kPi * static_cast<double>(i) / 4000);
+        const double truth = 10 + 3 * std::cos(2 * pi * static_cast<double>(i) / 4000);
         inside += std::abs(statistics.mean_um[i] - truth) <= statistics.confidence_um[i];
         EXPECT_LE(statistics.min_um[i], statistics.mean_um[i]);
         EXPECT_GE(statistics.max_um[i], statistics.mean_um[i]);
@@ -142,7 +142,7 @@ TEST(Outliers, SpikesAndStrangeRevolutionsGo)
     EXPECT_EQ(signals.revolutions(), 39u);
     EXPECT_EQ(signals.numbers[12], 13);
     EXPECT_TRUE(std::isnan(signals.at(1, 5, 17)));
-    EXPECT_NEAR(statisticsOf(signals, Probe::Y3).mean_um[17], 10 + 3 * std::cos(2 * kPi * 17 / 200), 0.2);
+    EXPECT_NEAR(statisticsOf(signals, Probe::Y3).mean_um[17], 10 + 3 * std::cos(2 * pi * 17 / 200), 0.2);
 }
 
 TEST(Outliers, HonestNoiseAndFewRevolutionsAreLeftAlone)

@@ -12,9 +12,9 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-io::ProbeRecord recordOf(std::vector<double> values, double rate_hz = 1000)
+io::ProbeRecord markerRecord(std::vector<double> values, double rate_hz = 1000)
 {
     io::ProbeRecord record;
     record.rate_hz = rate_hz;
@@ -36,7 +36,7 @@ std::vector<double> pulses(int frames, double period, double first, double width
 
 std::vector<double> marksOf(const std::vector<double>& values)
 {
-    const io::ProbeRecord record = recordOf(values);
+    const io::ProbeRecord record = markerRecord(values);
     const MarkerLevels levels = findMarkerLevels(values);
     EXPECT_TRUE(levels.isMarker()) << levels.complaint.english;
     return findMarks(values, FrameClock(record), levels);
@@ -75,7 +75,7 @@ TEST(Marker, WhatIsNoMarkerIsTold)
 {
     std::vector<double> sine, noise;
     for (std::size_t i = 0; i < 4000; ++i) {
-        sine.push_back(0.24 * std::sin(2 * kPi * static_cast<double>(i) / 400));
+        sine.push_back(0.24 * std::sin(2 * pi * static_cast<double>(i) / 400));
         noise.push_back(randomNormal(1, 1, i));
     }
     EXPECT_FALSE(findMarkerLevels(sine).isMarker());
@@ -87,7 +87,7 @@ TEST(Marker, WhatIsNoMarkerIsTold)
 
 TEST(FrameClock, TheCubicIsExactForACubicAndTimesMayBeUneven)
 {
-    io::ProbeRecord record = recordOf({});
+    io::ProbeRecord record = markerRecord({});
     const auto cubic = [](double t) { return 2 - t + 3 * t * t - 5 * t * t * t; };
     for (int i = 0; i < 50; ++i) {
         record.time_s.push_back(0.1 * i + 0.3 * std::sin(i * 0.1));
@@ -109,7 +109,7 @@ TEST(FrameClock, TheCubicIsExactForACubicAndTimesMayBeUneven)
 
 TEST(FrameClock, TimesThatArePrintedRoundedStayEven)
 {
-    io::ProbeRecord record = recordOf(std::vector<double>(1000, 0.0));
+    io::ProbeRecord record = markerRecord(std::vector<double>(1000, 0.0));
     for (int i = 0; i < 1000; ++i) record.time_s.push_back(std::round(i / 6500.0 * 1e4) / 1e4);  // some come twice
     const FrameClock clock(record);
     EXPECT_NEAR(clock.time_s(500), 500 / 6500.0, 1e-4);
@@ -118,7 +118,7 @@ TEST(FrameClock, TimesThatArePrintedRoundedStayEven)
 
 TEST(FrameClock, TimeThatGoesBackIsRefused)
 {
-    io::ProbeRecord record = recordOf(std::vector<double>(100, 0.0));
+    io::ProbeRecord record = markerRecord(std::vector<double>(100, 0.0));
     for (int i = 0; i < 100; ++i) record.time_s.push_back(i < 40 ? 0.01 * i : 0.01 * i - 0.2);
     try {
         FrameClock clock(record);

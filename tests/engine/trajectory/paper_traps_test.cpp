@@ -11,7 +11,7 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // The paper's eq. (1) takes the spindle's angle for that of the point on the part.
 TEST(PaperTraps, ThePolarAngleIsCorrected)
@@ -22,7 +22,7 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
     const SurfaceImage image = imageOf({zero, zero, zero, high}, angle_deg, 50, Rotation::Same);
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(image.radius_mm[i], std::hypot(25, 5), 1e-12);
-        EXPECT_NEAR(std::remainder(image.body_angle_deg[i] - (angle_deg[i] + std::atan2(-5, 25) * 180 / kPi), 360), 0,
+        EXPECT_NEAR(std::remainder(image.body_angle_deg[i] - (angle_deg[i] + std::atan2(-5, 25) * 180 / pi), 360), 0,
                     1e-9);
     }
     // A perfect shaft that runs out by e: its circle comes back at the part's own radius with the corrected angle only.
@@ -30,7 +30,7 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
     constexpr int n = 360;
     constexpr double e_um = 2000, r_mm = 25;
     for (int i = 0; i < n; ++i) {
-        const double t = 2 * kPi * i / n;
+        const double t = 2 * pi * i / n;
         even.push_back(360.0 * i / n);
         // The axis goes round the spindle's; the tool is drawn along the ray on which the surface stays a circle of
         // radius r about the spindle axis: P = (r, 0).
@@ -48,7 +48,7 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
     std::vector<Eigen::Vector2d> papers;
     for (int i = 0; i < n; ++i)
         papers.push_back(round.radius_mm[static_cast<std::size_t>(i)] *
-                         Eigen::Vector2d(std::cos(2 * kPi * i / n), std::sin(2 * kPi * i / n)));
+                         Eigen::Vector2d(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n)));
     EXPECT_GT(form::fitLeastSquaresCircle(papers).RONt_um, 50);
 }
 
@@ -56,14 +56,14 @@ TEST(PaperTraps, ThePolarAngleIsCorrected)
 TEST(PaperTraps, TheMandrelsFormIsAFloorThatIsStated)
 {
     sample::SpindleModel model = fineModel();
-    model.axis = {{1, 10, 0, 10, kPi / 2}};
+    model.axis = {{1, 10, 0, 10, pi / 2}};
     model.tool = {};
     model.taper_diameter_um = 0;
     model.barrel_um = 0;
     io::ProbeRecord record = sample::makeProbeRecord(model);
     for (std::size_t i = 0; i < record.frames(); ++i) {  // a mandrel with three lobes of 0.1 µm, seen by the X probe
         const double turn = model.speed_rpm / 60 * (record.time_s[i] + model.channel_skew_s) - model.lead_turns;
-        record.channels[1].values[i] += 0.1 * std::cos(3 * 2 * kPi * turn);
+        record.channels[1].values[i] += 0.1 * std::cos(3 * 2 * pi * turn);
     }
     const TrajectoryResult result = trajectory({fileOf(record)});
     EXPECT_NEAR(result.sections[2].roundness.circles.LSCI.RONt_um, 0.2, 0.01);

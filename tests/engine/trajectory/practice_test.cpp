@@ -14,11 +14,11 @@
 namespace lathelier::trajectory {
 namespace {
 
-const std::string folder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
+const std::string lagrangFolder = LATHELIER_SOURCE_DIR "/tests/data/lagrang/";
 
 class Practice : public ::testing::Test {
 protected:
-    void SetUp() override { truth = nlohmann::json::parse(std::ifstream(folder + "truth.json")); }
+    void SetUp() override { truth = nlohmann::json::parse(std::ifstream(lagrangFolder + "truth.json")); }
 
     void expectSection(const TrajectorySection& section, const nlohmann::json& expected) const
     {
@@ -35,7 +35,7 @@ protected:
 
 TEST_F(Practice, AveragedSectionsAndTheLongitudinalSection)
 {
-    const TrajectoryResult result = trajectory({io::readProbeRecord(folder + "averaged_20x200.csv")});
+    const TrajectoryResult result = trajectory({io::readProbeRecord(lagrangFolder + "averaged_20x200.csv")});
     ASSERT_EQ(result.sections.size(), 20u);
     for (std::size_t s = 0; s < truth["sections"].size(); ++s)
         expectSection(result.sections[s], truth["sections"][s]["truth"]);
@@ -50,10 +50,11 @@ TEST_F(Practice, AveragedSectionsAndTheLongitudinalSection)
 
 TEST_F(Practice, TheRawSectionAsTableAndAsLGraph)
 {
-    const TrajectoryResult table = trajectory({io::readProbeRecord(folder + "section01_raw.csv")});
+    const TrajectoryResult table = trajectory({io::readProbeRecord(lagrangFolder + "section01_raw.csv")});
     TrajectoryParameters parameters;
     parameters.workpiece_diameter_mm = 50;
-    const TrajectoryResult recorder = trajectory({io::readProbeRecord(folder + "section01_lgraph1.par")}, parameters);
+    const TrajectoryResult recorder =
+        trajectory({io::readProbeRecord(lagrangFolder + "section01_lgraph1.par")}, parameters);
     const nlohmann::json& expected = truth["sections"][0];
     for (const TrajectoryResult* result : {&table, &recorder}) {
         ASSERT_EQ(result->sections.size(), 1u);

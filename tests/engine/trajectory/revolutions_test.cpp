@@ -14,9 +14,9 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-sample::SpindleModel shortModel()
+sample::SpindleModel oneSectionModel()
 {
     sample::SpindleModel model = sample::quietSpindle();
     model.sections = 1;
@@ -34,7 +34,7 @@ PreparedRecord prepared(const io::ProbeRecord& record, TrajectoryParameters para
     return prepare(record, "record.csv", parameters, notes);
 }
 
-ErrorCode codeOf(const io::ProbeRecord& record, TrajectoryParameters parameters = {})
+ErrorCode codeOfRecord(const io::ProbeRecord& record, TrajectoryParameters parameters = {})
 {
     try {
         prepared(record, parameters);
@@ -62,7 +62,7 @@ io::ProbeRecord withEncoder(io::ProbeRecord record, const sample::SpindleModel& 
 
 TEST(Revolutions, MarksOfAQuietRecordAreExact)
 {
-    const sample::SpindleModel model = shortModel();
+    const sample::SpindleModel model = oneSectionModel();
     const io::ProbeRecord record = sample::makeProbeRecord(model);
     const PreparedRecord ready = prepared(record);
     ASSERT_EQ(ready.revolutions.all.size(), 20u);
@@ -74,7 +74,7 @@ TEST(Revolutions, MarksOfAQuietRecordAreExact)
 
 TEST(Revolutions, TheMarkerMayLieOnAnyChannel)
 {
-    sample::SpindleModel model = shortModel();
+    sample::SpindleModel model = oneSectionModel();
     io::ProbeRecord record = sample::makeProbeRecord(model);
     std::rotate(record.channels.begin(), record.channels.begin() + 1, record.channels.end());
     for (io::ProbeChannel& channel : record.channels) channel.name = "ai";  // nothing tells by its name
@@ -88,7 +88,7 @@ TEST(Revolutions, TheMarkerMayLieOnAnyChannel)
 
 TEST(Revolutions, AnIrregularPeriodIsCountedAndTheTurnsGoOn)
 {
-    const sample::SpindleModel model = shortModel();
+    const sample::SpindleModel model = oneSectionModel();
     io::ProbeRecord record = sample::makeProbeRecord(model);
     // The mark between turns 4 and 5 is lost; in turn 9 there is one too many.
     for (std::size_t i = 0; i < record.frames(); ++i) {
@@ -108,7 +108,7 @@ TEST(Revolutions, AnIrregularPeriodIsCountedAndTheTurnsGoOn)
 
 TEST(Revolutions, AnEncoderGivesTheSameSamplesWhicheverWayItCounts)
 {
-    const sample::SpindleModel model = shortModel();
+    const sample::SpindleModel model = oneSectionModel();
     const io::ProbeRecord marker = sample::makeProbeRecord(model);
     const PreparedRecord by_marker = prepared(marker);
     const auto sampled = [](const PreparedRecord& ready) {
@@ -130,7 +130,7 @@ TEST(Revolutions, AnEncoderGivesTheSameSamplesWhicheverWayItCounts)
 
 TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
 {
-    sample::SpindleModel model = shortModel();
+    sample::SpindleModel model = oneSectionModel();
     const io::ProbeRecord record = sample::makeProbeRecord(model);
     const auto worst = [&](double skew_s) {
         TrajectoryParameters parameters;
@@ -142,7 +142,7 @@ TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
         for (std::size_t i = 0; i < 200; ++i) {
             double yp = 0;
             for (const sample::MotionWave& wave : model.tool)
-                yp += wave.y_um * std::cos(wave.upr * 2 * kPi * static_cast<double>(i) / 200 - wave.y_phase_rad);
+                yp += wave.y_um * std::cos(wave.upr * 2 * pi * static_cast<double>(i) / 200 - wave.y_phase_rad);
             largest = std::max(largest, std::abs(signals.at(3, 11, i) - yp));
         }
         return largest;
@@ -153,39 +153,39 @@ TEST(Revolutions, ChannelsAreSampledLaterOneAfterTheOther)
 
 TEST(Revolutions, BadRecordsAreRefusedAndSayWhere)
 {
-    const sample::SpindleModel model = shortModel();
+    const sample::SpindleModel model = oneSectionModel();
     const io::ProbeRecord good = sample::makeProbeRecord(model);
     io::ProbeRecord record = good;
     std::fill(record.channels[0].values.begin(), record.channels[0].values.end(), 0.05);
-    EXPECT_EQ(codeOf(record), errors::markerNotFound);
+    EXPECT_EQ(codeOfRecord(record), errors::markerNotFound);
 
     TrajectoryParameters parameters;
     parameters.channels = "marker=1,X3=0,Y3=2,Xp=3,Yp=4";  // marker and X3 exchanged
     record = good;
     record.channels[0].unit = io::ProbeChannel::Unit::Volt;
-    EXPECT_EQ(codeOf(record, parameters), errors::markerElsewhere);
+    EXPECT_EQ(codeOfRecord(record, parameters), errors::markerElsewhere);
 
     record = good;  // one revolution only
     for (io::ProbeChannel& channel : record.channels) channel.values.resize(700);
     record.time_s.resize(700);
-    EXPECT_EQ(codeOf(record), errors::tooFewRevolutions);
+    EXPECT_EQ(codeOfRecord(record), errors::tooFewRevolutions);
 
     record = good;  // less than one
     for (io::ProbeChannel& channel : record.channels) channel.values.resize(60);
     record.time_s.resize(60);
-    EXPECT_EQ(codeOf(record), errors::markerNotFound);
+    EXPECT_EQ(codeOfRecord(record), errors::markerNotFound);
 
     record = good;
     record.channels.resize(2);
-    EXPECT_EQ(codeOf(record), errors::channelsUnknown);
+    EXPECT_EQ(codeOfRecord(record), errors::channelsUnknown);
 
     record = good;
     for (io::ProbeChannel& channel : record.channels) channel.unit = io::ProbeChannel::Unit::Unknown;
-    EXPECT_EQ(codeOf(record), errors::channelUnitMissing);
+    EXPECT_EQ(codeOfRecord(record), errors::channelUnitMissing);
 
     record = withEncoder(good, model, false);
     for (double& angle : record.channels[0].values) angle = 90;
-    EXPECT_EQ(codeOf(record), errors::angleNotTurning);
+    EXPECT_EQ(codeOfRecord(record), errors::angleNotTurning);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TrajectoryResult resultOf(Record record, const TrajectoryParameters& parameters 
     return trajectory(files, parameters);
 }
 
-sample::SpindleModel shortModel()
+sample::SpindleModel fourSectionModel()
 {
     sample::SpindleModel model = sample::quietSpindle();
     model.sections = 4;
@@ -42,7 +42,7 @@ TrajectoryResult rawResult(std::optional<double> tolerance_um = {})
     TrajectoryParameters parameters;
     parameters.revolutions = 5;
     parameters.form.tolerance_um = tolerance_um;
-    return resultOf(sample::makeProbeRecord(shortModel()), parameters);
+    return resultOf(sample::makeProbeRecord(fourSectionModel()), parameters);
 }
 
 std::size_t count(const std::string& text, const std::string& part)
@@ -111,7 +111,8 @@ TEST(TrajectoryReport, SyntheticDataAreMarked)
 
 TEST(TrajectoryReport, AveragesAndEmptyResultsMakeAReportToo)
 {
-    const std::string html = report::toHtml(trajectoryReport(resultOf(sample::makeAveragedRecord(shortModel())), {}));
+    const std::string html =
+        report::toHtml(trajectoryReport(resultOf(sample::makeAveragedRecord(fourSectionModel())), {}));
     EXPECT_NE(html.find("Longitudinal section"), std::string::npos);
     EXPECT_EQ(html.find("images of single revolutions"), std::string::npos);
     EXPECT_EQ(html.find("nan"), std::string::npos);
@@ -129,7 +130,8 @@ TEST(TrajectoryPlots, EveryRevolutionStandsInThePolarPlot)
         EXPECT_EQ(plot.traces[i].deviation_um.size(), plot.traces[i].angle_deg.size());
         EXPECT_EQ(plot.traces[i].thin, i < 5);
     }
-    EXPECT_EQ(errorMotionPlot(resultOf(sample::makeAveragedRecord(shortModel())).sections[0], 50).traces.size(), 1u);
+    EXPECT_EQ(errorMotionPlot(resultOf(sample::makeAveragedRecord(fourSectionModel())).sections[0], 50).traces.size(),
+              1u);
 }
 
 TEST(TrajectoryJson, NumbersThatDoNotExistAreNull)
@@ -140,7 +142,7 @@ TEST(TrajectoryJson, NumbersThatDoNotExistAreNull)
     EXPECT_EQ(raw["sections"][0]["workpiece_axis"]["x_um"].size(), 200u);
     EXPECT_EQ(raw["verdict"], "pass");
     EXPECT_TRUE(raw["longitudinal"]["CYLt_LSCY_um"].is_number());
-    const Json averaged = toJson(resultOf(sample::makeAveragedRecord(shortModel())));
+    const Json averaged = toJson(resultOf(sample::makeAveragedRecord(fourSectionModel())));
     EXPECT_TRUE(averaged["sections"][0]["spindle"]["asynchronous_um"].is_null());
     EXPECT_TRUE(averaged["verdict"].is_null());
     TrajectoryResult nowhere = rawResult();

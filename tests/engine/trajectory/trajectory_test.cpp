@@ -18,9 +18,9 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-ErrorCode codeOf(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {})
+ErrorCode codeOfRecords(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {})
 {
     try {
         trajectory(records, parameters);
@@ -201,12 +201,12 @@ TEST(Trajectory, SeveralRecordsTakeTheirPlacesFromTheList)
     parameters.z_mm = "5,5; 10; 15,25";  // between semicolons a comma is a decimal mark
     EXPECT_EQ(trajectory(records, parameters).longitudinal->z_mm, (std::vector<double>{5.5, 10, 15.25}));
     parameters.z_mm = "5,10";
-    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
+    EXPECT_EQ(codeOfRecords(records, parameters), errors::valueNotUnderstood);
     parameters.z_mm = "5,10,x";
-    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
+    EXPECT_EQ(codeOfRecords(records, parameters), errors::valueNotUnderstood);
     parameters.z_mm = "";
     parameters.feed_mm_rev = 0.1;
-    EXPECT_EQ(codeOf(records, parameters), errors::valueNotUnderstood);
+    EXPECT_EQ(codeOfRecords(records, parameters), errors::valueNotUnderstood);
 }
 
 TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
@@ -224,7 +224,7 @@ TEST(Trajectory, ATruncatedRecordingIsSaidToBeShort)
     EXPECT_TRUE(contains(result.notes, notes::fewerRevolutions));
     EXPECT_NEAR(result.sections.back().z_mm, model.feed_mm_rev * 17.5, 0.5);  // where the data are, not where asked
     cut(2500);
-    EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::recordTooShort);
+    EXPECT_EQ(codeOfRecords({fileOf(record)}, parameters), errors::recordTooShort);
 }
 
 TEST(Trajectory, WhatIsMissingIsRefused)
@@ -232,12 +232,12 @@ TEST(Trajectory, WhatIsMissingIsRefused)
     const sample::SpindleModel model = fineModel();
     io::ProbeRecord record = sample::makeProbeRecord(model);
     std::erase_if(record.header, [](const auto& entry) { return entry.first == "D_mm"; });
-    EXPECT_EQ(codeOf({fileOf(record)}), errors::diameterMissing);
+    EXPECT_EQ(codeOfRecords({fileOf(record)}), errors::diameterMissing);
     TrajectoryParameters parameters;
     parameters.workpiece_diameter_mm = 50;
     EXPECT_EQ(trajectory({fileOf(record)}, parameters).workpiece_diameter_mm, 50);
     parameters.channels = "marker=2,X3=1,Y3=0,Xp=3,Yp=4";
-    EXPECT_EQ(codeOf({fileOf(record)}, parameters), errors::markerElsewhere);
+    EXPECT_EQ(codeOfRecords({fileOf(record)}, parameters), errors::markerElsewhere);
     EXPECT_TRUE(trajectory(std::vector<io::ProbeFile>{}).sections.empty());
 }
 
@@ -305,7 +305,7 @@ TEST(TimeSignals, PeaksSurviveTheThinning)
 }
 
 /// A record with a good marker whose probes see `signal(time, sample, channel)` and no part.
-io::ProbeRecord recordOf(const std::function<double(double, std::size_t, std::size_t)>& signal_um)
+io::ProbeRecord signalRecord(const std::function<double(double, std::size_t, std::size_t)>& signal_um)
 {
     sample::SpindleModel model = sample::sampleSpindle();
     model.sections = 1;
@@ -326,18 +326,18 @@ TEST(Trajectory, NoiseDriftAndHumAreNotJudgedAsForm)
     TrajectoryParameters parameters;
     parameters.form.tolerance_um = 50;
     const auto verdict = [&](const auto& signal) {
-        const TrajectoryResult result = trajectory({fileOf(recordOf(signal))}, parameters);
+        const TrajectoryResult result = trajectory({fileOf(signalRecord(signal))}, parameters);
         EXPECT_EQ(contains(result.notes, notes::formNotMeasured), !result.sections.front().form_measured);
         return result.verdict;
     };
     EXPECT_EQ(verdict([](double, std::size_t i, std::size_t c) { return 3 * randomNormal(3, c, i); }),
               Verdict::Undecided);
     EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 20 * t; }), Verdict::Undecided);
-    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 10 * std::sin(2 * kPi * 50 * t); }),
+    EXPECT_EQ(verdict([](double t, std::size_t, std::size_t) { return 10 * std::sin(2 * pi * 50 * t); }),
               Verdict::Undecided);
     // The same noise under a form of 20 µm is judged.
     EXPECT_EQ(verdict([](double t, std::size_t i, std::size_t c) {
-                  return randomNormal(3, c, i) + (c == 1 ? 10 * std::cos(2 * 2 * kPi * 975 / 60 * t) : 0);
+                  return randomNormal(3, c, i) + (c == 1 ? 10 * std::cos(2 * 2 * pi * 975 / 60 * t) : 0);
               }),
               Verdict::Pass);
     parameters.form.tolerance_um = .5;  // and noise is not "out of tolerance" either

@@ -38,7 +38,7 @@ QString formatText(const std::string& format)
     return (words.front().toUpper() + " " + kind).trimmed();
 }
 
-QToolButton* button(const char* name, const QString& picture)
+QToolButton* inputButton(const char* name, const QString& picture)
 {
     auto* result = new QToolButton;
     result->setObjectName(name);
@@ -56,10 +56,10 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
       title_(new QLabel),
       file_(new QLabel),
       facts_(new QLabel),
-      open_(button("openInput", "open")),
-      clear_(button("clearInput", "remove")),
-      item_(button("itemInput", "item")),
-      how_(button("howToRead", "import")),
+      open_(inputButton("openInput", "open")),
+      clear_(inputButton("clearInput", "remove")),
+      item_(inputButton("itemInput", "item")),
+      how_(inputButton("howToRead", "import")),
       import_(new Form(readingOf(role)))
 {
     setObjectName(QString::fromStdString("input_" + role.role));

@@ -32,7 +32,7 @@ constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
 constexpr int foldedRole = Qt::UserRole + 2;
 
 /// As it is typed again: numbers in the user's locale, without the noise of sums in binary, choices by their label.
-QString cellText(const FieldInfo& column, const Value& value)
+QString typedCellText(const FieldInfo& column, const Value& value)
 {
     if (const auto* number = std::get_if<double>(&value)) {
         QLocale locale;
@@ -47,7 +47,7 @@ QString cellText(const FieldInfo& column, const Value& value)
 }
 
 /// What was typed in the form that parse() takes: a decimal point, keys of choices, "yes" and "no".
-std::string plainText(const FieldInfo& column, const QString& typed)
+std::string plainNumberText(const FieldInfo& column, const QString& typed)
 {
     const QString text = typed.trimmed();
     switch (column.kind) {
@@ -205,7 +205,7 @@ void RowsEdit::insertRow(int row, const Row& cells)
     table_->insertRow(row);
     for (int c = 0; c < table_->columnCount(); ++c) {
         const Value* value = lathelier::find(cells.cells, column(c).key);
-        setCell(row, c, value ? cellText(column(c), *value) : QString());
+        setCell(row, c, value ? typedCellText(column(c), *value) : QString());
         const double* const number = value ? std::get_if<double>(value) : nullptr;
         if (!number) continue;
         table_->item(row, c)->setData(shownRole, table_->item(row, c)->text());
@@ -223,7 +223,7 @@ std::optional<Value> RowsEdit::understand(int row, int c, QString& problem) cons
     if (item && item->data(shownRole).isValid() && item->data(shownRole).toString() == typed)
         return item->data(exactRole).toDouble();
     try {
-        return parse(column(c), plainText(column(c), typed));
+        return parse(column(c), plainNumberText(column(c), typed));
     } catch (const Error& error) {
         problem = screenText(error);
         return std::nullopt;

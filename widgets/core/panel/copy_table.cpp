@@ -20,7 +20,7 @@ QString screenCaption(const report::Caption& caption)
     return QString::fromStdString(report::captionText(caption, screenLanguage()));
 }
 
-QString cellText(const Value& value, Text unit, int decimals)
+QString copiedCellText(const Value& value, Text unit, int decimals)
 {
     if (const auto* number = std::get_if<double>(&value))
         return std::isfinite(*number) ? screenNumber(*number, unit, decimals) : QStringLiteral("–");
@@ -115,7 +115,7 @@ void CopyTable::setTable(const report::Table& table)
             const Value& value = values[static_cast<std::size_t>(column)];
             const int decimals = table.decimalsOf(static_cast<std::size_t>(column));
             setItem(row, column,
-                    tableCell(cellText(value, table.unitOf(static_cast<std::size_t>(column)), decimals),
+                    tableCell(copiedCellText(value, table.unitOf(static_cast<std::size_t>(column)), decimals),
                               report::isNumeric(value)));
         }
     }
@@ -145,7 +145,7 @@ void CopyTable::setQuantities(const report::Document& document)
                 insertRow(++row);
                 setItem(row, 0, tableCell(screenCaption(quantity.name), false));
                 const bool words = !report::isNumeric(quantity.value) && quantity.unit.empty();
-                auto* value = tableCell(cellText(quantity.value, quantity.unit, quantity.decimals), !words);
+                auto* value = tableCell(copiedCellText(quantity.value, quantity.unit, quantity.decimals), !words);
                 setItem(row, 1, value);
                 setItem(row, 2, tableCell(screenUnit(quantity.unit), false));
                 if (words) {  // a sentence would push the numbers out of sight

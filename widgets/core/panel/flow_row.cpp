@@ -6,7 +6,7 @@
 namespace lathelier {
 namespace {
 
-constexpr int gap_px = 6;
+constexpr int itemGap_px = 6;
 constexpr int rowGap_px = 2;
 
 }  // namespace
@@ -51,7 +51,7 @@ QSize FlowRow::sizeHint() const
     int height = 0;
     for (QLayoutItem* item : items_) {
         if (item->isEmpty()) continue;
-        width += item->sizeHint().width() + gap_px;
+        width += item->sizeHint().width() + itemGap_px;
         height = std::max(height, item->sizeHint().height());
     }
     return {width, height};
@@ -74,23 +74,23 @@ void FlowRow::setGeometry(const QRect& room)
 /// Gives the height that is needed.
 int FlowRow::place(const QRect& room, bool move) const
 {
-    struct Row {
+    struct PlacedRow {
         std::vector<std::pair<QLayoutItem*, int>> items;  ///< with their left edge, from that of the room
         int width = 0, height = 0;
     };
-    std::vector<Row> rows(1);
+    std::vector<PlacedRow> rows(1);
     for (QLayoutItem* item : items_) {
         if (item->isEmpty()) continue;
         const QSize size = item->sizeHint().boundedTo({std::max(room.width(), 1), item->sizeHint().height()});
         if (rows.back().width > 0 && rows.back().width + size.width() > room.width()) rows.emplace_back();
-        Row& row = rows.back();
+        PlacedRow& row = rows.back();
         const bool is_last = item->widget() && item->widget() == trailing_;
         row.items.emplace_back(item, is_last ? room.width() - size.width() : row.width);
-        row.width += size.width() + gap_px;
+        row.width += size.width() + itemGap_px;
         row.height = std::max(row.height, size.height());
     }
     int top = room.top();
-    for (const Row& row : rows) {
+    for (const PlacedRow& row : rows) {
         for (const auto& [item, left] : row.items) {
             if (!move) break;
             const QSize size = item->sizeHint().boundedTo({std::max(room.width(), 1), item->sizeHint().height()});

@@ -14,7 +14,7 @@
 namespace lathelier {
 namespace {
 
-constexpr int gap_px = 4;
+constexpr int frameGap_px = 4;
 constexpr int stripFrom_chars = 105;  // narrower, and the small views become tabs
 constexpr double stripShare = 0.27;   // of the width
 constexpr int leastStrip_chars = 26;
@@ -179,29 +179,29 @@ void HeroViews::arrange()
         const int rows = (static_cast<int>(all.size()) + columns - 1) / columns;
         for (int i = 0; i < static_cast<int>(all.size()); ++i) {
             const int inRow = i / columns < rows - 1 ? columns : static_cast<int>(all.size()) - columns * (rows - 1);
-            const int w = (room.width() - gap_px * (inRow - 1)) / inRow;
-            const int h = (room.height() - gap_px * (rows - 1)) / rows;
+            const int w = (room.width() - frameGap_px * (inRow - 1)) / inRow;
+            const int h = (room.height() - frameGap_px * (rows - 1)) / rows;
             place(all[static_cast<std::size_t>(i)],
-                  QRect((i % columns) * (w + gap_px), room.top() + (i / columns) * (h + gap_px), w, h));
+                  QRect((i % columns) * (w + frameGap_px), room.top() + (i / columns) * (h + frameGap_px), w, h));
         }
         return;
     }
     int strip =
         std::clamp(static_cast<int>(stripShare * room.width()), leastStrip_chars * chars, mostStrip_chars * chars);
     const int count = static_cast<int>(all.size()) - 1;
-    const auto heightIn = [&](int rows) { return (room.height() - gap_px * (rows - 1)) / rows; };
+    const auto heightIn = [&](int rows) { return (room.height() - frameGap_px * (rows - 1)) / rows; };
     // Charts that would be too flat to show their shape stand in two columns.
     const int columns = heightIn(count) < flattest * strip ? 2 : 1;
     if (columns == 2) strip = static_cast<int>(twoColumns * strip);
-    place(hero_, QRect(0, room.top(), room.width() - strip - gap_px, room.height()));
-    const int width = (strip - gap_px * (columns - 1)) / columns;
+    place(hero_, QRect(0, room.top(), room.width() - strip - frameGap_px, room.height()));
+    const int width = (strip - frameGap_px * (columns - 1)) / columns;
     const int most = static_cast<int>(smallAspect * width) + hero_->captionHeight();
     const int each = std::min(most, heightIn((count + columns - 1) / columns));
     int number = 0;
     for (ViewFrame* frame : all) {
         if (frame == hero_) continue;
-        place(frame, QRect(room.width() - strip + number % columns * (width + gap_px),
-                           room.top() + number / columns * (each + gap_px), width, each));
+        place(frame, QRect(room.width() - strip + number % columns * (width + frameGap_px),
+                           room.top() + number / columns * (each + frameGap_px), width, each));
         ++number;
     }
 }

@@ -15,7 +15,7 @@
 namespace lathelier {
 namespace {
 
-QToolButton* button(const char* picture)
+QToolButton* logButton(const char* picture)
 {
     auto* result = new QToolButton;
     result->setIcon(icon(picture));
@@ -27,7 +27,7 @@ QToolButton* button(const char* picture)
 }  // namespace
 
 MessageLog::MessageLog(QWidget* parent)
-    : QWidget(parent), list_(new QTreeWidget), copy_(button("copy")), clear_(button("remove"))
+    : QWidget(parent), list_(new QTreeWidget), copy_(logButton("copy")), clear_(logButton("remove"))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);

@@ -10,6 +10,7 @@
 #include <QUrl>
 #include <algorithm>
 
+#include "engine/core/version.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
@@ -84,13 +85,13 @@ void PanelBase::editState(const QString& step, const std::function<void(project:
 void PanelBase::keepItem(const std::string& name, const std::string& kind, const Values& values)
 {
     session_.edit(tr("Keep “%1” in the project").arg(QString::fromStdString(name)), [&](project::Project& project) {
-        project.items[name] = {kind, values, project::originOf(project, facts_.stateKey(), LATHELIER_VERSION)};
+        project.items[name] = {kind, values, project::originOf(project, facts_.stateKey(), programVersion)};
     });
 }
 
 void PanelBase::offerItem(const std::string& name, const std::string& kind, const Values& values, bool synthetic)
 {
-    emit itemOffered(name, {kind, values, project::originOf(session_.project(), facts_.stateKey(), LATHELIER_VERSION)},
+    emit itemOffered(name, {kind, values, project::originOf(session_.project(), facts_.stateKey(), programVersion)},
                      synthetic);
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "engine/core/texts.h"
+#include "engine/core/version.h"
 #include "widgets/core/report/report_pieces.h"
 
 namespace lathelier {
@@ -18,7 +19,7 @@ namespace {
 // Laid out in px of 1/96 inch, drawn at the printer's resolution.
 constexpr int resolution_dpi = 600;
 constexpr double margin_mm = 15;
-constexpr double gap_px = 12;
+constexpr double pieceGap_px = 12;
 constexpr double columnGap_px = 24;
 constexpr double footer_px = 24;
 constexpr int text_px = 12;
@@ -52,7 +53,7 @@ public:
                 makeRoom(height);
                 draw(piece, 0, column);
                 draw(pieces[i + 1], column + columnGap_px, column);
-                y_ += height + gap_px;
+                y_ += height + pieceGap_px;
                 ++i;
             } else {
                 const double width = piece.narrow ? (width_ - columnGap_px) / 2 : width_;
@@ -60,10 +61,10 @@ public:
                 const double own = needed;
                 // A heading stays with what it is about, which may begin with a heading of its own.
                 for (std::size_t k = i; pieces[k].keepWithNext && k + 1 < pieces.size(); ++k)
-                    needed += gap_px + headHeight(pieces[k + 1]);
+                    needed += pieceGap_px + headHeight(pieces[k + 1]);
                 makeRoom(needed);
                 draw(piece, 0, width);
-                y_ += own + (piece.keepWithNext ? 2 : gap_px);
+                y_ += own + (piece.keepWithNext ? 2 : pieceGap_px);
             }
         }
     }
@@ -159,7 +160,7 @@ private:
                 continue;
             }
             draw(part, 0, width_);
-            y_ += height + gap_px;
+            y_ += height + pieceGap_px;
             next = end;
         } while (next < piece.rows.size());
     }
@@ -211,7 +212,7 @@ std::string toPdf(const report::Document& document, const Language& language)
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
     writer.setTitle(title);
-    writer.setCreator("Lathelier " LATHELIER_VERSION);
+    writer.setCreator(QStringLiteral("Lathelier ") + programVersion);
     writer.setResolution(resolution_dpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(margin_mm, margin_mm, margin_mm, margin_mm), QPageLayout::Millimeter);

@@ -3,6 +3,7 @@
 #include <QStringList>
 
 #include "engine/core/texts.h"
+#include "engine/core/version.h"
 #include "engine/core/visible.h"
 #include "engine/report/cells.h"
 #include "engine/report/plot_svg.h"
@@ -198,7 +199,7 @@ std::vector<Piece> piecesOf(const report::Document& document, const Language& la
     if (const QString logo = QString::fromStdString(document.logo_png_base64).toHtmlEscaped(); !logo.isEmpty())
         pieces.push_back(Maker::text("<img src='data:image/png;base64," + logo + "' height='56'>"));
     pieces.push_back(Maker::text(heading(maker.caption(document.title), 24)));
-    QString origin = "Lathelier " LATHELIER_VERSION;
+    QString origin = QStringLiteral("Lathelier ") + programVersion;
     if (!document.created.empty())
         origin += " · " + QString::fromStdString(document.created).left(16).replace('T', ' ').toHtmlEscaped();
     pieces.push_back(Maker::text("<p style='color:#52606d;'>" + origin + "</p>"));

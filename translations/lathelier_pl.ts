@@ -13791,6 +13791,10 @@
         <source>RMS of the diameters [µm]</source>
         <translation>RMS średnic [µm]</translation>
     </message>
+    <message>
+        <source>A part of the program cannot be loaded: {file} ({reason}). Is the installation complete?</source>
+        <translation>Nie można wczytać części programu: {file} ({reason}). Czy instalacja jest kompletna?</translation>
+    </message>
 </context>
 <context>
     <name>TurningExports</name>

@@ -26,10 +26,16 @@ struct Term {
     Complex value;
 };
 
+/// The pole's part of a receptance for a residue of 1.
+Complex unitTerm(const PoleTerm& p, double r)
+{
+    return 1.0 / Complex(1 - r * r, 2 * p.damping * r);
+}
+
 Term termAt(const PoleTerm& p, double frequency_hz)
 {
     const double r = frequency_hz / p.frequency_hz;
-    const Complex inverse = 1.0 / Complex(1 - r * r, 2 * p.damping * r);
+    const Complex inverse = unitTerm(p, r);
     const Complex numerator(p.a_mm_N, p.b_mm_N * r);
     const Complex by_r =
         Complex(0, p.b_mm_N) * inverse - numerator * Complex(-2 * r, 2 * p.damping) * inverse * inverse;
@@ -95,10 +101,11 @@ void solveResidues(const FitLines& lines, Refined& model, bool complex_residues)
         const NormalEquations normal = normalEquations(lines, count, [&](std::size_t i, Eigen::VectorXcd& line) {
             const double f = lines.frequency_hz[i];
             for (std::size_t k = 0; k < model.terms.size(); ++k) {
-                const Term term = termAt(model.terms[k], f);
+                const double r = f / model.terms[k].frequency_hz;
+                const Complex inverse = unitTerm(model.terms[k], r);
                 const auto at = each * static_cast<Eigen::Index>(k);
-                line(at) = term.d_a;
-                if (complex_residues) line(at + 1) = term.d_b;
+                line(at) = inverse;
+                if (complex_residues) line(at + 1) = Complex(0, r) * inverse;
             }
             line(count - 2) = massLine(f);
             line(count - 1) = 1;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -23,6 +24,7 @@
 namespace lathelier::golden {
 namespace {
 
+namespace fs = std::filesystem;
 using sample::ShaftModel;
 
 /// A part of the test's own.
@@ -143,36 +145,22 @@ Json readJson(const std::string& path)
     return Json::parse(bytes.view());
 }
 
-class ChainOfPart : public ::testing::TestWithParam<Part> {
-protected:
-    ScratchFolder scratch_;
-    std::string out_ = (scratch_ / "chain").string();
-
-    std::string write(const std::string& name, const std::string& text) const
+/// The inputs of a part and what the chain made of them, once for all tests of the part.
+class MadePart {
+public:
+    explicit MadePart(const Part& part)
     {
-        const std::string path = (scratch_ / name).string();
-        io::writeFile(path, text);
-        return path;
-    }
-
-    std::vector<std::string> question() const
-    {
-        const Part& part = GetParam();
         ShaftModel worn = part.model, copy = part.model;
         worn.front().barrel_um = -part.worn_um;
         copy.front().taper_start_um = part.copy_um;
-        std::vector<std::string> words{"remanufacture", write("worn.ply", scanOf(worn, 11))};
-        const auto add = [&](const std::string& option, const std::string& value) {
-            words.push_back(option);
-            words.push_back(value);
-        };
+        question_ = {"remanufacture", write("worn.ply", scanOf(worn, 11))};
         add("--machine", write("spindle.json", receptance::spindleText({part.springs})));
         add("--job", write("job.json", cam::jobText(jobOf(part))));
         add("--setup", write("setup.json", deflection::setupText(setupOf(part))));
         add("--copy", write("copy.ply", scanOf(copy, 12)));
         add("--post", part.post);
         add("--tolerance-mm", "0.08");
-        add("--out", out_);
+        add("--out", out());
         if (part.is_drawn) {
             add("--drawing", write("drawing.json", io::shaftText(drawingOf(part))));
             add("--confirmed-by", "A. Turner");
@@ -180,7 +168,66 @@ protected:
             add("--snap", "apply");
         }
         add("--json", "-");
-        return words;
+        run_ = runProgram(LATHELIER_CLI, runOf(question_));
+        fs::copy(inputs_, kept_, fs::copy_options::recursive);
+    }
+
+    const std::vector<std::string>& question() const { return question_; }
+    const Outcome& run() const { return run_; }
+    std::string out() const { return (inputs_ / "chain").string(); }
+    std::string write(const std::string& name, const std::string& text) const
+    {
+        fs::create_directories(inputs_);
+        const std::string path = (inputs_ / name).string();
+        io::writeFile(path, text);
+        return path;
+    }
+    /// All files as they were after the first run, and of an age at which nobody writes into them any more.
+    void restore() const
+    {
+        fs::remove_all(inputs_);
+        fs::copy(kept_, inputs_, fs::copy_options::recursive);
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(inputs_))
+            if (entry.is_regular_file())
+                fs::last_write_time(entry.path(), fs::file_time_type::clock::now() - std::chrono::hours(1));
+    }
+
+private:
+    ScratchFolder scratch_;
+    fs::path kept_ = scratch_ / "kept", inputs_ = scratch_ / "part";
+    std::vector<std::string> question_;
+    Outcome run_;
+
+    void add(const std::string& option, const std::string& value)
+    {
+        question_.push_back(option);
+        question_.push_back(value);
+    }
+};
+
+class ChainOfPart : public ::testing::TestWithParam<Part> {
+protected:
+    static void TearDownTestSuite() { made().clear(); }
+    void SetUp() override
+    {
+        std::unique_ptr<MadePart>& part = made()[GetParam().name];
+        if (!part) part = std::make_unique<MadePart>(GetParam());
+        part_ = part.get();
+        part_->restore();
+        out_ = part_->out();
+        ASSERT_EQ(part_->run().exit_code, 0) << part_->run().standard_error;
+    }
+    std::string write(const std::string& name, const std::string& text) const { return part_->write(name, text); }
+    const std::vector<std::string>& question() const { return part_->question(); }
+
+    const MadePart* part_ = nullptr;
+    std::string out_;
+
+private:
+    static std::map<std::string, std::unique_ptr<MadePart>>& made()
+    {
+        static std::map<std::string, std::unique_ptr<MadePart>> all;
+        return all;
     }
 };
 
@@ -195,10 +242,10 @@ void followEverything(const std::string& folder, const Json& dossier)
         EXPECT_FALSE(step["inputs"].empty()) << step["step"];
         for (const Json& file : step["inputs"]) {
             const std::string path = file["path"], sha256 = file["sha256"];
-            const std::string at = (std::filesystem::path(folder) / path).string();
+            const std::string at = (fs::path(folder) / path).string();
             EXPECT_EQ(io::fileSha256(at), sha256) << step["step"] << ": " << path;
-            EXPECT_EQ(std::filesystem::file_size(at), file["bytes"].get<std::uintmax_t>()) << path;
-            if (std::filesystem::path(path).is_absolute()) {
+            EXPECT_EQ(fs::file_size(at), file["bytes"].get<std::uintmax_t>()) << path;
+            if (fs::path(path).is_absolute()) {
                 from.insert(path);
                 continue;
             }
@@ -215,17 +262,19 @@ void followEverything(const std::string& folder, const Json& dossier)
         EXPECT_FALSE(from.empty()) << step["step"];
         for (const Json& file : step["outputs"]) {
             const std::string path = file["path"];
-            EXPECT_EQ(io::fileSha256((std::filesystem::path(folder) / path).string()), file["sha256"]) << path;
+            EXPECT_EQ(io::fileSha256((fs::path(folder) / path).string()), file["sha256"]) << path;
             made[path] = file["sha256"];
             origin[path] = from;
         }
     }
     EXPECT_GT(dossier["numbers"].size(), 30u);
+    std::map<std::string, Json> read;
     for (const Json& number : dossier["numbers"]) {
         const std::string file = number["file"];
         ASSERT_EQ(made.count(file), 1u) << file;
         EXPECT_FALSE(origin[file].empty()) << file;
-        const Json written = readJson((std::filesystem::path(folder) / file).string());
+        if (read.count(file) == 0) read[file] = readJson((fs::path(folder) / file).string());
+        const Json& written = read[file];
         const Json::json_pointer place(number["pointer"].get<std::string>());
         ASSERT_TRUE(written.contains(place)) << file << number["pointer"];
         EXPECT_EQ(written.at(place), number["value"]) << file << number["pointer"];
@@ -238,8 +287,6 @@ void followEverything(const std::string& folder, const Json& dossier)
 TEST_P(ChainOfPart, IsFollowedFromScanToProof)
 {
     const Part& part = GetParam();
-    const Outcome run = runProgram(LATHELIER_CLI, runOf(question()));
-    ASSERT_EQ(run.exit_code, 0) << run.standard_error;
     const Json dossier = readJson(out_ + "/dossier.json");
     for (const Json& step : dossier["steps"]) {
         const std::string id = step["step"];
@@ -248,8 +295,7 @@ TEST_P(ChainOfPart, IsFollowedFromScanToProof)
         }
     }
     followEverything(out_, dossier);
-    EXPECT_TRUE(std::filesystem::exists(out_ + "/program" + part.extension) ||
-                std::filesystem::exists(out_ + "/program_1" + part.extension));
+    EXPECT_TRUE(fs::exists(out_ + "/program" + part.extension) || fs::exists(out_ + "/program_1" + part.extension));
     EXPECT_TRUE(dossier["verdict"].is_string());
     if (part.is_drawn) {
         EXPECT_EQ(dossier["confirmed"][0]["by"], "A. Turner");
@@ -267,7 +313,6 @@ TEST_P(ChainOfPart, IsFollowedFromScanToProof)
 TEST_P(ChainOfPart, GoesOnWhereAFileHasChanged)
 {
     std::vector<std::string> words = question();
-    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
     const Json before = readJson(out_ + "/dossier.json");
     words.emplace_back("--resume");
     ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
@@ -297,12 +342,10 @@ std::vector<std::string> withJob(std::vector<std::string> words, const std::stri
 
 TEST_P(ChainOfPart, AToolListThatCannotMakeThePartIsSaidAndWhatWasMadeStays)
 {
-    const std::vector<std::string> words = question();
-    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(words)).exit_code, 0);
     const std::string drawn = io::fileSha256(out_ + "/draw.json"), compared = io::fileSha256(out_ + "/copy.json");
     cam::Job job = jobOf(GetParam());
     std::erase_if(job.tools, [](const cam::JobTool& tool) { return tool.use == cam::ToolUse::Finish; });
-    std::vector<std::string> bad = withJob(words, write("no_finish.json", cam::jobText(job)));
+    std::vector<std::string> bad = withJob(question(), write("no_finish.json", cam::jobText(job)));
     bad.emplace_back("--resume");
     const Outcome run = runProgram(LATHELIER_CLI, runOf(bad));
     EXPECT_TRUE(run.exit_code == 3 || run.exit_code == 4) << run.exit_code;
@@ -327,7 +370,8 @@ TEST_P(ChainOfPart, ASectionWithoutASafeSpeedIsSaid)
 {
     cam::Job job = jobOf(GetParam());
     job.max_rpm = 200;  // below every lobe that is looked at
-    const std::vector<std::string> words = withJob(question(), write("slow.json", cam::jobText(job)));
+    std::vector<std::string> words = withJob(question(), write("slow.json", cam::jobText(job)));
+    words.emplace_back("--resume");
     const Outcome run = runProgram(LATHELIER_CLI, runOf(words));
     ASSERT_EQ(run.exit_code, 0) << run.standard_error;
     const Json dossier = readJson(out_ + "/dossier.json");
@@ -351,16 +395,15 @@ TEST_P(ChainOfPart, ASectionWithoutASafeSpeedIsSaid)
 
 TEST_P(ChainOfPart, AFileThatChangedSinceIsToldByInspect)
 {
-    ASSERT_EQ(runProgram(LATHELIER_CLI, runOf(question())).exit_code, 0);
     write("setup.json", "{}");
-    std::filesystem::remove(out_ + "/rows.csv");
+    fs::remove(out_ + "/rows.csv");
     const Outcome run = runProgram(LATHELIER_CLI, runOf({"inspect", out_ + "/dossier.json", "--json", "-"}));
     ASSERT_EQ(run.exit_code, 0) << run.standard_error;
     const Json details = Json::parse(run.standard_output)["files"][0]["details"];
     EXPECT_EQ(details["unchanged"], false);
     std::set<std::string> named;
     for (const Json& fault : details["faults"])
-        named.insert(std::filesystem::path(fault["path"].get<std::string>()).filename().string());
+        named.insert(fs::path(fault["path"].get<std::string>()).filename().string());
     EXPECT_EQ(named, (std::set<std::string>{"setup.json", "rows.csv"}));
 }
 

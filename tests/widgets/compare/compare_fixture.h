@@ -62,8 +62,8 @@ protected:
         useResources();
         QLocale::setDefault(QLocale::c());
         sample::ScannerModel scanner;
-        scanner.row_pitch_mm = 0.2;
-        scanner.angle_step_deg = 1.8;
+        scanner.row_pitch_mm = 0.3;
+        scanner.angle_step_deg = 2.4;
         original_ = folder_.filePath("original.xyz");
         copy_ = folder_.filePath("copy.xyz");
         write(original_, sample::scanShaft(sample::nominalShaft(), scanner));

@@ -74,14 +74,19 @@ private slots:
         QCOMPARE(session_->project().workspace, std::string("inspection"));
     }
 
-    /// After a session that left another tab of the workspace in front, files named at the start come before the window.
+    /// After a session that left another tab of the workspace in front, files named at the start come before the
+    /// window.
     void filesNamedAtTheStartGoWhereTheyBelongWhateverTheLayout_data()
     {
         QTest::addColumn<QString>("left_in_front");
         QTest::addColumn<QString>("file");
         QTest::addColumn<QString>("taker");
-        QTest::newRow("record") << "round" << "a.record" << "records";
-        QTest::newRow("profile") << "records" << "a.profile" << "round";
+        QTest::newRow("record") << "round"
+                                << "a.record"
+                                << "records";
+        QTest::newRow("profile") << "records"
+                                 << "a.profile"
+                                 << "round";
     }
     void filesNamedAtTheStartGoWhereTheyBelongWhateverTheLayout()
     {

@@ -1,10 +1,11 @@
 #include "engine/deflection/identification.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "engine/core/core_codes.h"
+#include "engine/core/small_solve.h"
 #include "engine/core/units.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/measured_places.h"
@@ -154,11 +155,8 @@ IdentificationResult identify(const Shaft& stock, std::span<const ToolRun> runs,
     if (!settled) throw Error(errors::notConverged, {{"iterations", static_cast<std::int64_t>(result.iterations)}});
 
     differentiate();
-    const Eigen::MatrixXd covariance =
-        (jacobian.transpose() * jacobian).completeOrthogonalDecomposition().pseudoInverse();
-    Eigen::FullPivLU<Eigen::MatrixXd> rank(jacobian);
-    rank.setThreshold(1e-7);
-    const bool is_singular = rank.rank() < unknowns;
+    const Eigen::MatrixXd covariance = pseudoInverse(jacobian.transpose() * jacobian);
+    const bool is_singular = rankOf(jacobian, 1e-7) < unknowns;
     result.setup = withFactors(setup, sought, logs);
     for (Eigen::Index k = 0; k < unknowns; ++k) {
         const Influence influence = sought[static_cast<std::size_t>(k)];

@@ -1,8 +1,10 @@
 #include "engine/receptance/eirc/spindle_line.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+
+#include "engine/core/small_solve.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -11,8 +13,6 @@ constexpr double scale_mm = 100;
 constexpr int mostIterations = 60;
 constexpr int mostHalvings = 20;
 constexpr double convergedShare = 1e-10;  // relative change of the unknowns
-
-using Jacobian = Eigen::Matrix<Complex, Eigen::Dynamic, 3>;
 
 /// u = -Hs r as two rows in the scaled unknowns: the factors of H, L and P.
 Eigen::Matrix<Complex, 2, 3> rowsOf(const Eigen::Vector2cd& reaction)
@@ -24,7 +24,7 @@ Eigen::Matrix<Complex, 2, 3> rowsOf(const Eigen::Vector2cd& reaction)
 }
 
 struct System {
-    Jacobian jacobian;
+    ThreeColumns jacobian;
     Eigen::VectorXcd residual;
 };
 
@@ -34,7 +34,7 @@ System linearised(const SpindleLine& line, const ScaledSpindle& spindle)
     std::vector<ReceptanceMatrix> inverse;
     for (const ReceptanceMatrix& jj : line.free_jj) inverse.push_back((jj + hs).inverse());
     const auto n = static_cast<Eigen::Index>(line.responses.size());
-    System system{Jacobian(n, 3), Eigen::VectorXcd(n)};
+    System system{ThreeColumns(n, 3), Eigen::VectorXcd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const LineResponse& one = line.responses[static_cast<std::size_t>(i)];
         const Eigen::Vector2cd a = inverse[one.rod] * one.joint_a;
@@ -97,7 +97,7 @@ std::optional<ScaledSpindle> linearStart(const SpindleLine& line)
             ++count;
         }
         if (count < 2) return;
-        Eigen::Vector2cd reaction = motion.fullPivLu().solve(known);
+        Eigen::Vector2cd reaction = solveFullPivoting(motion, known);
         reaction[1] /= scale_mm;
         // Motion of the joint, its rotation times 100 mm; and the reaction moment divided by it.
         Eigen::Vector2cd moved = joint + line.free_jj[rod] * Eigen::Vector2cd(reaction[0], reaction[1]);
@@ -113,7 +113,7 @@ std::optional<ScaledSpindle> linearStart(const SpindleLine& line)
                 forces.emplace_back(one.rod, point);
     for (const auto& [rod, point] : forces) addForce(rod, point);
     if (normal.isZero(0)) return std::nullopt;
-    const ScaledSpindle result = normal.fullPivLu().solve(right);
+    const ScaledSpindle result = solveFullPivoting(normal, right);
     return result.allFinite() ? std::optional(result) : std::nullopt;
 }
 
@@ -127,7 +127,7 @@ LineFit refine(const SpindleLine& line, const ScaledSpindle& start)
     for (int i = 0; i < mostIterations && !fit.converged; ++i) {
         const System system = linearised(line, fit.spindle);
         if (!system.jacobian.allFinite()) break;
-        const ScaledSpindle step = -system.jacobian.colPivHouseholderQr().solve(system.residual);
+        const ScaledSpindle step = -leastSquares(system.jacobian, system.residual);
         double share = 1;
         ScaledSpindle next = fit.spindle + step;
         double cost = costOf(line, next);
@@ -145,7 +145,7 @@ LineFit refine(const SpindleLine& line, const ScaledSpindle& start)
     const System system = linearised(line, fit.spindle);
     fit.information = system.jacobian.adjoint() * system.jacobian;
     if (system.jacobian.allFinite()) {
-        const Eigen::Vector3d values = system.jacobian.jacobiSvd().singularValues();
+        const Eigen::Vector3d values = singularValues(system.jacobian);
         fit.condition = values[2] > 0 ? values[0] / values[2] : HUGE_VAL;
     }
     return fit;

@@ -1,14 +1,10 @@
-// g++ 12 at -O3 takes Eigen's zero-sized temporaries for values without initialisation.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-
 #include "engine/registration/general/observability.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+
+#include "engine/core/small_solve.h"
 
 namespace lathelier::registration {
 namespace {
@@ -24,8 +20,7 @@ std::vector<FreeMotion> motionsOf(const std::vector<Vector6d>& basis, const Moti
     Eigen::MatrixXd motions(6, static_cast<Eigen::Index>(basis.size()));
     for (std::size_t i = 0; i < basis.size(); ++i) motions.col(static_cast<Eigen::Index>(i)) = basis[i];
     // Combinations in order of their rotation part: the last ones are translations.
-    const Eigen::JacobiSVD<Eigen::MatrixXd> split(motions.topRows(3), Eigen::ComputeFullV);
-    const Eigen::MatrixXd sorted = motions * split.matrixV();
+    const Eigen::MatrixXd sorted = motions * rightSingularVectors(motions.topRows(3));
     std::vector<FreeMotion> result;
     std::vector<Eigen::Vector3d> translations;
     for (Eigen::Index i = sorted.cols() - 1; i >= 0; --i) {
@@ -68,21 +63,21 @@ double expandedRadius(const Eigen::Vector3d& variances)
 Observability analyse(const MotionSystem& system)
 {
     Observability result;
-    const Eigen::SelfAdjointEigenSolver<Matrix6d> axes(system.information);
-    const double strongest = axes.eigenvalues()[5];
+    const SymmetricAxes<6> axes = symmetricAxes(system.information);
+    const double strongest = axes.values[5];
     std::vector<Vector6d> free_basis;
     std::vector<Vector6d> weak_basis;
     result.determined.setZero();
     for (int i = 0; i < 6; ++i) {
-        const Vector6d direction = axes.eigenvectors().col(i);
-        const double value = axes.eigenvalues()[i] - direction.dot(system.noise * direction);
+        const Vector6d direction = axes.vectors.col(i);
+        const double value = axes.values[i] - direction.dot(system.noise * direction);
         if (!(value >= free_limit * strongest)) {
             free_basis.push_back(direction);
             continue;
         }
         if (value < weak_limit * strongest) weak_basis.push_back(direction);
         result.determined += direction * direction.transpose();
-        result.inverse += direction * direction.transpose() / axes.eigenvalues()[i];
+        result.inverse += direction * direction.transpose() / axes.values[i];
     }
     result.free_motions = motionsOf(free_basis, system);
     result.weak_motions = motionsOf(weak_basis, system);
@@ -113,12 +108,12 @@ Vector6d difference(const MotionSystem& system, const Eigen::Isometry3d& from, c
 
 AlignmentUncertainty uncertaintyOf(const MotionSystem& system, const Matrix6d& covariance)
 {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> shift(covariance.bottomRightCorner<3, 3>());
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> turn(covariance.topLeftCorner<3, 3>());
+    const Eigen::Vector3d shift = symmetricAxes(Eigen::Matrix3d(covariance.bottomRightCorner<3, 3>())).values;
+    const Eigen::Vector3d turn = symmetricAxes(Eigen::Matrix3d(covariance.topLeftCorner<3, 3>())).values;
     AlignmentUncertainty result;
-    result.axial_um = 1000 * expandedRadius(shift.eigenvalues());
-    result.radial_um = 1000 * expandedRadius(Eigen::Vector3d(shift.eigenvalues()[0], shift.eigenvalues()[1], 0));
-    result.axis_deg = expandedRadius(turn.eigenvalues()) / system.gyration_mm * 180 / std::numbers::pi;
+    result.axial_um = 1000 * expandedRadius(shift);
+    result.radial_um = 1000 * expandedRadius(Eigen::Vector3d(shift[0], shift[1], 0));
+    result.axis_deg = expandedRadius(turn) / system.gyration_mm * 180 / std::numbers::pi;
     return result;
 }
 

@@ -1,19 +1,18 @@
 #include "engine/stability/simulation/growth.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/stability/simulation/growth_rate.h"
 #include "engine/stability/simulation/mode_step.h"
 
 namespace lathelier::stability {
 namespace {
 
-constexpr int atOnce = 8;  ///< cuts that share the modes' constants
-constexpr int mostSnapshots = 16;
+constexpr int atOnce = 8;            ///< cuts that share the modes' constants
 constexpr double fewestPeriods = 2;  ///< steps of a revolution, in periods
-constexpr double keptShare = 1e-11;  ///< of the largest eigenvalue of the snapshots' products
 constexpr double smallest = 1e-60;   ///< sizes outside are scaled
 constexpr int growthStepsBetweenChecks = 1 << 15;
 
@@ -87,46 +86,6 @@ private:
     Lanes force_ = Lanes::Zero();
 };
 
-using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostSnapshots + 1, mostSnapshots + 1>;
-using SmallComplex =
-    Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, mostSnapshots + 1, mostSnapshots + 1>;
-
-/// Scalar products of the snapshots of one cut, and of the snapshots with themselves a step later.
-struct Products {
-    Small same;   ///< all snapshots, the last one included
-    Small later;  ///< without the last one
-};
-
-Growth growthOf(const Products& products, double revolution_s, int steps)
-{
-    const Eigen::Index n = products.same.rows() - 1;
-    // Each snapshot and its successor by the size of the snapshot: fast decay would hide the later ones.
-    const Eigen::VectorXd size = products.same.diagonal().head(n).cwiseSqrt();
-    if (!(size.minCoeff() > 0) || !size.allFinite() || !products.same.allFinite()) return {};
-    const auto scaled = [&](const Small& whole) -> Small {
-        return size.cwiseInverse().asDiagonal() * whole * size.cwiseInverse().asDiagonal();
-    };
-    const Small now = scaled(products.same.topLeftCorner(n, n)), next = scaled(products.same.block(0, 1, n, n));
-    const Eigen::SelfAdjointEigenSolver<Small> basis(now);
-    const Eigen::VectorXd& power = basis.eigenvalues();
-    Eigen::Index kept = 0;
-    while (kept < n && power[n - 1 - kept] > keptShare * power[n - 1]) ++kept;
-    const Small towards =
-        basis.eigenvectors().rightCols(kept) * power.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
-    const Small map = towards.transpose() * next * towards;
-    const Eigen::EigenSolver<Small> solver(map);
-    Eigen::Index largest = 0;
-    for (Eigen::Index i = 1; i < kept; ++i)
-        if (std::abs(solver.eigenvalues()[i]) > std::abs(solver.eigenvalues()[largest])) largest = i;
-    Growth growth{std::abs(solver.eigenvalues()[largest]), 0};
-    // From one step to the next the eigenvector turns by less than half a turn: that says which of the frequencies
-    // that look alike from revolution to revolution it is.
-    const SmallComplex weights = towards * solver.eigenvectors().col(largest);
-    const std::complex<double> step = (weights.adjoint() * scaled(products.later) * weights)(0, 0);
-    growth.frequency_hz = std::abs(std::arg(step)) / (2 * std::numbers::pi) * steps / revolution_s;
-    return growth;
-}
-
 /// Up to eight cuts.
 void growthsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,
                    const GrowthEffort& effort, const Progress& progress, std::span<Growth> result)
@@ -147,7 +106,8 @@ void growthsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts,
     const Lanes* const seen = room.data() + steps;
     for (std::size_t turn = 0; turn < count; ++turn)
         all.turn(room.data() + turn * steps, room.data() + (turn + 1) * steps, progress);
-    std::vector<Products> products(cuts.size(), {Small(snapshots + 1, snapshots + 1), Small(snapshots, snapshots)});
+    std::vector<SnapshotProducts> products(cuts.size(),
+                                           {Small(snapshots + 1, snapshots + 1), Small(snapshots, snapshots)});
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = 0; b < count; ++b) {
             progress.check();

@@ -43,7 +43,8 @@ Arguments parseArguments(const QStringList& words)
 
 QString usage()
 {
-    return "lathelier [FILES…|PROJECT] [--language en|pl]\n"
+    return "lathelier [FILES…|PROJECT] [--language " + Languages::codes().join('|') +
+           "]\n"
            "lathelier --report FILE.pdf|FILE.html PROJECT    write the project's report, without a display\n"
            "lathelier --shots DIR [--theme light|dark] PROJECT\n"
            "                                                 write screenshots of the window and every panel\n"

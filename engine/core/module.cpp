@@ -1,18 +1,41 @@
 #include "engine/core/module.h"
 
 #include <dlfcn.h>
+#include <sys/auxv.h>
 
 #include <filesystem>
 
 #include "engine/core/core_codes.h"
 
 namespace lathelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of this process; empty where /proc is not mounted and the program was not started by its path.
+fs::path programPath()
+{
+    std::error_code failed;
+    fs::path path = fs::read_symlink("/proc/self/exe", failed);
+    if (!failed) return path;
+    const auto* const started_as = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
+    return started_as ? fs::canonical(started_as, failed) : fs::path();
+}
+
+/// lib/<program> beside bin, as installed; lib/lathelier for programs that were only built.
+fs::path moduleFile(const std::string& name)
+{
+    const fs::path program = programPath(), lib = program.parent_path().parent_path() / "lib";
+    std::error_code ignored;
+    const fs::path own = lib / program.filename() / (name + ".so");
+    return fs::exists(own, ignored) ? own : lib / "lathelier" / (name + ".so");
+}
+
+}  // namespace
 
 const void* moduleSymbol(const std::string& name, const char* symbol)
 {
-    std::error_code ignored;
-    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
-    const std::string file = (program.parent_path().parent_path() / "lib/lathelier" / (name + ".so")).string();
+    const std::string file = moduleFile(name).string();
     // Loaded again it is the same one, and counted: never unloaded, because its texts and tables are in use.
     void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     const void* const found = module ? dlsym(module, symbol) : nullptr;

@@ -13,6 +13,7 @@
 #include "engine/sample/chatter_sample.h"
 #include "engine/sample/cylinder_sample.h"
 #include "engine/sample/deflection_sample.h"
+#include "engine/sample/profile_sample.h"
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
 #include "engine/sample/surface_sample.h"
@@ -40,9 +41,9 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),     &cylinderSample(),
-                                                    &chatterSample(), &deflectionSample(), &wornSample(),
-                                                    &surfaceSample(), &chainSample()};
+    static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),  &cylinderSample(),
+                                                    &profileSample(), &chatterSample(), &deflectionSample(),
+                                                    &wornSample(),    &surfaceSample(), &chainSample()};
     return all;
 }
 

@@ -35,6 +35,15 @@ private slots:
         }
     }
 
+    void theReadmeNamesThePanels()
+    {
+        QFile file(LATHELIER_SOURCE_DIR "/README.md");
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString readme = QString::fromUtf8(file.readAll());
+        for (const PanelFacts& panel : panelTable())
+            QVERIFY2(readme.contains("*" + QString(panel.title.english) + "*"), panel.title.english);
+    }
+
     void everyPanelHasIconAndWorkspace()
     {
         const auto hasIcon = [](const QString& name) { return QFile::exists(":/icons/" + name + ".svg"); };

@@ -1,6 +1,7 @@
 #include "widgets/core/language.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QEvent>
 #include <QFileInfo>
 #include <QLibraryInfo>
@@ -10,6 +11,7 @@
 
 #include "engine/core/units.h"
 #include "engine/core/visible.h"
+#include "widgets/core/resources.h"
 
 namespace lathelier {
 namespace {
@@ -123,12 +125,23 @@ Languages::~Languages() = default;
 
 QStringList Languages::codes()
 {
-    return {"en", "pl"};
+    useResources();
+    QStringList found;
+    for (const QString& file : QDir(":/translations").entryList({"lathelier_*.qm"}, QDir::Files, QDir::Name))
+        found << file.section('_', 1).section('.', 0, 0);
+    found.removeAll("en");
+    found.prepend("en");
+    return found;
 }
 
 QString Languages::name(const QString& code)
 {
-    return code == "pl" ? QStringLiteral("Polski") : QStringLiteral("English");
+    constexpr const char* context = "Languages";
+    constexpr auto english = QT_TRANSLATE_NOOP("Languages", "English");
+    QTranslator translator;
+    if (!translator.load("lathelier_" + code, ":/translations")) return code;
+    const QString own = translator.translate(context, english);
+    return own.isEmpty() ? QString(english) : own;
 }
 
 QString Languages::systemCode()

@@ -59,7 +59,7 @@ public:
     explicit Languages(QObject* parent = nullptr);
     ~Languages() override;
 
-    static QStringList codes();                ///< the languages that ship: "en", "pl"
+    static QStringList codes();                ///< the languages that ship, those of translations/: English first
     static QString name(const QString& code);  ///< in the language itself: "Polski"
     static QString systemCode();               ///< of codes(), the one the system asks for, else "en"
 

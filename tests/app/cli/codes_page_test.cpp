@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/cli/manual_languages.h"
+
 namespace lathelier::golden {
 namespace {
 
@@ -78,47 +80,22 @@ std::map<std::string, std::string> translations(const std::string& language)
     return result;
 }
 
-struct PageWords {
-    std::string title, about, errors, notes, errors_head, notes_head;
-    std::map<std::string, std::string> meanings;
-};
-
-PageWords wordsOf(const std::string& language)
+/// Heads and words of the page in the language, key and text, from codes_page_<language>.txt beside this file.
+std::map<std::string, std::string> wordsOf(const std::string& language)
 {
-    if (language == "pl")
-        return {
-            "# Kody błędów i uwag",
-            "Skrypty czytają kody, ludzie zdania w języku ekranu. Nazwa w nawiasach klamrowych oznacza wartość, którą\n"
-            "JSON zawiera pod tą samą nazwą.",
-            "## Błędy: nie ma odpowiedzi",
-            "## Uwagi: jest odpowiedź, ale",
-            "| Kod | Pokój | Znaczy | Zdanie |",
-            "| Kod | Pokój | Waga | Zdanie |",
-            {{"WrongUsage", "kod wyjścia 2"},
-             {"InputRejected", "kod wyjścia 3"},
-             {"NoAnswer", "kod wyjścia 4"},
-             {"OutputFailed", "kod wyjścia 5"},
-             {"Warning", "ostrzeżenie"},
-             {"Info", "informacja"}}};
-    return {"# Error and note codes",
-            "Scripts read the codes; people read the sentences, in the language of the screen. A name in braces stands "
-            "for a\n"
-            "value that the JSON carries under the same name.",
-            "## Errors: there is no answer",
-            "## Notes: answered, but",
-            "| Code | Room | Means | Sentence |",
-            "| Code | Room | Weight | Sentence |",
-            {{"WrongUsage", "exit code 2"},
-             {"InputRejected", "exit code 3"},
-             {"NoAnswer", "exit code 4"},
-             {"OutputFailed", "exit code 5"},
-             {"Warning", "warning"},
-             {"Info", "information"}}};
+    const fs::path path = fs::path(LATHELIER_SOURCE_DIR) / "tests/app/cli" / ("codes_page_" + language + ".txt");
+    std::map<std::string, std::string> words;
+    std::ifstream file(path);
+    for (std::string line; std::getline(file, line);)
+        if (const auto equals = line.find(" = "); equals != std::string::npos)
+            words[line.substr(0, equals)] = line.substr(equals + 3);
+    EXPECT_EQ(words.size(), 13u) << path << ": the words of a language's page, as in codes_page_en.txt";
+    return words;
 }
 
 std::string page(const std::string& language)
 {
-    const PageWords words = wordsOf(language);
+    std::map<std::string, std::string> words = wordsOf(language);
     const std::map<std::string, std::string> translated = translations(language);
     const auto table = [&](const std::map<std::string, Code>& codes) {
         std::string lines = "|---|---|---|---|\n";
@@ -126,17 +103,20 @@ std::string page(const std::string& language)
             const std::string english = plain(code.text);
             const auto found = translated.find(english);
             EXPECT_TRUE(language == "en" || found != translated.end()) << language << ": " << english;
-            lines += "| `" + key + "` | " + code.room + " | " + words.meanings.at(code.kind) + " | " +
+            lines += "| `" + key + "` | " + code.room + " | " + words[code.kind] + " | " +
                      (found == translated.end() ? english : found->second) + " |\n";
         }
         return lines;
     };
-    return words.title + "\n\n" + words.about + "\n\n" + words.errors + "\n\n" + words.errors_head + "\n" +
-           table(definedCodes("ErrorCode")) + "\n" + words.notes + "\n\n" + words.notes_head + "\n" +
-           table(definedCodes("NoteCode"));
+    const auto part = [&](const std::string& title, const std::string& head, const std::map<std::string, Code>& codes) {
+        return "\n## " + words[title] + "\n\n" + words[head] + "\n" + table(codes);
+    };
+    return "# " + words["title"] + "\n\n" + words["about"] + "\n" + words["about_2"] + "\n" +
+           part("errors", "errors_head", definedCodes("ErrorCode")) +
+           part("notes", "notes_head", definedCodes("NoteCode"));
 }
 
-class CodesPage : public ::testing::TestWithParam<const char*> {};
+class CodesPage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(CodesPage, IsThatOfTheHeaders)
 {
@@ -145,7 +125,7 @@ TEST_P(CodesPage, IsThatOfTheHeaders)
     EXPECT_EQ(contentOf(path), page(GetParam())) << "see the head of this test for how to make the page anew";
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, CodesPage, ::testing::Values("en", "pl"));
+INSTANTIATE_TEST_SUITE_P(Languages, CodesPage, ::testing::ValuesIn(manualLanguages()));
 
 TEST(Codes, NoDefinitionIsOverlooked)
 {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/cli/manual_languages.h"
 #include "tests/app/cli/run_program.h"
 
 namespace lathelier::golden {
@@ -61,7 +62,7 @@ std::string pageIn(const fs::path& language)
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-class ManualPage : public ::testing::TestWithParam<const char*> {};
+class ManualPage : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ManualPage, NamesTheVerbsAndTheirOptions)
 {
@@ -79,7 +80,7 @@ TEST_P(ManualPage, NamesTheVerbsAndTheirOptions)
     for (const std::string& option : named) EXPECT_TRUE(known.count(option)) << option;
 }
 
-INSTANTIATE_TEST_SUITE_P(Languages, ManualPage, ::testing::Values("en", "pl"));
+INSTANTIATE_TEST_SUITE_P(Languages, ManualPage, ::testing::ValuesIn(manualLanguages()));
 
 }  // namespace
 }  // namespace lathelier::golden

@@ -12,10 +12,19 @@ if(LATHELIER_GUI)
 endif()
 set(program_cli lathelier-cli)
 set(program_gui lathelier)
+get_property(modules GLOBAL PROPERTY lathelier_module_targets)
+# Debian's form of the list of changes: the version and its date.
+file(STRINGS ${CMAKE_SOURCE_DIR}/CHANGELOG.md released REGEX "^## \\[${PROJECT_VERSION}\\] - ")
+string(REGEX REPLACE "^.* - " "" released "${released}")
+execute_process(COMMAND date --utc --rfc-email --date ${released} OUTPUT_VARIABLE released OUTPUT_STRIP_TRAILING_WHITESPACE
+                COMMAND_ERROR_IS_FATAL ANY)
+set(maintainer "Lathelier developers <lathelier@users.noreply.github.com>")
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/packed/changelog @ONLY CONTENT
+     "lathelier (@PROJECT_VERSION@) bookworm; urgency=medium\n\n  * See CHANGELOG.md beside this file.\n\n -- @maintainer@  @released@\n")
 foreach(component ${components})
     set(program ${program_${component}})
     install(TARGETS ${program} COMPONENT ${component})
-    install(DIRECTORY ${lathelier_modules_folder}/ DESTINATION lib/${program} COMPONENT ${component} FILES_MATCHING PATTERN "*.so")
+    install(TARGETS ${modules} LIBRARY DESTINATION lib/${program} COMPONENT ${component})
     foreach(folder library posts training)
         install(DIRECTORY ${resources}/${folder} DESTINATION ${CMAKE_INSTALL_DATADIR}/${program} COMPONENT ${component})
     endforeach()
@@ -23,7 +32,8 @@ foreach(component ${components})
     install(FILES ${resources}/desktop/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${program} COMPONENT ${component})
     # Debian wants its manual pages and the list of changes compressed, without a time stamp.
     find_program(LATHELIER_GZIP gzip REQUIRED)
-    foreach(pair "${CMAKE_SOURCE_DIR}/CHANGELOG.md|changelog.gz|doc/${program}"
+    foreach(pair "${CMAKE_BINARY_DIR}/packed/changelog|changelog.gz|doc/${program}"
+                 "${CMAKE_SOURCE_DIR}/CHANGELOG.md|CHANGELOG.md.gz|doc/${program}"
                  "${resources}/desktop/${program}.1|${program}.1.gz|man/man1")
         string(REPLACE "|" ";" pair "${pair}")
         list(GET pair 0 source)
@@ -49,7 +59,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME lathelier)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "Lathelier developers <lathelier@users.noreply.github.com>")
+set(CPACK_PACKAGE_CONTACT "${maintainer}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "workbench for turning shops")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -64,11 +74,13 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_CLI_PACKAGE_NAME lathelier-cli)
 set(CPACK_DEBIAN_GUI_PACKAGE_NAME lathelier)
-set(CPACK_DEBIAN_GUI_PACKAGE_RECOMMENDS "lathelier-cli (= ${PROJECT_VERSION}), qttranslations5-l10n")
-set(about "Follows a turned part full circle: compares scans of copies with their originals,
- judges roundness and cylindricity, recognises worn parts and draws them, finds
- speeds without chatter, predicts and corrects the deflection of slender work,
- writes and checks turning programs. Works offline.")
-set(CPACK_COMPONENT_CLI_DESCRIPTION "command line of the workbench for turning shops\n${about}\n This package is the command line: it needs neither Qt nor a display.")
-set(CPACK_COMPONENT_GUI_DESCRIPTION "workbench for turning shops\n${about}")
+set(CPACK_DEBIAN_GUI_PACKAGE_DEPENDS fonts-dejavu-core)  # the 3-D view draws its letters from the file
+set(CPACK_DEBIAN_GUI_PACKAGE_RECOMMENDS "lathelier-cli (= ${PROJECT_VERSION}), qttranslations5-l10n, libgl1-mesa-dri")
+set(about "Follows a turned part full circle: compares scans of copies with their
+originals, judges roundness and cylindricity, recognises worn parts and
+draws them, finds speeds without chatter, predicts and corrects the
+deflection of slender work, writes and checks turning programs, and works
+without a network.")
+set(CPACK_COMPONENT_CLI_DESCRIPTION "${about}\n.\nThis package is the command line: it needs neither Qt nor a display.")
+set(CPACK_COMPONENT_GUI_DESCRIPTION "${about}\n.\nThis package is the window.")
 include(CPack)

@@ -23,6 +23,7 @@ function(add_kernel_module kernel uses)
     # What it takes of the engine is a copy of its own, and only its table of functions is seen.
     target_link_options(${module} PRIVATE LINKER:--exclude-libs,ALL)
     add_dependencies(lathelier_modules ${module})
+    set_property(GLOBAL APPEND PROPERTY lathelier_module_targets ${module})
 endfunction()
 
 # add_room(name [USES rooms…] [LINKS libraries…]): static library engine_<name> from the folder <name>. Its users get the

@@ -13,7 +13,7 @@ const void* moduleSymbol(const std::string& name, const char* symbol)
     std::error_code ignored;
     const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", ignored);
     const std::string file = (program.parent_path().parent_path() / "lib/lathelier" / (name + ".so")).string();
-    // Loaded again it is the same one, and counted: never unloaded, because its texts and tables are in use.
+    // dlopen() counts references; never unloaded, because its texts and tables stay in use.
     void* const module = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     const void* const found = module ? dlsym(module, symbol) : nullptr;
     if (!found) {

@@ -1,5 +1,5 @@
-// Public data members of structs are documented: a comment behind the member, or above it or the run it belongs to,
-// tells meaning and unit.
+// Most public data members of structs are documented by a comment behind the member, or above it or its group. A member
+// whose name already states meaning and unit needs none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double leastDocumented_percent = 95;
+constexpr double leastDocumented_percent = 85;
 constexpr std::size_t mostListed = 40;
 
 struct Count {

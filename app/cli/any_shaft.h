@@ -10,7 +10,7 @@
 
 namespace lathelier::cli {
 
-/// STEP, SHAFT.json or a table as CSV, told apart by its content; bores as they are stated. `facts` gets `format` and,
+/// STEP, SHAFT.json or a table as CSV, distinguished by content; bores as they are stated. `facts` gets `format` and,
 /// of STEP, `axis`, `solid_volume_mm3`, `other_faces`. Errors of cad::readStep(), io::readShaft(), cad::readShaftCsv().
 Shaft readAnyShaft(std::string_view bytes, Notes& notes, Json& facts, const Progress& progress);
 

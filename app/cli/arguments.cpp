@@ -13,7 +13,7 @@
 namespace lathelier::cli {
 namespace {
 
-/// What was typed for one verb, before it is understood.
+/// Raw arguments of one verb.
 struct Typed {
     CLI::App* command = nullptr;
     std::vector<std::vector<std::string>> operands;  ///< by operand
@@ -108,7 +108,7 @@ Value understand(const FieldInfo& info, const std::string& typed)
     }
 }
 
-/// An empty file name is a slip of the pen that would cost a result.
+/// An empty file name is rejected, since the result would be lost.
 void checkNames(const Typed& typed)
 {
     const auto check = [&typed](const std::string& option, const std::string& path) {
@@ -178,7 +178,7 @@ std::vector<std::string> withLists(int argc, char** argv)
     return words;
 }
 
-/// A first word that is no verb is told apart from a missing one.
+/// Distinguishes an unknown verb from a missing one.
 bool isUnknownCommand(const std::string& word)
 {
     const auto same = [&word](const Verb& verb) { return verb.name == word; };

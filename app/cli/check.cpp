@@ -1,4 +1,4 @@
-// check PROGRAM --job JOB.json: any turning program against its drawing, its stock and what stands around them.
+// check PROGRAM --job JOB.json: any turning program against its drawing, its stock and the surrounding bodies.
 #include <nlohmann/json.hpp>
 
 #include "app/cli/jobs.h"

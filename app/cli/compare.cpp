@@ -1,4 +1,4 @@
-// compare REFERENCE COPY: how far the copy is from the original or from the drawing, where, and how sure that is.
+// compare REFERENCE COPY: deviation of the copy from the original or the drawing, with location and uncertainty.
 #include "engine/registration/compare.h"
 
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ registration::CompareParameters parametersOf(const Request& request, io::InputFi
     return parameters;
 }
 
-/// Calls `compare`; the engine names the role of the scan at fault, here is its file.
+/// Calls `compare` and adds the file to errors, in which the engine names the role of the scan.
 template <class Compare>
 auto compared(const Request& request, Compare compare)
 {
@@ -111,7 +111,7 @@ void runCompare(const Request& request, io::InputFiles& inputs, const Progress& 
 {
     const auto deviations = request.outputs.find(deviationsOption);
     const bool wanted = deviations != request.outputs.end();
-    if (wanted && !registration::isDeviationFile(deviations->second))  // said before the work, not after it
+    if (wanted && !registration::isDeviationFile(deviations->second))  // checked before the computation
         throw Error(errors::valueNotUnderstood, {{"parameter", deviationsOption},
                                                  {"found", deviations->second},
                                                  {"expected", LT_TEXT("Engine", "a name in .ply or .csv")}});

@@ -1,4 +1,4 @@
-// cylindricity FILE: how far a cloud of points is from a cylinder.
+// cylindricity FILE: deviation of a cloud of points from a cylinder.
 #include <nlohmann/json.hpp>
 
 #include "app/cli/scans.h"

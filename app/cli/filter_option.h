@@ -1,4 +1,4 @@
-// --no-filter: the default of the verbs that filter, said aloud.
+// --no-filter: explicit form of the default of the verbs that filter.
 #pragma once
 
 #include "app/cli/verb.h"

@@ -1,4 +1,4 @@
-// The frequency response that lobes and speeds rest on: a file, modes, or a shaft on its spindle.
+// Source of the frequency response for lobes and speeds: a file, modes, or a shaft on its spindle.
 #pragma once
 
 #include "app/cli/verb.h"
@@ -8,13 +8,13 @@
 
 namespace lathelier::cli {
 
-/// What a verb found of its source.
+/// Result of reading a source.
 struct FrfSource {
     Frf frf;          ///< a receptance, mm/N
-    UsedValues used;  ///< what was assumed on the way
+    UsedValues used;  ///< assumed values
 };
 
-/// What the options of a source hold.
+/// Options of a source.
 struct SourceParameters {
     std::vector<stability::Mode> mode;  ///< given by hand
     std::string shaft;                  ///< path of a shaft that is computed; empty: none

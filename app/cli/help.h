@@ -1,4 +1,4 @@
-// The words of the help pages, made from the descriptions of the parameters.
+// Text of the help pages, generated from the descriptions of the parameters.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ inline constexpr std::size_t helpColumn = 36;
 /// "tolerance_mm" → "--tolerance-mm"
 std::string optionName(const std::string& key);
 
-/// What stands behind the option: "auto|point|comma", "NUMBER", "A:B".
+/// Value syntax of the option: "auto|point|comma", "NUMBER", "A:B".
 std::string placeholder(const FieldInfo& info);
 
 /// Help text with unit, range and default, wrapped for the help page.

@@ -1,4 +1,4 @@
-// inspect FILE...: what was understood of each file.
+// inspect FILE...: facts of each file.
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verbs.h"
@@ -27,7 +27,7 @@ std::string itemText(const Row& row)
     return line;
 }
 
-/// A list is one row for each of its items, as far as people read on.
+/// A list gives one row per item, up to a limit.
 void addDetail(const std::string& name, const Value& value, report::QuantityTable& table)
 {
     constexpr std::size_t mostItems = 100;
@@ -72,7 +72,7 @@ report::Section factsSection(const std::vector<io::FileFacts>& files)
     return section;
 }
 
-/// All kinds of file that any verb reads; whatever looks like nothing else is a cloud.
+/// All kinds of file read by any verb; anything else is treated as a cloud.
 io::FileKinds knownKinds()
 {
     io::FileKinds kinds;

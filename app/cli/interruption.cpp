@@ -11,7 +11,7 @@
 namespace lathelier::cli {
 namespace {
 
-constexpr int wakeSignal = SIGUSR1;  ///< ends the waiting; it stops nothing
+constexpr int wakeSignal = SIGUSR1;  ///< ends the waiting thread only
 
 sigset_t awaitedSignals()
 {

@@ -27,7 +27,7 @@ std::vector<Option> lobesOptions()
     return options;
 }
 
-/// A pass needs the shaft that is cut.
+/// A pass requires a shaft.
 void checkPass(const Request& request, const stability::PassParameters& pass)
 {
     if (pass.isAsked() && wordOf(request, "shaft").empty())
@@ -41,9 +41,9 @@ std::shared_ptr<const stability::PassResult> passOf(const Request& request, cons
                                                     const Progress& progress)
 {
     if (!pass.isAsked()) return nullptr;
-    Answer said;  // the reading of the source has said it already
-    const Shaft shaft = readShaft(wordOf(request, "shaft"), request, inputs, progress.part(0, 0), said);
-    const auto spindle = readSpindle(request, inputs, progress.part(0, 0), said);
+    Answer ignoredAnswer;  // already noted when the source was read
+    const Shaft shaft = readShaft(wordOf(request, "shaft"), request, inputs, progress.part(0, 0), ignoredAnswer);
+    const auto spindle = readSpindle(request, inputs, progress.part(0, 0), ignoredAnswer);
     stability::LobeParameters parameters = lobes.parameters;
     parameters.speed_rpm = {lobes.speed_rpm};
     return std::make_shared<const stability::PassResult>(lobesOverPass(

@@ -23,8 +23,8 @@ int main(int argc, char** argv)
 {
     using namespace lathelier::cli;
     keepFreedMemory();
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like any other
-    std::signal(SIGXFSZ, SIG_IGN);  // so is a limit on the size of files
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as an error
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error
     const Parsed parsed = parseArguments(argc, argv);
     if (!parsed.invocation) return parsed.exit_code;
     const Interruption interruption;

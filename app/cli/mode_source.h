@@ -1,4 +1,4 @@
-// The modes that a simulation rests on: given by hand, or fitted to the response of a file or of a computed shaft.
+// Source of the modes for a simulation: given by hand, or fitted to the response of a file or of a computed shaft.
 #pragma once
 
 #include "app/cli/verb.h"
@@ -7,10 +7,10 @@
 
 namespace lathelier::cli {
 
-/// What a verb found of its source.
+/// Result of reading a source.
 struct ModeSource {
-    std::vector<stability::Mode> modes;  ///< of the point that is cut
-    UsedValues used;                     ///< what was assumed on the way
+    std::vector<stability::Mode> modes;  ///< modes of the cutting point
+    UsedValues used;                     ///< assumed values
 };
 
 /// Takes the options of frfSourceOptions(). Errors: valueNotUnderstood when the request names no source or more than

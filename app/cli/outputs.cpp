@@ -15,17 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file by what it is and by what it is called: links and other spellings lead to the same one.
+/// Identity of a file: links and different spellings of its path are equal.
 struct NamedFile {
     std::string option;  ///< that names it; empty: an operand
-    std::string path;    ///< as typed
+    std::string path;    ///< path as typed
     std::optional<std::pair<dev_t, ino_t>> identity;
     fs::path place;  ///< empty: no place in the file system
 };
 
 std::optional<std::pair<dev_t, ino_t>> identityOf(const struct stat& status)
 {
-    if (S_ISCHR(status.st_mode)) return std::nullopt;  // a terminal or /dev/null holds nothing to lose
+    if (S_ISCHR(status.st_mode)) return std::nullopt;  // a terminal or /dev/null has no content to lose
     return std::pair(status.st_dev, status.st_ino);
 }
 

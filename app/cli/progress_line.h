@@ -10,7 +10,7 @@
 namespace lathelier::cli {
 
 /// Shows the phase and the percentage on standard error when that is a terminal, at most ten times a second.
-/// Safe from any thread. Cleared when it goes.
+/// Thread-safe. Cleared by the destructor.
 class ProgressLine {
 public:
     explicit ProgressLine(bool wanted);

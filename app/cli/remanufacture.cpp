@@ -47,7 +47,7 @@ ChainQuestion questionOf(const Request& request)
     auto question = fromValues<ChainQuestion>(request.parameters);
     requireFiles(question);
     question.scan = request.operands.front();
-    // What is as it would be anyway is not asked for, as in the window: the same question is known again.
+    // Default values are omitted, as in the window, so that equal questions are recognised.
     const auto take = [&request](Values& values, const Option& option) {
         const Value* const given = find(request.parameters, option.info.key);
         if (given && *given != option.standard) set(values, option.info.key, *given);
@@ -70,13 +70,13 @@ void runRemanufacture(const Request& request, io::InputFiles& inputs, const Prog
     inputs.drop();
     const chain::RunMode mode = question.resume ? chain::RunMode::OutOfDate : chain::RunMode::Everything;
     const auto dossier = std::make_shared<const chain::Dossier>(
-        chain::remanufacture(question, askByName, mode, earlier, inputs, progress));
+        chain::remanufacture(question, runVerbByName, mode, earlier, inputs, progress));
     answer.notes = dossier->notes;
     answer.json = [dossier] { return chain::toJson(*dossier); };
     answer.report = [dossier] { return chain::dossierReport(*dossier); };
     answer.summary = report::toPlainText({{}, {chain::answer(*dossier), chain::stepsTable(*dossier)}});
     if (dossier->verdict) answer.pass = passed(dossier->verdict);
-    // Dossier and report stand in the folder, whatever happened before.
+    // Dossier and report are in the folder in any case.
     chain::writeDossier(question, *dossier, inputs.list(), request.parameters);
     if (const auto error = dossier->error()) answer.errors.push_back(*error);
 }

@@ -23,7 +23,7 @@ constexpr const char* dfqOption = "--dfq";
 constexpr const char* superimposeKey = "superimpose";
 constexpr const char* mirroredKey = "mirrored";
 
-/// What a request has found so far; JSON and report are made from it when asked for.
+/// Results of a request so far, from which JSON and report are made on request.
 struct Found {
     std::vector<std::string> paths;
     std::vector<form::RoundnessResult> results;
@@ -43,7 +43,7 @@ std::optional<std::string> statedWord(const Request& request, const char* key)
     return std::get<std::string>(*value);
 }
 
-/// Wrong combinations are said before the work.
+/// Invalid combinations are rejected before the computation.
 void checkCombination(const Request& request, const form::RoundnessParameters& parameters)
 {
     checkNoFilter(request, parameters);
@@ -87,7 +87,7 @@ std::string summaryOf(const Found& found)
     return summary;
 }
 
-/// When the profiles were measured, as far as their files tell; those of a pipe are of now.
+/// When the profiles were measured, by their files; now for a pipe.
 std::vector<std::string> measuredTimes(const std::vector<std::string>& paths)
 {
     std::vector<std::string> times;

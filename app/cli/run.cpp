@@ -18,7 +18,7 @@
 namespace lathelier::cli {
 namespace {
 
-/// What is left of it when there is no memory, not even for the digests of the inputs.
+/// Reduced output when memory is insufficient even for the digests of the inputs.
 Json shortEnvelope(const Invocation& invocation, const Answer& answer)
 {
     Json result = report::resultHead(invocation.verb->name, {}, invocation.request.parameters);
@@ -46,7 +46,7 @@ void writeReport(const std::string& path, const Answer& answer, io::InputFiles& 
     io::writeFile(path, report::toHtml(document));
 }
 
-/// Hands the whole object to `write`. Where the memory is too short for that, the answer gives way to the error.
+/// Hands the whole object to `write`. Without sufficient memory only the error is written.
 template <class Write>
 void writeJson(const Invocation& invocation, io::InputFiles& inputs, Answer& answer, Write write)
 {

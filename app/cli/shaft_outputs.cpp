@@ -139,7 +139,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
     });
     if (cad) {
         const Notes left_out = cad::cadNotes(asked.shaft);
-        if (contains(left_out, notes::marksLeftOut))  // it says all that the other says
+        if (contains(left_out, notes::marksLeftOut))  // implies the other note
             std::erase_if(answer.notes, [](const Note& note) { return note.code == notes::marksFound; });
         answer.notes.insert(answer.notes.end(), left_out.begin(), left_out.end());
     }

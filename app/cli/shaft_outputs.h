@@ -13,17 +13,17 @@ std::vector<OutputOption> shaftOutputs();
 /// How they are written: schema of STEP, contour or drawing as DXF.
 std::vector<Option> cadOptions();
 
-/// The paper's Table 1 of a shaft, as `steps` in JSON.
+/// Table 1 of the paper for a shaft, as `steps` in JSON.
 Json stepsJson(const Shaft& shaft);
 
-/// The rows of a shaft for people.
+/// The rows of a shaft as readable text.
 std::string shaftSummary(const Shaft& shaft);
 
-/// What the files say besides the shaft.
+/// Further content of the files.
 struct ShaftToWrite {
     const Shaft& shaft;
     bool complete = true;                ///< false: only the shaft itself is written, the others are refused
-    Text missing = {};                   ///< why it is not complete
+    Text missing = {};                   ///< reason why it is not complete
     double chucked_mm = 0;               ///< of its end: not in the stock file
     std::optional<InputFile> scan = {};  ///< that it was recovered from; none: it is a design
     bool measured = false;               ///< its sizes were measured

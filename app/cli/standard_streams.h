@@ -1,4 +1,4 @@
-// Standard output and standard error, with failures told.
+// Standard output and standard error with error reporting.
 #pragma once
 
 #include <string_view>

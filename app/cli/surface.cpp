@@ -12,7 +12,7 @@
 namespace lathelier::cli {
 namespace {
 
-/// Pictures that cannot be read are named all at once; a comparison needs every one.
+/// Unreadable pictures are reported together; a comparison requires all.
 std::vector<surface::NamedImage> readImages(const Request& request, io::InputFiles& inputs, const Progress& progress,
                                             Answer& answer)
 {

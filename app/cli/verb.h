@@ -42,7 +42,7 @@ struct OutputOption {
 /// Writes numbers as a table, wherever a verb does.
 inline constexpr const char* tableOption = "--csv";
 
-/// What the user asked of a verb. `parameters` holds every option by key, defaults included.
+/// Request of a verb. `parameters` holds every option by key, defaults included.
 struct Request {
     std::vector<std::string> operands;
     Values parameters;
@@ -50,11 +50,11 @@ struct Request {
     bool in_full = false;                        ///< JSON or a report is asked for: more than the summary holds
 };
 
-/// What a verb found; filled as it goes, so that notes survive an error. JSON and report are built when asked for.
+/// Answer of a verb; filled step by step, so that notes survive an error. JSON and report are built when asked for.
 struct Answer {
     std::function<Json()> json;                ///< the verb's own result keys, an object
     std::function<report::Document()> report;  ///< empty for verbs without one
-    std::string summary;                       ///< for people
+    std::string summary;                       ///< readable summary
     Notes notes;
     std::vector<Error> errors;   ///< inputs refused while others could be answered
     std::optional<bool> pass;    ///< the verdict, where there is one

@@ -87,7 +87,7 @@ Request requestOf(const Verb& verb, std::vector<std::string> operands, const Val
     return request;
 }
 
-chain::VerbReply askByName(const chain::VerbQuestion& question, const Progress& progress)
+chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progress& progress)
 {
     const std::vector<Verb>& all = verbs();
     const Verb& verb =

@@ -1,5 +1,5 @@
-// A verb asked once: its answer with everything that was refused, its object, its exit code. The command line asks one
-// verb; the chain, here and in the window, several in a row.
+// A verb asked once: its answer with everything that was refused, its object, its exit code. The command line runs one
+// verb; the chain, here and in the window, several in sequence.
 #pragma once
 
 #include "app/cli/arguments.h"
@@ -34,7 +34,7 @@ int exitCode(const Answer& answer, bool strict);
 Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,
                   std::map<std::string, std::string> outputs);
 
-/// A verb of the table asked by its name, with its report: a chain::AskVerb. Precondition: there is one of this name.
-chain::VerbReply askByName(const chain::VerbQuestion& question, const Progress& progress);
+/// Runs a verb of the table by name, with its report: a chain::AskVerb. Precondition: there is one of this name.
+chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progress& progress);
 
 }  // namespace lathelier::cli

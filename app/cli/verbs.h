@@ -6,7 +6,7 @@
 namespace lathelier::cli {
 
 Verb sampleVerb();
-Verb inspectVerb(const io::FileKinds& kinds);  ///< of all files that the others read
+Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
 Verb compareVerb();
 Verb roundnessVerb();
 Verb cylindricityVerb();

@@ -8,7 +8,7 @@ namespace lathelier {
 
 struct Arguments {
     QStringList files;  ///< a project, or data files for the active panel
-    QString language;   ///< empty: as set
+    QString language;   ///< language; empty: from the settings
     QString report;     ///< write this file and leave; needs no display
     QString theme;      ///< of screenshots: "light", "dark"; empty: as the desktop
     QString shots;      ///< write screenshots into this folder and leave

@@ -18,9 +18,9 @@ class CommandPalette : public QDialog {
 public:
     struct Command {
         QString path;               ///< "File › Save"
-        std::function<void()> run;  ///< does nothing when what it works on is gone
+        std::function<void()> run;  ///< no effect after its target is destroyed
         QIcon icon = {};
-        QString keys = {};    ///< its shortcut, as people read it
+        QString keys = {};    ///< displayed shortcut
         bool enabled = true;  ///< false: not offered now
     };
 

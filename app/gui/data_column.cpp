@@ -15,7 +15,7 @@
 namespace lathelier {
 namespace {
 
-// What a row knows besides its words.
+// Data roles of a row.
 enum Role { PathRole = Qt::UserRole, PanelRole, ItemRole };
 
 }  // namespace
@@ -50,7 +50,7 @@ void DataColumn::fill()
     nothing->setFlags(Qt::NoItemFlags);
 }
 
-/// Each file once, and under it every input that it stands in. Panels that work on one state name it once.
+/// Each file once, and under it every input that it stands in. Panels with a common state appear once.
 void DataColumn::addFiles()
 {
     std::map<std::string, QTreeWidgetItem*> rows;
@@ -107,9 +107,9 @@ void DataColumn::addItems()
 
 void DataColumn::open(QTreeWidgetItem* row)
 {
-    if (const QString name = row->data(0, ItemRole).toString(); !name.isEmpty()) emit itemWanted(name.toStdString());
+    if (const QString name = row->data(0, ItemRole).toString(); !name.isEmpty()) emit itemRequested(name.toStdString());
     if (const QString panel = row->data(0, PanelRole).toString(); !panel.isEmpty())
-        emit panelWanted(panel.toStdString());
+        emit panelRequested(panel.toStdString());
 }
 
 QStringList DataColumn::mimeTypes() const

@@ -1,5 +1,5 @@
-// What the project holds: files with what takes them, and items that panels made. A file can be dragged from here into
-// an input.
+// Content of the project: files with their uses, and items made by panels. A file can be dragged from here into an
+// input.
 #pragma once
 
 #include <QTreeWidget>
@@ -24,8 +24,8 @@ public:
     }
 
 signals:
-    void panelWanted(const std::string& panel);  ///< a double click on what this panel works on
-    void itemWanted(const std::string& name);    ///< a double click on an item: the panel that takes its kind
+    void panelRequested(const std::string& panel);  ///< a double click on what this panel works on
+    void itemRequested(const std::string& name);    ///< a double click on an item: the panel that takes its kind
 
 protected:
     QMimeData* mimeData(const QList<QTreeWidgetItem*> items) const override;

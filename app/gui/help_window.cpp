@@ -27,7 +27,7 @@ QString screenLanguageCode()
     return QLocale().name().left(2);
 }
 
-/// What Markdown says nothing of: tables with thin lines and room in their cells, headings apart from what is above.
+/// Style missing in Markdown: table borders and padding, space above headings.
 void layOut(QTextDocument& document, const QColor& line)
 {
     const qreal letter = QFontMetricsF(document.defaultFont()).height();

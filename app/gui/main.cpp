@@ -48,7 +48,7 @@ int runWindow(const Arguments& arguments, Languages& languages)
         window.files().leaveWithoutAsking();
         QCoreApplication::exit(0);
     };
-    QObject::connect(&shutdown, &Shutdown::wanted, &window, leave);
+    QObject::connect(&shutdown, &Shutdown::requested, &window, leave);
     QObject::connect(qApp, &QGuiApplication::commitDataRequest, &window, [&window] { window.files().keepAside(); });
     QTimer::singleShot(0, &window, [&window] { window.files().offerLostWork(); });
     return QApplication::exec();
@@ -58,8 +58,8 @@ int runWindow(const Arguments& arguments, Languages& languages)
 
 int main(int argc, char** argv)
 {
-    std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is an error like any other
-    std::signal(SIGXFSZ, SIG_IGN);  // so is a limit on the size of files
+    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is reported as an error
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is reported as an error
     const Arguments arguments = parseArguments(wordsOf(argc, argv));
     if (!arguments.error.isEmpty()) {
         std::cerr << arguments.error.toStdString() << "\n" << usage().toStdString();
@@ -70,12 +70,12 @@ int main(int argc, char** argv)
         return 0;
     }
 
-    // All of this has to stand before the application object.
+    // These attributes must be set before the application object is created.
     if (!arguments.report.isEmpty()) qputenv("QT_QPA_PLATFORM", "offscreen");
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
-    // Whole factors: at fractions Qt 5 leaves lines of dirt. Type follows the resolution exactly all the same.
+    // Integer scale factors, since Qt 5 leaves artefacts at fractional ones. Fonts follow the resolution exactly.
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::RoundPreferFloor);
 #endif
     QCoreApplication::setOrganizationName("Lathelier");

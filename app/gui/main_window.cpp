@@ -58,11 +58,11 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
     auto* column = new DataColumn(session_, panels);
     dataDock_->setObjectName("dock_data");
     dataDock_->setWidget(column);
-    connect(column, &DataColumn::panelWanted, this, [this](const std::string& id) {
+    connect(column, &DataColumn::panelRequested, this, [this](const std::string& id) {
         for (PanelDock* dock : docks_)
             if (dock->facts().id == id) return showPanel(dock);
     });
-    connect(column, &DataColumn::itemWanted, this, [this](const std::string& name) {
+    connect(column, &DataColumn::itemRequested, this, [this](const std::string& name) {
         const auto& items = session_.project().items;
         if (const auto item = items.find(name); item != items.end())
             for (PanelDock* dock : docks_)
@@ -82,7 +82,7 @@ MainWindow::MainWindow(Session& session, Languages& languages, const std::vector
 
     connect(&session_, &Session::pathChanged, this, &MainWindow::updateTitle);
     connect(&session_, &Session::modifiedChanged, this, &MainWindow::updateTitle);
-    connect(&session_, &Session::changed, this, [this] {  // what it said was of the state before
+    connect(&session_, &Session::changed, this, [this] {  // the message belonged to the previous state
         status_->clear();
         openSaved_->hide();
     });
@@ -126,13 +126,13 @@ void MainWindow::panelMade(PanelDock* dock, PanelBase* panel)
 {
     panel->setPresenting(presenting_);
     connect(panel, &PanelBase::messageRaised, this, &MainWindow::announce);
-    connect(panel, &PanelBase::sampleWanted, this, [this] {
+    connect(panel, &PanelBase::sampleRequested, this, [this] {
         const std::string here = layouts_->workspace();
         files_.openSample();
         enterWorkspace(here);  // where it was asked for, whatever workspace the sample was saved in
     });
     connect(panel, &PanelBase::itemOffered, this, &MainWindow::useItem);
-    connect(panel, &PanelBase::reportWanted, this,
+    connect(panel, &PanelBase::reportRequested, this,
             [this, dock](const QString& suffix) { writeReport({dock}, suffix); });
 }
 
@@ -185,7 +185,7 @@ PanelDock* MainWindow::activeDock() const
     const std::string& workspace = layouts_->workspace();
     const auto active = lastActive_.find(workspace);
     if (active != lastActive_.end()) return active->second;
-    // Nothing has been seen yet: files named on the command line come before the window.
+    // Before the window is shown: opens the files of the command line.
     const std::vector<PanelDock*> here = docksIn(docks_, workspace);
     return here.empty() ? nullptr : here.front();
 }
@@ -241,7 +241,7 @@ void MainWindow::announce(const Message& message)
     openSaved_->hide();
     status_->setText(shortText(message));
     status_->setToolTip(screenText(message));
-    // What concerns no panel has no message line to appear in.
+    // Messages without a panel have no message line.
     if (kindOf(message) == MessageKind::Error && message.source.empty()) {
         logDock_->show();
         logDock_->raise();

@@ -168,7 +168,7 @@ void MainWindow::makeStrips(const std::vector<StripFacts>& strips)
         row->addWidget(strip);
         strips_[facts.workspace] = row;
         connect(strip, &WorkspaceStrip::messageRaised, this, &MainWindow::announce);
-        connect(strip, &WorkspaceStrip::panelWanted, this, [this](const std::string& id) {
+        connect(strip, &WorkspaceStrip::panelRequested, this, [this](const std::string& id) {
             for (PanelDock* dock : docks_)
                 if (dock->facts().id == id) return showPanel(dock);
         });
@@ -186,7 +186,7 @@ void MainWindow::fillRecent()
     menu->clear();
     for (const QString& path : recentFiles()) {
         QString name = screenFileName(path);
-        name.replace("&", "&&");  // no mark of a key
+        name.replace("&", "&&");  // escapes the mnemonic mark
         QAction* entry = menu->addAction(name, this, [this, path] { files_.open(path); });
         entry->setToolTip(path);
         entry->setStatusTip(path);
@@ -199,7 +199,7 @@ void MainWindow::updateUndo()
     const QUndoStack& undo = session_.undoStack();
     action("undo")->setEnabled(undo.canUndo());
     action("redo")->setEnabled(undo.canRedo());
-    // A step named in another language goes without its name.
+    // A step named in another language is shown without its name.
     const auto named = [&](int step) {
         const QUndoCommand* command = undo.command(step);
         return command && command->text() == QLocale().name();

@@ -36,7 +36,7 @@ QString textOf(const QString& markdown)
     return document.toPlainText();
 }
 
-/// The letter without its accents, in lower case: one character for one, so that places stay what they are.
+/// The letter without accents in lower case, one character each, so that positions are unchanged.
 QChar plainLetter(QChar letter)
 {
     const QString parts = letter.decomposition();

@@ -70,7 +70,7 @@ const std::vector<PanelFacts>& panelTable()
 
 const std::vector<StripFacts>& stripTable()
 {
-    static const std::vector<StripFacts> table{chain_panel::chainStrip(cli::askByName)};
+    static const std::vector<StripFacts> table{chain_panel::chainStrip(cli::runVerbByName)};
     return table;
 }
 

@@ -70,7 +70,7 @@ bool ProjectFiles::save()
     return session_.path().isEmpty() ? saveAs() : write(session_.path());
 }
 
-/// Somebody else has written the project since it was opened: neither version is lost without a word.
+/// Another process has written the project since it was opened: asks before either version is lost.
 ProjectFiles::Overtaken ProjectFiles::askOvertaken(const QString& path)
 {
     QMessageBox box(
@@ -202,7 +202,7 @@ QString ProjectFiles::makeSample()
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/sample";
     const std::vector<std::string> names = sample::sampleFileNames();
     QString project = folder + "/" + QString::fromStdString(names.back());  // written last
-    // A folder of an earlier version lacks what came later.
+    // A folder of an earlier version lacks later files.
     if (std::all_of(names.begin(), names.end(), [&folder](const std::string& name) {
             return QFileInfo::exists(folder + "/" + QString::fromStdString(name));
         }))

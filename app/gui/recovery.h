@@ -21,8 +21,8 @@ struct LostWork {
     QStringList files;            ///< names of the input files it works on
 };
 
-/// The place of this run's unsaved work inside `folder`. The files of a run are locked while it lives; what is there
-/// without a living owner is lost work.
+/// The place of this run's unsaved work inside `folder`. The files of a run are locked while it lives; files without a
+/// running owner are lost work.
 class Recovery {
 public:
     explicit Recovery(const QString& folder);

@@ -12,7 +12,7 @@
 
 #include "app/gui/help_window.h"
 #include "app/gui/verify_dialog.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 
 namespace lathelier {
 namespace {
@@ -59,14 +59,14 @@ bool shootPanel(MainWindow& window, PanelDock& dock, const QDir& shots, const QS
     good = dock.panel().isCurrent() && good;
     good = write(window, shots.filePath("window_" + id + suffix)) && good;
     good = write(dock.panel(), shots.filePath(id + suffix)) && good;
-    auto* heroes = dock.panel().findChild<HeroViews*>();
-    const QStringList keys = heroes ? heroes->keys() : QStringList();
+    auto* primaryViews = dock.panel().findChild<PrimaryViews*>();
+    const QStringList keys = primaryViews ? primaryViews->keys() : QStringList();
     for (int view = 1; view < keys.size(); ++view) {
-        heroes->setHero(keys[view]);
+        primaryViews->setPrimary(keys[view]);
         pause(settling_ms);
         good = write(dock.panel(), shots.filePath(QString("%1_%2%3").arg(id, keys[view], suffix))) && good;
     }
-    if (!keys.isEmpty()) heroes->setHero(keys.front());
+    if (!keys.isEmpty()) primaryViews->setPrimary(keys.front());
     return good;
 }
 

@@ -46,7 +46,7 @@ void Shutdown::read()
 {
     std::array<char, 16> bytes{};
     while (::read(ends[1], bytes.data(), bytes.size()) > 0) continue;
-    emit wanted();
+    emit requested();
 }
 
 }  // namespace lathelier

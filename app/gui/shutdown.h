@@ -1,4 +1,4 @@
-// The end that others ask for: logout, shutdown, kill. Unsaved work is kept aside and nobody is asked.
+// Termination by the system: logout, shutdown, kill. Unsaved work is saved for recovery without a question.
 #pragma once
 
 #include <QObject>
@@ -8,7 +8,8 @@ class QSocketNotifier;
 
 namespace lathelier {
 
-/// Tells in the GUI thread that SIGTERM, SIGHUP or SIGINT arrived. One at a time; make it after the application.
+/// Emits a signal in the GUI thread when SIGTERM, SIGHUP or SIGINT arrives. One at a time; make it after the
+/// application.
 class Shutdown : public QObject {
     Q_OBJECT
 public:
@@ -16,7 +17,7 @@ public:
     ~Shutdown() override;
 
 signals:
-    void wanted();
+    void requested();
 
 private:
     void read();

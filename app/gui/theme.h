@@ -1,4 +1,4 @@
-// The look of the program: one style and two palettes, light and dark, following the system.
+// Theme of the program: one style and two palettes, light and dark, following the system.
 #pragma once
 
 #include <QDBusVariant>

@@ -3,7 +3,7 @@
 namespace lathelier::beam {
 namespace {
 
-/// Of a symmetric 2×2 matrix, rigidly held motions apart.
+/// Number of negative eigenvalues of a symmetric 2×2 matrix without the rigidly held motions.
 int negativeOf(const Matrix2<double>& a, Held held)
 {
     if (held.w && held.t) return 0;

@@ -9,8 +9,8 @@ namespace lathelier::beam {
 
 /// Motion, or load, of a node: deflection or force, rotation dw/dz or moment.
 struct NodeVector {
-    double w = 0;  ///< mm or N
-    double t = 0;  ///< rad or N·mm
+    double w = 0;  ///< deflection, mm; or force, N
+    double t = 0;  ///< rotation, rad; or moment, N·mm
 };
 
 class BeamChain {
@@ -19,7 +19,7 @@ public:
 
     const BeamModel& model() const { return model_; }
 
-    /// Of the stiffness at `omega_rad_s` > 0, rigidly held motions apart.
+    /// Number of negative eigenvalues of the stiffness at `omega_rad_s` > 0, without rigidly held motions.
     int negativeEigenvalues(double omega_rad_s);
 
     /// The motion under `load`, one for each node, at `omega_rad_s`.

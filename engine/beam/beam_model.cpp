@@ -12,10 +12,10 @@ namespace lathelier::beam {
 namespace {
 
 constexpr double tonne_mm3_per_kg_m3 = 1e-12;
-constexpr double samePlaceShare = 1e-9;       // of the length: nearer places are one
-constexpr double waveShare = 0.9;             // of half a wavelength
-constexpr double longestElementShare = 0.01;  // of the length
-constexpr double mostParts = 1e5;             // into which one piece is cut
+constexpr double samePlaceShare = 1e-9;       // share of the length: closer places are merged
+constexpr double waveShare = 0.9;             // largest piece length in half wavelengths
+constexpr double longestElementShare = 0.01;  // largest element length as share of the shaft length
+constexpr double mostParts = 1e5;             // largest number of parts of one piece
 
 void checkNotNegative(const char* parameter, double value, bool may_be_infinite = false)
 {
@@ -85,7 +85,7 @@ void appendParts(const BeamPiece& piece, double parts, std::vector<BeamPiece>& r
     }
 }
 
-/// Where the chain has to be cut: ends, places and supports, each once.
+/// Node positions: ends, places and supports, each once.
 std::vector<double> cuts(const BeamParameters& parameters, std::span<const double> places_z_mm, double length_mm)
 {
     std::vector<double> result{0, length_mm};
@@ -176,7 +176,7 @@ BeamModel beamModel(const Shaft& shaft, const Material& material, const BeamPara
             BeamPiece piece = whole;
             piece.length_mm = to_mm - from_mm;
             appendParts(piece, is_element ? piece.length_mm / element_mm : 1, model.pieces);
-            node_z_mm.resize(model.pieces.size(), HUGE_VAL);  // nodes within are no places
+            node_z_mm.resize(model.pieces.size(), HUGE_VAL);  // interior nodes of pieces are not places
             node_z_mm.push_back(to_mm);
             from_mm = to_mm;
         };

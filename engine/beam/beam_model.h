@@ -14,30 +14,30 @@ namespace lathelier::beam {
 /// A spring between the shaft and the ground: chuck, tailstock, steady rest. Infinity is a rigid hold.
 struct Support {
     double z_mm = 0;           ///< from the free end: 0 for a tailstock, the length for a chuck
-    double radial_N_mm = 0;    ///< stiffness against deflection
-    double tilt_N_mm_rad = 0;  ///< stiffness against rotation
-    double loss_factor = 0;    ///< of both: they are × (1 + i·loss_factor)
+    double radial_N_mm = 0;    ///< radial stiffness
+    double tilt_N_mm_rad = 0;  ///< rotational stiffness
+    double loss_factor = 0;    ///< of both springs: complex stiffness k (1 + i·loss_factor)
 };
 
-/// How a shaft is modelled.
+/// Parameters of the beam model of a shaft.
 struct BeamParameters {
-    ShearModel shear = ShearModel::Hutchinson;  ///< shear coefficient
-    BeamMethod method = BeamMethod::Exact;      ///< motion within a piece
+    ShearModel shear = ShearModel::Hutchinson;  ///< formula of the shear coefficient κ
+    BeamMethod method = BeamMethod::Exact;      ///< shape functions within a piece
     bool step_correction = false;               ///< limit the stiffness beside steps (uniform_segments.h)
     double modal_damping_ratio = 0;  ///< ζ beside the material's η: adds 2ζ to it, which is the same at each resonance
     double element_length_mm = 2.5;  ///< FiniteElements: longest element, but a hundredth of the shaft at most
     int taper_pieces = 50;           ///< uniform pieces of a taper or arc
-    std::vector<Support> supports;   ///< none: free-free
+    std::vector<Support> supports;   ///< empty: free-free
 };
 
 /// One piece of the chain.
 struct BeamPiece {
-    double length_mm = 0;         ///< > 0
-    double mass_t_mm = 0;         ///< ρA
+    double length_mm = 0;         ///< length of the piece, > 0
+    double mass_t_mm = 0;         ///< mass per length ρA
     double rotary_t_mm = 0;       ///< ρI, tonne·mm² per mm
-    double bending_N_mm2 = 0;     ///< EI
-    double shear_N = 0;           ///< κGA
-    bool same_as_before = false;  ///< equal to the piece before it, which has been computed already
+    double bending_N_mm2 = 0;     ///< bending stiffness EI
+    double shear_N = 0;           ///< shear stiffness κGA
+    bool same_as_before = false;  ///< equal to the previous piece, whose matrices are reused
 
     /// With the complex modulus (1 + i·loss_factor), or for S = double without damping.
     template <class S>
@@ -48,13 +48,13 @@ PieceConstants<double> BeamPiece::constants(double loss_factor) const;
 template <>
 PieceConstants<Complex> BeamPiece::constants(double loss_factor) const;
 
-/// What holds a node.
+/// Support of a node: spring and rigid constraints.
 struct NodeSupport {
-    double radial_N_mm = 0;       ///< real part
-    double radial_loss_N_mm = 0;  ///< imaginary part
+    double radial_N_mm = 0;       ///< real part of the stiffness
+    double radial_loss_N_mm = 0;  ///< imaginary part of the stiffness
     double tilt_N_mm = 0;         ///< N·mm/rad, real part
-    double tilt_loss_N_mm = 0;    ///< imaginary part
-    Held held;                    ///< motions held rigidly
+    double tilt_loss_N_mm = 0;    ///< imaginary part of the stiffness
+    Held held;                    ///< rigidly constrained motions
 
     template <class S>
     Matrix2<S> stiffness() const;
@@ -66,17 +66,17 @@ Matrix2<Complex> NodeSupport::stiffness() const;
 
 /// Nodes 0…n from the free end (z = 0) toward the chuck, piece i between nodes i and i+1. Rotations are dw/dz here.
 struct BeamModel {
-    BeamMethod method = BeamMethod::Exact;  ///< for all pieces
-    double length_mm = 0;                   ///< of the shaft
+    BeamMethod method = BeamMethod::Exact;  ///< method of all pieces
+    double length_mm = 0;                   ///< length of the shaft
     double loss_factor = 0;                 ///< of the modulus: material and modal damping together
-    std::vector<BeamPiece> pieces;          ///< n
-    std::vector<NodeSupport> supports;      ///< n + 1
-    std::vector<std::size_t> places;        ///< node of each place that was asked for
+    std::vector<BeamPiece> pieces;          ///< n pieces from the free end
+    std::vector<NodeSupport> supports;      ///< support of each of the n + 1 nodes
+    std::vector<std::size_t> places;        ///< node index of each requested place
 };
 
-/// The pieces are cut at the places and supports, for FiniteElements to the length of an element, and so that none
-/// is longer than `longest_piece_mm` (0: any). Errors: those of uniformSegments(); placeOutsideShaft; valueOutOfRange
-/// (a stiffness, loss factor or material that is no number ≥ 0).
+/// The pieces are cut at the places and supports, for FiniteElements to the length of an element, and so that none is
+/// longer than `longest_piece_mm` (0: any). Errors: those of uniformSegments(); placeOutsideShaft; valueOutOfRange (a
+/// stiffness, loss factor or material that is not a number ≥ 0).
 BeamModel beamModel(const Shaft& shaft, const Material& material, const BeamParameters& parameters,
                     std::span<const double> places_z_mm);
 
@@ -85,7 +85,7 @@ BeamModel beamModel(const Shaft& shaft, const Material& material, const BeamPara
 /// natural frequencies (W. H. Wittrick and F. W. Williams, Q. J. Mech. Appl. Math. 24 (1971) 263).
 BeamModel cutForCounting(const BeamModel& model, double frequency_hz);
 
-/// How the shaft can move without bending: 2 when free, 1 with one radial spring, 0 when it is supported.
+/// Number of rigid-body motions: 2 when free, 1 with one radial spring, 0 when supported.
 int rigidBodyMotions(const BeamModel& model);
 
 }  // namespace lathelier::beam

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t linesAtOnce = 64;
 
-/// Rotation dw/dz becomes dw/dx.
+/// Converts rotation dw/dz to dw/dx.
 ReceptanceMatrix towardFreeEnd(const Matrix2<Complex>& g)
 {
     ReceptanceMatrix result;

@@ -10,12 +10,12 @@
 
 namespace lathelier::beam {
 
-/// Whose shear coefficient.
+/// Formula of the shear coefficient.
 enum class ShearModel { Hutchinson, Cowper };
 
-/// A ring, or with no bore a disc.
+/// Annular cross-section, or circular without bore.
 struct BeamSection {
-    double area_mm2 = 0;           ///< A
+    double area_mm2 = 0;           ///< area A
     double second_moment_mm4 = 0;  ///< I about a diameter
 };
 

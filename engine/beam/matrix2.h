@@ -11,7 +11,7 @@ inline double reciprocal(double x)
 {
     return 1 / x;
 }
-/// Without the checks for infinity that std::complex makes: the numbers here stay far from the ends of double.
+/// Complex product without the checks for infinity of std::complex: the values are far from overflow.
 inline Complex reciprocal(const Complex& x)
 {
     const double size = 1 / (x.real() * x.real() + x.imag() * x.imag());
@@ -29,10 +29,10 @@ inline Complex product(const Complex& a, const Complex& b)
 /// Row: response (force or deflection), column: cause.
 template <class S>
 struct Matrix2 {
-    S ww{};  ///< deflection by deflection
-    S wt{};  ///< deflection by rotation
-    S tw{};  ///< rotation by deflection
-    S tt{};  ///< rotation by rotation
+    S ww{};  ///< deflection per deflection term
+    S wt{};  ///< deflection per rotation term
+    S tw{};  ///< rotation per deflection term
+    S tt{};  ///< rotation per rotation term
 
     friend Matrix2 operator+(const Matrix2& a, const Matrix2& b)
     {
@@ -49,18 +49,18 @@ struct Matrix2 {
                 product(a.tw, b.ww) + product(a.tt, b.tw), product(a.tw, b.wt) + product(a.tt, b.tt)};
     }
     Matrix2 transposed() const { return {ww, tw, wt, tt}; }
-    /// The same about axes that point the other way: rotation changes its sign, deflection does not.
+    /// The matrix for reversed axes: the sign of rotation changes, that of deflection does not.
     Matrix2 mirrored() const { return {ww, -wt, -tw, tt}; }
 };
 
 /// Which motions of a node are held rigidly.
 struct Held {
-    bool w = false;  ///< deflection
-    bool t = false;  ///< rotation
+    bool w = false;  ///< deflection is held
+    bool t = false;  ///< rotation is held
     friend bool operator==(const Held&, const Held&) = default;
 };
 
-/// Compliance of stiffness `a`; motions that are held have none.
+/// Compliance of stiffness `a`; zero for held motions.
 template <class S>
 Matrix2<S> compliance(const Matrix2<S>& a, Held held)
 {

@@ -9,14 +9,14 @@
 namespace lathelier::beam {
 namespace {
 
-constexpr double besideTheRoot = 1e-10;  // the stiffness at the root itself is singular
-constexpr double oneFrequency = 1e-6;    // relative distance of modes that are kept orthogonal
+constexpr double besideTheRoot = 1e-10;  // relative offset: the stiffness at the root itself is singular
+constexpr double oneFrequency = 1e-6;    // relative distance below which modes are orthogonalised
 constexpr double longestPieceShare = 0.02;
 constexpr int iterations = 4;
 
 using Motion = std::vector<NodeVector>;
 
-/// The chain cut finely enough for the largest deflection to be seen.
+/// Chain subdivided finely enough to find the largest deflection.
 BeamModel fine(const BeamModel& model, double most_hz)
 {
     BeamModel result = model;
@@ -56,7 +56,7 @@ public:
     ModeShape shapeAt(double frequency_hz)
     {
         Motion motion(mass_.size());
-        for (std::size_t i = 0; i < motion.size(); ++i)  // without symmetry, so that it holds a part of every mode
+        for (std::size_t i = 0; i < motion.size(); ++i)  // asymmetric start vector, so that it contains every mode
             motion[i].w = std::cos(1.7 * static_cast<double>(i) + 0.3 * static_cast<double>(found_.size()));
         const double omega = 2 * std::numbers::pi * frequency_hz * (1 - besideTheRoot);
         for (int i = 0; i < iterations; ++i) {
@@ -108,13 +108,13 @@ private:
     {
         double largest = 0;
         for (const NodeVector& node : motion)
-            if (std::abs(node.w) > std::abs(largest) * (1 + 1e-9)) largest = node.w;  // of equals the first
+            if (std::abs(node.w) > std::abs(largest) * (1 + 1e-9)) largest = node.w;  // of ties the first
         if (largest == 0) return;
         for (NodeVector& node : motion) node = {node.w / largest, node.t / largest};
     }
 
     BeamChain chain_;
-    Motion mass_;  // of the nodes, lumped
+    Motion mass_;  // lumped mass by node
     std::vector<Found> found_;
 };
 

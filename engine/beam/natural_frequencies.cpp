@@ -13,7 +13,7 @@ namespace {
 constexpr double precise = 1e-13;  // relative width of the last interval
 constexpr int mostHalvings = 200;
 
-/// Where the count passes each number of modes.
+/// Bisection for the frequencies at which the count increases.
 class Counter {
 public:
     Counter(const BeamModel& model, double most_rad_s) : chain_(cutForCounting(model, most_rad_s / turn_rad))
@@ -24,7 +24,7 @@ public:
         high_.assign(low_.size(), most_rad_s);
     }
 
-    /// In Hz, ascending.
+    /// Natural frequencies in Hz, ascending.
     std::vector<double> all(const Progress& progress)
     {
         std::vector<double> result;
@@ -54,7 +54,7 @@ private:
 
     BeamChain chain_;
     int rigid_ = 0;
-    std::vector<double> low_, high_;  // rad/s, of each mode
+    std::vector<double> low_, high_;  // bracket of each mode, rad/s
 };
 
 }  // namespace

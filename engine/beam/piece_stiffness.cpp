@@ -21,7 +21,7 @@ constexpr std::array<double, 13> series{1.0,
                                         -113927491862.0 / 2900518163668125,
                                         58870668456604.0 / 3698160658676859375.0};
 constexpr double seriesReach = 0.1;
-constexpr double tinyReach = 1e-4;  // four terms are enough
+constexpr double tinyReach = 1e-4;  // four terms of the series are sufficient below this |y|
 
 template <class S>
 S tinySeries(const S& y)
@@ -70,7 +70,7 @@ double sizeOf(const Complex& y)
     return std::abs(y.real()) + std::abs(y.imag());
 }
 
-/// Of T(y) at the two roots: product, divided difference, and that of y T(y).
+/// T(y) at the two roots: product, divided difference, and divided difference of y T(y).
 template <class S>
 struct RootFunctions {
     S product;            ///< T(y₁) T(y₂)
@@ -83,8 +83,8 @@ template <class S>
 RootFunctions<S> bySeries(const S& sum, const S& prod, const S& square)
 {
     S complete_before{};   // complete homogeneous polynomial of degree k - 1
-    S complete = S(1);     // of degree k
-    S power_before = sum;  // power sums; p₋₁ is never used with weight
+    S complete = S(1);     // complete homogeneous polynomial of degree k
+    S power_before = sum;  // power sums; p₋₁ has zero weight
     S power = S(2);
     S sum_T{}, difference{}, difference_of_y_T{};
     for (std::size_t k = 0; k < series.size(); ++k) {
@@ -106,7 +106,7 @@ template <class S>
 RootFunctions<S> byRoots(const S& sum, const S& prod, const S& square)
 {
     const S apart = rootOf(square);        // y₁ - y₂, real part ≥ 0
-    const S second = 0.5 * (sum - apart);  // both parts point the same way: no cancellation
+    const S second = 0.5 * (sum - apart);  // real and imaginary parts have equal signs: no cancellation
     const S first = product(prod, reciprocal(second));
     const S first_T = tanhOverRoot(first);
     const S second_T = tanhOverRoot(second);
@@ -115,7 +115,7 @@ RootFunctions<S> byRoots(const S& sum, const S& prod, const S& square)
             product(product(first, first_T) - product(second, second_T), scale)};
 }
 
-/// Both parts of a symmetric 2×2 stiffness, and from them the blocks of a piece.
+/// Symmetric and antisymmetric 2×2 stiffness, and the blocks of a piece composed of them.
 template <class S>
 struct Halves {
     S sym_ww, sym_wt, sym_tt;     ///< at the right end, motion symmetric about the middle

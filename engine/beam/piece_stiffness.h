@@ -3,9 +3,9 @@
 // Harmonic motion e^(iωt) of a piece of length 2h, with rotation t positive as dw/ds along the piece:
 //   κGA (w″ - t′) + ρA ω² w = 0,   EI t″ + κGA (w′ - t) + ρI ω² t = 0
 // Solutions e^(λs) with λ² = y/h² from y² - e₁y + e₂ = 0, e₁ = -(a+b) h², e₂ = (ab - c) h⁴, a = ρIω²/EI, b = ρAω²/κGA,
-// c = ρAω²/EI. A piece is symmetric about its middle, so its stiffness falls apart into one for symmetric and one for
-// antisymmetric motion. With T(y) = tanh(√y)/√y, τ₁τ₂ = h² T(y₁) T(y₂), and the divided differences
-// d = h³ [T(y₁) - T(y₂)]/(y₁ - y₂), e = h [y₁T(y₁) - y₂T(y₂)]/(y₁ - y₂):
+// c = ρAω²/EI. A piece is symmetric about its middle, so its stiffness decouples into one for symmetric and one for
+// antisymmetric motion. With T(y) = tanh(√y)/√y, τ₁τ₂ = h² T(y₁) T(y₂), and the divided differences d = h³ [T(y₁) -
+// T(y₂)]/(y₁ - y₂), e = h [y₁T(y₁) - y₂T(y₂)]/(y₁ - y₂):
 //   symmetric      1/(e + b d)        [ -ρAω² τ₁τ₂   -ρAω² d           ]
 //                                     [ -ρAω² d       EI               ]
 //   antisymmetric  1/((ab-c) d + b e) [  ρAω²        -ρAω² e           ]   (common factor ω² cancelled: valid at ω = 0)
@@ -21,16 +21,16 @@
 
 namespace lathelier::beam {
 
-/// How the motion within a piece is described.
+/// Shape functions within a piece.
 enum class BeamMethod { Exact, FiniteElements };
 
 /// Constants of a uniform piece; S is double without damping, Complex with.
 template <class S>
 struct PieceConstants {
-    double half_mm = 0;      ///< h, half its length
+    double half_mm = 0;      ///< half length h
     double mass_t_mm = 0;    ///< ρA, tonne per mm
     double rotary_t_mm = 0;  ///< ρI, tonne·mm² per mm
-    S bending_N_mm2 = 0;     ///< EI (1+iη)
+    S bending_N_mm2 = 0;     ///< complex bending stiffness EI (1+iη)
     S a_s2_mm2 = 0;          ///< ρI/EI
     S b_s2_mm2 = 0;          ///< ρA/κGA
     S c_s2_mm4 = 0;          ///< ρA/EI

@@ -13,7 +13,7 @@ SegmentContour::SegmentContour(const ShaftSegment& segment)
     side_ = *segment.arc_radius_mm > 0 ? 1 : -1;
     const double rise_mm = end_mm_ - start_mm_;
     const double chord_mm = std::hypot(length_mm_, rise_mm);
-    // The centre lies beside the middle of the chord: toward the axis when the arc is convex.
+    // The centre lies on the perpendicular bisector of the chord: toward the axis for a convex arc.
     const double height_mm = side_ * std::sqrt(std::max(0.0, radius_mm_ * radius_mm_ - chord_mm * chord_mm / 4));
     centre_z_mm_ = length_mm_ / 2 + height_mm * rise_mm / chord_mm;
     centre_r_mm_ = (start_mm_ + end_mm_) / 2 - height_mm * length_mm_ / chord_mm;

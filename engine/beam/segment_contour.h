@@ -5,7 +5,7 @@
 
 namespace lathelier::beam {
 
-/// Precondition for any but a segment of no length: an arc radius is at least half its chord.
+/// Precondition unless the length is zero: an arc radius is at least half its chord.
 class SegmentContour {
 public:
     explicit SegmentContour(const ShaftSegment& segment);

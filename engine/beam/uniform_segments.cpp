@@ -10,16 +10,16 @@
 namespace lathelier::beam {
 namespace {
 
-constexpr int slicesOfCone = 16;             // of a zone that a step makes softer
-constexpr int fewestPieces = 4;              // of a taper or arc
-constexpr double fullTaper = 0.1;            // from this change of diameter on all pieces are made
-constexpr double shortestPieceShare = 0.01;  // of the diameter
+constexpr int slicesOfCone = 16;             // slices of the 45° zone beside a step
+constexpr int fewestPieces = 4;              // least number of pieces of a taper or arc
+constexpr double fullTaper = 0.1;            // relative change of diameter from which all pieces are used
+constexpr double shortestPieceShare = 0.01;  // least piece length as share of the diameter
 
-/// A uniform piece with the radii of the contour at its ends: what a step is measured by.
+/// A uniform piece with the radii of the contour at its ends: which define the steps.
 struct Piece {
     double length_mm;        ///< > 0
     double outer_mm;         ///< diameter at its middle
-    double bore_mm;          ///< diameter
+    double bore_mm;          ///< bore diameter
     double start_radius_mm;  ///< of the contour, toward the free end
     double end_radius_mm;    ///< of the contour, toward the chuck
 };
@@ -113,7 +113,7 @@ void appendCorrected(const Piece& piece, double from_start_mm, double from_end_m
     if (piece.start_radius_mm != piece.end_radius_mm) return add(piece.length_mm, piece.length_mm / 2);
     double first_mm = std::clamp(piece.outer_mm / 2 - from_start_mm, 0.0, piece.length_mm);
     double last_mm = std::clamp(piece.outer_mm / 2 - from_end_mm, 0.0, piece.length_mm);
-    if (first_mm + last_mm > piece.length_mm) {  // the cones meet
+    if (first_mm + last_mm > piece.length_mm) {  // the two 45° zones overlap
         first_mm = std::clamp((piece.length_mm + from_end_mm - from_start_mm) / 2, 0.0, piece.length_mm);
         last_mm = piece.length_mm - first_mm;
     }

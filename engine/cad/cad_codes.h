@@ -1,6 +1,6 @@
-// What CAD files refuse or remark: codes with their English patterns. {name} is replaced by the named value; text()
-// puts path, line, column and byte in front, so patterns do not repeat them. A STEP file of no turned part is
-// notABodyOfRevolution of registration.
+// Errors and notes of CAD files: codes with their English patterns. {name} is replaced by the named value; text() puts
+// path, line, column and byte in front, so patterns do not repeat them. For STEP files that are not turned parts,
+// notABodyOfRevolution of registration is used.
 #pragma once
 
 #include "engine/core/error.h"

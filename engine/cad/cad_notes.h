@@ -1,4 +1,4 @@
-// What every CAD file of a shaft leaves out or shows otherwise.
+// Features of a shaft that CAD files omit or represent differently.
 #pragma once
 
 #include "engine/core/error.h"

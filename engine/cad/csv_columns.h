@@ -1,4 +1,4 @@
-// The columns of a shaft's full table: written and read by one list.
+// Columns of the full table of a shaft, used for writing and reading.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 namespace lathelier::cad {
 
 struct CsvColumn {
-    const char* name;  ///< as people read it
+    const char* name;  ///< column heading
     std::optional<double> (*get)(const ShaftSegment& row);
     void (*set)(ShaftSegment& row, double value);
-    bool required;  ///< a table without it is refused
+    bool required;  ///< tables without it are refused
 };
 
 /// Numbers of a row; a bore's rows use the first ones through a ShaftSegment.

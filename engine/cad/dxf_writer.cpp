@@ -22,7 +22,7 @@ struct Layer {
     const char* line_type;
 };
 
-constexpr double arrowWidth = 1.0 / 3;  ///< of its length
+constexpr double arrowWidth = 1.0 / 3;  ///< width of an arrow head over its length
 
 class Writer {
 public:

@@ -1,4 +1,4 @@
-// DXF R12 (AC1009): what every CAM program and every viewer reads.
+// DXF R12 (AC1009): supported by all common CAM programs and viewers.
 //
 // ASCII with line feeds, 9 decimals, lengths in mm. Angles anticlockwise in degrees. Texts: ⌀ ° ± as %%c %%d %%p,
 // other letters beyond ASCII as \U+XXXX.
@@ -12,7 +12,7 @@
 
 namespace lathelier::cad {
 
-/// Layers that every file has; other names make further ones, white and continuous.
+/// Layers of every file; other names create further layers, white and continuous.
 namespace layers {
 inline constexpr const char* contour = "CONTOUR";
 inline constexpr const char* axis = "AXIS";  ///< red, CENTER
@@ -40,7 +40,7 @@ struct DxfText {
     double height_mm = 2.5;                           ///< of capitals, mm
     double angle_deg = 0;                             ///< anticlockwise from x
     std::string text;                                 ///< UTF-8, one line
-    Align align = Align::Left;                        ///< which end of the text lies at `at_mm`
+    Align align = Align::Left;                        ///< end of the text at `at_mm`
     std::string layer = layers::text;                 ///< one of `layers`, or a further one
 };
 
@@ -54,7 +54,7 @@ struct DxfArrow {
 
 /// A drawing in the plane; hatches are lines of their layer.
 struct DxfDrawing {
-    std::vector<DxfLine> lines;    ///< in order
+    std::vector<DxfLine> lines;
     std::vector<DxfArc> arcs;      ///< drawn after the lines
     std::vector<DxfText> texts;    ///< drawn after the arcs
     std::vector<DxfArrow> arrows;  ///< drawn last

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Which vertices share a coordinate.
+/// Disjoint sets of vertices that share a coordinate.
 class Sets {
 public:
     explicit Sets(std::size_t count) : parent_(count)
@@ -29,7 +29,7 @@ public:
         while (parent_[i] != i) i = parent_[i];
         return i;
     }
-    /// False when they were one already.
+    /// False if they were already in one set.
     bool join(std::size_t a, std::size_t b)
     {
         a = of(a);
@@ -87,7 +87,7 @@ public:
     }
 
 private:
-    /// With the line on the axis where the contour leaves it out.
+    /// Adds the line on the axis that the contour omits.
     static Contour closedLoop(const Shaft& shaft)
     {
         Contour closed = closedContour(shaft);
@@ -204,7 +204,7 @@ private:
             const ContourPiece &p = closed_[a], &q = closed_[b];
             return p.bore != q.bore ? p.bore < q.bore : p.row < q.row;
         });
-        // A diameter that a cylinder has is named after that cylinder.
+        // Diameters of cylinders are named after them.
         names_.assign(closed_.size(), "");
         for (const std::size_t i : order)
             if (keepsRadius(i) && names_[radii_.of(i)].empty()) names_[radii_.of(i)] = nameOf(closed_[i]);
@@ -229,7 +229,7 @@ private:
         }
     }
 
-    /// As the row says it: differences of places carry their rounding.
+    /// The length stated by the row, as differences of z have rounding errors.
     double statedLength(const ContourPiece& piece) const
     {
         const auto row = static_cast<std::size_t>(piece.row);
@@ -250,7 +250,7 @@ private:
         return bore >= shaft_.bores.size() || shaft_.bores[bore].from == ShaftEnd::Free;
     }
 
-    /// The radius of a vertex, unless its set has one.
+    /// The radius of a vertex, unless its set is already dimensioned.
     void radius(std::size_t i, const std::string& otherwise)
     {
         const std::size_t set = radii_.of(i);

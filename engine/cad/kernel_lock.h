@@ -1,4 +1,4 @@
-// OpenCASCADE keeps its settings for STEP in one place for the whole process: who reads or writes takes this lock.
+// OpenCASCADE keeps its STEP settings globally per process: readers and writers must hold this lock.
 #pragma once
 
 #include <mutex>

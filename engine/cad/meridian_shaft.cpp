@@ -73,7 +73,7 @@ Shaft shaftOf(const Contour& stated)
     }
     Shaft shaft;
     if (closed.empty()) return shaft;
-    // Where the contour leaves the axis at its end, that end is the begin of no piece.
+    // If the contour is open at the axis, its last point is not the start of a piece.
     if (open && closed.back().to_mm.y() < same_mm) closed.push_back({closed.back().to_mm, closed.back().to_mm, 0});
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const ContourPiece& piece : closed) {

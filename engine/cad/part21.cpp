@@ -18,7 +18,7 @@ constexpr int longestChain = 200;
 constexpr double largestNumber = 1e100;
 constexpr double largestLength = 1e9;  ///< of points, vectors, radii, in any unit
 constexpr std::int64_t largestInteger = 1000000000;
-/// Counts, degrees and multiplicities of splines: larger ones would ask for memory that no file of this size fills.
+/// Counts, degrees and multiplicities of splines: larger values would cause excessive memory allocation.
 constexpr std::int64_t largestSplineInteger = 100000;
 constexpr std::size_t mostRecords = 2000000;
 constexpr int recordsBetweenChecks = 4096;
@@ -41,7 +41,7 @@ public:
     char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
     bool ended() const { return at_ >= text_.size(); }
 
-    /// Over blanks and comments.
+    /// Skips blanks and comments.
     void skip()
     {
         while (!ended()) {
@@ -80,7 +80,7 @@ public:
         return text_.substr(begin, at_ - begin);
     }
 
-    /// The digits behind "#".
+    /// Record number: the digits after "#".
     std::int64_t number()
     {
         const std::size_t begin = at_;
@@ -266,7 +266,7 @@ private:
         }
     }
 
-    /// One that is no list; false for the name of a typed one, whose list follows.
+    /// A value that is not a list; false for the name of a typed value, whose list follows.
     bool value(std::int64_t owner, bool spline)
     {
         const std::size_t at = scanner_.at();
@@ -323,7 +323,7 @@ private:
                                            {"maximum", static_cast<std::int64_t>(maximum)}});
     }
 
-    /// Every reference has its record, and records can be put in an order of use that is not too deep.
+    /// Checks that every reference has a record, and that references are acyclic with limited depth.
     void checkReferences()
     {
         std::vector<std::int64_t> ids;

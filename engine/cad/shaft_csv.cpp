@@ -69,7 +69,7 @@ private:
     bool first_ = true;
 };
 
-/// A row of a bore as one of the outside: the columns are the same.
+/// A bore row as an outside row, as both have the same columns.
 ShaftSegment asSegment(const BoreSegment& row)
 {
     return {row.length_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
@@ -138,7 +138,7 @@ public:
                                                                                : line.cells[column->second];
     }
 
-    /// A comma within one of these cells, which nothing groups, is a decimal mark.
+    /// A comma within one of these cells is a decimal mark, as there are no digit groups.
     void findDecimal(const std::vector<std::string>& numbers)
     {
         for (std::size_t i = 0; i < rows(); ++i)

@@ -1,5 +1,5 @@
 // A SolidWorks macro (VBA, .bas) that builds the shaft: a sketch of the closed meridian on the Front Plane, revolved.
-// Metres and radians, as its API wants them. Never run by its makers: the macro says so in its head.
+// Units of its API: metres and radians. Not tested with SolidWorks, which its head states.
 #pragma once
 
 #include <string>

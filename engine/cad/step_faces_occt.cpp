@@ -49,7 +49,7 @@ Eigen::Vector3d vector(const gp_XYZ& v)
     return {v.X(), v.Y(), v.Z()};
 }
 
-/// Lets the kernel hear that the user stopped it.
+/// Passes cancellation to the kernel.
 class Stop : public Message_ProgressIndicator {
 public:
     explicit Stop(const Progress& progress) : progress_(progress) {}
@@ -81,7 +81,7 @@ bool isDirectionInSpace(const Handle(StepGeom_Direction) & direction)
     return !direction.IsNull() && !direction->DirectionRatios().IsNull() && direction->NbDirectionRatios() == 3;
 }
 
-/// Where the kernel takes three coordinates for granted.
+/// True if the record has the three coordinates that the kernel assumes.
 bool isInSpace(const Handle(Standard_Transient) & record)
 {
     if (const auto vertex = Handle(StepShape_VertexPoint)::DownCast(record); !vertex.IsNull())
@@ -100,8 +100,8 @@ bool isInSpace(const Handle(Standard_Transient) & record)
     return true;
 }
 
-/// The kernel goes on with records whose parameters it could not read: not here. Such records lack parts, so all are
-/// looked for before the contents of any are used.
+/// The kernel continues with records whose parameters it could not read. Such records are incomplete, so all are
+/// checked before any is used.
 void refuseBrokenRecords(const Handle(StepData_StepModel) & model, const Part21& checked)
 {
     const auto refuse = [&](Standard_Integer i) {
@@ -116,7 +116,7 @@ void refuseBrokenRecords(const Handle(StepData_StepModel) & model, const Part21&
         if (!isInSpace(model->Value(i))) refuse(i);
 }
 
-/// Curves in space rule: those in a surface's parameters are redundant, and the kernel does not check their kinds.
+/// Removes curves in surface parameters: they are redundant, and the kernel does not check their types.
 void forgetParameterCurves(const Handle(StepData_StepModel) & model)
 {
     for (Standard_Integer i = 1; i <= model->NbEntities(); ++i) {
@@ -133,7 +133,7 @@ void takeAxis(StepFace& face, const gp_Ax1& axis)
     face.axis = vector(axis.Direction().XYZ());
 }
 
-/// Where a meridian circle lies that is revolved to `point`: `centre` turned about the axis.
+/// Centre of the meridian circle in the half plane of `point`: `centre` turned about the axis.
 Eigen::Vector3d turnedTo(const StepFace& face, const Eigen::Vector3d& centre, const Eigen::Vector3d& of,
                          const Eigen::Vector3d& point)
 {
@@ -174,7 +174,8 @@ void describeSurface(StepFace& face, const BRepAdaptor_Surface& surface, double 
             face.radius_mm = surface.Torus().MinorRadius();
             const Eigen::Vector3d d = face.inner_mm - face.axis_point_mm;
             const Eigen::Vector3d radial = d - d.dot(face.axis) * face.axis;
-            // Beyond the axis where a lemon's inside shows: the point lies across from its circle's centre.
+            // For the inner part of a spindle torus the point lies on the other side of the axis from the circle
+            // centre.
             const double tube = (surface.Torus().MajorRadius() + face.radius_mm * std::cos(v)) < 0 ? -1 : 1;
             face.circle_centre_mm = face.axis_point_mm + tube * surface.Torus().MajorRadius() * radial.normalized();
             return;
@@ -275,7 +276,7 @@ StepSolid readSolid(std::string_view bytes, const Part21& checked, const Progres
     BRepGProp::VolumeProperties(solids.front(), volume);
     result.volume_mm3 = volume.Mass();
     if (!std::isfinite(result.volume_mm3)) refuseRecord(1);
-    if (result.volume_mm3 < 0) {  // inside out
+    if (result.volume_mm3 < 0) {  // reversed orientation
         result.volume_mm3 = -result.volume_mm3;
         for (StepFace& face : result.faces) face.outward = -face.outward;
     }

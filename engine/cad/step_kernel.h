@@ -1,4 +1,4 @@
-// What the module lathelier-occt does with OpenCASCADE: reads the faces of a solid, and revolves a contour to one.
+// Functions of the module lathelier-occt with OpenCASCADE: reading the faces of a solid, revolving a contour.
 #pragma once
 
 #include "engine/cad/step_faces.h"

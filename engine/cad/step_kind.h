@@ -6,9 +6,9 @@
 
 namespace lathelier::cad {
 
-/// A STEP part with what was understood of its file.
+/// A STEP part with the facts and notes of its file.
 struct StepFile {
-    StepPart part;        ///< as read
+    StepPart part;
     io::FileFacts facts;  ///< as stepFiles() has them
     Notes notes;          ///< of the reading, with the path
 };

@@ -15,16 +15,16 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-constexpr double sameAngle = 1e-6;     ///< rad, of axes
-constexpr double sameAxis_mm = 1e-4;   ///< distance of axes
-constexpr double sameCurve_mm = 1e-6;  ///< pieces of one line or circle
-constexpr double sameEnd_mm = 1e-4;    ///< ends that meet
+constexpr double sameAngle = 1e-6;     ///< angle between equal axes, rad
+constexpr double sameAxis_mm = 1e-4;   ///< distance of equal axes
+constexpr double sameCurve_mm = 1e-6;  ///< distance of pieces of one line or circle
+constexpr double sameEnd_mm = 1e-4;    ///< distance of coincident ends
 constexpr double beyondVertex_mm = 1e-6;
 constexpr double noArc = 1e-7;  ///< rad
 
 struct Piece {
     ContourPiece curve;
-    bool cylinder = false;  ///< its radius is the surface's own
+    bool cylinder = false;  ///< its radius is that of the cylindrical surface
     std::vector<std::size_t> faces;
 };
 
@@ -35,13 +35,13 @@ bool isAbout(const StepFace& face, const Line3& axis)
     if (face.kind == SurfaceKind::Sphere) return axis.meridianOf(face.axis_point_mm).y() < sameAxis_mm;
     if (face.axis.cross(axis.direction).norm() > sameAngle) return false;
     if (face.kind == SurfaceKind::Plane) return true;
-    // Where the face is: the point that a file gives may lie far away.
+    // Reference point near the face: the axis point in the file may be far away.
     const double along =
         (axis.point_mm + to_inner.dot(axis.direction) * axis.direction - face.axis_point_mm).dot(face.axis);
     return axis.meridianOf(face.axis_point_mm + along * face.axis).y() < sameAxis_mm;
 }
 
-/// Vertices, and points of edges only where these run beyond.
+/// Vertices, and edge points only beyond the vertices.
 std::vector<Vector2d> boundaryOf(const StepFace& face, const Line3& axis)
 {
     std::vector<Vector2d> points;
@@ -61,7 +61,7 @@ std::vector<Vector2d> boundaryOf(const StepFace& face, const Line3& axis)
     return points;
 }
 
-/// Does the axis go through a plane face? The edges that a ray from the axis crosses are odd.
+/// True if the axis intersects a plane face: a ray from the axis crosses an odd number of edges.
 bool holdsAxis(const StepFace& face, const Line3& axis)
 {
     const Vector3d u = axis.direction.unitOrthogonal(), v = axis.direction.cross(u);
@@ -116,7 +116,7 @@ std::vector<ContourPiece> arcs(const StepFace& face, const Line3& axis, const Ve
     }
     if (high - low < noArc) return {};
     const bool convex =
-        outward.dot(inner - centre) > 0;  // the material lies on the right, so does a convex arc's centre
+        outward.dot(inner - centre) > 0;  // the material is on the right, as is the centre of a convex arc
     const double radius = convex ? face.radius_mm : -face.radius_mm;
     const auto directed = [&](const Vector2d& a, const Vector2d& b) {  // a before b in the sense of the angle
         return convex ? ContourPiece{b, a, radius} : ContourPiece{a, b, radius};
@@ -165,7 +165,8 @@ std::optional<ContourPiece> unitedArcs(const ContourPiece& a, const ContourPiece
     const double length = std::abs(a1 - a0);
     const double overlap = std::min(length, end) - std::max(0.0, begin);
     const double whole = std::max(length, end) - std::min(0.0, begin);
-    // Two arcs that meet at their circle's largest or least diameter stay two rows: readers of diameters alone see it.
+    // Two arcs that meet at their circle's largest or least diameter remain two rows, so that the diameter appears in
+    // the table.
     const Vector2d joint = begin > 0 ? a.to_mm : a.from_mm;
     if (overlap < noArc && std::abs(joint.x() - a.centre_mm().x()) < sameCurve_mm) return {};
     if (overlap < -noArc || whole > pi * (1 + 1e-9) || (overlap < noArc && whole > pi * (1 - 1e-6))) return {};
@@ -214,7 +215,7 @@ std::size_t firstOf(const std::vector<Piece>& pieces)
     return first;
 }
 
-/// The piece that goes on from `end`; none: the contour is closed.
+/// The piece that starts at `end`; none: the contour is closed.
 std::optional<std::size_t> following(const std::vector<Piece>& pieces, const std::vector<bool>& used,
                                      const Vector2d& end, const Piece& first)
 {

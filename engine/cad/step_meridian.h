@@ -19,13 +19,13 @@ struct Line3 {
     Eigen::Vector2d meridianOf(const Eigen::Vector3d& point) const;
 };
 
-/// The line that the most curved area has for its axis (to 1e-6 rad and 1e-4 mm), pointing to the side of its largest
-/// coordinate; spheres count only where nothing else is curved. None: no curved face has an axis.
+/// The common axis of the largest curved area (to 1e-6 rad and 1e-4 mm), pointing to the side of its largest
+/// coordinate; spheres are used only if no other face is curved. None: no curved face has an axis.
 std::optional<Line3> commonAxis(const std::vector<StepFace>& faces);
 
 struct Meridian {
     Contour closed;                        ///< clockwise in (z, r), without the axis; empty: no piece
-    std::vector<std::size_t> other_faces;  ///< those that are no part of it
+    std::vector<std::size_t> other_faces;  ///< faces that are not part of it
 };
 
 /// Pieces of the coaxial faces, chained. Where faces are missing a straight line closes the gap.

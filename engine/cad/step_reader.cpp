@@ -20,11 +20,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double plainVolume = 1e-6;    ///< V_solid / V_table this near 1 is a plain body, whatever wrote the file
-constexpr double inexactVolume = 1e-4;  ///< as far as files of coarse tolerances go
-constexpr double leastVolume = 0.9;     ///< below, the marks would be most of the part
-constexpr double beyondPart_mm = 1e-3;  ///< of the largest circle
-constexpr std::size_t worstFaces = 4;   ///< named in a refusal
+constexpr double plainVolume = 1e-6;    ///< |V_solid / V_table - 1| below this: a pure body of revolution
+constexpr double inexactVolume = 1e-4;  ///< the same limit for files with coarse tolerances
+constexpr double leastVolume = 0.9;     ///< smallest V_solid / V_table
+constexpr double beyondPart_mm = 1e-3;  ///< tolerance beyond the largest circle
+constexpr std::size_t worstFaces = 4;   ///< largest number of faces named in an error
 
 const Text notRound = LT_TEXT("Engine", "its sections are not round");
 const Text noSingleAxis = LT_TEXT("Engine", "no single axis fits");
@@ -54,7 +54,7 @@ struct Range {
     }
 };
 
-/// What a face's boundary spans in z and r.
+/// Range of the boundary of a face in z and r.
 struct Extent {
     Range z, r;
 };
@@ -74,7 +74,7 @@ Extent extentOf(const StepFace& face, const Line3& axis)
     return extent;
 }
 
-/// Through the middle of the part along its longest side, to say something of a part without an axis.
+/// Through the middle of the part along its longest side, for the description of a part without an axis.
 Line3 longestSide(const std::vector<StepFace>& faces)
 {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -131,7 +131,7 @@ std::vector<std::size_t> everyFace(const StepSolid& solid)
     return all;
 }
 
-/// Marks where the faces lie that are not of revolution, those that overlap along z as one.
+/// Adds marks for faces that are not of revolution, merging those that overlap along z.
 void addMarks(Shaft& shaft, std::vector<OtherFace> faces)
 {
     std::sort(faces.begin(), faces.end(),
@@ -149,7 +149,7 @@ void addMarks(Shaft& shaft, std::vector<OtherFace> faces)
     }
 }
 
-/// UTF-8 of a text as ISO 10303-21 writes it, as far as the kernel left it so.
+/// UTF-8 of a text as ISO 10303-21 writes it, as far as the kernel has not decoded it.
 std::string decoded(const std::string& text)
 {
     std::string result;
@@ -175,7 +175,7 @@ std::string decoded(const std::string& text)
     return result;
 }
 
-/// Before the kernel builds anything: is there a solid at all, and not too much of it?
+/// Before the kernel builds anything: checks that there is a solid of limited size.
 void checkKinds(const Part21& checked)
 {
     const auto count = [&](const char* kind) {
@@ -221,14 +221,14 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
     double largest_mm = 0, curved_mm2 = 0, coaxial_mm2 = 0, total_mm2 = 0, other_mm2 = 0;
     for (const ContourPiece& piece : meridian.closed)
         for (const Vector2d& end : {piece.from_mm, piece.to_mm}) z.add(end.x());
-    // The bulge of an arc may be the largest circle.
+    // The largest circle may be within an arc.
     for (const ContourPiece& piece : meridian.closed) {
         largest_mm = std::max({largest_mm, piece.from_mm.y(), piece.to_mm.y()});
         if (piece.isArc()) largest_mm = std::max(largest_mm, piece.centre_mm().y() + std::abs(piece.arc_radius_mm));
     }
     std::vector<bool> is_other(solid.faces.size());
     for (const std::size_t i : meridian.other_faces) is_other[i] = true;
-    bool fills = true;  // nothing of the part reaches beyond the turned body
+    bool fills = true;  // no part of the solid lies beyond the turned body
     for (std::size_t i = 0; i < solid.faces.size(); ++i) {
         const StepFace& face = solid.faces[i];
         const Extent extent = extentOf(face, *axis);
@@ -253,10 +253,10 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
         remarks = checkShaft(part.shaft);
         ratio = part.volume_mm3 / volume_mm3(part.shaft);
     } catch (const Error&) {
-        refuseIt();  // a contour that no lathe's table can say
+        refuseIt();  // a contour that the table of a shaft cannot represent
     }
     if (!(ratio >= leastVolume && ratio <= 1 + plainVolume)) refuseIt();
-    // Without a face to blame, the file contradicts itself.
+    // No face explains the difference of the volumes: the file is inconsistent.
     if (meridian.other_faces.empty() && std::abs(ratio - 1) > inexactVolume) refuseIt();
     part.free_end_mm = axis->point_mm + z.low * axis->direction;
     part.other_faces = describeFaces(solid, meridian.other_faces, *axis, z.low);

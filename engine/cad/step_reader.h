@@ -1,10 +1,10 @@
-// A STEP file (ISO 10303-21) of a turned part as a shaft: the axis that most curved area shares, the meridian of the
-// faces about it, and what is not of revolution.
+// A STEP file (ISO 10303-21) of a turned part as a shaft: the common axis of the largest curved area, the meridian of
+// the coaxial faces, and the faces that are not of revolution.
 //
 // Every coaxial face gives a piece of the meridian, directed with the material on its right; pieces of one line or
 // circle that touch are one (faces split by seams or sectors). The pieces are chained to the closed meridian, whose
-// outside becomes the rows and whose inside the bores. The table counts only when its volume is the solid's: V_solid /
-// V_table from 0.9 on, more faces than coaxial ones are remarks, and nothing reaches beyond the largest circle.
+// outside becomes the rows and whose inside the bores. The table is accepted if its volume agrees with that of the
+// solid: V_solid / V_table ≥ 0.9, other faces are noted, and nothing lies beyond the largest circle.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,10 +18,10 @@
 
 namespace lathelier::cad {
 
-/// A face that is no part of the meridian.
+/// A face that is not part of the meridian.
 struct OtherFace {
-    Text kind;                            ///< "plane", "cylinder"…
-    double area_mm2 = 0;                  ///< of the face
+    Text kind;  ///< "plane", "cylinder"…
+    double area_mm2 = 0;
     double z_start_mm = 0, z_end_mm = 0;  ///< along the part, from its free end
 };
 
@@ -31,16 +31,16 @@ struct StepPart {
     Eigen::Vector3d free_end_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector toward the chuck
     double volume_mm3 = 0;                            ///< of the solid in the file
-    std::vector<OtherFace> other_faces;               ///< the largest first
+    std::vector<OtherFace> other_faces;
 };
 
-/// Which end is the free one a file does not say: the axis points to the side of its largest coordinate. Notes:
-/// notOfRevolution, those of checkShaft(). Errors: fileEmpty, formatUnknown; malformed with `line` and `column`;
-/// stepTooLarge, noSolid, severalParts; notABodyOfRevolution with `reason` (faceted: planes only; no_single_axis;
-/// not_round) and up to four worst faces as `faces`. 20-30 ms for a part of 30 faces. Throws Cancelled.
+/// The free end is not stated in a file: the axis points to the side of its largest coordinate. Notes: notOfRevolution,
+/// those of checkShaft(). Errors: fileEmpty, formatUnknown; malformed with `line` and `column`; stepTooLarge, noSolid,
+/// severalParts; notABodyOfRevolution with `reason` (faceted: planes only; no_single_axis; not_round) and up to four
+/// worst faces as `faces`. 20-30 ms for a part of 30 faces. Throws Cancelled.
 StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress = {});
 
-/// Does the head of a file say STEP?
+/// True if the head of a file is that of STEP.
 bool looksLikeStep(std::string_view head);
 
 }  // namespace lathelier::cad

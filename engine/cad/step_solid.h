@@ -1,4 +1,4 @@
-// A contour revolved by OpenCASCADE and written as STEP, with placeholders where names stand.
+// A contour revolved by OpenCASCADE and written as STEP, with placeholders for names.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace lathelier::cad {
 
-/// The texts of the kernel's file: each stands alone between quotes.
+/// The texts of the kernel's file: each is a complete quoted string.
 namespace placeholders {
 inline constexpr const char* file = "@file@";
 inline constexpr const char* product = "@product@";
@@ -21,7 +21,7 @@ inline constexpr const char* kernel = "@kernel@";
 }  // namespace placeholders
 
 struct ExpectedVolume {
-    double volume_mm3 = 0;     ///< of the solid
+    double volume_mm3 = 0;
     double tolerance_mm3 = 0;  ///< largest difference of the volumes
 };
 

@@ -21,9 +21,9 @@ namespace lathelier::cad {
 namespace {
 
 constexpr double volumeTolerance = 1e-9;
-constexpr double shortest_mm = 2e-7;  ///< the kernel holds two points nearer than 1e-7 mm for one
+constexpr double shortest_mm = 2e-7;  ///< the kernel identifies points nearer than 1e-7 mm
 
-/// Without pieces that the kernel cannot tell from points; how much of them there was.
+/// The contour without pieces shorter than shortest_mm, and their total length.
 std::pair<Contour, double> withoutTinyPieces(const Contour& closed)
 {
     Contour kept;

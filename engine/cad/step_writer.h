@@ -1,8 +1,7 @@
 // STEP (ISO 10303-21) of a shaft: one solid, its closed meridian revolved about z.
 //
-// Lines become planes, cylinders and cones, arcs tori and spheres (an arc whose centre lies beyond the axis stays a
-// surface of revolution). The free end lies in z = 0, the axis is +z, lengths are mm. Marks are left out
-// (cad_notes.h).
+// Lines become planes, cylinders and cones, arcs tori and spheres (an arc with its centre beyond the axis is a general
+// surface of revolution). The free end lies in z = 0, the axis is +z, lengths are mm. Marks are left out (cad_notes.h).
 #pragma once
 
 #include <optional>
@@ -19,7 +18,7 @@ enum class StepSchema {
 };
 
 struct StepOptions {
-    StepSchema schema = StepSchema::AP214;  ///< application protocol that the file names
+    StepSchema schema = StepSchema::AP214;  ///< application protocol named in the file
     std::string name;                       ///< of the product; empty: the shaft's, else "shaft"
     std::string description;                ///< of the product; empty: "material: …" where that is stated
     std::string author;                     ///< may be empty
@@ -33,7 +32,7 @@ struct StepOptions {
 std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress = {});
 
 /// A text as ISO 10303-21 writes it between quotes: quotes and backslashes doubled, other letters as \X2\…\X0\ and
-/// \X4\…\X0\. Bytes that are no UTF-8 become "?".
+/// \X4\…\X0\. Invalid UTF-8 becomes "?".
 std::string stepString(std::string_view utf8);
 
 }  // namespace lathelier::cad

@@ -54,8 +54,8 @@ TopoDS_Edge edgeOf(const ContourPiece& piece, const TopoDS_Vertex& from, const T
     }
     Eigen::Vector2d centre = piece.centre_mm();
     if (std::abs(centre.y()) < 1e-9) centre.y() = 0;  // a sphere
-    // An explicit circle: that of three points lies beside the plane by rounding, and its face is then no torus.
-    // Angles grow from z to r about +y; a piece that bulges to the left turns the other way.
+    // An explicit circle: one through three points deviates from the plane by rounding, and its face is then not a
+    // torus. Angles grow from z to r about +y; a piece that bulges to the left turns the other way.
     const gp_Circ circle(gp_Ax2(pointOf(centre), gp_Dir(0, piece.arc_radius_mm > 0 ? -1 : 1, 0), gp_Dir(1, 0, 0)),
                          std::abs(piece.arc_radius_mm));
     BRepBuilderAPI_MakeEdge made(circle, from, to);
@@ -134,7 +134,7 @@ std::string written(const TopoDS_Shape& solid, StepSchema schema)
     if (writer.Transfer(solid, STEPControl_AsIs) != IFSelect_RetDone)
         refuse(LT_TEXT("Engine", "the solid cannot be written as STEP"));
     setTexts(model);
-    // What STEPControl_Writer::Write() does, but to memory.
+    // As STEPControl_Writer::Write(), but to memory.
     StepData_StepWriter text_writer(model);
     text_writer.SendModel(Handle(StepData_Protocol)::DownCast(writer.WS()->Protocol()));
     std::ostringstream stream;

@@ -10,7 +10,8 @@ namespace lathelier::cad {
 namespace {
 
 constexpr double flattest = 15 * std::numbers::pi / 180, steepest = 75 * std::numbers::pi / 180;
-constexpr double longestShare = 0.5;  ///< of a chamfer without a role: of the cylinder's radius and length
+constexpr double longestShare =
+    0.5;  ///< longest chamfer without a role, as a share of radius and length of its cylinder
 
 enum class Use { Beside, Cylinder, ChamferBefore, ChamferAfter, Face };
 
@@ -19,7 +20,7 @@ bool isCylinder(const ShaftSegment& row)
     return !row.arc_radius_mm && row.length_mm > 0 && std::abs(row.start_diameter_mm - row.end_diameter_mm) < same_mm;
 }
 
-/// Does a cone whose large and small end are these belong to the cylinder as its chamfer?
+/// True if a cone with these end diameters is a chamfer of the cylinder.
 bool isChamfer(const ShaftSegment& cone, const ShaftSegment& cylinder, double large_mm, double small_mm,
                const double* beyond_mm)
 {

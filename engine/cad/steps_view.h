@@ -1,4 +1,4 @@
-// The shaft as the table of steps that the paper prints (Table 1): cylinders with their chamfers folded in.
+// The shaft as the table of steps of the paper (Table 1): cylinders with their chamfers.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@
 
 namespace lathelier::cad {
 
-/// Cylinders of the outside. A cone is folded into the cylinder that its large end meets when its role is "chamfer", or
-/// without a role when it is short, 15° to 75° steep and ends at a face.
+/// Cylinders of the outside. A cone is a chamfer of the cylinder at its large end if its role is "chamfer", or without
+/// a role if it is short, 15° to 75° steep and ends at a face.
 std::vector<ShaftStep> stepsOf(const Shaft& shaft);
 
-/// The rows (from 0) that have no place among the steps: cones, arcs, faces of undercuts. To be listed beside.
+/// Indices (from 0) of the rows that are not steps: cones, arcs, faces of undercuts.
 std::vector<std::size_t> rowsBesideSteps(const Shaft& shaft);
 
 }  // namespace lathelier::cad

@@ -97,7 +97,7 @@ std::vector<Clamping> twoClampings(const Shaft& part, const Job& job, double spl
     first.job = job;
     first.finished_to_mm = split_mm;
     first.parts_off = job.part_off;
-    // The second face gets the allowance of the first.
+    // Both faces have the same allowance.
     first.part_off_z_mm = length + job.stock.face_allowance_mm;
     Clamping second;
     second.is_mirrored = true;

@@ -12,7 +12,7 @@ struct HeightContour {
     double length_mm = 0;  ///< of the part: where the drawing ends
 };
 
-/// The outside of a part that checkPart() takes.
+/// Outside contour of a part. Precondition: checkPart() holds.
 HeightContour heightContour(const Shaft& part);
 
 /// With a cylinder of the last diameter behind its end, for `by_mm` more; the length of the part stays.

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// u of the crossings of two pieces as lines and full circles, ends of the pieces not looked at.
+/// u of the crossings of two pieces as lines and full circles, ignoring the ends of the pieces.
 int crossings(const CurvePiece& a, const CurvePiece& b, double* u)
 {
     if (!a.isArc() && !b.isArc()) {
@@ -241,7 +241,7 @@ std::vector<Stretch> stretchesBelow(const Curve& curve, double level_mm)
     };
     for (const CurvePiece& piece : curve) {
         if (piece.touch == Touch::Join) {
-            // A jump up and down again ends a stretch even where nothing lies between.
+            // A jump up and down ends a stretch even if it has zero width.
             if (std::max(piece.from.y(), piece.to.y()) >= level_mm && !found.empty() &&
                 std::max(piece.from.y(), piece.to.y()) > level_mm + meet_mm &&
                 std::abs(found.back().to_mm - piece.from.x()) < meet_mm)

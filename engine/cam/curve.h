@@ -9,30 +9,30 @@
 
 namespace lathelier::cam {
 
-/// What of the part a piece of a curve goes back to.
+/// The contact between tool and part that generates a piece of a curve.
 enum class Touch : std::uint8_t {
-    Element,   ///< a line or an arc of the contour, which the nose touches all along
-    Vertex,    ///< a corner of the contour, around which the nose rolls
-    BackRay,   ///< the back edge lies against a place before
-    LeadRay,   ///< the main edge lies against a place behind
-    Bridge,    ///< the floor of a blade lies on a summit
-    Join,      ///< a vertical move between what jumps
-    Tailstock  ///< insert or holder stand beside the tailstock
+    Element,   ///< the nose touches a line or an arc of the contour
+    Vertex,    ///< the nose touches a corner of the contour
+    BackRay,   ///< the back edge touches a point behind the nose
+    LeadRay,   ///< the main edge touches a point ahead of the nose
+    Bridge,    ///< the straight edge of a blade touches a local maximum
+    Join,      ///< vertical piece at a jump
+    Tailstock  ///< insert or holder is limited by the tailstock
 };
 
 /// A line, or an arc that is a function of u, from smaller to larger u (a Join stays at one u).
 struct CurvePiece {
-    Eigen::Vector2d from = Eigen::Vector2d::Zero();    ///< where it begins (u, x)
-    Eigen::Vector2d to = Eigen::Vector2d::Zero();      ///< where it ends
+    Eigen::Vector2d from = Eigen::Vector2d::Zero();  ///< where it begins (u, x)
+    Eigen::Vector2d to = Eigen::Vector2d::Zero();
     double radius_mm = 0;                              ///< 0: a line; > 0 the upper, < 0 the lower half of its circle
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle
-    Touch touch = Touch::Element;                      ///< what it goes back to
+    Touch touch = Touch::Element;                      ///< contact that generates it
     std::int32_t source = -1;                          ///< piece of the contour, or the corner before that piece
 
     bool isArc() const { return radius_mm != 0; }
-    double at(double u_mm) const;  ///< its height
+    double at(double u_mm) const;
     double length_mm() const;
-    /// A point at this share of the way, by angle on arcs.
+    /// Point at parameter `share` (0 … 1) along the piece; proportional to the angle on arcs.
     Eigen::Vector2d point(double share) const;
     double distanceTo(const Eigen::Vector2d& point) const;
 };
@@ -40,7 +40,7 @@ struct CurvePiece {
 using Curve = std::vector<CurvePiece>;
 
 /// The highest of all pieces at each u, merged and joined. Breaks are ends and crossings (closed forms); those nearer
-/// than 1e-9 mm are one. Where no piece reaches there is none, so all shall overlap. O(n log n + crossings).
+/// than 1e-9 mm are one. Precondition: the pieces cover the interval without gaps. O(n log n + crossings).
 Curve upperEnvelope(Curve pieces);
 
 /// Height of a curve; at a jump the higher side. Outside, that of its end. Precondition: not empty.
@@ -52,7 +52,8 @@ Curve shifted(Curve curve, const Eigen::Vector2d& by);
 /// u becomes length - u.
 Curve mirrored(const Curve& curve, double length_mm);
 
-/// Shortest distance of a point from the curve. `guess_mm`: nothing farther is looked for; larger where there is none.
+/// Shortest distance of a point from the curve. `guess_mm`: search radius; the result is larger if no piece lies
+/// within.
 double distanceTo(const Curve& curve, const Eigen::Vector2d& point, double guess_mm);
 
 /// Where f(u) < level: maximal intervals within the curve, ascending. Jumps count with both sides.

@@ -11,7 +11,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kPerKilowatt = 60000;
+constexpr double cutPowerPerKilowatt = 60000;
 
 }  // namespace
 
@@ -69,7 +69,7 @@ double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_m
 {
     const double sine = std::sin(entering_angle_deg * rad_per_deg), h = feed_mm_rev * sine, b = depth_mm / sine;
     if (!(h > 0) || !(b > 0)) return 0;
-    return material.k_c11_N_mm2 * b * std::pow(h, 1 - material.m_c) * cutting_speed_m_min / kPerKilowatt;
+    return material.k_c11_N_mm2 * b * std::pow(h, 1 - material.m_c) * cutting_speed_m_min / cutPowerPerKilowatt;
 }
 
 double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg)
@@ -80,11 +80,11 @@ double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_d
         if (f >= 2 * r) return notANumber;
         return um_per_mm * (r - std::sqrt(r * r - f * f / 4));
     }
-    // Height where the nose's circle, behind its deepest point, meets the back edge of the next revolution.
+    // Height where the nose's circle, behind its deepest point, intersects the back edge of the next revolution.
     const double start = r - r * std::cos(back);
     double low = start, high = std::min(r, start + f * std::tan(back));
-    constexpr int kHalvings = 60;
-    for (int i = 0; i < kHalvings; ++i) {
+    constexpr int bisections = 60;
+    for (int i = 0; i < bisections; ++i) {
         const double h = (low + high) / 2;
         const double circle = std::sqrt(std::max(0.0, r * r - (r - h) * (r - h)));
         const double edge = f - r * std::sin(back) - (h - start) / std::tan(back);
@@ -98,8 +98,8 @@ double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, dou
     const auto fits = [&](double feed) { return idealRz_um(feed, nose_radius_mm, back_angle_deg) <= Rz_um; };
     if (fits(most_mm_rev)) return most_mm_rev;
     double low = 0, high = most_mm_rev;
-    constexpr int kHalvings = 40;
-    for (int i = 0; i < kHalvings; ++i) {
+    constexpr int bisections = 40;
+    for (int i = 0; i < bisections; ++i) {
         const double middle = (low + high) / 2;
         (fits(middle) ? low : high) = middle;
     }

@@ -25,20 +25,20 @@ struct WorkMaterial {
 
 const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*);
 
-/// Letters and digits of a name, small: "CNMG 120408" and "cnmg_120408" are the same.
+/// Letters and digits of a name in lower case: "CNMG 120408" and "cnmg_120408" are the same.
 std::string plainName(const std::string& name);
 
 /// The library that is built in.
 const std::vector<LibraryEntry<WorkMaterial>>& workMaterials();
-/// By name or key, letter case and hyphens aside; null: there is none.
+/// By name or key, ignoring case and hyphens; null: not found.
 const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name);
 
-/// P_c in kW of a depth across and a feed along; κ in degrees.
+/// P_c in kW; κ in degrees.
 double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_mm_rev, double entering_angle_deg,
                     double cutting_speed_m_min);
 
-/// Ideal Rz in µm. `back_angle_deg`: κ' of the insert, margin not taken off; 90: no straight edge in the way. NaN where
-/// f ≥ 2 r and nothing trims.
+/// Ideal Rz in µm. `back_angle_deg`: κ' of the insert, without margin; 90: no straight back edge. NaN where f ≥ 2 r and
+/// no straight back edge trims the cusp.
 double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg = 90);
 
 /// The largest feed up to `most_mm_rev` whose ideal Rz is no more than `Rz_um`.

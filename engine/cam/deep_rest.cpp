@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFeedOverNose = 0.4;
+constexpr double largestFeedPerNoseRadius = 0.4;
 constexpr double shortestDeepPass_mm = 0.1;
 
 }  // namespace
@@ -20,16 +20,16 @@ std::optional<Operation> deepPasses(const WorkFrame& frame, const JobTool& rough
     const double step = std::min(cutting.depth_mm, deepFinish_mm), r = finish.radius_mm();
     if (!finish.isProfile() || finish.hand != Hand::TowardChuck) return {};
     ToolReach left = reachOf(frame, rough, cutting.allowance_mm);
-    left.radius_mm += cutting.allowance_mm;  // what it leaves everywhere is no rest
+    left.radius_mm += cutting.allowance_mm;  // the constant allowance is not residual material
     const double fine = finishFeed(*frame.job, finish);
-    const double feed = std::max(fine, std::min(cutting.feed_mm_rev, kFeedOverNose * r));
+    const double feed = std::max(fine, std::min(cutting.feed_mm_rev, largestFeedPerNoseRadius * r));
     Operation result{
         OperationKind::SemiFinish, finish.number, frame.job->cutting.finish.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(finish));
     WorkStock worked = stock;
     const Curve finished = toolCurve(frame, finish);
     for (const Unreached& rest : restOf(frame.contour, {left})) {
-        // What the finish can take of it.
+        // The part of it that the finishing tool can reach.
         double deepest = 0;
         for (const CurvePiece& piece : clipped(finished, rest.z_start_mm - r, rest.z_end_mm + r))
             for (const double share : {0.0, 0.5, 1.0})

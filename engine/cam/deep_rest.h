@@ -1,5 +1,5 @@
-// Passes of the finishing tool where it gets far below what roughing leaves: behind a fall that the roughing insert's
-// back edge cannot follow, a single pass would cut as deep as the rest is.
+// Additional passes of the finishing tool where the material left by roughing exceeds its depth of cut: behind a
+// falling flank steeper than the back angle of the roughing insert.
 #pragma once
 
 #include "engine/cam/operation.h"

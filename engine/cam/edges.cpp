@@ -7,13 +7,13 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kSteepest = 0.5774;  // tan 30°
-constexpr double kLegsOfRow = 3;      // that a row has to be long
+constexpr double steepestEdgeRow = 0.5774;  // slope of the steepest row whose edge is broken, tan 30°
+constexpr double leastRowLegs = 3;          // shortest row, in legs of the chamfer
 
 bool isStraight(const ShaftSegment& row)
 {
     return row.arc_radius_mm.value_or(0) == 0 && row.length_mm > meet_mm &&
-           std::abs(row.end_diameter_mm - row.start_diameter_mm) / 2 <= kSteepest * row.length_mm;
+           std::abs(row.end_diameter_mm - row.start_diameter_mm) / 2 <= steepestEdgeRow * row.length_mm;
 }
 
 double diameterAt(const ShaftSegment& row, double along_mm)
@@ -52,7 +52,7 @@ BrokenEdges brokenEdges(const Shaft& part, double leg_mm, bool breaks_end)
         };
         const auto asks = [&](double beside, double edge) { return isStraight(row) && edge - beside > 2 * meet_mm; };
         const auto fits = [&](double beside, double edge) {
-            return row.length_mm >= kLegsOfRow * leg_mm && edge - beside >= 2 * leg_mm;
+            return row.length_mm >= leastRowLegs * leg_mm && edge - beside >= 2 * leg_mm;
         };
         const double start = row.start_diameter_mm, end = row.end_diameter_mm;
         const bool at_start = asks(before, start) && fits(before, start), at_end = asks(after, end) && fits(after, end);

@@ -27,19 +27,21 @@ public:
         const Contour& pieces = contour.pieces;
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const auto source = static_cast<std::int32_t>(i);
-            addVertex(pieces[i].from_mm, source, i > 0 ? endSlope(pieces[i - 1]) : kSteep, startSlope(pieces[i]));
+            addVertex(pieces[i].from_mm, source, i > 0 ? endSlope(pieces[i - 1]) : verticalSlope,
+                      startSlope(pieces[i]));
             if (pieces[i].isArc())
                 addArc(pieces[i], source);
             else
                 addLine(pieces[i], source);
         }
-        addVertex(pieces.back().to_mm, static_cast<std::int32_t>(pieces.size()), endSlope(pieces.back()), -kSteep);
+        addVertex(pieces.back().to_mm, static_cast<std::int32_t>(pieces.size()), endSlope(pieces.back()),
+                  -verticalSlope);
     }
 
     Curve taken() { return std::move(all_); }
 
 private:
-    static constexpr double kSteep = std::numeric_limits<double>::infinity();
+    static constexpr double verticalSlope = std::numeric_limits<double>::infinity();
 
     void add(CurvePiece piece)
     {
@@ -77,7 +79,7 @@ private:
 
     void addVertex(const Vector2d& corner, std::int32_t source, double slope_before, double slope_after)
     {
-        if (slope_after >= slope_before) return;  // hollow or smooth: the discs of its neighbours cover it
+        if (slope_after >= slope_before) return;  // concave or smooth corner: covered by the discs of its neighbours
         add({corner - Vector2d(radius_, 0), corner + Vector2d(radius_, 0), radius_, corner, Touch::Vertex, source});
         if (has_back_ && slope_after < -std::tan(back_) && slope_before >= -std::tan(back_))
             addBackRay(corner + radius_ * Vector2d(std::sin(back_), std::cos(back_)), source);
@@ -121,7 +123,7 @@ Curve bladeCurve(const HeightContour& contour, double corner_radius_mm, double s
     for (std::size_t i = 0; i < count; ++i) {
         const CurvePiece piece = all[i];
         all.push_back(shifted({piece}, {span_mm, 0}).front());
-        // A summit within the piece or at its ends holds the floor up until the other corner has passed it.
+        // A local maximum limits the straight edge until the second corner has passed it.
         const auto bridge = [&](double u) {
             CurvePiece floor;
             floor.from = {u, piece.at(u)};

@@ -1,5 +1,5 @@
-// JOB.json: what a part is turned from, on what, with which tools and data.
-// Units: mm, mm/rev, m/min, rpm, degrees. Every z from the free end of the finished part toward the chuck.
+// JOB.json: stock, clamping, tools and cutting data of a turned part. Units: mm, mm/rev, m/min, rpm, degrees. Every z
+// from the free end of the finished part toward the chuck.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ namespace lathelier::cam {
 
 /// The bar.
 struct JobStock {
-    double diameter_mm = 0;           ///< of the bar
+    double diameter_mm = 0;
     std::optional<double> length_mm;  ///< of the bar from its raw end; none: up to the chuck's face and into it
-    double face_allowance_mm = 0;     ///< the raw end stands so far before the finished one
+    double face_allowance_mm = 0;     ///< distance of the raw end beyond the finished one
     friend bool operator==(const JobStock&, const JobStock&) = default;
 };
 
-/// A corner of what a tool must keep out of.
+/// A corner of a region that tools must not enter.
 struct KeepOutCorner {
     double z_mm = 0;  ///< negative beyond the free end
     double x_mm = 0;  ///< radius
@@ -38,10 +38,10 @@ struct JobTailstock {
 /// How the work is held.
 struct JobSetup {
     double chuck_face_z_mm = 0;             ///< of chuck or jaws
-    std::optional<double> jaw_diameter_mm;  ///< none: everything beyond the face is the chuck
-    std::optional<double> grip_length_mm;   ///< the least length to be held; none: not looked at
+    std::optional<double> jaw_diameter_mm;  ///< none: the chuck is unbounded radially
+    std::optional<double> grip_length_mm;   ///< smallest length to be clamped; none: not checked
     std::optional<JobTailstock> tailstock;  ///< none: free end
-    std::optional<double> power_kW;         ///< of the motor; none: not looked at
+    std::optional<double> power_kW;         ///< of the motor; none: not checked
     double efficiency = 0.8;                ///< from the motor to the cut; 0.8 is assumed
     friend bool operator==(const JobSetup&, const JobSetup&) = default;
 };
@@ -56,23 +56,23 @@ enum class Hand : std::uint8_t { TowardChuck, FromChuck };
 
 inline constexpr double usualBackMargin_deg = 2;  ///< JobTool::back_margin_deg where it is not stated
 
-/// A tool: an insert with a nose and two edges, a blade (`width_mm` is there), a centre drill, or an insert for
-/// threads. What is not stated of an insert or a holder that are named comes from the library (tool_library.h).
+/// A tool: an insert with a nose and two edges, a blade (`width_mm` is stated), a centre drill, or a threading insert.
+/// Values not stated are taken from the library entries of the named insert and holder (tool_library.h).
 struct JobTool {
     int number = 0;                                ///< T of the program
-    ToolUse use = ToolUse::Rough;                  ///< what it is for
-    std::string name;                              ///< of insert and holder, for people
+    ToolUse use = ToolUse::Rough;                  ///< operation it is used for
+    std::string name;                              ///< label of insert and holder
     std::string insert;                            ///< ISO code of an insert in the library; empty: none
     std::string holder_name;                       ///< ISO code of a holder in the library; empty: none
     std::optional<double> nose_radius_mm;          ///< r of an insert
     std::optional<double> entering_angle_deg;      ///< κ of an insert, from the direction of its feed
     std::optional<double> tip_angle_deg;           ///< ε of an insert; the point of a drill
     std::optional<double> edge_length_mm;          ///< of an insert
-    double back_margin_deg = usualBackMargin_deg;  ///< what a plan keeps below the back angle
+    double back_margin_deg = usualBackMargin_deg;  ///< safety margin subtracted from the back angle in plans
     Hand hand = Hand::TowardChuck;                 ///< direction of its feed
     std::optional<double> width_mm;                ///< of a blade; diameter of a drill
     double corner_radius_mm = 0;                   ///< of both corners of a blade
-    std::optional<double> max_depth_mm;            ///< how deep a blade reaches, radially
+    std::optional<double> max_depth_mm;            ///< largest radial depth of a blade
     std::optional<double> feed_mm_rev;             ///< none: that of the cutting data
     std::vector<stock::HolderCorner> holder;       ///< its hull is the holder; empty: the insert alone
     friend bool operator==(const JobTool&, const JobTool&) = default;
@@ -80,57 +80,57 @@ struct JobTool {
     bool isDrill() const { return use == ToolUse::CentreDrill; }
     bool isThreader() const { return use == ToolUse::Thread; }
     bool isBlade() const { return width_mm.has_value() && !isDrill() && !isThreader(); }
-    bool isProfile() const { return !isDrill() && !isBlade() && !isThreader(); }  ///< an insert
+    bool isProfile() const { return !isDrill() && !isBlade() && !isThreader(); }
     double radius_mm() const;      ///< of the nose, or of the corners of a blade
     double backAngle_deg() const;  ///< κ' = 180° - κ - ε of an insert; 90 of a blade
 };
 
-/// Data of roughing.
+/// Cutting data of roughing.
 struct RoughCutting {
-    double depth_mm = 0;             ///< largest, radial
-    double feed_mm_rev = 0;          ///< per revolution
+    double depth_mm = 0;  ///< largest radial depth of a pass
+    double feed_mm_rev = 0;
     double cutting_speed_m_min = 0;  ///< v_c
-    double allowance_mm = 0.3;       ///< left for the finish, normal to the surface
+    double allowance_mm = 0.3;       ///< finishing allowance, normal to the surface
     friend bool operator==(const RoughCutting&, const RoughCutting&) = default;
 };
 
-/// Data of finishing.
+/// Cutting data of finishing.
 struct FinishCutting {
-    double feed_mm_rev = 0;          ///< per revolution
+    double feed_mm_rev = 0;
     double cutting_speed_m_min = 0;  ///< v_c
     friend bool operator==(const FinishCutting&, const FinishCutting&) = default;
 };
 
 struct JobCutting {
-    std::string material;  ///< of the work; empty: not stated
-    RoughCutting rough;    ///< of roughing, facing and grooves
-    FinishCutting finish;  ///< of the contour
+    std::string material;  ///< of the workpiece; empty: not stated
+    RoughCutting rough;    ///< for roughing, facing and grooving
+    FinishCutting finish;  ///< for finishing the contour
     friend bool operator==(const JobCutting&, const JobCutting&) = default;
 };
 
-/// Speed of the finish up to a place.
+/// Spindle speed of finishing up to a position.
 struct SpeedSection {
-    double to_z_mm = 0;  ///< from the end of the section before, or the free end
-    double rpm = 0;      ///< of the spindle
+    double to_z_mm = 0;  ///< end of the section; it starts at the end of the section before, or at the free end
+    double rpm = 0;
     friend bool operator==(const SpeedSection&, const SpeedSection&) = default;
 };
 
 struct Job {
-    std::string title;                   ///< of the program; may be empty
-    std::optional<Shaft> shaft;          ///< the part; none: stated elsewhere
-    JobStock stock;                      ///< the bar
-    JobSetup setup;                      ///< chuck and tailstock
-    std::vector<JobTool> tools;          ///< each number once
-    JobCutting cutting;                  ///< feeds, speeds, depths
+    std::string title;           ///< of the program; may be empty
+    std::optional<Shaft> shaft;  ///< the part; none: stated elsewhere
+    JobStock stock;
+    JobSetup setup;
+    std::vector<JobTool> tools;  ///< tool numbers are unique
+    JobCutting cutting;
     std::optional<double> max_rpm;       ///< none: no limit is stated
     std::vector<SpeedSection> sections;  ///< ascending; empty: speeds are not stated
     bool part_off = false;               ///< the part is cut off at its end toward the chuck
-    double edge_break_mm = 0;            ///< chamfer of sharp edges; 0: they stay sharp
+    double edge_break_mm = 0;            ///< leg of the chamfer on sharp edges; 0: not broken
     friend bool operator==(const Job&, const Job&) = default;
 
-    const JobTool* tool(int number) const;      ///< null: there is none
-    const JobTool* toolFor(ToolUse use) const;  ///< the first of this use; null: there is none
-    /// The blade that parts off: one for it, else one for grooves; null: there is none.
+    const JobTool* tool(int number) const;      ///< null: not found
+    const JobTool* toolFor(ToolUse use) const;  ///< the first of this use; null: none
+    /// The parting blade, else a grooving blade; null: none.
     const JobTool* partingBlade() const;
 };
 

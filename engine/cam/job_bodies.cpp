@@ -7,10 +7,11 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kSlenderBeam_mm = 0.1;  // least diameter that a beam takes
+constexpr double leastBeamDiameter_mm = 0.1;  // smallest diameter of the beam model
 
-constexpr double leastGrip_mm = 10;  ///< of a bar whose length is not stated
-constexpr double kThreadNose_mm = 0.05, kThreadAngle_deg = 60, kThreadEdge_mm = 5;  ///< of an insert for threads
+constexpr double leastGrip_mm = 10;  ///< clamped length of a bar whose length is not stated
+constexpr double assumedThreadNose_mm = 0.05, assumedThreadAngle_deg = 60,
+                 assumedThreadEdge_mm = 5;  ///< of a threading insert
 
 }  // namespace
 
@@ -36,10 +37,10 @@ stock::TurningTool turningTool(const JobTool& tool, const Job& job)
     result.holder = tool.holder;
     result.tip = tool.hand == Hand::FromChuck && tool.isProfile() ? 4 : 3;
     if (tool.isThreader()) {
-        result.tip = 8;  // straight to the axis
-        result.corner_radius_mm = tool.nose_radius_mm.value_or(kThreadNose_mm);
-        result.tip_angle_deg = tool.tip_angle_deg.value_or(kThreadAngle_deg);
-        result.edge_length_mm = tool.edge_length_mm.value_or(kThreadEdge_mm);
+        result.tip = 8;  // perpendicular to the axis
+        result.corner_radius_mm = tool.nose_radius_mm.value_or(assumedThreadNose_mm);
+        result.tip_angle_deg = tool.tip_angle_deg.value_or(assumedThreadAngle_deg);
+        result.edge_length_mm = tool.edge_length_mm.value_or(assumedThreadEdge_mm);
     } else if (tool.isDrill()) {
         result.shape = stock::ToolShape::Drill;
         result.width_mm = tool.width_mm.value_or(job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : 5);
@@ -94,7 +95,7 @@ Shaft heldPart(const Shaft& part, const Job& job)
     body.marks.clear();
     if (body.length_mm() > face) return cutAt(body, face);
     if (const double stub = face - body.length_mm(); stub > 1e-9) {
-        // While the part hangs on the bar, what falls behind its last cylinder is not cut yet.
+        // As long as the part is attached to the bar, contours falling behind its last cylinder are not cut.
         for (std::size_t i = body.segments.size(); i-- > 1;) {
             ShaftSegment& row = body.segments[i];
             if (row.start_diameter_mm == row.end_diameter_mm && !row.arc_radius_mm) break;
@@ -109,7 +110,7 @@ Shaft heldPart(const Shaft& part, const Job& job)
     }
     for (ShaftSegment& row : body.segments)
         for (double* diameter : {&row.start_diameter_mm, &row.end_diameter_mm})
-            *diameter = std::max(*diameter, kSlenderBeam_mm);
+            *diameter = std::max(*diameter, leastBeamDiameter_mm);
     return body;
 }
 

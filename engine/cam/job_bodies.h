@@ -1,4 +1,4 @@
-// A job as bodies of the meridian plane: bar, tools, chuck and tailstock for engine/stock, and the part turned round.
+// A job as bodies of the meridian plane: bar, tools, chuck and tailstock for engine/stock, and the mirrored part.
 //
 // The stock's own z counts from its raw end: z of the stock = z of the part + JobStock::face_allowance_mm.
 #pragma once
@@ -11,11 +11,11 @@ namespace lathelier::cam {
 /// z of the bar's end in the chuck, from the free end of the finished part.
 double stockEnd_mm(const Job& job);
 
-/// The bar, as the simulation of stock wants it.
+/// The bar as input of the stock simulation.
 Shaft stockOf(const Job& job);
 
 /// A tool about its imaginary tip: an insert as Fanuc's tip 3 (from_chuck: 4), a blade about its corner toward the
-/// chuck, as deep as it reaches.
+/// chuck, with its full reach.
 stock::TurningTool turningTool(const JobTool& tool, const Job& job);
 
 /// Zero, tools, chuck and tailstock, for a program whose Z0 is the free end of the finished part.
@@ -24,8 +24,8 @@ stock::StockParameters stockParameters(const Job& job);
 /// The part seen from its other end, for the second clamping: z becomes length - z.
 Shaft mirrored(const Shaft& part);
 
-/// The finished part with the rest of its bar, up to the chuck's face: what the spindle carries. What falls behind its
-/// last cylinder is not cut while it hangs on the bar. Without bores and marks.
+/// The body between free end and chuck face after turning: finished part and remaining bar. Contours falling behind the
+/// last cylinder are not cut before parting off. Without bores and marks.
 Shaft heldPart(const Shaft& part, const Job& job);
 
 }  // namespace lathelier::cam

@@ -37,7 +37,7 @@ Job readJob(const std::string& json, Notes& notes)
     cutting.at("finish", LT_TEXT("Engine", "the data of finishing"));
     auto job = io::readFields<Job>(root, notes, {"shaft"});
     if (const auto shaft = root.member("shaft")) job.shaft = io::readShaft(*shaft, notes);
-    withLibrary(job);  // refuses what the library has not
+    withLibrary(job);  // throws for inserts and holders that the library lacks
     return job;
 }
 

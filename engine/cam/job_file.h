@@ -1,4 +1,4 @@
-// JOB.json: the described fields of Job and the shaft within, with line and column for whatever does not fit.
+// JOB.json: the described fields of Job and the shaft within, errors with line and column.
 #pragma once
 
 #include <string>
@@ -11,16 +11,15 @@ namespace lathelier::cam {
 
 /// Corners ("holder", "keep_out") may be lists of two numbers. Errors with line and column: malformed, keyMissing
 /// (stock.diameter_mm, setup.chuck_face_z_mm, tools, cutting.rough, cutting.finish), keyOutOfRange. Notes: unknownKey.
-/// Tools are filled from the library (tool_library.h): toolNotInLibrary. What job_rules.h looks at is not looked at
-/// here.
+/// Tools are filled from the library (tool_library.h): toolNotInLibrary. The rules of job_rules.h are not checked here.
 Job readJob(const std::string& json, Notes& notes);
 
 /// The text of a file that readJob() reads to the same bits.
 std::string jobText(const Job& job);
 
-/// A job with what was understood of its file.
+/// A job with the facts and notes of its file.
 struct JobFile {
-    Job job;              ///< as read
+    Job job;
     io::FileFacts facts;  ///< as jobFiles() has them
     Notes notes;          ///< of the reading, with the path
 };

@@ -28,7 +28,7 @@ void checkArc(std::size_t number, const ShaftSegment& segment)
     const Text name = LT_TEXT("Engine", "the radius of the arc");
     if (!std::isfinite(arc) || std::abs(arc) < half_chord * (1 - 1e-9))
         refuseSegment(number, name, arc, LT_TEXT("Engine", "at least half the chord"));
-    // The tangents at both ends lean from the chord by the same angle; along z they must not turn back.
+    // The tangents at both ends make the same angle with the chord; their z components must not change sign.
     const double lean = std::asin(std::min(1.0, half_chord / std::abs(arc)));
     const double slope = std::abs(std::atan2(rise, length));
     if (lean + slope > std::acos(-1.0) / 2 + 1e-4)

@@ -1,5 +1,5 @@
-// An operation of a plan: moves of the imaginary tip, exact, before any post rounds them.
-// Places are (z, x): z from the free end toward the chuck, x the radius, both in mm.
+// An operation of a plan: moves of the imaginary tip, exact, before rounding by a post. Places are (z, x): z from the
+// free end toward the chuck, x the radius, both in mm.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,24 +34,24 @@ enum class CutKind : std::uint8_t { Rapid, Line, Arc, Thread };
 
 /// One move to a place.
 struct CutMove {
-    CutKind kind = CutKind::Rapid;                     ///< how
+    CutKind kind = CutKind::Rapid;
     Eigen::Vector2d to = Eigen::Vector2d::Zero();      ///< of the tip
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of an arc of the tip
     bool clockwise = false;                            ///< of an arc: G2, seen with Z to the right and X upward
     double feed_mm_rev = 0;                            ///< of feed moves; the lead of a thread
     std::optional<double> speed_rpm{};                 ///< from this move on, where it changes
-    /// From this move on constant; a control that has none keeps `speed_rpm`.
+    /// From this move on constant; controls without it use `speed_rpm`.
     std::optional<double> cutting_speed_m_min{};
 };
 
 struct Operation {
-    OperationKind kind = OperationKind::Rough;  ///< what for
-    int tool = 0;                               ///< number
-    double cutting_speed_m_min = 0;             ///< v_c that is selected
-    std::optional<double> speed_rpm;            ///< fixed speed at its start; none: constant cutting speed
-    std::string reason;                         ///< of a fixed speed, for the program's comment
-    std::vector<CutMove> moves;                 ///< the first is rapid, from the change point
-    bool stops_before = false;                  ///< the program stops first: the tailstock comes
+    OperationKind kind = OperationKind::Rough;
+    int tool = 0;
+    double cutting_speed_m_min = 0;   ///< v_c that is selected
+    std::optional<double> speed_rpm;  ///< fixed speed at its start; none: constant cutting speed
+    std::string reason;               ///< of a fixed speed, for the program's comment
+    std::vector<CutMove> moves;       ///< the first is a rapid move from the tool change point
+    bool stops_before = false;        ///< program stop before it, to engage the tailstock
 };
 
 /// Largest radius that feed moves of an operation work at, at least 0.5 mm.
@@ -60,7 +60,7 @@ double largestRadius_mm(const Operation& operation);
 /// From the centre of the nose (of a blade: of its corner toward the chuck) to the imaginary tip.
 Eigen::Vector2d tipOffset(const JobTool& tool);
 
-/// Builds the moves of an operation. Places are those of the tip; moves of no length are left out.
+/// Builds the moves of an operation. Places are those of the tip; moves of zero length are omitted.
 class MoveList {
 public:
     explicit MoveList(const Eigen::Vector2d& tip_offset) : offset_(tip_offset) {}
@@ -90,7 +90,7 @@ private:
     Eigen::Vector2d at_ = Eigen::Vector2d::Zero();
 };
 
-/// The path of an arc move as chords, its start left out.
+/// Chords of an arc move without its start point.
 std::vector<Eigen::Vector2d> chordsOf(const Eigen::Vector2d& from, const CutMove& move, double chord_mm);
 
 }  // namespace lathelier::cam

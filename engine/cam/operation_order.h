@@ -1,8 +1,8 @@
-// In which order the operations of a clamping run, and which orders cannot be.
+// Order of the operations of a clamping and its constraints.
 //
-// A step is all operations of one kind with one tool. Faces, centre holes, roughing, semi-finishing and finishing build
-// on each other; what the opposite hand and blades take off may come before or after the finish; threads come after
-// all of these; the part is cut off last.
+// A step is all operations of one kind with one tool. Faces, centre holes, roughing, semi-finishing and finishing
+// follow in this order; back turning and grooving may precede or follow finishing; threading follows all of these;
+// parting off is last.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace lathelier::cam {
 
-/// Two steps the wrong way round.
+/// Two steps in an impossible order.
 struct OrderFault {
     OperationStep step;   ///< runs too early
     OperationStep needs;  ///< has to run before it
@@ -23,11 +23,11 @@ struct OrderFault {
 /// Why `later` cannot run before `earlier`; none: their order is free.
 std::optional<Text> reasonToFollow(OperationKind later, OperationKind earlier);
 
-/// The first step that runs too early; none: the order can be.
+/// The first step that violates a constraint; none: the order is possible.
 std::optional<OrderFault> faultOf(const std::vector<OperationStep>& order);
 
-/// `usual` in the order of `wanted`: steps that `wanted` names take each other's places, the others keep theirs. What
-/// `wanted` names and `usual` has not is passed over.
+/// `usual` in the order of `wanted`: steps that `wanted` names are permuted among their positions, the others keep
+/// theirs. Steps of `wanted` that `usual` lacks are ignored.
 std::vector<OperationStep> inOrder(std::vector<OperationStep> usual, const std::vector<OperationStep>& wanted);
 
 }  // namespace lathelier::cam

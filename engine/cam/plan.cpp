@@ -19,7 +19,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kMm3PerCm3 = 1000;
+constexpr double mm3PerCm3 = 1000;
 
 class Planner {
 public:
@@ -146,14 +146,14 @@ private:
         return CycleData{rough.depth_mm, rough.allowance_mm, tool.entering_angle_deg.value_or(90)};
     }
 
-    /// Where the motor gives most of what it has.
+    /// Note where the cutting power exceeds mostPowerShare of the available power.
     void notePower(const PlannedOperation& operation, Notes& notes) const
     {
         const JobSetup& machine = job_.setup;
         if (!machine.power_kW || !operation.power_max_kW) return;
         const double motor = *operation.power_max_kW / machine.efficiency, share = motor / *machine.power_kW;
         if (share <= mostPowerShare) return;
-        for (Note& note : notes) {  // the worst of an operation
+        for (Note& note : notes) {  // the note with the largest power per operation
             if (!(note.code == notes::powerNearLimit)) continue;
             if (!(*find(note.values, "operation") == Value(nameOf(operation.kind)))) continue;
             if (std::get<double>(*find(note.values, "power_kW")) >= motor) return;
@@ -185,7 +185,7 @@ private:
             described.first_line = written.operations[i].first_line;
             described.contour_first_line = written.operations[i].contour_first_line;
             described.contour_last_line = written.operations[i].contour_last_line;
-            described.volume_cm3 = planned.removed_mm3[i] / kMm3PerCm3;
+            described.volume_cm3 = planned.removed_mm3[i] / mm3PerCm3;
             const std::int64_t end =
                 i + 1 < written.operations.size() ? written.operations[i + 1].first_line : INT64_MAX;
             std::vector<gcode::Move> own;
@@ -253,8 +253,8 @@ void checkFeeds(const Job& job)
     }
 }
 
-/// Of a part and a job that keep the rules; `both_ends`: the part as two clampings turn it, with the edge of its other
-/// end broken.
+/// Precondition: part and job satisfy job_rules.h. `both_ends`: the part as two clampings turn it, with the edge of its
+/// other end broken.
 TurningPlan planned(const Shaft& part, const Shaft& both_ends, const Job& job, const TurningInputs& inputs,
                     const TurningParameters& parameters, const Progress& progress)
 {

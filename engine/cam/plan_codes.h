@@ -1,5 +1,5 @@
-// What planning a turning program and its posts refuse or remark: codes with their English patterns. {name} is replaced
-// by the named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+// Errors and notes of planning turning programs and of posts: codes with their English patterns. {name} is replaced by
+// the named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
 #pragma once
 
 #include "engine/core/error.h"

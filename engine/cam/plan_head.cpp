@@ -12,7 +12,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr std::size_t kMostRest = 12;
+constexpr std::size_t mostHeadRests = 12;
 
 std::string toolLine(const JobTool& tool)
 {
@@ -54,10 +54,11 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
                     [](const SectionSpeed& section) { return section.speed_rpm.has_value(); }))
         lines.push_back(fmt::format("assumed: spindle ramp {:g} rpm/s", spindleRamp_rpm_s));
     if (facts.rest.empty()) lines.emplace_back("not reachable: nothing");
-    for (std::size_t i = 0; i < std::min(facts.rest.size(), kMostRest); ++i)
+    for (std::size_t i = 0; i < std::min(facts.rest.size(), mostHeadRests); ++i)
         lines.push_back(fmt::format("not reachable: z {:.2f}-{:.2f} {:.3f} {}", facts.rest[i].z_start_mm,
                                     facts.rest[i].z_end_mm, facts.rest[i].left_mm, key(facts.rest[i].cause)));
-    if (facts.rest.size() > kMostRest) lines.push_back(fmt::format("and {} more", facts.rest.size() - kMostRest));
+    if (facts.rest.size() > mostHeadRests)
+        lines.push_back(fmt::format("and {} more", facts.rest.size() - mostHeadRests));
     if (!job.max_rpm) lines.emplace_back("assumed: speed limit");
     for (const JobTool& tool : job.tools)
         if (isHolderAssumed(tool))

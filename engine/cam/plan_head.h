@@ -1,4 +1,4 @@
-// What the head of a written program tells the person at the machine.
+// Comment head of a written program for the operator.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 
 namespace lathelier::cam {
 
-/// All of it.
+/// Contents of the head.
 struct HeadFacts {
-    const Clamping& clamping;                   ///< how the work is held
-    const Shaft& part;                          ///< as drawn
-    const std::vector<std::string>& origin;     ///< files and hashes
-    const std::vector<SectionSpeed>& sections;  ///< of the finish
-    const std::vector<Unreached>& rest;         ///< what no tool reaches
-    std::size_t setup = 1, setups = 1;          ///< this clamping, of how many
-    std::string check;                          ///< its outcome; empty: not known yet
+    const Clamping& clamping;                ///< how the work is held
+    const Shaft& part;                       ///< as drawn
+    const std::vector<std::string>& origin;  ///< files and hashes
+    const std::vector<SectionSpeed>& sections;
+    const std::vector<Unreached>& rest;  ///< predicted residual material
+    std::size_t setup = 1, setups = 1;   ///< this clamping, of how many
+    std::string check;                   ///< result of the check; empty: not known yet
 };
 
 /// Lines for comments; their number does not depend on `check`.

@@ -10,7 +10,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kFace_mm = 0.02;  ///< of the end face, along z
+constexpr double endFaceDepth_mm = 0.02;  ///< of the end face, along z
 
 Interval drawnPlace(const SetupPlan& setup, double length_mm, double from_mm, double to_mm)
 {
@@ -18,8 +18,8 @@ Interval drawnPlace(const SetupPlan& setup, double length_mm, double from_mm, do
     return {length_mm - to_mm, length_mm - from_mm};
 }
 
-/// The curves know why a place is not reached; a rest that a refused operation was for has that one's reason.
-void explain(RestInterval& rest, const TurningPlan& plan)
+/// Cause from the nose curves; for the rest of a refused operation, the cause of the refusal.
+void assignCause(RestInterval& rest, const TurningPlan& plan)
 {
     const auto meets = [&](const SetupPlan& setup, const Unreached& unreached) {
         const Interval place = drawnPlace(setup, plan.part.length_mm(), unreached.z_start_mm, unreached.z_end_mm);
@@ -29,7 +29,7 @@ void explain(RestInterval& rest, const TurningPlan& plan)
         for (const Unreached& unreached : setup.predicted) {
             if (!meets(setup, unreached)) continue;
             if (unreached.cause == RestCause::Tailstock && rest.cause == RestCause::Uncut)
-                rest.cause = RestCause::Tailstock;  // no more can be left than the bar has
+                rest.cause = RestCause::Tailstock;  // the residual material is bounded by the bar
             if (std::abs(unreached.left_mm - rest.left_mm) > gougeLimit_mm) continue;
             rest.cause = unreached.cause;
             rest.tool = unreached.tool;
@@ -40,7 +40,7 @@ void explain(RestInterval& rest, const TurningPlan& plan)
         for (const RefusedOperation& refused : setup.refused)
             if (meets(setup, refused.rest) && rest.left_mm <= refused.rest.left_mm + gougeLimit_mm)
                 rest.cause = refused.cause;
-        const bool is_face = rest.z_start_mm < kFace_mm && rest.z_end_mm < kFace_mm;
+        const bool is_face = rest.z_start_mm < endFaceDepth_mm && rest.z_end_mm < endFaceDepth_mm;
         if (is_face && rest.cause == RestCause::Uncut && setup.clamping.job.setup.tailstock)
             rest.cause = RestCause::Tailstock;
     }
@@ -112,17 +112,17 @@ void conclude(TurningPlan& plan)
         const Interval place = drawnPlace(last, plan.part.length_mm(), rest.z_start_mm, rest.z_end_mm);
         rest.z_start_mm = place.from;
         rest.z_end_mm = place.to;
-        explain(rest, plan);
+        assignCause(rest, plan);
         plan.rest.push_back(rest);
     }
-    // A ring that a tailstock keeps on the first face lies beyond what the second clamping turns.
+    // The ring left around a tailstock on the first face lies outside the stretch turned in the second clamping.
     if (plan.setups.size() > 1)
         for (RestInterval rest : plan.setups.front().check.rest) {
             const bool is_seen = std::any_of(plan.rest.begin(), plan.rest.end(), [&](const RestInterval& other) {
                 return other.z_start_mm <= rest.z_end_mm && other.z_end_mm >= rest.z_start_mm;
             });
-            if (is_seen || rest.z_end_mm > kFace_mm) continue;
-            explain(rest, plan);
+            if (is_seen || rest.z_end_mm > endFaceDepth_mm) continue;
+            assignCause(rest, plan);
             plan.rest.push_back(rest);
         }
     std::stable_sort(plan.rest.begin(), plan.rest.end(),

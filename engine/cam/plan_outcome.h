@@ -1,4 +1,4 @@
-// What the checks of all programs of a plan say together: what stays on the part, and the verdict.
+// Combined result of the checks of all programs of a plan: residual material and verdict.
 #pragma once
 
 #include "engine/cam/plan.h"
@@ -6,20 +6,20 @@
 
 namespace lathelier::cam {
 
-/// How the program of a clamping is checked; `count`: of all clampings.
+/// Check parameters of the program of a clamping; `count`: of all clampings.
 CheckParameters checkParametersOf(const Clamping& clamping, std::size_t count, const TurningInputs& inputs);
 
-/// The check of one program. What the post wrote is read in the post's dialect, other texts in the one they look like.
-/// `before`: the program of the first clamping; null: this is the first. Errors of checkTurning(). Throws Cancelled.
+/// The check of one program. Programs of the post are read in its dialect, others in the detected one. `before`: the
+/// program of the first clamping; null: this is the first. Errors of checkTurning(). Throws Cancelled.
 CheckResult checkProgram(const Shaft& part, const Job& job, const GivenProgram& program, const GivenProgram* before,
                          CheckParameters parameters, const Post& post, const Progress& progress);
 
-/// Tools of the program that the job has not, whose cuts no check sees; 0: none.
+/// First tool of the program that the job lacks, so that its cuts are not checked; 0: none.
 int unknownToolOf(const CheckResult& check);
 
-/// Fills in `rest`, `left_max_mm`, `is_refused`, `verdict` and `notes` from the checks of the plan's programs. What
-/// stays has been seen by the last clamping's check; a cause is taken from the plan where that knows it. Without a
-/// verdict where a program was not checked; undecided where a tool is not in the job and nothing else fails.
+/// Fills in `rest`, `left_max_mm`, `is_refused`, `verdict` and `notes` from the checks of the plan's programs. Residual
+/// material is that of the check of the last clamping; causes are taken from the plan where known. No verdict if a
+/// program was not checked; undecided if a tool is missing in the job and nothing else fails.
 void conclude(TurningPlan& plan);
 
 }  // namespace lathelier::cam

@@ -1,4 +1,4 @@
-// What a person chooses of a plan, and what a refused one says.
+// User parameters of a plan, and the error of a refused plan.
 #include "engine/cam/check/check_quantities.h"
 #include "engine/cam/plan.h"
 #include "engine/cam/plan_codes.h"

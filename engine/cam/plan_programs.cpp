@@ -20,8 +20,8 @@ std::vector<std::string_view> linesOf(const std::string& text)
     return lines;
 }
 
-/// Where the first blocks of operations stand in the new text: the next line that reads the same.
-void followLines(SetupPlan& setup, const std::string& text)
+/// Locates the first block of each operation in the new text by the next equal line.
+void updateFirstLines(SetupPlan& setup, const std::string& text)
 {
     const std::vector<std::string_view> before = linesOf(setup.text), now = linesOf(text);
     std::size_t from = 0;
@@ -34,8 +34,8 @@ void followLines(SetupPlan& setup, const std::string& text)
     }
 }
 
-/// What was read of a program; nothing that a check says of it.
-CheckResult readAlone(CheckResult check)
+/// The parsed program without results of the check.
+CheckResult withoutFindings(CheckResult check)
 {
     CheckResult read;
     read.parameters = check.parameters;
@@ -58,7 +58,7 @@ TurningPlan withPrograms(TurningPlan plan, const std::vector<GivenProgram>& give
         const auto own = std::find_if(given.begin(), given.end(), [i](const GivenProgram& g) { return g.setup == i; });
         all.push_back(own == given.end() ? GivenProgram{i, setup.text, {}, true, true} : *own);
         if (own != given.end()) {
-            followLines(setup, own->text);
+            updateFirstLines(setup, own->text);
             setup.text = own->text;
             is_other = true;
         }
@@ -69,7 +69,7 @@ TurningPlan withPrograms(TurningPlan plan, const std::vector<GivenProgram>& give
                 plan.part, plan.job, all[i], i > 0 ? &all[i - 1] : nullptr, setup.check.parameters, inputs.post,
                 progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
         is_open = is_open || meets_errors || setup.check.path.has_errors || !all[i].is_checked;
-        if (is_open) setup.check = readAlone(std::move(setup.check));
+        if (is_open) setup.check = withoutFindings(std::move(setup.check));
     }
     if (is_other) conclude(plan);
     progress.report(1);

@@ -1,4 +1,4 @@
-// Names of a plan's numbers for JSON and tables: `setups`, `rest`, `sections`, `check`.
+// Keys of the quantities of a plan for JSON and tables: `setups`, `rest`, `sections`, `check`.
 #pragma once
 
 #include "engine/cam/plan.h"

@@ -1,4 +1,4 @@
-// A turning plan for people: what stays, operations, speeds, meridian plots, a sheet for each clamping.
+// Report of a turning plan: residual material, operations, speeds, meridian plots, a set-up sheet for each clamping.
 #pragma once
 
 #include "engine/cam/plan.h"
@@ -8,10 +8,10 @@
 
 namespace lathelier::cam {
 
-/// The most that stays, with time and outcome of the check.
+/// Largest residual material, machining time, result of the check.
 report::Answer answer(const TurningPlan& plan, const Language& language = {});
 
-/// Drawing, bar, path and what stays of one clamping; the rest as marks with numbers.
+/// Drawing, bar, tool path and remaining stock of one clamping; residual material as numbered marks.
 report::Plot meridianPlot(const TurningPlan& plan, std::size_t setup, const Language& language = {});
 
 report::Table operationTable(const SetupPlan& setup);  ///< Operation, Tool, Blocks, Line, Length, Time, Volume, Power

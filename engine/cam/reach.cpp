@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFar_mm = 1e4;
-constexpr int kHalvings = 24;
+constexpr double farDistance_mm = 1e4;
+constexpr int edgeBisections = 24;
 
 Vector2d pointOf(const ContourPiece& piece, double share)
 {
@@ -20,7 +20,7 @@ Vector2d pointOf(const ContourPiece& piece, double share)
     return piece.centre_mm() + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle));
 }
 
-/// A place of the drawing: a piece and a share of its way.
+/// A point of the contour: piece and parameter along it.
 struct DrawnPlace {
     std::size_t piece = 0;
     double share = 0;
@@ -39,7 +39,7 @@ public:
             if (piece.from_mm.x() >= contour_.length_mm - 1e-9 && piece.to_mm.x() > contour_.length_mm) break;
             const double length = piece.length_mm();
             const auto steps = static_cast<std::size_t>(std::max(8.0, std::ceil(length / restSpacing_mm)));
-            double skip = 0;  // of a step: no tool can leave more than this at the points before
+            double skip = 0;  // step bound: the residual of all tools at the skipped points is smaller
             for (std::size_t k = 0; k <= steps; ++k) {
                 if (k > 0 && k < steps && skip > 0) {
                     --skip;
@@ -59,7 +59,7 @@ public:
 private:
     double leftAt(const DrawnPlace& place) const
     {
-        return leftAt_mm(pointOf(contour_.pieces[place.piece], place.share), tools_, kFar_mm);
+        return leftAt_mm(pointOf(contour_.pieces[place.piece], place.share), tools_, farDistance_mm);
     }
 
     void take(const DrawnPlace& place, double left)
@@ -80,10 +80,10 @@ private:
         has_last_ = true;
     }
 
-    /// Where `left` passes the threshold, from a place below it to one above on one piece.
+    /// Bisects for the point of one piece where `left` crosses the threshold.
     DrawnPlace edgeBetween(DrawnPlace below, DrawnPlace above) const
     {
-        for (int i = 0; i < kHalvings; ++i) {
+        for (int i = 0; i < edgeBisections; ++i) {
             const DrawnPlace middle{below.piece, (below.share + above.share) / 2, (below.way_mm + above.way_mm) / 2};
             (leftAt(middle) > leastRest_mm ? above : below) = middle;
         }
@@ -106,7 +106,7 @@ private:
         rest.x_most_mm = most.y();
         rest.path_from_mm = start_.way_mm;
         rest.path_to_mm = end.way_mm;
-        explain(rest, most, end);
+        assignCause(rest, most, end);
         found_.push_back(rest);
     }
 
@@ -117,7 +117,7 @@ private:
         const double step = std::min(0.125, restSpacing_mm / std::max(piece.length_mm(), 1e-9));
         double low = std::max(0.0, most_.share - step), high = std::min(1.0, most_.share + step);
         const double golden = (std::sqrt(5.0) - 1) / 2;
-        for (int i = 0; i < 2 * kHalvings; ++i) {
+        for (int i = 0; i < 2 * edgeBisections; ++i) {
             DrawnPlace a = most_, b = most_;
             a.share = high - golden * (high - low);
             b.share = low + golden * (high - low);
@@ -131,12 +131,12 @@ private:
         }
     }
 
-    void explain(Unreached& rest, const Vector2d& most, const DrawnPlace& end) const
+    void assignCause(Unreached& rest, const Vector2d& most, const DrawnPlace& end) const
     {
         const ToolReach* nearest = nullptr;
         double least = std::numeric_limits<double>::infinity();
         for (const ToolReach& tool : tools_)
-            if (const double left = tool.left_mm(most, kFar_mm); left < least) {
+            if (const double left = tool.left_mm(most, farDistance_mm); left < least) {
                 least = left;
                 nearest = &tool;
             }
@@ -159,7 +159,7 @@ private:
                 nearest = &piece;
             }
         if (!nearest) return RestCause::NoseRadius;
-        // At a corner between two pieces a ray beside it is the reason.
+        // At a corner between two pieces the ray next to it is the limiting contact.
         for (const CurvePiece& piece : tool.curve)
             if (piece.distanceTo(most) < least + 1e-6) {
                 if (piece.touch == Touch::Tailstock) return RestCause::Tailstock;
@@ -186,7 +186,7 @@ double ToolReach::left_mm(const Vector2d& point, double most_mm) const
     if (span_mm > 0) {
         const Vector2d back(span_mm, 0);
         distance = std::min(distance, distanceTo(curve, point + back, distance));
-        // The floor at the ends of the pieces: what slants between them is swept by both corners.
+        // Straight edge at the piece ends; sloped stretches between are swept by the corners.
         auto piece = std::lower_bound(curve.begin(), curve.end(), point.x() - 1e-9,
                                       [](const CurvePiece& a, double u) { return a.to.x() < u; });
         for (; piece != curve.end() && piece->from.x() - span_mm <= point.x(); ++piece)

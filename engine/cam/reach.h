@@ -1,8 +1,8 @@
-// What a set of tools leaves of a drawing, before any path exists: points of the drawing, their distance from the
-// curves of the tools' noses, and the intervals where all of them stay away.
+// Residual material of a set of tools before path planning: distances of contour points from the nose curves of all
+// tools, and the intervals where every tool leaves material.
 //
-// left = min over tools (distance of the point from the curve - r), normal to the surface: radial differences mean
-// nothing at walls. Of a blade the curves of both corners and the floor between count.
+// left = min over tools (distance of the point from the curve - r), normal to the surface: as radial differences are
+// undefined at walls. For a blade: the curves of both corners and the straight edge between them.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,23 @@
 
 namespace lathelier::cam {
 
-/// How far one tool gets.
+/// Reachable region of one tool.
 struct ToolReach {
-    int tool = 0;          ///< number
+    int tool = 0;
     Curve curve;           ///< of the centre of its nose; of a blade, of its corner toward the chuck
     double radius_mm = 0;  ///< of nose or corner
     double span_mm = 0;    ///< of a blade, from the centre of one corner to that of the other; else 0
-    /// Of a point of the drawing from what the tool cuts, at least -radius; not more than `most_mm`.
+    /// Distance of a contour point from the region cut by the tool, from -radius to `most_mm`.
     double left_mm(const Eigen::Vector2d& point, double most_mm) const;
 };
 
-/// Material that no tool reaches, where it is and why.
+/// Residual material that no tool reaches, with location and cause.
 struct Unreached {
-    double z_start_mm = 0;                     ///< first place of the drawing with more than leastRest_mm
-    double z_end_mm = 0;                       ///< last one
-    double left_mm = 0;                        ///< the most, normal to the surface
-    double z_most_mm = 0;                      ///< where that is
-    double x_most_mm = 0;                      ///< radius there
+    double z_start_mm = 0;  ///< first place of the drawing with more than leastRest_mm
+    double z_end_mm = 0;
+    double left_mm = 0;  ///< largest residual, normal to the surface
+    double z_most_mm = 0;
+    double x_most_mm = 0;
     RestCause cause = RestCause::NoseRadius;   ///< of the tool that gets nearest there
     int tool = 0;                              ///< number of that tool
     double tool_radius_mm = 0;                 ///< its nose, or corner
@@ -39,7 +39,7 @@ struct Unreached {
     double path_from_mm = 0, path_to_mm = 0;   ///< the interval as way along the drawing
 };
 
-inline constexpr double leastRest_mm = 0.005;   ///< what is less is no rest
+inline constexpr double leastRest_mm = 0.005;   ///< smaller residuals are ignored
 inline constexpr double restSpacing_mm = 0.02;  ///< of points along the drawing
 
 /// The intervals where every tool leaves more than leastRest_mm, within [0, length] of the drawing, in its order.

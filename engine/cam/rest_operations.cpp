@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kAboveFloor_mm = 0.05;  // left by plunges
-constexpr double kPlungeShare = 0.7;     // of a blade's width between plunges
-constexpr double kBladeShare = 0.6;      // of the cutting speed of roughing
-constexpr double kBladeFeed_mm_rev = 0.06;
-constexpr double leastShoulderSlope = 1.0;  // of a drawn one
+constexpr double plungeAllowance_mm = 0.05;  // left on the floor by plunges
+constexpr double plungeSpacingShare = 0.7;   // plunge spacing over the blade width
+constexpr double bladeSpeedShare = 0.6;      // over the cutting speed of roughing
+constexpr double assumedBladeFeed_mm_rev = 0.06;
+constexpr double leastShoulderSlope = 1.0;  // smallest slope of a drawn shoulder
 
-/// Rapid over a place of the tip and as far down as the stock allows, never lower than `x_mm`.
+/// Rapid move above a tip position and down to the clearance above the stock, not below `x_mm`.
 void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, int tool, double z_mm, double x_mm)
 {
     if (moves.isEmpty())
@@ -27,8 +27,8 @@ void approach(MoveList& moves, const WorkFrame& frame, const WorkStock& stock, i
     moves.rapidX(std::min(frame.safe_x_mm, stock.reachableFromAbove_mm(tool, z_mm, x_mm, frame.safe_x_mm)));
 }
 
-/// Is the corner that the interval holds the foot of a shoulder that rises toward the chuck? The finishing tool runs up
-/// to it by itself.
+/// True if the rest is the corner at the foot of a shoulder rising toward the chuck, which the finishing tool reaches
+/// itself.
 bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
 {
     const Contour& pieces = frame.contour.pieces;
@@ -39,8 +39,8 @@ bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
     return false;
 }
 
-/// Cuts what was laid from move `first` on.
-void cutNow(MoveList& moves, std::size_t first, int tool, WorkStock& stock)
+/// Removes the moves from `first` on from the stock.
+void cutMovesFrom(MoveList& moves, std::size_t first, int tool, WorkStock& stock)
 {
     Operation laid;
     laid.tool = tool;
@@ -72,11 +72,11 @@ Floor floorOf(const Curve& part)
     return floor;
 }
 
-/// Places of plunges: both ends of the floor and between them, then outward as far as the curve goes.
+/// z of plunges: both ends of the floor, equally spaced between, then outward to the ends of the curve.
 std::vector<double> plungesFor(const Curve& part, const Floor& floor, double step_mm)
 {
     std::vector<double> places;
-    const double from = floor.from_mm + kAboveFloor_mm, to = floor.to_mm - kAboveFloor_mm;
+    const double from = floor.from_mm + plungeAllowance_mm, to = floor.to_mm - plungeAllowance_mm;
     if (to > from) {
         const int count = std::max(1, static_cast<int>(std::ceil((to - from) / step_mm)));
         for (int i = 0; i <= count; ++i) places.push_back(from + (to - from) * i / count);
@@ -88,9 +88,9 @@ std::vector<double> plungesFor(const Curve& part, const Floor& floor, double ste
     return places;
 }
 
-/// Levels above the curve within the stretch, where the stock stands higher than one depth.
-void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, const Curve& part, WorkStock& stock,
-                double feed)
+/// Adds passes at levels above the curve where the stock exceeds one depth of cut.
+void addLevels(MoveList& moves, const WorkFrame& frame, const JobTool& tool, const Curve& part, WorkStock& stock,
+               double feed)
 {
     const double depth = frame.job->cutting.rough.depth_mm, r = tool.radius_mm();
     const double low = lowestOf(part);
@@ -102,8 +102,8 @@ void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, co
         const double level = top - (top - low) * i / steps;
         for (const Stretch& stretch : stretchesBelow(part, level)) {
             if (stretch.to_mm - stretch.from_mm < 0.2) continue;
-            // Only where stock stands above the level.
-            if (stock.topBetween_mm(stretch.from_mm, stretch.to_mm) < level - r + kAboveFloor_mm) continue;
+            // Only where stock exceeds the level.
+            if (stock.topBetween_mm(stretch.from_mm, stretch.to_mm) < level - r + plungeAllowance_mm) continue;
             const double x = level + moves.offset().y(), begin = stretch.to_mm + moves.offset().x(),
                          end = stretch.from_mm + moves.offset().x();
             approach(moves, frame, stock, tool.number, begin, x + rapidAbove_mm);
@@ -124,7 +124,7 @@ void levelsDown(MoveList& moves, const WorkFrame& frame, const JobTool& tool, co
             moves.line({end, x}, feed);
             moves.line({end + retract_mm, x + retract_mm}, feed);
             moves.rapidX(frame.safe_x_mm);
-            cutNow(moves, done, tool.number, stock);
+            cutMovesFrom(moves, done, tool.number, stock);
             done = moves.moves().size();
         }
     }
@@ -146,7 +146,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
     Operation result{OperationKind::FinishBack, tool.number, finish.cutting_speed_m_min, {}, {}, {}};
     MoveList moves(tipOffset(tool));
     WorkStock worked = stock;
-    if (rest.left_mm > rough.depth_mm) levelsDown(moves, frame, tool, part, worked, feed);
+    if (rest.left_mm > rough.depth_mm) addLevels(moves, frame, tool, part, worked, feed);
     const Vector2d start = part.back().to + moves.offset();
     approach(moves, frame, worked, tool.number, start.x(), start.y() + rapidAbove_mm);
     moves.line(start, feed);
@@ -166,25 +166,29 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
     const Curve part = clipped(reach.curve, from, to);
     if (part.empty()) return {};
     const Floor floor = floorOf(part);
-    const double feed = blade.feed_mm_rev.value_or(kBladeFeed_mm_rev);
-    Operation result{
-        OperationKind::Groove, blade.number, kBladeShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
+    const double feed = blade.feed_mm_rev.value_or(assumedBladeFeed_mm_rev);
+    Operation result{OperationKind::Groove,
+                     blade.number,
+                     bladeSpeedShare * frame.job->cutting.rough.cutting_speed_m_min,
+                     {},
+                     {},
+                     {}};
     MoveList moves(tipOffset(blade));
     const Vector2d offset = moves.offset();
     WorkStock worked = stock;
-    for (const double z : plungesFor(part, floor, kPlungeShare * width)) {
-        const double x = heightAt(part, z) + kAboveFloor_mm + offset.y();
+    for (const double z : plungesFor(part, floor, plungeSpacingShare * width)) {
+        const double x = heightAt(part, z) + plungeAllowance_mm + offset.y();
         const double top = worked.topBetween_mm(z - span - c, z + c);
-        if (top < x + kAboveFloor_mm) continue;
+        if (top < x + plungeAllowance_mm) continue;
         const std::size_t done = moves.moves().size();
         approach(moves, frame, worked, blade.number, z + offset.x(),
                  std::min(top + rapidAbove_mm / 2, frame.safe_x_mm));
         moves.line({z + offset.x(), x}, feed);
         moves.rapidX(frame.safe_x_mm);
-        cutNow(moves, done, blade.number, worked);
+        cutMovesFrom(moves, done, blade.number, worked);
     }
     const auto wall = [&](Curve way, bool backwards) {
-        // Where the floor is a point, each wall ends there.
+        // If the floor is a single point, both walls end there.
         const auto is_away = [](const CurvePiece& piece, bool up) {
             return piece.touch == Touch::Join && (piece.to.y() > piece.from.y()) == up;
         };
@@ -198,7 +202,7 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
         moves.follow(way, feed, backwards);
         moves.line(moves.at() + Vector2d(0, retract_mm / 5), feed);
         moves.rapidX(frame.safe_x_mm);
-        cutNow(moves, done, blade.number, worked);
+        cutMovesFrom(moves, done, blade.number, worked);
     };
     wall(clipped(part, from, floor.middle_mm()), false);
     wall(clipped(part, floor.middle_mm(), to), true);
@@ -215,8 +219,8 @@ double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock&
     return deepest;
 }
 
-std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unreached>& rest,
-                                  const std::vector<ToolReach>& so_far, const ToolReach& tool)
+std::vector<Unreached> improvableRests(const WorkFrame& frame, const std::vector<Unreached>& rest,
+                                       const std::vector<ToolReach>& so_far, const ToolReach& tool)
 {
     std::vector<Unreached> found;
     for (const Unreached& interval : rest) {
@@ -228,9 +232,9 @@ std::vector<Unreached> worthwhile(const WorkFrame& frame, const std::vector<Unre
                          high = std::min(length, interval.path_to_mm - way);
             way += length;
             if (!(high >= low)) continue;
-            constexpr int kPlaces = 64;
-            for (int i = 0; i <= kPlaces; ++i) {
-                const double share = length > 0 ? (low + (high - low) * i / kPlaces) / length : 0;
+            constexpr int triedPlaces = 64;
+            for (int i = 0; i <= triedPlaces; ++i) {
+                const double share = length > 0 ? (low + (high - low) * i / triedPlaces) / length : 0;
                 Vector2d point = piece.from_mm + share * (piece.to_mm - piece.from_mm);
                 if (piece.isArc()) {
                     const auto [start, end] = piece.arcAngles();

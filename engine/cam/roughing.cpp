@@ -11,16 +11,16 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double shortestRoughPass_mm = 0.05;  // a pass that is less is left to the semi-finish
-constexpr double kFaceFeed_mm_rev = 0.2;
+constexpr double shortestRoughPass_mm = 0.05;  // shorter passes are left to the semi-finish
+constexpr double largestFaceFeed_mm_rev = 0.2;
 
-/// The way down along f into a pocket that begins at `from_mm` on a level.
+/// Descent along f into a pocket that begins at `from_mm` on a level.
 struct Descent {
     Vector2d start = Vector2d::Zero();  // of the centre, at the level before
     Curve path;                         // from there to the pocket's begin on the level
 };
 
-/// Back along f until it reaches the level before, or a summit below it: from there a ramp at the back angle.
+/// Backward along f to the previous level or a local maximum below it; from a maximum, a ramp at the back angle.
 Descent descentTo(const Curve& curve, double from_mm, double level_mm, double before_mm, double back_deg)
 {
     Descent descent;
@@ -126,7 +126,7 @@ private:
         const Descent descent = descentTo(curve_, stretch.from_mm, level, before, wedgeOf(tool_).back_angle_deg);
         const Vector2d start = descent.start + moves_.offset();
         const double end = stretch.to_mm + moves_.offset().x(), x = level + moves_.offset().y();
-        catchUp();
+        cutPendingMoves();
         if (moves_.isEmpty())
             moves_.rapid({start.x(), frame_.safe_x_mm});
         else
@@ -142,8 +142,8 @@ private:
         moves_.rapidX(frame_.safe_x_mm);
     }
 
-    /// Cuts what was laid since the last time.
-    void catchUp()
+    /// Removes the moves added since the last call from the stock.
+    void cutPendingMoves()
     {
         stock_.run(partFrom(cut_moves_));
         cut_moves_ = moves_.moves().size();
@@ -154,7 +154,7 @@ private:
         const std::vector<CutMove>& all = operation_.moves.empty() ? moves_.moves() : operation_.moves;
         Operation part = operation_;
         part.moves.assign(all.begin() + static_cast<std::ptrdiff_t>(first == 0 ? 0 : first - 1), all.end());
-        if (first > 0) part.moves.front().kind = CutKind::Rapid;  // where the tool stands
+        if (first > 0) part.moves.front().kind = CutKind::Rapid;  // from the current position
         return part;
     }
 
@@ -187,7 +187,7 @@ Operation alongContour(const WorkFrame& frame, const JobTool& tool, OperationKin
     else
         moves.follow(curve, feed);
     moves.line({moves.at().x(), std::max(moves.at().y(), frame.stock_radius_mm) + retract_mm},
-               std::max(feed, kFaceFeed_mm_rev));
+               std::max(feed, largestFaceFeed_mm_rev));
     moves.rapidX(frame.safe_x_mm);
     result.moves = moves.taken();
     return result;

@@ -17,21 +17,21 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFrom_hz = 20;
-constexpr double kTo_hz = 4000;
-constexpr double kStep_hz = 2;
-constexpr double kBodyPiece_mm = 1;
-constexpr double kLongPass_mm = 10;
-constexpr std::size_t kMostRoughSpeeds = 12;
-constexpr double kLongTaper_mm = 3;  // shorter cones and arcs belong to the cylinder that they lead to
-constexpr double kBackPass_mm = 3;
+constexpr double sectionFrom_hz = 20;
+constexpr double sectionTo_hz = 4000;
+constexpr double sectionStep_hz = 2;
+constexpr double bodyPiece_mm = 1;
+constexpr double longPass_mm = 10;
+constexpr std::size_t mostRoughSpeeds = 12;
+constexpr double longTaper_mm = 3;  // shorter cones and arcs are assigned to the next cylinder
+constexpr double leastBackPass_mm = 3;
 
 /// The speed at one place of a body.
-struct Chosen {
+struct ChosenSpeed {
     double speed_rpm = 0;
     std::optional<double> frequency_hz;
     int lobe = 0;
-    bool is_stable = true;  ///< false: the catalogue's speed is kept
+    bool is_stable = true;  ///< false: the speed of the cutting data is kept
     FrfPtr receptance;
     std::optional<double> stable_depth_mm;  ///< at that speed, where it is not stable
 };
@@ -44,14 +44,14 @@ std::optional<double> coefficientOf(const WorkMaterial* material, double feed_mm
     return material->k_c11_N_mm2 * std::pow(h, -material->m_c);
 }
 
-/// The limiting depth at one speed; none: nothing limits it.
+/// The limiting depth at one speed; none: unlimited.
 std::optional<double> depthAt(const Frf& frf, double speed_rpm, double coefficient, stability::SpeedRelation relation)
 {
     stability::LobeParameters lobes;
     lobes.cutting_coefficient_N_mm2 = coefficient;
     lobes.relation = relation;
-    constexpr double kAround = 1e-3;
-    lobes.speed_rpm = {{speed_rpm * (1 - kAround), speed_rpm * (1 + kAround)}};
+    constexpr double speedNeighbourhood = 1e-3;
+    lobes.speed_rpm = {{speed_rpm * (1 - speedNeighbourhood), speed_rpm * (1 + speedNeighbourhood)}};
     lobes.points = 3;
     const stability::LobeLimit limit = stability::limitOf(frf, lobes);
     double least = std::numeric_limits<double>::infinity();
@@ -61,7 +61,7 @@ std::optional<double> depthAt(const Frf& frf, double speed_rpm, double coefficie
     return least;
 }
 
-void noteUnstable(Notes& notes, double from_mm, double to_mm, const Chosen& chosen)
+void noteUnstable(Notes& notes, double from_mm, double to_mm, const ChosenSpeed& chosen)
 {
     Values values{{"z_start_mm", from_mm},
                   {"z_end_mm", to_mm},
@@ -71,17 +71,17 @@ void noteUnstable(Notes& notes, double from_mm, double to_mm, const Chosen& chos
     notes.push_back({notes::noStableSpeedHere, std::move(values)});
 }
 
-Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
-                 double cutting_speed_m_min, const std::optional<double>& coefficient, const SpeedRequest& request,
-                 const Progress& progress)
+ChosenSpeed chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
+                      double cutting_speed_m_min, const std::optional<double>& coefficient, const SpeedRequest& request,
+                      const Progress& progress)
 {
-    Chosen chosen;
+    ChosenSpeed chosen;
     chosen.speed_rpm = std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
     receptance::ReceptanceParameters parameters;
     parameters.respond_z_mm = parameters.excite_z_mm = std::clamp(z_mm, 0.0, body.length_mm());
-    parameters.from_hz = kFrom_hz;
-    parameters.to_hz = kTo_hz;
-    parameters.step_hz = kStep_hz;
+    parameters.from_hz = sectionFrom_hz;
+    parameters.to_hz = sectionTo_hz;
+    parameters.step_hz = sectionStep_hz;
     chosen.receptance = std::make_shared<const Frf>(
         receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress));
     const Frf& frf = *chosen.receptance;
@@ -110,10 +110,10 @@ Chosen chosenFor(const Shaft& body, const std::optional<Material>& material, dou
 struct SpeedStretch {
     double from_mm = 0, to_mm = 0, diameter_mm = 0;
     bool is_cylinder = false;
-    double Rz_um = 0;  // that the drawing allows; 0: nothing is stated
+    double Rz_um = 0;  // roughness limit of the drawing; 0: not stated
 };
 
-/// Short cones and arcs belong to what they lead to, the last ones to what is before them.
+/// Short cones and arcs are assigned to the next stretch, the last ones to the previous.
 std::vector<SpeedStretch> stretchesOf(const Shaft& part)
 {
     std::vector<SpeedStretch> found;
@@ -129,7 +129,7 @@ std::vector<SpeedStretch> stretchesOf(const Shaft& part)
         begin = end;
     }
     std::erase_if(found, [](const SpeedStretch& stretch) {
-        return !stretch.is_cylinder && stretch.to_mm - stretch.from_mm < kLongTaper_mm;
+        return !stretch.is_cylinder && stretch.to_mm - stretch.from_mm < longTaper_mm;
     });
     return found;
 }
@@ -178,7 +178,7 @@ std::vector<SectionSpeed> statedSections(const Clamping& clamping)
     return sections;
 }
 
-/// A cylinder's speed from the dynamics of the work.
+/// Speed of a cylinder from the workpiece dynamics.
 void setSpeedOf(SectionSpeed& section, const SpeedStretch& cylinder, const Clamping& clamping,
                 const SpeedRequest& request, const WorkStock& before_finish, Notes& notes, const Progress& progress)
 {
@@ -187,9 +187,9 @@ void setSpeedOf(SectionSpeed& section, const SpeedStretch& cylinder, const Clamp
         request.material, finishFeed(clamping.job, tool, cylinder.Rz_um), tool.entering_angle_deg.value_or(90));
     const Shaft body = request.model == PartModel::Finished
                            ? request.whole
-                           : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
-    const Chosen chosen = chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm,
-                                    section.constant_m_min, coefficient, request, progress);
+                           : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
+    const ChosenSpeed chosen = chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm,
+                                         section.constant_m_min, coefficient, request, progress);
     section.speed_rpm = chosen.speed_rpm;
     section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
     section.frequency_hz = chosen.frequency_hz;
@@ -243,7 +243,7 @@ void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest&
 {
     if (!request.spindle) return;
     const JobTool* tool = clamping.job.tool(back.tool);
-    double longest = kBackPass_mm, free_z = 0, chuck_z = 0, radius = 0;
+    double longest = leastBackPass_mm, free_z = 0, chuck_z = 0, radius = 0;
     for (std::size_t k = 1; tool && k < back.moves.size(); ++k) {
         const Vector2d start = back.moves[k - 1].to, end = back.moves[k].to;
         if (back.moves[k].kind != CutKind::Line || std::abs(end.y() - start.y()) > same_mm || end.y() < 1) continue;
@@ -258,9 +258,9 @@ void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest&
         coefficientOf(request.material, finishFeed(clamping.job, *tool), tool->entering_angle_deg.value_or(90));
     const Shaft body = request.model == PartModel::Finished
                            ? request.whole
-                           : before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
-    const Chosen chosen = chosenFor(body, clamping.part.material, std::max(0.0, free_z), 2 * radius,
-                                    back.cutting_speed_m_min, coefficient, request, progress);
+                           : before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
+    const ChosenSpeed chosen = chosenFor(body, clamping.part.material, std::max(0.0, free_z), 2 * radius,
+                                         back.cutting_speed_m_min, coefficient, request, progress);
     back.speed_rpm = chosen.speed_rpm;
     if (!chosen.is_stable) return noteUnstable(notes, std::max(0.0, free_z), chuck_z, chosen);
     notes.push_back({notes::backSpeed,
@@ -283,11 +283,11 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
         tool ? tool->entering_angle_deg.value_or(90) : 90);
     std::size_t count = 0, done = 0;
     Operation part = rough;
-    for (std::size_t k = 1; k < rough.moves.size() && count < kMostRoughSpeeds; ++k) {
+    for (std::size_t k = 1; k < rough.moves.size() && count < mostRoughSpeeds; ++k) {
         CutMove& move = rough.moves[k];
         const Vector2d start = rough.moves[k - 1].to;
         const bool is_pass = move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < same_mm &&
-                             move.to.x() - start.x() > kLongPass_mm && move.to.y() > 1;
+                             move.to.x() - start.x() > longPass_mm && move.to.y() > 1;
         if (!is_pass) continue;
         progress.check();
         part.moves.assign(rough.moves.begin() + static_cast<std::ptrdiff_t>(done == 0 ? 0 : done - 1),
@@ -295,13 +295,13 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
         if (done > 0) part.moves.front().kind = CutKind::Rapid;
         done = k + 1;
         before.run(part);
-        const Shaft body = before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, kBodyPiece_mm);
-        const Chosen chosen = chosenFor(body, clamping.part.material, std::max(0.0, start.x()), 2 * move.to.y(), speed,
-                                        coefficient, request, progress);
+        const Shaft body = before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
+        const ChosenSpeed chosen = chosenFor(body, clamping.part.material, std::max(0.0, start.x()), 2 * move.to.y(),
+                                             speed, coefficient, request, progress);
         if (count++ == 0) {
             rough.speed_rpm = chosen.speed_rpm;
         } else {
-            std::size_t first = k;  // on the way back to the front the spindle has time
+            std::size_t first = k;  // the speed changes during the return move
             while (first > 1 && rough.moves[first - 1].kind == CutKind::Rapid) --first;
             rough.moves[first].speed_rpm = chosen.speed_rpm;
         }

@@ -81,12 +81,12 @@ private:
         const double depth = job_.cutting.rough.depth_mm;
         switch (step.kind) {
             case OperationKind::Face:
-                faceTheEnd(rough, depth);
-                // The tailstock stands from here on.
+                planFacing(rough, depth);
+                // The tailstock is engaged from here on.
                 reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
                 if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
                 break;
-            case OperationKind::CentreDrill: break;  // follows the face at once
+            case OperationKind::CentreDrill: break;  // planned together with facing
             case OperationKind::Rough: {
                 WorkStock laid = result_.after;
                 if (auto passes = roughing(frame_, rough, laid)) keep(std::move(*passes), depth);
@@ -95,7 +95,7 @@ private:
             case OperationKind::SemiFinish: keep(semiFinishing(frame_, rough), depth); break;
             case OperationKind::Finish: finishAll(rough, finish, depth); break;
             case OperationKind::FinishBack:
-            case OperationKind::Groove: clean(*job_.tool(step.tool)); break;
+            case OperationKind::Groove: removeRest(*job_.tool(step.tool)); break;
             case OperationKind::Thread:
                 for (const DrawnThread& thread : clamping_.threads) cutThread(thread);
                 break;
@@ -103,7 +103,7 @@ private:
         }
     }
 
-    /// In passes where a single one would cut too deep.
+    /// Finishing, in several passes where one would exceed the depth of cut.
     void finishAll(const JobTool& rough, const JobTool& finish, double depth)
     {
         std::optional<Operation> deep = deepPasses(frame_, rough, finish, result_.after);
@@ -113,9 +113,8 @@ private:
         if (!is_split) noteDeepFinish(rough, finish);
     }
 
-    /// The tailstock comes after its hole was drilled into the faced end; without a drill it stands there from the
-    /// start.
-    void faceTheEnd(const JobTool& rough, double depth)
+    /// Facing and centre drilling. With a drill the tailstock is engaged afterwards; without one from the start.
+    void planFacing(const JobTool& rough, double depth)
     {
         std::optional<Operation> hole = centreDrilling(frame_);
         if (hole && isSkipped(*hole)) hole.reset();
@@ -165,15 +164,15 @@ private:
         result_.operations.push_back(std::move(operation));
     }
 
-    /// All that one tool can take off of what is left.
-    void clean(const JobTool& tool)
+    /// Plans all rest operations of one tool.
+    void removeRest(const JobTool& tool)
     {
         if (tool.isDrill() || (use(tool) == ToolUse::FinishBack) == tool.isBlade()) return;
         if (isSkipped(tool.isBlade() ? OperationKind::Groove : OperationKind::FinishBack, tool.number)) return;
         const ToolReach reach = reachOf(frame_, tool);
         const std::vector<Unreached> rest = restOf(frame_.contour, reaches_);
         bool used = false;
-        for (const Unreached& interval : worthwhile(frame_, rest, reaches_, reach)) {
+        for (const Unreached& interval : improvableRests(frame_, rest, reaches_, reach)) {
             progress_.check();
             if (isCornerBeyondPart(interval)) continue;
             std::optional<Operation> operation = tool.isBlade()
@@ -192,7 +191,7 @@ private:
             }
             used = true;
             keep(std::move(*operation), tool.isBlade() ? *tool.width_mm : std::min(interval.left_mm, 2.0));
-            // Only what was cut is reached.
+            // Intervals of refused operations stay unreached.
             ToolReach part = reach;
             const double margin = 2 * reach.radius_mm + reach.span_mm + 1;
             part.curve = clipped(reach.curve, interval.z_start_mm - margin, interval.z_end_mm + margin);
@@ -204,7 +203,7 @@ private:
         }
     }
 
-    /// The corner between the end of the part and what is turned beyond it for parting off is not drawn.
+    /// The corner beyond the end of the part, next to the parting cut, is not part of the drawing.
     bool isCornerBeyondPart(const Unreached& rest) const
     {
         return clamping_.parts_off && rest.cause == RestCause::NoseRadius &&
@@ -267,7 +266,7 @@ private:
         keep(*std::move(cut.operation), 0);
     }
 
-    /// What the drawing's Rz means for the feed of the finish.
+    /// Notes on the finishing feed required by the Rz of the drawing.
     void noteRoughness(const JobTool& finish)
     {
         const double usual = finishFeed(job_, finish);
@@ -300,7 +299,7 @@ private:
         keep(partingOff(end, blade), *blade.width_mm);
     }
 
-    /// Where the finishing tool gets below what roughing leaves.
+    /// Note where finishing exceeds its depth of cut.
     void noteDeepFinish(const JobTool& rough, const JobTool& finish)
     {
         const Curve roughed = toolCurve(frame_, rough, job_.cutting.rough.allowance_mm),

@@ -11,18 +11,18 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastLeft_mm = 0.1;  // of a cylinder, at the speed before
+constexpr double leastCylinderLeft_mm = 0.1;  // length of a cylinder that keeps its speed
 constexpr double liftForSpeed_mm = 0.5;
 
-/// A move along a cylinder toward the chuck.
-bool isAlong(const CutMove& move, const Vector2d& start)
+/// True for a move along a cylinder toward the chuck.
+bool isLongitudinal(const CutMove& move, const Vector2d& start)
 {
     return move.kind == CutKind::Line && std::abs(move.to.y() - start.y()) < same_mm &&
            move.to.x() > start.x() + same_mm;
 }
 
-/// Does the drawing state limits or roughness of the row at z, or what is cut on it?
-bool isParticular(const Shaft& part, double z_mm)
+/// True if the drawing states limits, roughness or a thread for the row at z.
+bool hasRequirements(const Shaft& part, double z_mm)
 {
     double end = 0;
     for (const ShaftSegment& row : part.segments) {
@@ -32,8 +32,8 @@ bool isParticular(const Shaft& part, double z_mm)
     return false;
 }
 
-/// The place of a boundary in a path: moves from `first` on lead beyond it; those up to `end` are faces, chamfers and
-/// fillets before the next cylinder.
+/// Position of a section boundary in a path: moves from `first` on lie beyond it; those up to `end` are faces, chamfers
+/// and fillets before the next cylinder.
 struct Crossing {
     std::size_t first = 0, end = 0;
     double length_mm = 0;  // of these moves
@@ -45,7 +45,7 @@ std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
         const Vector2d start = moves[k - 1].to;
         if (moves[k].kind == CutKind::Rapid) continue;
         if (!(moves[k].to.x() > z + same_mm || (moves[k].to.x() > z - same_mm && start.x() > z - same_mm))) continue;
-        if (isAlong(moves[k], start) && start.x() < z - same_mm) {  // the boundary lies within a cylinder
+        if (isLongitudinal(moves[k], start) && start.x() < z - same_mm) {  // the boundary lies within a cylinder
             CutMove before = moves[k];
             before.to.x() = z;
             moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(k), before);
@@ -53,7 +53,7 @@ std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
         }
         Crossing crossing{k, k, 0};
         while (crossing.end < moves.size() && moves[crossing.end].kind != CutKind::Rapid &&
-               !isAlong(moves[crossing.end], moves[crossing.end - 1].to)) {
+               !isLongitudinal(moves[crossing.end], moves[crossing.end - 1].to)) {
             crossing.length_mm += (moves[crossing.end].to - moves[crossing.end - 1].to).norm();
             ++crossing.end;
         }
@@ -62,7 +62,7 @@ std::optional<Crossing> crossingOf(std::vector<CutMove>& moves, double z)
     return {};
 }
 
-/// Lays the speed into the moves before move `k`, so far ahead that it acts there; no farther than feed moves go back.
+/// Inserts the speed change before move `k`, early enough to be reached there, but not before the last rapid move.
 void setAhead(std::vector<CutMove>& moves, std::size_t k, double ramp_mm, double to_rpm)
 {
     double way = 0;
@@ -71,7 +71,7 @@ void setAhead(std::vector<CutMove>& moves, std::size_t k, double ramp_mm, double
         --first;
         way += (moves[first].to - moves[first - 1].to).norm();
     }
-    if (first < k && way > ramp_mm + kLeastLeft_mm && moves[first].kind == CutKind::Line) {
+    if (first < k && way > ramp_mm + leastCylinderLeft_mm && moves[first].kind == CutKind::Line) {
         CutMove before = moves[first];
         const Vector2d start = moves[first - 1].to;
         before.to = start + (before.to - start) * ((way - ramp_mm) / (before.to - start).norm());
@@ -82,7 +82,7 @@ void setAhead(std::vector<CutMove>& moves, std::size_t k, double ramp_mm, double
     moves[first].cutting_speed_m_min.reset();
 }
 
-/// At the speed that constant cutting speed has there.
+/// Spindle speed of constant cutting speed at a diameter.
 double rpmAt(double cutting_speed_m_min, double diameter_mm, double max_rpm)
 {
     return std::min(max_rpm, std::floor(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
@@ -98,7 +98,7 @@ void enterCylinder(std::vector<CutMove>& moves, double z, const SectionSpeed& se
 {
     for (std::size_t k = 1; k < moves.size(); ++k) {
         const Vector2d start = moves[k - 1].to;
-        if (!isAlong(moves[k], start) || moves[k].to.x() < z + same_mm) continue;
+        if (!isLongitudinal(moves[k], start) || moves[k].to.x() < z + same_mm) continue;
         const double before = rpmAt(section.constant_m_min, section.diameter_mm, section.max_rpm);
         return setAhead(moves, k, rampOf_mm(moves[k].feed_mm_rev, before, *section.speed_rpm), *section.speed_rpm);
     }
@@ -127,15 +127,16 @@ void changeSpeed(std::vector<CutMove>& moves, double from_rpm, double to_rpm, do
         return;
     }
     CutMove& before = moves[k - 1];
-    const bool is_cylinder = k >= 2 && isAlong(before, moves[k - 2].to);
-    if (is_cylinder && before.to.x() - moves[k - 2].to.x() > missing + kLeastLeft_mm && !isParticular(part, z)) {
+    const bool is_cylinder = k >= 2 && isLongitudinal(before, moves[k - 2].to);
+    if (is_cylinder && before.to.x() - moves[k - 2].to.x() > missing + leastCylinderLeft_mm &&
+        !hasRequirements(part, z)) {
         CutMove first = before;
         first.to.x() -= missing;
         before.speed_rpm = to_rpm;
         moves.insert(at(k - 1), first);
         return;
     }
-    // Where the way between both cylinders is highest nothing stands above the tool.
+    // At the largest radius between both cylinders the tool can retract without collision.
     const bool is_end = crossing->end > k && moves[crossing->end - 1].to.y() > before.to.y();
     const std::size_t place = is_end ? crossing->end : k;
     CutMove down = moves[place - 1];

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNothing_mm = -1e9;
-constexpr double kEntry_mm = 0.01;  // as long as the curve stays as high as it is entered
+constexpr double noFloor_mm = -1e9;
+constexpr double entryLength_mm = 0.01;  // over which the curve keeps its entry height
 
-/// All places of the tip where a body meets a region.
+/// Tip positions at which a body overlaps a region (Minkowski sum).
 stock::ConvexPolygon forbidden(const stock::ConvexPolygon& region, const stock::ConvexPolygon& body)
 {
     std::vector<stock::Corner> corners;
@@ -68,8 +68,8 @@ Curve tailstockFloor(const Job& job, const JobTool& tool, double from_mm, double
 
 double lowestBesideTailstock_mm(const Job& job, const JobTool& tool, double from_mm, double to_mm)
 {
-    double lowest = kNothing_mm;
-    for (const CurvePiece& piece : tailstockFloor(job, tool, from_mm, std::max(to_mm, from_mm + kEntry_mm)))
+    double lowest = noFloor_mm;
+    for (const CurvePiece& piece : tailstockFloor(job, tool, from_mm, std::max(to_mm, from_mm + entryLength_mm)))
         lowest = std::max({lowest, piece.from.y(), piece.to.y()});
     return lowest;
 }
@@ -81,8 +81,8 @@ Curve liftedOverTailstock(const Job& job, const JobTool& tool, const Curve& curv
     Curve floor = shifted(tailstockFloor(job, tool, first + offset.x(), last + offset.x()), -offset);
     const double entry =
         lowestBesideTailstock_mm(job, tool, std::min(front_mm, first + offset.x()), first + offset.x());
-    if (entry > kNothing_mm / 2 && entry - offset.y() > curve.front().from.y())
-        floor.push_back(lineBetween({first, entry - offset.y()}, {first + kEntry_mm, entry - offset.y()}));
+    if (entry > noFloor_mm / 2 && entry - offset.y() > curve.front().from.y())
+        floor.push_back(lineBetween({first, entry - offset.y()}, {first + entryLength_mm, entry - offset.y()}));
     if (floor.empty()) return curve;
     const double back = tool.isProfile() && tool.hand == Hand::TowardChuck ? wedgeOf(tool).back_angle_deg : 90;
     if (back < 90)

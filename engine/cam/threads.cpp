@@ -12,16 +12,16 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kDepthOverPitch = 0.6134;  // ISO 724, with a rounded root of P/8
-constexpr double kLeastDepthOverPitch = 0.45, kMostDepthOverPitch = 0.8;
-constexpr double kDiameterOverPitch = 0.3;  // between drawn and named diameter
-constexpr double kFirstPass_mm = 0.2;
-constexpr int kLeastPasses = 4, kMostPasses = 30;
-constexpr double kRunInPitches = 3;
-constexpr double returnAbove_mm = 2;  // of returns over the crest
-constexpr double kBeforeShoulder_mm = 0.5;
-constexpr double kSpeedShare = 0.5;  // of the cutting speed of roughing
-constexpr double kTan30 = 0.57735;
+constexpr double depthPerPitch = 0.6134;  // ISO 724, with a rounded root of P/8
+constexpr double leastDepthPerPitch = 0.45, mostDepthPerPitch = 0.8;
+constexpr double diameterErrorPerPitch = 0.3;  // largest difference of drawn and nominal diameter
+constexpr double firstThreadPass_mm = 0.2;
+constexpr int leastThreadPasses = 4, mostThreadPasses = 30;
+constexpr double runInPitches = 3;
+constexpr double returnAbove_mm = 2;  // height of return moves over the crest
+constexpr double beforeShoulder_mm = 0.5;
+constexpr double threadSpeedShare = 0.5;  // over the cutting speed of roughing
+constexpr double tan30 = 0.57735;
 
 /// ISO 261, coarse pitches.
 std::optional<double> coarsePitch_mm(double diameter_mm)
@@ -35,7 +35,7 @@ std::optional<double> coarsePitch_mm(double diameter_mm)
     return {};
 }
 
-/// A number at `at`, which is moved behind it.
+/// Parses a number at `at` and advances `at` behind it.
 std::optional<double> numberAt(const std::string& text, std::size_t& at)
 {
     std::size_t end = at;
@@ -90,7 +90,7 @@ DrawnThread threadNamed(const std::string& designation)
     return thread;
 }
 
-/// Highest drawn radius between two places; 0 where nothing is drawn.
+/// Largest radius of the contour between two z; 0 without a contour.
 double highest_mm(const HeightContour& contour, double from, double to)
 {
     double highest = 0;
@@ -107,8 +107,8 @@ double highest_mm(const HeightContour& contour, double from, double to)
     return highest;
 }
 
-/// Where the tip stops: beyond the thread by `side_mm` at most, and no flank of the insert meets what stands higher
-/// than the root.
+/// z where the tip stops: at most `side_mm` beyond the thread, with the flanks of the insert clear of contour above the
+/// root.
 double endOf(const HeightContour& contour, const JobTool& tool, double root_mm, double to_mm, double side_mm)
 {
     const stock::ConvexPolygon insert = stock::outlineOf(turningTool(tool, {})).insert;
@@ -125,11 +125,11 @@ double endOf(const HeightContour& contour, const JobTool& tool, double root_mm, 
         return reach;
     };
     double end = to_mm + side_mm;
-    constexpr double kStep_mm = 0.05;
-    const double last = std::min(contour.pieces.back().to_mm.x(), end + half + kBeforeShoulder_mm);
-    for (double z = to_mm; z < last; z += kStep_mm)
-        if (const double above = highest_mm(contour, z + same_mm, z + kStep_mm) - root_mm; above > same_mm)
-            end = std::min(end, z - flank(above) - kBeforeShoulder_mm);
+    constexpr double wallProbe_mm = 0.05;
+    const double last = std::min(contour.pieces.back().to_mm.x(), end + half + beforeShoulder_mm);
+    for (double z = to_mm; z < last; z += wallProbe_mm)
+        if (const double above = highest_mm(contour, z + same_mm, z + wallProbe_mm) - root_mm; above > same_mm)
+            end = std::min(end, z - flank(above) - beforeShoulder_mm);
     return end;
 }
 
@@ -191,24 +191,28 @@ Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThre
     const double pitch = *thread.pitch_mm;
     const double from = thread.z_start_mm, to = std::min(thread.z_end_mm, frame.contour.length_mm);
     const double crest = highest_mm(frame.contour, from + same_mm, to - same_mm);
-    if (thread.major_mm && std::abs(*thread.major_mm - 2 * crest) > kDiameterOverPitch * pitch)
+    if (thread.major_mm && std::abs(*thread.major_mm - 2 * crest) > diameterErrorPerPitch * pitch)
         return without(LT_TEXT("Engine", "its row has another diameter"));
-    const double depth = thread.minor_mm ? crest - *thread.minor_mm / 2 : kDepthOverPitch * pitch, root = crest - depth;
-    if (depth < kLeastDepthOverPitch * pitch || depth > kMostDepthOverPitch * pitch)
+    const double depth = thread.minor_mm ? crest - *thread.minor_mm / 2 : depthPerPitch * pitch, root = crest - depth;
+    if (depth < leastDepthPerPitch * pitch || depth > mostDepthPerPitch * pitch)
         return without(LT_TEXT("Engine", "its root does not fit its pitch"));
     if (!(root > 0) || std::abs(lowestRadius_mm(frame.contour, from + same_mm, to - same_mm) - crest) > same_mm)
         return without(LT_TEXT("Engine", "its row is no cylinder that could carry it"));
-    const double run_in = from - kRunInPitches * pitch, side = depth * kTan30 + kBeforeShoulder_mm;
+    const double run_in = from - runInPitches * pitch, side = depth * tan30 + beforeShoulder_mm;
     if (highest_mm(frame.contour, run_in, from - same_mm) > crest + same_mm)
         return without(LT_TEXT("Engine", "what stands before it is higher"));
     const double end = endOf(frame.contour, tool, root, to, side);
     if (end - from < pitch) return without(LT_TEXT("Engine", "its row is too short"));
     Threading result;
-    const double square = (depth / kFirstPass_mm) * (depth / kFirstPass_mm);
-    result.passes = std::clamp(static_cast<int>(std::ceil(square)), kLeastPasses, kMostPasses);
+    const double square = (depth / firstThreadPass_mm) * (depth / firstThreadPass_mm);
+    result.passes = std::clamp(static_cast<int>(std::ceil(square)), leastThreadPasses, mostThreadPasses);
     result.depth_mm = depth;
-    Operation operation{
-        OperationKind::Thread, tool.number, kSpeedShare * frame.job->cutting.rough.cutting_speed_m_min, {}, {}, {}};
+    Operation operation{OperationKind::Thread,
+                        tool.number,
+                        threadSpeedShare * frame.job->cutting.rough.cutting_speed_m_min,
+                        {},
+                        {},
+                        {}};
     operation.speed_rpm = std::max(
         1.0, std::min(max_rpm, std::floor(1000 * operation.cutting_speed_m_min / (2 * std::numbers::pi * crest))));
     operation.reason = thread.designation;

@@ -2,9 +2,8 @@
 // so that every control makes the same ones.
 //
 // ISO 68-1, ISO 724: the depth of an external thread is 0.6134 P from the drawn diameter, that of its crest, unless the
-// drawing states the diameter of its root. Pass i of
-// n stands at depth √(i/n) of it, so all take off the same area; the last one is run twice. The tool is straight to the
-// axis; what it takes off is not looked at.
+// drawing states the diameter of its root. Pass i of n is at depth √(i/n) of it, so that all remove equal areas; the
+// last one is run twice. The tool is straight to the axis; its cut is not checked.
 #pragma once
 
 #include <optional>
@@ -16,14 +15,14 @@
 
 namespace lathelier::cam {
 
-/// A thread that the drawing states.
+/// A thread stated in the drawing.
 struct DrawnThread {
     std::string designation;         ///< "M16x1.5"
-    std::optional<double> pitch_mm;  ///< P; none: not understood
+    std::optional<double> pitch_mm;  ///< P; none: designation not parsed
     std::optional<double> major_mm;  ///< D, over the crests; none: not stated
     std::optional<double> minor_mm;  ///< at the root; none: by the standard
     double z_start_mm = 0;           ///< from the free end
-    double z_end_mm = 0;             ///< end toward the chuck
+    double z_end_mm = 0;             ///< toward the chuck
     bool is_plain = true;            ///< right-handed, with one start
     friend bool operator==(const DrawnThread&, const DrawnThread&) = default;
 };
@@ -32,20 +31,20 @@ struct DrawnThread {
 /// coarse), "x", "×" or "*" between, "LH" for left-handed.
 std::vector<DrawnThread> threadsOf(const Shaft& part);
 
-/// The same seen from the other end.
+/// The same with z from the other end.
 std::vector<DrawnThread> mirrored(std::vector<DrawnThread> threads, double length_mm);
 
-/// A thread in passes, or why there is none.
+/// Threading passes, or the reason why the thread is not cut.
 struct Threading {
     std::optional<Operation> operation;  ///< none: see `reason`
-    Text reason;                         ///< in words
-    int passes = 0;                      ///< over the thread
-    double depth_mm = 0;                 ///< of the thread
+    Text reason;
+    int passes = 0;  ///< over the thread
+    double depth_mm = 0;
 };
 
-/// Runs in by three pitches over what is no higher than the thread; runs out into what is lower than its root, or ends
-/// before what is higher, so far that the insert's flank does not meet it. Not cut where the diameter of its row is not
-/// the thread's by more than 0.3 P, or its stated root is not 0.45 to 0.8 P deep.
+/// Run-in of three pitches over contour not higher than the crest; run-out into contour lower than the root, or end
+/// before higher contour, clear of the flank of the insert. Not cut if the row diameter differs from the nominal one by
+/// more than 0.3 P, or its stated root is not 0.45 to 0.8 P deep.
 Threading threading(const WorkFrame& frame, const JobTool& tool, const DrawnThread& thread, double max_rpm);
 
 }  // namespace lathelier::cam

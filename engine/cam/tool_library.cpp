@@ -20,8 +20,8 @@ constexpr Range lengths_mm{0, 1000};
 std::optional<LibraryInsert> insertOfCode(const std::string& code)
 {
     const std::string plain = plainName(code);
-    constexpr std::size_t kLetters = 4, kDigits = 6;
-    if (plain.size() < kLetters + kDigits) return {};
+    constexpr std::size_t codeLetters = 4, codeDigits = 6;
+    if (plain.size() < codeLetters + codeDigits) return {};
     std::string upper(plain);
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
@@ -32,13 +32,13 @@ std::optional<LibraryInsert> insertOfCode(const std::string& code)
             return {};
         return 10 * (plain[at] - '0') + (plain[at + 1] - '0');
     };
-    const std::optional<int> edge = number(kLetters), corner = number(kLetters + 4);
+    const std::optional<int> edge = number(codeLetters), corner = number(codeLetters + 4);
     if (!tip || !edge || !corner || *edge == 0 || *corner == 0) return {};
     LibraryInsert insert;
     insert.tip_angle_deg = *tip;
     insert.edge_length_mm = *edge;
-    constexpr double kTenths = 10;
-    insert.corner_radius_mm = *corner / kTenths;
+    constexpr double tenthsPerMillimetre = 10;
+    insert.corner_radius_mm = *corner / tenthsPerMillimetre;
     insert.standing = "given";
     return insert;
 }
@@ -175,12 +175,14 @@ bool fitsHolder(const std::string& insert, const std::string& holder)
 {
     // "cnmg120408", and "pclnl2525m12" or "sclcl2020k09": clamping, shape, style, clearance, hand, shank, length, edge.
     const std::string of = plainName(insert), to = plainName(holder);
-    constexpr std::size_t kLetters = 4, kHead = 5;
+    constexpr std::size_t codeLetters = 4, holderLetters = 5;
     const auto isDigit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-    if (of.size() < kLetters + 2 || to.size() < kHead + 2 || !isDigit(of[kLetters]) || !isDigit(to[kHead])) return true;
+    if (of.size() < codeLetters + 2 || to.size() < holderLetters + 2 || !isDigit(of[codeLetters]) ||
+        !isDigit(to[holderLetters]))
+        return true;
     if (of[0] != to[1] || of[1] != to[3]) return false;
     if (!isDigit(to[to.size() - 1]) || !isDigit(to[to.size() - 2])) return true;
-    return of.compare(kLetters, 2, to, to.size() - 2, 2) == 0;
+    return of.compare(codeLetters, 2, to, to.size() - 2, 2) == 0;
 }
 
 void noteFits(const Job& job, Notes& notes)
@@ -206,7 +208,7 @@ void noteLibrary(const Job& stated, Notes& notes)
     for (const JobTool& tool : stated.tools) {
         if (!tool.insert.empty() && !(tool.nose_radius_mm && tool.tip_angle_deg && tool.edge_length_mm)) {
             const LibraryEntry<LibraryInsert>* entry = listedInsert(tool.insert);
-            // ISO 1832 gives it; what is assumed of an insert are its ranges.
+            // Geometry follows from ISO 1832; only the ranges of an insert are assumed.
             add(tool, LT_TEXT("Engine", "the geometry"), tool.insert, "given", entry ? entry->source : "ISO 1832");
         }
         const LibraryEntry<LibraryHolder>* holder = listedHolder(tool.holder_name);

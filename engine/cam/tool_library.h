@@ -1,8 +1,8 @@
-// Inserts and holders by their ISO codes: what a job need not state of a tool.
+// Inserts and holders by their ISO codes: defaults for values that a job does not state.
 //
 // resources/library/inserts.json (the same that deflection reads) and holders.json. Geometry of inserts is that of ISO
 // 1832; an insert that is not listed is read from its code: shape, edge length in whole mm, corner radius in 0.1 mm.
-// Ranges of depth, feed and speed and the outlines of holders are assumed, as their entries say.
+// Ranges of depth, feed and speed and the outlines of holders are assumed, as stated in their entries.
 #pragma once
 
 #include <optional>
@@ -17,10 +17,10 @@ namespace lathelier::cam {
 
 /// An insert of the library.
 struct LibraryInsert {
-    double corner_radius_mm = 0;                              ///< r
-    double tip_angle_deg = 0;                                 ///< ε
-    std::optional<double> lead_angle_deg;                     ///< 90° - κ on the usual holder
-    std::optional<double> edge_length_mm;                     ///< of the edge
+    double corner_radius_mm = 0;           ///< r
+    double tip_angle_deg = 0;              ///< ε
+    std::optional<double> lead_angle_deg;  ///< 90° - κ on the usual holder
+    std::optional<double> edge_length_mm;
     std::optional<double> depth_low_mm, depth_high_mm;        ///< a_p
     std::optional<double> feed_low_mm_rev, feed_high_mm_rev;  ///< f
     std::optional<double> speed_low_m_min, speed_high_m_min;  ///< v_c
@@ -44,25 +44,25 @@ const std::vector<Field<LibraryHolder>>& fieldsOf(const LibraryHolder*);
 const std::vector<LibraryEntry<LibraryInsert>>& libraryInserts();
 const std::vector<LibraryEntry<LibraryHolder>>& libraryHolders();
 
-/// By code, letter case and blanks aside; an insert that is not listed by its ISO 1832 code. None: not understood.
+/// By code, letter case and blanks aside; an insert that is not listed by its ISO 1832 code. None: not parsed.
 std::optional<LibraryInsert> insertNamed(const std::string& code);
 const LibraryHolder* holderNamed(const std::string& code);
 
-/// What tools do not state is filled from the insert and the holder that they name; what is typed rules. A holder that
-/// cuts from the chuck makes the tool do so. Error toolNotInLibrary.
+/// Values that tools do not state are filled from their named insert and holder; stated values take precedence. The
+/// hand of the holder sets the hand of the tool. Error toolNotInLibrary.
 Job withLibrary(Job job);
 
-/// What the tools of a job take from the library, with its source and standing. Notes: toolFromLibrary.
+/// Notes on the values taken from the library, with source and status. Notes: toolFromLibrary.
 void noteLibrary(const Job& stated, Notes& notes);
 
-/// Does the outline of this tool's holder come from the library, where it is assumed?
+/// True if the holder outline is an assumed one of the library.
 bool isHolderAssumed(const JobTool& tool);
 
 /// Depths and feeds outside the ranges of the named inserts. Notes: outsideRange.
 void noteRanges(const Job& job, Notes& notes);
 
-/// Does an insert fit a holder, by their codes: shape, clearance, and length of the edge (ISO 1832, ISO 5608)? Yes
-/// where a code does not tell.
+/// True if insert and holder match by their codes: shape, clearance, edge length (ISO 1832, ISO 5608); also if a code
+/// lacks them.
 bool fitsHolder(const std::string& insert, const std::string& holder);
 
 /// Notes: insertNotOfHolder.

@@ -11,7 +11,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr double kBeyondBlade_mm = 1;  // turned behind the blade that parts off, so that it does not rub
+constexpr double beyondBlade_mm = 1;  // turned beyond the parting cut, so that the blade does not rub
 
 [[noreturn]] void refuseSetup(Text reason, double missing_mm)
 {
@@ -26,7 +26,7 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     frame.job = &job;
     frame.contour = heightContour(part);
     if (const JobTool* blade = job.part_off ? job.partingBlade() : nullptr)
-        frame.contour = extendedBy(frame.contour, blade->width_mm.value_or(0) + kBeyondBlade_mm);
+        frame.contour = extendedBy(frame.contour, blade->width_mm.value_or(0) + beyondBlade_mm);
     for (const ContourPiece& piece : frame.contour.pieces)
         frame.Rz_um.push_back(piece.row >= 0 ? part.segments.at(static_cast<std::size_t>(piece.row)).Rz_um.value_or(0)
                                              : 0);
@@ -41,7 +41,7 @@ WorkFrame frameOf(const Job& job, const Shaft& part)
     for (const JobTool& tool : job.tools)
         frame.safe_x_mm = std::max(
             frame.safe_x_mm, lowestBesideTailstock_mm(job, tool, -frame.face_mm - 2 * clearance_mm, frame.end_mm));
-    double radius = 0;  // by which tips stand beyond the last centre
+    double radius = 0;  // largest tip offset beyond the last nose centre
     for (const JobTool& tool : job.tools)
         if (tool.isProfile() && tool.hand == Hand::TowardChuck) radius = std::max(radius, tool.radius_mm());
     radius += job.cutting.rough.allowance_mm;
@@ -65,9 +65,9 @@ double finishFeed(const Job& job, const JobTool& tool, double Rz_um)
     const double usual = finishFeed(job, tool);
     if (!(Rz_um > 0) || !tool.isProfile()) return usual;
     const double feed = feedForRz(Rz_um, tool.radius_mm(), tool.backAngle_deg(), usual);
-    constexpr double kSteps = 1000;  // a post writes three decimals
+    constexpr double stepsPerUnit = 1000;  // a post writes three decimals
     if (feed >= usual) return usual;
-    return std::min(usual, std::max(leastFeed_mm_rev, std::floor(kSteps * feed) / kSteps));
+    return std::min(usual, std::max(leastFeed_mm_rev, std::floor(stepsPerUnit * feed) / stepsPerUnit));
 }
 
 std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool)
@@ -79,7 +79,7 @@ std::vector<double> finishFeeds(const WorkFrame& frame, const JobTool& tool)
 
 ToolWedge wedgeOf(const JobTool& tool)
 {
-    // Without a margin the edge would lie on the surface; it never becomes less than nothing.
+    // Without a margin the back edge would touch the surface; the angle is clamped at 0.
     const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg);
     return {tool.radius_mm(), back, tool.entering_angle_deg.value_or(90)};
 }
@@ -105,7 +105,7 @@ ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_
 {
     ToolReach reach{tool.number, toolCurve(frame, tool, allowance_mm), tool.radius_mm(), 0};
     if (tool.isProfile() && tool.hand == Hand::TowardChuck && !reach.curve.empty()) {
-        CurvePiece face;  // the tool comes up the face
+        CurvePiece face;  // the tool moves outward along the face
         face.to = reach.curve.front().from;
         face.from = {face.to.x(), 0};
         face.touch = Touch::Join;

@@ -1,4 +1,4 @@
-// What all operations of one clamping share: the contour that is turned, how far, and where rapid moves are safe.
+// Data shared by all operations of one clamping: turned contour, its end, and safe positions for rapid moves.
 #pragma once
 
 #include "engine/cam/contour.h"
@@ -8,32 +8,35 @@
 
 namespace lathelier::cam {
 
-inline constexpr double faceLeft_mm = 0.15;    ///< on the face after roughing, for the finish
+inline constexpr double faceLeft_mm = 0.15;    ///< finishing allowance on the face
 inline constexpr double clearance_mm = 2;      ///< of rapid moves from the bar, radially
 inline constexpr double approach_mm = 1;       ///< of rapid moves from the face that is left, along z
-inline constexpr double retract_mm = 0.5;      ///< of a pass from what it has cut
-inline constexpr double rapidAbove_mm = 1;     ///< of rapid moves over what is approached, where rest is cut
-inline constexpr double restOverlap_mm = 0.5;  ///< onto what is finished, on both sides of a rest
-inline constexpr double slowShare = 0.6;       ///< of the feed, where a tool feeds into the stock
+inline constexpr double retract_mm = 0.5;      ///< distance of a return move from the cut surface
+inline constexpr double rapidAbove_mm = 1;     ///< height of rapid moves above the stock in rest operations
+inline constexpr double restOverlap_mm = 0.5;  ///< overlap onto the finished surface at both ends of a rest
+inline constexpr double slowShare = 0.6;       ///< feed reduction for plunging into the stock
 inline constexpr double largestFacing_mm = 1;  ///< depth of a facing pass
 
 struct WorkFrame {
-    const Job* job = nullptr;    ///< of this clamping
-    HeightContour contour;       ///< with what is turned beyond the part for parting off
-    double end_mm = 0;           ///< last place of the nose's centre
-    double stock_radius_mm = 0;  ///< of the bar
-    double safe_x_mm = 0;        ///< radius at which a tip may travel along z
-    double face_mm = 0;          ///< raw face before the finished one
-    double face_left_mm = 0;     ///< of it, when the contour is turned
-    bool has_tailstock = false;  ///< stands while the contour is turned; curves keep clear of it
-    bool faces_end = true;       ///< the finish comes up the face
-    /// For each piece of the contour what the drawing allows; 0: nothing is stated.
+    const Job* job = nullptr;
+    HeightContour contour;  ///< including the stretch turned beyond the part for parting off
+    double end_mm = 0;      ///< last u of the nose centre
+    double stock_radius_mm = 0;
+    double safe_x_mm = 0;        ///< radius for rapid moves along z
+    double face_mm = 0;          ///< allowance of the raw face
+    double face_left_mm = 0;     ///< remaining face allowance when the contour is turned
+    bool has_tailstock = false;  ///< engaged while the contour is turned; curves avoid it
+    bool faces_end = true;       ///< finishing includes the face
+    /// Rz limit of the drawing for each contour piece; 0: not stated.
     std::vector<double> Rz_um;
 
-    double frontZ_mm() const { return -face_left_mm - approach_mm; }  ///< before the roughed face
+    double frontZ_mm() const
+    {
+        return -face_left_mm - approach_mm;
+    }  ///< approach position in front of the roughed face
 };
 
-/// Errors noSetupPossible where a tool would have to work within the chuck, or the bar is held too short.
+/// Error noSetupPossible if a tool would enter the chuck or the clamped length is too short.
 WorkFrame frameOf(const Job& job, const Shaft& part);
 
 inline constexpr double leastFeed_mm_rev = 0.02;  ///< of a finish, whatever roughness the drawing allows
@@ -52,7 +55,7 @@ ToolWedge wedgeOf(const JobTool& tool);
 /// curve of an offset. Of a blade that of its corner toward the chuck.
 Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm = 0);
 
-/// The same as a reach. A radius of 1e-6 stands for sharp corners of a blade.
+/// The same as a reach. Sharp corners of a blade get a radius of 1e-6 mm.
 ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_mm = 0);
 
 }  // namespace lathelier::cam

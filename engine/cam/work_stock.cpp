@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kChord_mm = 0.02;
-constexpr double kHolderStep_mm = 1;
+constexpr double stockChord_mm = 0.02;
+constexpr double holderTestStep_mm = 1;
 constexpr double liftStep_mm = 0.25;
 
 }  // namespace
@@ -73,7 +73,7 @@ std::optional<Refusal> WorkStock::run(const Operation& operation)
     const auto place = [this](const Vector2d& tip) { return stock::Corner{tip.x() + parameters_.z_zero_mm, tip.y()}; };
     Vector2d at = operation.moves.empty() ? Vector2d(0, 0) : operation.moves.front().to;
     for (const CutMove& move : operation.moves) {
-        for (const Vector2d& to : chordsOf(at, move, kChord_mm)) {
+        for (const Vector2d& to : chordsOf(at, move, stockChord_mm)) {
             const stock::Corner from = place(at), way = place(to) - place(at);
             const auto sweep = [&](const stock::ConvexPolygon& body, double begin, double end) {
                 return sweptBy(movedBy(body, from + begin * way), (end - begin) * way);
@@ -84,7 +84,7 @@ std::optional<Refusal> WorkStock::run(const Operation& operation)
                     note(test(sweep(holder, 0, 1), stock::FindingKind::RapidThroughStock));
             } else {
                 const double steps =
-                    tool->holders.empty() ? 1 : std::max(1.0, std::ceil(length_mm(way) / kHolderStep_mm));
+                    tool->holders.empty() ? 1 : std::max(1.0, std::ceil(length_mm(way) / holderTestStep_mm));
                 for (double i = 0; i < steps; ++i) {
                     const stock::ConvexPolygon cut = sweep(tool->insert, i / steps, (i + 1) / steps);
                     removed_mm3_ += columns_.remove(cut).volume_mm3;

@@ -1,8 +1,8 @@
-// The stock while a plan grows: what the operations so far have left of it, and whether a further one may run.
+// The stock after the operations planned so far, and the collision test of a further operation.
 //
 // Columns of engine/stock; places are those of the part (z from its finished free end). An operation is tried on a
-// copy: rapid moves must not meet stock, chuck or tailstock with insert or holder, feed moves cut first and must not
-// meet them with the holder. An operation that does is refused.
+// copy: rapid moves must not collide with stock, chuck or tailstock; feed moves first cut, then their holder must not
+// collide. A colliding operation is refused.
 #pragma once
 
 #include <optional>
@@ -12,30 +12,31 @@
 
 namespace lathelier::cam {
 
-/// What an operation met first.
+/// First collision of an operation.
 struct Refusal {
-    stock::FindingKind kind = stock::FindingKind::RapidThroughStock;  ///< what
-    double z_mm = 0;                                                  ///< where, of the part
-    double depth_mm = 0;                                              ///< how deep
+    stock::FindingKind kind = stock::FindingKind::RapidThroughStock;
+    double z_mm = 0;  ///< where, of the part
+    double depth_mm = 0;
 };
 
 class WorkStock {
 public:
     /// `parameters`: as stockParameters(job) has them, tools among them. Errors of MeridianStock and outlineOf().
     WorkStock(const Shaft& stock, const stock::StockParameters& parameters);
-    /// From what is left of another clamping.
+    /// Starts from the stock of another clamping.
     WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters);
 
-    /// Does the tailstock stand there from now on? At first it does, where the parameters have one.
+    /// Engages or disengages the tailstock. Initially engaged if the parameters have one.
     void setTailstock(bool stands) { tailstock_stands_ = stands; }
 
-    /// Cuts. None: nothing was met. What was met first is returned, and the stock is then as if it had been allowed.
+    /// Removes the operation from the stock. Returns the first collision; the stock is cut in any case. None: no
+    /// collision.
     std::optional<Refusal> run(const Operation& operation);
 
-    /// The least tip radius, from `x_mm` upward, down to which the tool may come straight from `safe_x_mm` at z.
+    /// Smallest tip radius ≥ `x_mm` that the tool can reach at z by a straight move from `safe_x_mm`.
     double reachableFromAbove_mm(int tool, double z_mm, double x_mm, double safe_x_mm) const;
 
-    /// Largest radius of the stock between two places; 0 where there is none.
+    /// Largest radius of the stock between two places; 0 without stock.
     double topBetween_mm(double from_mm, double to_mm) const;
     /// As a body for beams: columns of about `piece_mm`, from the free end of the stock to `to_z_mm`.
     Shaft bodyUpTo(double to_z_mm, double piece_mm) const;

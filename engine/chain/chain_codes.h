@@ -1,4 +1,4 @@
-// What the chain refuses or remarks: codes with their English patterns. {name} is replaced by the named value.
+// Errors and notes of the chain: codes with their English patterns. {name} is replaced by the named value.
 #pragma once
 
 #include "engine/core/error.h"

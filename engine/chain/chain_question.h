@@ -1,4 +1,4 @@
-// What the chain is asked: the files from the scan of the worn part to that of its copy, and the choices.
+// Input files and options of the chain, from the scan of the worn part to that of its copy.
 #pragma once
 
 #include <cstdint>
@@ -11,40 +11,40 @@
 
 namespace lathelier::chain {
 
-/// Of later points of a track, in a picture turned so that the feed points right.
+/// Direction of cut in a picture rotated so that the feed points right.
 enum class CutInPicture : std::uint8_t { Unknown, Down, Up };
 
-/// "unknown", "down", "up", as the verb `surface` takes them.
+/// "unknown", "down", "up", the keys of the verb `surface`.
 const std::vector<FieldChoice>& cutsInPicture();
 
-/// Paths; an empty one is not given, and the steps that need it are missing.
+/// Paths, empty if not given; steps that need a missing file get StepState::Missing.
 struct ChainQuestion {
-    std::string scan;                           ///< of the worn part
-    std::string out;                            ///< folder of the chain
-    std::string machine;                        ///< SPINDLE.json
-    std::string job;                            ///< JOB.json
-    std::string setup;                          ///< SETUP.json of deflection
-    std::string copy;                           ///< scan of the copy
-    std::string drawing;                        ///< SHAFT.json; empty: the drawing is what was recognised
-    std::string confirmed_by;                   ///< name of who answers for the drawing
-    std::string post = "fanuc_a";               ///< control
-    std::optional<double> tolerance_mm;         ///< of the copy's surface
-    std::optional<double> tolerance_um;         ///< of the predicted diameter error
-    std::string photograph_before;              ///< of the surface before
-    std::string photograph_after;               ///< of the same surface after
-    std::optional<double> photograph_z_mm;      ///< where on the part; none: no diameter and speed, so no frequencies
-    std::optional<double> photograph_mm_px;     ///< scale of both photographs; none: periods in pixels only
+    std::string scan;          ///< of the worn part
+    std::string out;           ///< folder of the chain
+    std::string machine;       ///< SPINDLE.json
+    std::string job;           ///< JOB.json
+    std::string setup;         ///< SETUP.json of deflection
+    std::string copy;          ///< scan of the copy
+    std::string drawing;       ///< SHAFT.json; empty: the recognised part is the drawing
+    std::string confirmed_by;  ///< name of the person who confirmed the drawing
+    std::string post = "fanuc_a";
+    std::optional<double> tolerance_mm;      ///< of the copy's surface
+    std::optional<double> tolerance_um;      ///< of the predicted diameter error
+    std::string photograph_before;           ///< of the surface before
+    std::string photograph_after;            ///< of the same surface after
+    std::optional<double> photograph_z_mm;   ///< position on the part; none: diameter and speed unknown, no frequencies
+    std::optional<double> photograph_mm_px;  ///< scale of both photographs; none: periods in pixels only
     std::optional<double> photograph_feed_deg;  ///< direction of feed in both, from right toward down; none: not known
     CutInPicture photograph_cut = CutInPicture::Unknown;  ///< direction of cut in both
-    bool resume = false;  ///< take over steps whose files and questions are as they were
-    Values recognition;   ///< parameters of the first step
-    Values reading;       ///< what files may leave open
+    bool resume = false;                                  ///< reuse steps whose files and requests are unchanged
+    Values recognition;                                   ///< parameters of the first step
+    Values reading;                                       ///< values that files may leave unstated
 };
 
-/// All but the scan, recognition and reading, which the command line takes otherwise.
+/// All except scan, recognition and reading, which are separate arguments of the command line.
 const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*);
 
-/// Keys of the parameters of recognition that a chain takes: without those of the published method.
+/// Keys of the recognition parameters used by the chain: all except those of the published method.
 const std::vector<std::string>& recognitionKeys();
 
 /// Error outputIsInput: an input lies in the folder of the chain.

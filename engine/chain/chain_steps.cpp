@@ -41,7 +41,7 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
 }  // namespace
 
 struct ChainSteps::Results {
-    Results() {}  // the implicit one would be noexcept, as that of Json is declared, which allocates
+    Results() {}  // not the implicit one: it would be noexcept like that of Json, which allocates
     Json drawn, speeds, planned, deflected, second, compared;
 };
 
@@ -53,7 +53,7 @@ ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::In
 
 ChainSteps::~ChainSteps() = default;
 
-/// What files leave open is settled alike in all steps.
+/// Request with the common values for data that files leave unstated.
 StepRequest ChainSteps::asked(const char* id, const char* verb, std::vector<std::string> operands, Values given) const
 {
     StepRequest step{id, verb, std::move(operands), std::move(given), {}};
@@ -66,9 +66,10 @@ void ChainSteps::recognise()
 {
     const bool is_drawn = !question_.drawing.empty();
     if (is_drawn) runner_.dossier().confirmed.push_back({"drawing", question_.drawing, question_.confirmed_by});
-    if (question_.scan.empty()) return runner_.miss("recognise", LT_TEXT("Engine", "the scan of the worn part"));
+    if (question_.scan.empty())
+        return runner_.recordMissing("recognise", LT_TEXT("Engine", "the scan of the worn part"));
     StepRequest step = asked("recognise", "recognize", {question_.scan}, question_.recognition);
-    // The contour as well: an incomplete drawing is refused here and not further on.
+    // The contour as well: an incomplete drawing is refused here rather than in a later step.
     step.outputs = {{"--shaft", measuredFile}, {"--stock", "measured.txt"}};
     runner_.run(step, share(0, 0.3, LT_TEXT("Engine", "Recognising")));
     if (is_drawn) return;
@@ -76,13 +77,13 @@ void ChainSteps::recognise()
         runner_.dossier().confirmed.push_back({"drawing", measuredFile, question_.confirmed_by});
     const Value* const snap = find(question_.recognition, "snap");
     if (!(snap && *snap == Value(std::string("apply"))))
-        runner_.remark({notes::measuredSizesCut, {{"file", std::string("recognise.json")}}});
+        runner_.addNote({notes::measuredSizesCut, {{"file", std::string("recognise.json")}}});
 }
 
 void ChainSteps::draw()
 {
     shaft_ = question_.drawing;
-    if (shaft_.empty() && question_.scan.empty()) return runner_.miss("draw", noScan);
+    if (shaft_.empty() && question_.scan.empty()) return runner_.recordMissing("draw", noScan);
     if (shaft_.empty()) shaft_ = runner_.path(measuredFile);
     StepRequest step = asked("draw", "draw", {shaft_});
     step.outputs = {{"--shaft", drawingFile}, {"--drawing", "drawing.svg"},  {"--dxf", "drawing.dxf"},
@@ -99,21 +100,21 @@ void ChainSteps::readJob()
     job_ = std::move(file.job);
 }
 
-/// What was read so far prepares the next step.
-void ChainSteps::takeFiles()
+/// Adds the files read so far as inputs of the next step.
+void ChainSteps::addPreparationInputs()
 {
     for (const InputFile& file : inputs_.list())
-        if (file.path != question_.scan) runner_.alsoTakes(file);
+        if (file.path != question_.scan) runner_.addInput(file);
 }
 
 Shaft ChainSteps::readPart()
 {
-    Notes said;  // by the step that made it
+    Notes ignored_notes;  // already reported by the step that made the file
     const io::FileBytes bytes(shaft_);
-    return io::readShaft(std::string(bytes.view()), said);
+    return io::readShaft(std::string(bytes.view()), ignored_notes);
 }
 
-/// From half the slowest speed that the job's cutting data ask for on its bar, up to the fastest of the machine.
+/// From half the slowest speed of the cutting data on the bar of the job to the highest speed of the machine.
 Interval ChainSteps::usedSpeeds() const
 {
     const double slowest_m_min =
@@ -131,23 +132,23 @@ void ChainSteps::planSpeeds()
                          : question_.job.empty()     ? noJob
                                                      : Text{};
     try {
-        if (!runner_.hasFailed()) readJob();  // what the job says wrong is said here, first
+        if (!runner_.hasFailed()) readJob();  // errors in the job are reported first
     } catch (Error& error) {
-        runner_.fail("machine", error.with("path", question_.job));
+        runner_.recordFailure("machine", error.with("path", question_.job));
     }
     if (!missing.empty() && !runner_.dossier().step("machine")) {
-        for (const char* id : {"machine", "speeds"}) runner_.miss(id, missing);
+        for (const char* id : {"machine", "speeds"}) runner_.recordMissing(id, missing);
         return;
     }
     if (!runner_.hasFailed() && runner_.canRead(drawingFile)) {
         try {
             const Shaft part = readPart();
             part_length_mm_ = part.length_mm();
-            takeFiles();
-            runner_.alsoTakes(std::string(drawingFile));
+            addPreparationInputs();
+            runner_.addInput(std::string(drawingFile));
             runner_.write(heldFile, io::shaftText(cam::heldPart(part, job_)));
-        } catch (const Error& error) {  // of the part on this job's bar
-            runner_.fail("machine", error);
+        } catch (const Error& error) {  // the part does not fit the bar of the job
+            runner_.recordFailure("machine", error);
         }
     }
     const std::string held = runner_.path(heldFile);
@@ -161,20 +162,20 @@ void ChainSteps::planSpeeds()
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
 
-/// The program's, by its control.
+/// File extension of programs of the control.
 std::string ChainSteps::extension() const
 {
     std::optional<gcode::Dialect> dialect;
     try {
         if (question_.post.ends_with(".json")) {
-            Notes said;  // by the step
+            Notes ignored_notes;  // reported by the step itself
             const io::FileBytes bytes(question_.post);
-            dialect = cam::readPost(std::string(bytes.view()), said).dialect;
+            dialect = cam::readPost(std::string(bytes.view()), ignored_notes).dialect;
         } else {
             dialect = cam::postNamed(question_.post).dialect;
         }
     } catch (const Error&) {
-        return ".nc";  // the step will refuse it
+        return ".nc";  // the step reports the error
     }
     if (dialect == gcode::Dialect::Sinumerik) return ".mpf";
     return dialect == gcode::Dialect::LinuxCnc ? ".ngc" : ".nc";
@@ -183,8 +184,8 @@ std::string ChainSteps::extension() const
 void ChainSteps::program()
 {
     const ChainStep* const drawn = runner_.dossier().step("draw");
-    if (drawn->state == StepState::Missing) return runner_.miss("program", noDrawing);
-    if (question_.job.empty()) return runner_.miss("program", noJob);
+    if (drawn->state == StepState::Missing) return runner_.recordMissing("program", noDrawing);
+    if (question_.job.empty()) return runner_.recordMissing("program", noJob);
     StepRequest step = asked("program", "turn", {shaft_}, {{"job", question_.job}, {"post", question_.post}});
     if (!question_.machine.empty()) set(step.given, "spindle", question_.machine);
     step.outputs = {{"--out", "program" + extension()}};
@@ -201,7 +202,7 @@ void ChainSteps::deflect()
 {
     if (runner_.dossier().step("program")->state == StepState::Missing || question_.setup.empty()) {
         const Text missing = question_.setup.empty() ? noSetup : noProgram;
-        for (const char* id : {"deflection", "corrected_check"}) runner_.miss(id, missing);
+        for (const char* id : {"deflection", "corrected_check"}) runner_.recordMissing(id, missing);
         return;
     }
     const HeldBar first = runner_.hasFailed() ? HeldBar{} : firstBar(job_);
@@ -210,12 +211,12 @@ void ChainSteps::deflect()
         if (second_)
             deflectOne("deflection_2", *second_, "_2", 0.72, 0.8);
         else
-            runner_.miss("deflection_2", LT_TEXT("Engine", "a cylinder that the second clamping can grip"));
+            runner_.recordMissing("deflection_2", LT_TEXT("Engine", "a cylinder that the second clamping can grip"));
     }
     checkCorrected();
 }
 
-/// A program that cannot be corrected is still predicted.
+/// The prediction is kept if the correction is refused.
 void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to)
 {
     const std::string tail = number == "_2" ? "_2" : "";
@@ -228,7 +229,7 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
             const deflection::SetupFile setup = deflection::loadSetup(
                 {question_.setup, inputs_.open(question_.setup, progress_), question_.reading, inputs_, progress_});
             if (tail.empty()) zero_mm_ = setup.setup.z_zero_mm;
-            takeFiles();
+            addPreparationInputs();
             if (!setup.stock || held.is_mirrored) {
                 if (tail.empty()) zero_mm_ = held.z_zero_mm;
                 const std::string bar = "bar" + tail + ".json", made = "setup" + tail + ".json";
@@ -237,28 +238,28 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
                 set(step.given, "setup", runner_.path(made));
             }
         } catch (Error& error) {
-            return runner_.fail(id, error.with("path", question_.setup));
+            return runner_.recordFailure(id, error.with("path", question_.setup));
         }
     }
     step.outputs_if_possible = {{"--compensate", "program_corrected" + number + extension()}};
     Json& result = tail.empty() ? results_->deflected : results_->second;
     result = runner_.run(step, share(from, to, LT_TEXT("Engine", "Deflection")));
     if (const std::optional<Error>& refusal = runner_.refusal(); refusal && !runner_.hasFailed())
-        runner_.remark({notes::correctionRefused, {{"reason", text(*refusal)}}});
+        runner_.addNote({notes::correctionRefused, {{"reason", text(*refusal)}}});
 }
 
 void ChainSteps::checkCorrected()
 {
     const std::string corrected = "program_corrected" + std::string(two_clampings_ ? "_1" : "") + extension();
     const Json& made = results_->deflected;
-    // A look does not know yet whether there will be one.
+    // In a dry run its existence is not yet known.
     if (!runner_.hasFailed() && runner_.isDone("deflection") && !made.contains("residual_max_um"))
-        return runner_.miss("corrected_check", LT_TEXT("Engine", "a corrected program"));
+        return runner_.recordMissing("corrected_check", LT_TEXT("Engine", "a corrected program"));
     if (two_clampings_) {
-        // The part of a clamping alone: the rest of the drawing is not this program's.
+        // Only the stretch turned in this clamping is checked.
         if (runner_.canRead(drawingFile)) {
             runner_.write("part_1.json", io::shaftText(cam::cutAt(readPart(), split_mm_)));
-            runner_.alsoTakes(std::string(drawingFile));
+            runner_.addInput(std::string(drawingFile));
         }
     }
     const std::string part = two_clampings_ ? runner_.path("part_1.json") : shaft_;
@@ -270,8 +271,8 @@ void ChainSteps::checkCorrected()
 void ChainSteps::compareCopy()
 {
     const ChainStep* const drawn = runner_.dossier().step("draw");
-    if (drawn->state == StepState::Missing) return runner_.miss("copy", noDrawing);
-    if (question_.copy.empty()) return runner_.miss("copy", noCopy);
+    if (drawn->state == StepState::Missing) return runner_.recordMissing("copy", noDrawing);
+    if (question_.copy.empty()) return runner_.recordMissing("copy", noCopy);
     StepRequest step = asked("copy", "compare", {shaft_, question_.copy});
     setIfGiven(step.given, "tolerance_mm", question_.tolerance_mm);
     step.outputs = {{"--deviations", "deviations.ply"}};
@@ -288,8 +289,8 @@ void ChainSteps::prove()
         const ChainStep* const step = runner_.dossier().step(id);
         return step && step->state == StepState::Missing;
     };
-    if (isMissing("deflection")) return runner_.miss("proof", question_.setup.empty() ? noSetup : noProgram);
-    if (isMissing("copy")) return runner_.miss("proof", noCopy);
+    if (isMissing("deflection")) return runner_.recordMissing("proof", question_.setup.empty() ? noSetup : noProgram);
+    if (isMissing("copy")) return runner_.recordMissing("proof", noCopy);
     std::vector<std::string> inputs{"deflection.json", "copy.json", "draw.json"};
     const bool has_second = runner_.isDone("deflection_2");
     if (has_second) inputs.insert(inputs.begin() + 1, "deflection_2.json");
@@ -314,8 +315,8 @@ void ChainSteps::prove()
         share(0.95, 0.96, LT_TEXT("Engine", "Proof")));
 }
 
-/// Before: the speed of the job's cutting data; after: the one that the program has there.
-std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double>& z_mm) const
+/// Before: the speed of the job's cutting data; after: the speed of the program there.
+std::optional<ChainSteps::LocalCut> ChainSteps::cutAt(const std::optional<double>& z_mm) const
 {
     const Json& planned = results_->planned;
     if (!z_mm || !planned.contains("sections")) return std::nullopt;
@@ -324,12 +325,12 @@ std::optional<ChainSteps::CutThere> ChainSteps::cutAt(const std::optional<double
         if (*z_mm < section["z_start_mm"].get<double>() || *z_mm > section["z_end_mm"].get<double>()) continue;
         const double diameter_mm = section["diameter_mm"];
         const double stated_rpm = 1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * diameter_mm);
-        return CutThere{diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)), section["speed_rpm"]};
+        return LocalCut{diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)), section["speed_rpm"]};
     }
     return std::nullopt;
 }
 
-/// Of the least stable depth at this speed; none: the chart does not reach there.
+/// Chatter frequency at the limiting depth at this speed; none: outside the chart.
 std::optional<double> ChainSteps::modelFrequency(double speed_rpm) const
 {
     const Json& limit = results_->speeds.contains("limit") ? results_->speeds["limit"] : Json::object();
@@ -348,7 +349,7 @@ std::optional<double> ChainSteps::modelFrequency(double speed_rpm) const
 void ChainSteps::comparePhotographs()
 {
     if (question_.photograph_before.empty() || question_.photograph_after.empty())
-        return runner_.miss("surface", noPhotographs);
+        return runner_.recordMissing("surface", noPhotographs);
     StepRequest step = asked("surface", "surface", {question_.photograph_before, question_.photograph_after});
     setIfGiven(step.given, "mm_per_px", question_.photograph_mm_px);
     setIfGiven(step.given, "feed_direction_deg", question_.photograph_feed_deg);
@@ -366,11 +367,11 @@ void ChainSteps::comparePhotographs()
         set(step.given, "speed_rpm", std::move(speeds));
     }
     const Json found = runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
-    if (cut) runner_.remark({notes::speedBeforeAssumed, {{"speed_rpm", cut->before_rpm}}});
+    if (cut) runner_.addNote({notes::speedBeforeAssumed, {{"speed_rpm", cut->before_rpm}}});
     if (model_hz) compareMarks(found, *model_hz);
 }
 
-/// What the photograph before says of the machine's model.
+/// Compares the chatter marks of the first photograph with the machine model.
 void ChainSteps::compareMarks(const Json& found, double model_hz)
 {
     constexpr double most_percent = 5;
@@ -379,11 +380,11 @@ void ChainSteps::compareMarks(const Json& found, double model_hz)
     const Json &frequency = found[marks]["frequency_hz"], &uncertainty = found[marks]["frequency_uncertainty_hz"];
     if (!frequency.is_number() || !uncertainty.is_number()) return;
     const double percent = 100 * (frequency.get<double>() / model_hz - 1);
-    runner_.remark({std::abs(percent) <= most_percent ? notes::marksAndModel : notes::marksDisagree,
-                    {{"frequency_hz", frequency.get<double>()},
-                     {"uncertainty_hz", 2 * uncertainty.get<double>()},
-                     {"model_hz", model_hz},
-                     {"difference_percent", percent}}});
+    runner_.addNote({std::abs(percent) <= most_percent ? notes::marksAndModel : notes::marksDisagree,
+                     {{"frequency_hz", frequency.get<double>()},
+                      {"uncertainty_hz", 2 * uncertainty.get<double>()},
+                      {"model_hz", model_hz},
+                      {"difference_percent", percent}}});
 }
 
 }  // namespace lathelier::chain

@@ -1,4 +1,4 @@
-// The steps of the chain, each a verb or what prepares one. remanufacture.h is the door.
+// The steps of the chain: verbs and their preparation. The public function is in remanufacture.h.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace lathelier::chain {
 
-/// To be called in this order; each does nothing but record itself once an earlier one has failed.
+/// To be called in this order. After a failed step the following ones are only recorded.
 class ChainSteps {
 public:
     ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs, const Progress& progress);
@@ -23,28 +23,28 @@ public:
     void draw();
     void planSpeeds();  ///< machine and speeds
     void program();
-    void deflect();  ///< with the check of the corrected program
+    void deflect();  ///< including the check of the corrected program
     void compareCopy();
     void prove();
     void comparePhotographs();
 
 private:
     struct Results;
-    struct CutThere {
+    struct LocalCut {
         double diameter_mm;            // of the finish
         double before_rpm, after_rpm;  // by the job's cutting speed, by the program
     };
 
     StepRequest asked(const char* id, const char* verb, std::vector<std::string> operands, Values given = {}) const;
     Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
-    void readJob();  ///< where there is one
-    void takeFiles();
+    void readJob();  ///< if given
+    void addPreparationInputs();
     std::string extension() const;
     Shaft readPart();
     Interval usedSpeeds() const;
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
-    std::optional<CutThere> cutAt(const std::optional<double>& z_mm) const;
+    std::optional<LocalCut> cutAt(const std::optional<double>& z_mm) const;
     std::optional<double> modelFrequency(double speed_rpm) const;
     void compareMarks(const Json& found, double model_hz);
 
@@ -56,7 +56,7 @@ private:
     std::string shaft_;           // path of the drawing
     bool two_clampings_ = false;  // of the program
     std::optional<HeldBar> second_;
-    double split_mm_ = 0;  // z that the second clamping finishes from
+    double split_mm_ = 0;  // z from which the second clamping finishes the part
     double zero_mm_ = 0;   // z of deflection's stock less z of the part
     double part_length_mm_ = 0;
     std::unique_ptr<Results> results_;

@@ -21,7 +21,7 @@ Json filesJson(const std::vector<InputFile>& files)
     return list;
 }
 
-/// For people who open the file: what the step noted, and why it failed.
+/// Notes and error of a step as English sentences.
 std::vector<std::string> remarksOf(const ChainStep& step)
 {
     std::vector<std::string> remarks = step.remarks;
@@ -57,15 +57,15 @@ Json numberJson(const TracedNumber& number)
         {"uncertainty_pointer", number.uncertainty_pointer.empty() ? Json(nullptr) : Json(number.uncertainty_pointer)}};
 }
 
-/// A note that somebody has to confirm: what was not stated and had to be assumed.
-bool saysAssumed(const Json& note)
+/// True for a note on an assumed value, which a person has to confirm.
+bool isAssumption(const Json& note)
 {
     if (!note.is_object() || !note.contains("code") || !note["code"].is_string()) return false;
     const std::string code = note["code"];
     return code.find("assumed") != std::string::npos || code.find("guessed") != std::string::npos;
 }
 
-/// Of all steps, those that were taken over from an earlier run among them.
+/// Notes of all steps, including steps reused from an earlier run.
 Json notesOf(const Dossier& dossier)
 {
     Json notes = lathelier::toJson(dossier.notes);
@@ -83,7 +83,7 @@ public:
     {
     }
 
-    /// Digest of a file; empty: it is not there.
+    /// Digest of a file; empty: missing.
     const std::string& sha256(const std::string& path)
     {
         const auto [found, is_new] = digests_.try_emplace(path);
@@ -100,7 +100,7 @@ public:
 
     std::int64_t count() const { return static_cast<std::int64_t>(digests_.size()); }
 
-    /// The value at a place of a JSON file; null: it is not there, or the file is no JSON.
+    /// The value at a place of a JSON file; null: missing, or the file is not JSON.
     const Json* value(const std::string& path, const std::string& pointer)
     {
         auto found = documents_.find(path);
@@ -129,7 +129,7 @@ private:
     std::map<std::string, Json> documents_;
 };
 
-/// A list of the object here; nothing happens where it is missing.
+/// Visits a list member of the object, if present.
 void eachOf(const io::JsonCursor& object, const char* name, const std::function<void(const io::JsonCursor&)>& use)
 {
     if (const auto list = object.member(name)) list->items(mostDossierItems, use);
@@ -140,7 +140,8 @@ std::string stringAt(const io::JsonCursor& object, const char* name)
     return object.at(name, LT_TEXT("Engine", "a text")).string();
 }
 
-/// Digests of one step, and that what it took of the chain is what an earlier step made, or what prepared it.
+/// Checks the digests of one step, and that its inputs within the folder are outputs of earlier steps or preparation
+/// files.
 void checkStep(const io::JsonCursor& step, FilesOnDisk& disk, std::map<std::string, std::string>& made,
                DossierCheck& check)
 {
@@ -155,7 +156,8 @@ void checkStep(const io::JsonCursor& step, FilesOnDisk& disk, std::map<std::stri
     eachOf(step, "inputs", [&](const io::JsonCursor& file) { taken.insert(compare(file, "input")); });
     eachOf(step, "outputs", [&](const io::JsonCursor& file) { own.insert(compare(file, "output")); });
     for (const auto& [path, stated] : taken) {
-        if (std::filesystem::path(path).has_parent_path()) continue;  // from outside: only steps write into the folder
+        if (std::filesystem::path(path).has_parent_path())
+            continue;  // an external file: only steps write into the folder
         const auto earlier = made.find(path), same = own.find(path);
         const bool is_known = earlier != made.end() ? earlier->second == stated : same != own.end();
         if (!is_known) check.faults.push_back({id, "input", path, {}, false});
@@ -239,7 +241,7 @@ Json toJson(const Dossier& dossier)
     for (const ChainStep& step : dossier.steps) steps.push_back(stepJson(step));
     for (const TracedNumber& number : dossier.numbers) numbers.push_back(numberJson(number));
     for (const Json& note : notesOf(dossier))
-        if (saysAssumed(note)) assumed.push_back(note);
+        if (isAssumption(note)) assumed.push_back(note);
     for (const Confirmation& word : dossier.confirmed)
         confirmed.push_back(
             {{"what", word.what}, {"file", word.file}, {"by", word.by.empty() ? Json(nullptr) : Json(word.by)}});

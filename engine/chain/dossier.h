@@ -1,8 +1,8 @@
-// The dossier of a copied part: the steps from the scan of the worn original to the proof of the copy, the files that
-// each took and made with their SHA-256, and the numbers that stand in them, each with the place where it is written.
+// The dossier of a copied part: the steps from the scan of the worn original to the proof of the copy, input and output
+// files of each with their SHA-256, and the results with their position in these files.
 //
-// A step takes files from outside, or files that earlier steps made; so every number leads back to files from outside
-// by the digests alone. checkDossier() follows them all again on the disk.
+// Inputs of a step are external files or outputs of earlier steps, so every number can be traced to external files by
+// digests. checkDossier() verifies them on the disk.
 #pragma once
 
 #include <memory>
@@ -21,11 +21,11 @@
 namespace lathelier::chain {
 
 enum class StepState : std::uint8_t {
-    Done,        ///< its files are there
-    Missing,     ///< what it needs was not given
-    Failed,      ///< it refused; what earlier steps made stays
-    NotReached,  ///< an earlier step failed, or nothing was asked yet
-    OutOfDate    ///< done, and something before it has changed since
+    Done,        ///< all files written
+    Missing,     ///< an input was not given
+    Failed,      ///< refused with an error; files of earlier steps are kept
+    NotReached,  ///< an earlier step failed, or not run yet
+    OutOfDate    ///< done, but an input has changed since
 };
 
 /// "done", "missing", "failed", "not_reached", "out_of_date".
@@ -34,72 +34,71 @@ Text nameOf(StepState state);
 
 /// One step of the chain.
 struct ChainStep {
-    std::string id;                           ///< "recognise", "draw"…
-    StepState state = StepState::NotReached;  ///< how it ended
-    std::vector<InputFile> inputs;            ///< files of the chain by their path within its folder, others as given
-    std::vector<InputFile> outputs;           ///< by their path within the folder of the chain
-    std::string result;                       ///< which of the outputs is its result as JSON; empty: none
-    Values parameters;                        ///< all of them
-    Notes notes;                              ///< of the step, where this process has run it
-    std::optional<Error> error;               ///< why it failed, or what is missing
-    std::string request;                      ///< SHA-256 of what was asked: another one makes the step out of date
-    std::vector<report::Section> sections;    ///< of its report, where this process has run it
-    std::vector<std::string> remarks;         ///< notes and error of a step that was read from a file, in English
-    std::shared_ptr<const Json> past_notes;   ///< its notes as they were written; null where `notes` has them
+    std::string id;  ///< "recognise", "draw"…
+    StepState state = StepState::NotReached;
+    std::vector<InputFile> inputs;   ///< files of the chain by their path within its folder, others as given
+    std::vector<InputFile> outputs;  ///< by their path within the folder of the chain
+    std::string result;              ///< the output that is its JSON result; empty: none
+    Values parameters;
+    Notes notes;                             ///< empty if the step was not run by this process
+    std::optional<Error> error;              ///< of a failed or missing step
+    std::string request;                     ///< SHA-256 of the request; a different one makes the step out of date
+    std::vector<report::Section> sections;   ///< of its report; empty if not run by this process
+    std::vector<std::string> remarks;        ///< notes and error of a step read from a dossier, in English
+    std::shared_ptr<const Json> past_notes;  ///< notes as written in the earlier dossier; null if `notes` has them
 };
 
-/// Somebody's word for something that the chain does not compute.
+/// A person's confirmation of an input that the chain does not compute.
 struct Confirmation {
     std::string what;  ///< "drawing"
-    std::string file;  ///< that was confirmed
-    std::string by;    ///< name; empty: nobody is named
+    std::string file;  ///< confirmed file
+    std::string by;    ///< name of the person; empty: not stated
 };
 
 struct Dossier {
-    std::vector<ChainStep> steps;         ///< in order
-    std::vector<TracedNumber> numbers;    ///< in the order of steps
-    std::vector<Confirmation> confirmed;  ///< what people answer for
-    std::optional<Verdict> verdict;       ///< of the copy; none: no copy, or no limit
+    std::vector<ChainStep> steps;
+    std::vector<TracedNumber> numbers;    ///< ordered by step
+    std::vector<Confirmation> confirmed;  ///< inputs confirmed by persons
+    std::optional<Verdict> verdict;       ///< of the copy; none: no copy or no tolerance
     Notes notes;                          ///< of the steps, each with `step`
     std::string version;                  ///< of the program that made it
 
-    const ChainStep* step(const std::string& id) const;  ///< null: it has none of this id
-    std::optional<Error> error() const;                  ///< of the step that failed
+    const ChainStep* step(const std::string& id) const;  ///< null: not found
+    std::optional<Error> error() const;                  ///< of the failed step
     std::vector<report::Section> sections() const;       ///< of the reports of all steps
 };
 
 inline constexpr const char* dossierSchema = "lathelier-dossier";
-inline constexpr std::size_t mostDossierItems = 100000;     ///< of a list in it
+inline constexpr std::size_t mostDossierItems = 100000;     ///< limit for each list of a dossier file
 inline constexpr const char* dossierFile = "dossier.json";  ///< in the folder of the chain
 
-/// Adds a step: its notes, and where it is done the numbers of its result.
+/// Adds a step: its notes, and if it is done, the numbers of its result.
 void add(Dossier& dossier, ChainStep step, const Json& result);
 
-/// `schema`, `verdict`, `steps`, `numbers`, `assumed` (the notes that say so), `confirmed`.
+/// `schema`, `verdict`, `steps`, `numbers`, `assumed` (notes on assumed values), `confirmed`.
 Json toJson(const Dossier& dossier);
 
-/// All that dossier.json holds: the head of a result, toJson(), the notes of all steps.
+/// Content of dossier.json: the head of a result, toJson(), the notes of all steps.
 Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters);
 
-/// What differs from what a dossier states.
+/// A difference between dossier and disk.
 struct DossierFault {
-    std::string step;      ///< id
-    std::string what;      ///< "input", "output", "number"
-    std::string path;      ///< of the file
+    std::string step;
+    std::string what;  ///< "input", "output", "number"
+    std::string path;
     std::string place;     ///< JSON pointer of a number; else empty
-    bool is_gone = false;  ///< file or number is not there; else it differs
+    bool is_gone = false;  ///< file or number is missing; false: it differs
 };
 
 struct DossierCheck {
-    std::int64_t files = 0;            ///< digests that were computed anew
-    std::int64_t numbers = 0;          ///< numbers that were looked up
+    std::int64_t files = 0;            ///< digests recomputed
+    std::int64_t numbers = 0;          ///< numbers compared
     std::vector<DossierFault> faults;  ///< in the order of the dossier
 };
 
-/// Reads the dossier at `path`, computes every digest anew, looks every number up in its file, and follows each file
-/// of the chain that a step took to the step that made it. Files from outside that lie no longer at their path are
-/// faults that are gone. Errors malformed, keyMissing (line, column), those of FileBytes for the dossier itself.
-/// Throws Cancelled.
+/// Reads the dossier at `path`, recomputes every digest, compares every number with its file, and traces each input
+/// within the folder to the step that wrote it. Missing external files are faults with is_gone. Errors malformed,
+/// keyMissing (line, column), those of FileBytes for the dossier itself. Throws Cancelled.
 DossierCheck checkDossier(const std::string& path, const Progress& progress = {});
 
 }  // namespace lathelier::chain

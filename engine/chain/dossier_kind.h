@@ -1,11 +1,11 @@
-// Dossiers as a kind of file: `inspect dossier.json` follows every digest and number again.
+// Dossiers as a kind of file: `inspect dossier.json` verifies every digest and number.
 #pragma once
 
 #include "engine/io/file_kind.h"
 
 namespace lathelier::chain {
 
-/// facts: format "dossier"; details "files", "numbers" (followed), "faults" [{step, what, path, pointer, gone}],
+/// facts: format "dossier"; details "files", "numbers" (checked), "faults" [{step, what, path, pointer, gone}],
 /// "unchanged".
 const io::FileKind& dossierFiles();
 

@@ -71,7 +71,7 @@ Confirmation confirmationOf(const io::JsonCursor& item)
     return {wordAt(item, "what"), wordAt(item, "file"), wordAt(item, "by")};
 }
 
-/// Parameters and notes are taken as they were written.
+/// Copies parameters and notes verbatim.
 void addAsWritten(const Json& root, Dossier& dossier)
 {
     for (std::size_t i = 0; i < dossier.steps.size(); ++i) {

@@ -24,7 +24,7 @@ std::optional<double> toleranceOf(const Dossier& dossier)
     return tolerance_mm ? std::optional(*tolerance_mm) : std::nullopt;
 }
 
-/// The worst deviation of the copy; null: there is no copy.
+/// The largest deviation of the copy; null: no copy.
 const TracedNumber* worstOf(const Dossier& dossier)
 {
     for (const TracedNumber& number : dossier.numbers)
@@ -32,7 +32,7 @@ const TracedNumber* worstOf(const Dossier& dossier)
     return nullptr;
 }
 
-/// The worst deviation of the copy against its tolerance, where both are there.
+/// The largest deviation of the copy against its tolerance, if both exist.
 void addCopy(const Dossier& dossier, report::Answer& answer)
 {
     const TracedNumber* const worst = worstOf(dossier);
@@ -62,7 +62,7 @@ Text unitOf(const std::string& key)
     return {};
 }
 
-/// Of a step that another run has made.
+/// Remarks of a step of an earlier run.
 report::Section remarksSection(const ChainStep& step)
 {
     report::Table table{LT_TEXT("Engine", "Taken over from an earlier run"), {LT_TEXT("Engine", "Remark")}, {}, {}};

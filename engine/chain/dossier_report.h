@@ -1,5 +1,4 @@
-// The dossier as a report: which step made what of what, the numbers with their places, what is assumed, who confirmed
-// what.
+// The dossier as a report: steps with their files, numbers with their positions, assumptions, confirmations.
 #pragma once
 
 #include <optional>
@@ -13,17 +12,17 @@ report::Table stepsTable(const Dossier& dossier);
 report::Table filesTable(const Dossier& dossier);    ///< inputs and outputs of each step with their digests
 report::Table numbersTable(const Dossier& dossier);  ///< value, U, file and place
 
-/// The verdict of the copy with its worst deviation against the tolerance, and how far the chain came.
+/// The verdict of the copy with its largest deviation and tolerance, and the last step done.
 report::Answer answer(const Dossier& dossier);
 
-/// The worst deviation of the copy, judged against its limit where one is given; nullopt: there is no copy.
+/// The largest deviation of the copy, compared with its limit if given; none: no copy.
 std::optional<report::Finding> copyFinding(const Dossier& dossier);
 
-/// What people read of a step of this id.
+/// Displayed title of a step.
 Text titleOf(const std::string& step);
 
-/// Answer, steps, what the steps' own reports say, numbers, files. Of a step that was taken over from an earlier run
-/// its remarks stand in place of its report.
+/// Answer, steps, reports of the steps, numbers, files. For steps reused from an earlier run, their remarks replace the
+/// report.
 report::Document dossierReport(const Dossier& dossier);
 
 }  // namespace lathelier::chain

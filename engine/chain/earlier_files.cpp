@@ -28,7 +28,7 @@ void EarlierFiles::setAside(const std::string& name)
     fs::create_directories(aside, failure);
     fs::rename(folder / name, aside / name, failure);
     if (failure)
-        fs::remove(folder / name, failure);  // what is there afterwards is the new run's
+        fs::remove(folder / name, failure);  // remaining files are those of the new run
     else
         names_.push_back(name);
 }

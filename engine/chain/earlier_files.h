@@ -1,5 +1,4 @@
-// Files of an earlier run while a step makes them anew: they come back when the step is stopped before it has an
-// answer.
+// Backup of the files of an earlier run while a step rewrites them; restored if the step is interrupted.
 #pragma once
 
 #include <string>
@@ -9,14 +8,14 @@ namespace lathelier::chain {
 
 class EarlierFiles {
 public:
-    /// `folder`: of the chain; what is set aside lies in a folder below it meanwhile.
+    /// `folder`: folder of the chain; backups lie in a subfolder.
     explicit EarlierFiles(std::string folder);
-    ~EarlierFiles();  ///< puts back what is set aside, unless forget() was called
+    ~EarlierFiles();  ///< restores the backups, unless forget() was called
     EarlierFiles(const EarlierFiles&) = delete;
     EarlierFiles& operator=(const EarlierFiles&) = delete;
 
-    void setAside(const std::string& name);  ///< of a file within the folder; nothing happens where there is none
-    void forget();                           ///< removes them: the step has its answer
+    void setAside(const std::string& name);  ///< moves a file of the folder to the backup, if it exists
+    void forget();                           ///< removes the backups after the step has succeeded
 
 private:
     std::string folder_;

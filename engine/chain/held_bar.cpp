@@ -9,7 +9,7 @@ namespace lathelier::chain {
 HeldBar firstBar(const cam::Job& job)
 {
     HeldBar held{cam::stockOf(job), job.stock.face_allowance_mm, false};
-    // The beam ends at the chuck's face.
+    // The beam model ends at the chuck face.
     const double beyond_mm = held.bar.length_mm() - (job.setup.chuck_face_z_mm + job.stock.face_allowance_mm);
     if (beyond_mm > 0 && !held.bar.segments.empty()) held.bar.segments.back().length_mm -= beyond_mm;
     return held;
@@ -54,7 +54,7 @@ deflection::TurningSetup setupFor(deflection::TurningSetup setup, const HeldBar&
     setup.stock = bar_file;
     if (held.is_mirrored) {
         setup.tailstock.reset();
-        setup.steady_rests.clear();  // their places are those of the first clamping
+        setup.steady_rests.clear();  // their positions refer to the first clamping
     }
     return setup;
 }

@@ -14,8 +14,8 @@ namespace lathelier::chain {
 namespace fs = std::filesystem;
 namespace {
 
-/// The file of this name among those that the step took; empty: it took none.
-std::string takenFile(const std::string& folder, const ChainStep& step, const std::string& stated)
+/// The input file of this name of a step; empty: none.
+std::string inputFileNamed(const std::string& folder, const ChainStep& step, const std::string& stated)
 {
     const std::string name = fs::path(stated).filename().string();
     for (const InputFile& file : step.inputs)
@@ -23,7 +23,7 @@ std::string takenFile(const std::string& folder, const ChainStep& step, const st
     return {};
 }
 
-/// The program is the only NC file that the step took.
+/// The program among the inputs of a step.
 std::string programOf(const std::string& folder, const ChainStep& step)
 {
     for (const InputFile& file : step.inputs)
@@ -31,16 +31,16 @@ std::string programOf(const std::string& folder, const ChainStep& step)
     return {};
 }
 
-/// Springs of the machine that the chain's receptance was made of.
+/// Springs of the machine model used for the receptance of the chain.
 std::optional<receptance::SpindleSprings> springsOf(const std::string& folder, const Dossier& dossier)
 {
     const ChainStep* const step = dossier.step("machine");
     const Value* const stated = step ? find(step->parameters, "spindle") : nullptr;
     const auto* const name = stated ? std::get_if<std::string>(stated) : nullptr;
     if (!name) return std::nullopt;
-    Notes said;  // by the step
-    const io::FileBytes bytes(takenFile(folder, *step, *name));
-    const receptance::SpindleReceptance machine = receptance::readSpindle(std::string(bytes.view()), said);
+    Notes ignored_notes;  // already reported by the step
+    const io::FileBytes bytes(inputFileNamed(folder, *step, *name));
+    const receptance::SpindleReceptance machine = receptance::readSpindle(std::string(bytes.view()), ignored_notes);
     return machine.springs() ? std::optional(*machine.springs()) : std::nullopt;
 }
 
@@ -77,7 +77,7 @@ std::optional<MachineFit> fitMachine(const std::string& folder, const Dossier& d
     if (!step || step->state != StepState::Done || proof.along.empty()) return std::nullopt;
     const Value* const stated = find(step->parameters, "setup");
     const auto* const name = stated ? std::get_if<std::string>(stated) : nullptr;
-    const std::string path = name ? takenFile(folder, *step, *name) : std::string();
+    const std::string path = name ? inputFileNamed(folder, *step, *name) : std::string();
     const std::string program_path = programOf(folder, *step);
     if (path.empty() || program_path.empty()) return std::nullopt;
 

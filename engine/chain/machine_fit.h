@@ -1,6 +1,6 @@
-// Stiffness and forces of the machine from the diameters of its copy, by the identification of the room deflection.
+// Stiffness and forces of the machine from the measured diameters of the copy, identified by engine/deflection.
 //
-// Only the first clamping is fitted: its springs are those that the set-up states.
+// Only the first clamping is fitted, as the springs of the set-up refer to it.
 #pragma once
 
 #include <optional>
@@ -14,20 +14,19 @@
 namespace lathelier::chain {
 
 struct MachineFit {
-    deflection::IdentificationResult found;  ///< factors, set-up, what was predicted before and after
-    std::string setup_text;                  ///< SETUP.json with what was found; the chain lays the bar into it anew
-    std::string whole_text;                  ///< the same with the stock that was used, by its full path
-    std::optional<receptance::SpindleSprings> springs;  ///< of the machine of the chain; none: it is a table
+    deflection::IdentificationResult found;  ///< factors, set-up, predictions before and after
+    std::string setup_text;                  ///< SETUP.json with the identified values; the chain replaces the stock
+    std::string whole_text;                  ///< the same with the full path of the stock file
+    std::optional<receptance::SpindleSprings> springs;  ///< of the machine model; none: it is tabulated
     double zero_mm = 0;                                 ///< z of its stock less z of the part
 };
 
-/// Which places are fitted, and in what z of the stock. Diameters are those that the program left without bending, plus
-/// what was measured. Standard uncertainties are U / 2.
+/// Fitted positions in z of the stock. Diameters: nominal contour plus measured error. Standard uncertainties are U /
+/// 2.
 std::vector<deflection::MeasuredDiameter> fittedDiameters(const deflection::FinalContour& contour, const Proof& proof,
                                                           double zero_mm);
 
-/// None: deflection is not done, or nothing was measured along z. Errors: those of readers and of identify(). Throws
-/// Cancelled.
+/// None: no deflection step, or no measurement along z. Errors: those of readers and of identify(). Throws Cancelled.
 std::optional<MachineFit> fitMachine(const std::string& folder, const Dossier& dossier, const Proof& proof,
                                      const deflection::IdentificationParameters& parameters,
                                      const Progress& progress = {});

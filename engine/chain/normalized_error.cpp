@@ -9,10 +9,10 @@
 namespace lathelier::chain {
 namespace {
 
-constexpr double endShare = 0.1;  // of a row at each end: other tools finish its corners
+constexpr double endShare = 0.1;  // share of a row excluded at each end, where other tools may finish the corners
 
-/// Mean along z of what is given at ascending places, between two of them; places twice are steps. None: the interval
-/// holds nothing of it.
+/// Mean along z of what is given at ascending places, between two of them; repeated positions are steps. None: no data
+/// in the interval.
 std::optional<double> meanAlong(const std::vector<double>& z_mm, const std::vector<double>& value, double from_mm,
                                 double to_mm)
 {
@@ -25,7 +25,7 @@ std::optional<double> meanAlong(const std::vector<double>& z_mm, const std::vect
         sum += (value[i] + (value[i + 1] - value[i]) * (middle - z_mm[i]) / step_mm) * (high - low);
         length_mm += high - low;
     }
-    // A prediction that covers less than half of a row says little of its mean.
+    // Predictions covering less than half of a row are not used for its mean.
     if (length_mm < 0.5 * (to_mm - from_mm) || length_mm <= 0) return std::nullopt;
     return sum / length_mm;
 }

@@ -1,6 +1,6 @@
-// What was predicted for the diameter against what was measured on the copy: the normalized error of ISO 13528,
+// Predicted and measured diameter errors of the copy: normalized error of ISO 13528,
 //   E_n = (measured - predicted) / √(U_measured² + U_predicted²),
-// with expanded uncertainties (k = 2). |E_n| ≤ 1: both agree within what they state.
+// with expanded uncertainties (k = 2). |E_n| ≤ 1: agreement within the stated uncertainties.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@
 
 namespace lathelier::chain {
 
-/// The predicted error of the diameter along z, ascending, as deflection gives it.
+/// The predicted error of the diameter along z, ascending, from engine/deflection.
 struct PredictedErrors {
     std::vector<double> z_mm;      ///< from the free end
     std::vector<double> error_um;  ///< of the diameter left against the programmed one
-    std::vector<double> low_um;    ///< 95 % of samples lie above; empty: no band was computed
-    std::vector<double> high_um;   ///< 95 % of samples lie below
+    std::vector<double> low_um;    ///< lower limit of the 95 % band; empty: no band
+    std::vector<double> high_um;   ///< upper limit of the 95 % band
 };
 
-/// A row of the drawing on the copy.
+/// Measured error of a row of the drawing.
 struct MeasuredError {
     std::int64_t row = 0;       ///< number from 1
     double z_start_mm = 0;      ///< from the free end
@@ -39,7 +39,7 @@ struct ComparedError {
     double normalized_error = 0;          ///< E_n
 };
 
-/// Rows along which nothing was predicted, or whose both uncertainties are 0, are left out.
+/// Rows without prediction or with both uncertainties zero are omitted.
 std::vector<ComparedError> compareErrors(const PredictedErrors& predicted, const std::vector<MeasuredError>& measured);
 
 /// `places`, `largest_normalized_error` (of the largest magnitude; null without a place).

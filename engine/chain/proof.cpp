@@ -10,7 +10,7 @@
 namespace lathelier::chain {
 namespace {
 
-constexpr double clear_mm = 1;  // of a shoulder: the scan rounds it
+constexpr double clear_mm = 1;  // distance from shoulders, which the scan rounds
 
 std::vector<double> numbersAt(const Json& json, const char* list, const char* name)
 {
@@ -25,7 +25,7 @@ double numberAt(const Json& json, const char* name)
     return json.contains(name) && json[name].is_number() ? json[name].get<double>() : notANumber;
 }
 
-/// From 1; none: it is no whole number.
+/// Row number from 1; none: not an integer.
 std::optional<std::int64_t> rowAt(const Json& json)
 {
     if (!json.contains("row") || !json["row"].is_number_integer()) return std::nullopt;
@@ -167,7 +167,7 @@ report::Plot proofPlot(const Proof& proof)
     along.name = LT_TEXT("Engine", "copy along z, ± U");
     along.colour = report::ColourRole::Mark;
     for (const MeasuredPlace& place : proof.along) {
-        // A bar of ± U at each place; a gap behind it.
+        // A bar of ± U at each place; followed by a gap.
         for (const double error_um : {place.error_um - place.uncertainty_um, place.error_um + place.uncertainty_um}) {
             along.x.push_back(place.z_mm);
             along.y.push_back(error_um);

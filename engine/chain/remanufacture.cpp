@@ -11,8 +11,8 @@
 namespace lathelier::chain {
 namespace {
 
-/// What stopped the chain is said, not what this meets.
-void keepDossier(const std::string& path, const Json& dossier)
+/// Errors of writing are ignored, as the original exception is rethrown.
+void tryToWriteDossier(const std::string& path, const Json& dossier)
 {
     try {
         io::writeFile(path, report::toText(dossier));
@@ -25,7 +25,7 @@ void keepDossier(const std::string& path, const Json& dossier)
 Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode mode,
                       std::shared_ptr<const Dossier> earlier, io::InputFiles& inputs, const Progress& progress)
 {
-    if (mode != RunMode::Look) refuseOverwriting(question);
+    if (mode != RunMode::DryRun) refuseOverwriting(question);
     StepRunner runner(question.out, ask, mode, std::move(earlier));
     ChainSteps steps(question, runner, inputs, progress);
     try {
@@ -37,10 +37,10 @@ Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode
         steps.compareCopy();
         steps.prove();
         steps.comparePhotographs();
-    } catch (...) {  // a stop, a disk that is full: the dossier says what is there
-        if (mode != RunMode::Look) {
-            runner.keepRest();
-            keepDossier(runner.path(dossierFile), wholeDossier(runner.dossier(), {}, toValues(question)));
+    } catch (...) {  // cancelled or disk full: the dossier records the files written so far
+        if (mode != RunMode::DryRun) {
+            runner.keepEarlierSteps();
+            tryToWriteDossier(runner.path(dossierFile), wholeDossier(runner.dossier(), {}, toValues(question)));
         }
         throw;
     }

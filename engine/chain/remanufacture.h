@@ -1,7 +1,8 @@
-// The whole chain: recognise → draw → machine → speeds → program → deflection → copy → proof, with photographs beside.
+// The whole chain: recognise → draw → machine → speeds → program → deflection → copy → proof, and in parallel the
+// photographs.
 //
-// Each step is a verb of the command line with its own result; no number exists twice. A step that lacks an input is
-// missing, and so are those that need it; one that refuses stops the chain, and what was made before stays.
+// Each step is a verb of the command line with its own result; no number is stored twice. A step without a required
+// input is missing, as are the steps depending on it; a refused step stops the chain, and earlier files are kept.
 #pragma once
 
 #include <memory>
@@ -12,19 +13,18 @@
 
 namespace lathelier::chain {
 
-/// Ids of steps, in the order of the chain; `deflection_2` only where the part is turned in two clampings.
+/// Ids of steps, in the order of the chain; `deflection_2` only for parts turned in two clampings.
 inline constexpr const char* stepIds[] = {"recognise", "draw",       "machine",      "speeds",
                                           "program",   "deflection", "deflection_2", "corrected_check",
                                           "copy",      "proof",      "surface"};
 
-/// Runs the chain, or looks what a run would do. `earlier`: of the last run in the same folder; null: none. Refusals
-/// of steps are in the dossier. `inputs` gets the files that prepare steps. Errors: outputIsInput, fileNotWritable.
-/// When it is stopped the dossier of what was made is written, without a report. Throws Cancelled.
+/// Runs the chain, or reports what a run would do. `earlier`: of the last run in the same folder; null: none. Errors of
+/// steps are recorded in the dossier. `inputs` collects the files read in preparation. Errors: outputIsInput,
+/// fileNotWritable. If cancelled, the dossier of the finished steps is written without a report. Throws Cancelled.
 Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode mode,
                       std::shared_ptr<const Dossier> earlier, io::InputFiles& inputs, const Progress& progress = {});
 
-/// Writes dossier.json and report.html into the folder of the question. `inputs` and `parameters` are those of the
-/// head.
+/// Writes dossier.json and report.html into the folder of the question. `inputs` and `parameters` go into its head.
 void writeDossier(const ChainQuestion& question, const Dossier& dossier, const std::vector<InputFile>& inputs,
                   const Values& parameters);
 

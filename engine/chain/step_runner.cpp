@@ -33,7 +33,7 @@ StepRunner::StepRunner(std::string folder, AskVerb ask, RunMode mode, std::share
     : folder_(std::move(folder)), ask_(std::move(ask)), mode_(mode), earlier_(std::move(earlier))
 {
     dossier_.version = programVersion;
-    if (mode_ == RunMode::Look) return;
+    if (mode_ == RunMode::DryRun) return;
     std::error_code failure;
     fs::create_directories(folder_, failure);
     if (failure || !fs::is_directory(folder_))
@@ -47,7 +47,7 @@ std::string StepRunner::path(const std::string& name) const
 
 InputFile StepRunner::named(InputFile file) const
 {
-    // A file below the folder is named from there, wherever the folder is moved to.
+    // Files below the folder get relative names, so that the folder can be moved.
     std::error_code ignored;
     const fs::path whole = fs::weakly_canonical(fs::absolute(file.path, ignored), ignored);
     const fs::path below = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder_, ignored), ignored));
@@ -58,13 +58,13 @@ InputFile StepRunner::named(InputFile file) const
     return file;
 }
 
-/// Of a file as the dossier names it.
+/// Digest of a file by its name in the dossier.
 const std::string& StepRunner::digest(const std::string& name, const Progress& progress)
 {
     const auto [found, is_new] = digests_.try_emplace(name);
     if (is_new) {
         try {
-            found->second = io::fileSha256(path(name), progress);  // an absolute path stays what it is
+            found->second = io::fileSha256(path(name), progress);  // absolute paths are unchanged
         } catch (const Error&) {
             found->second.clear();
         }
@@ -89,7 +89,7 @@ void StepRunner::write(const std::string& name, const std::string& text)
     if (failed_) return;
     further_outputs_.push_back(name);
     if (digest(name, {}) == io::sha256(text)) return;
-    if (mode_ == RunMode::Look) {
+    if (mode_ == RunMode::DryRun) {
         stale_.insert(name);
         return;
     }
@@ -101,7 +101,7 @@ std::string StepRunner::requestOf(const StepRequest& step) const
 {
     Json asked = {{"verb", step.verb}, {"operands", Json::array()}, {"given", lathelier::toJson(step.given)}};
     for (const std::string& operand : step.operands) asked["operands"].push_back(named({operand, 0, {}}).path);
-    // The same files are the same question, from wherever they are named.
+    // The request does not depend on the directory from which files are named.
     for (auto& [key, value] : asked["given"].items()) {
         if (!value.is_string()) continue;
         const std::string word = value;
@@ -115,7 +115,7 @@ std::string StepRunner::requestOf(const StepRequest& step) const
     return io::sha256(asked.dump());
 }
 
-/// The files that the step may leave, its result first.
+/// Files that the step may write, its result first.
 std::vector<std::string> StepRunner::namesOf(const StepRequest& step) const
 {
     std::vector<std::string> names{resultOf(step.id)};
@@ -123,7 +123,7 @@ std::vector<std::string> StepRunner::namesOf(const StepRequest& step) const
     for (const auto* outputs : {&step.outputs, &step.outputs_if_possible})
         for (const auto& [option, name] : *outputs) {
             names.push_back(name);
-            // Of two clampings each has a file of its own.
+            // With two clampings each has its own file.
             const fs::path parts(name);
             for (const char* number : {"_1", "_2"})
                 names.push_back(parts.stem().string() + number + parts.extension().string());
@@ -131,13 +131,13 @@ std::vector<std::string> StepRunner::namesOf(const StepRequest& step) const
     return names;
 }
 
-/// The same step of the earlier run; null where anything of it is another by now.
+/// The same step of the earlier run; null if request, files or version differ.
 const ChainStep* StepRunner::unchanged(const ChainStep& step, const Progress& progress)
 {
     if (mode_ == RunMode::Everything || !earlier_ || earlier_->version != dossier_.version) return nullptr;
     const ChainStep* const before = earlier_->step(step.id);
     if (!before || before->request != step.request) return nullptr;
-    const bool is_failure = before->state == StepState::Failed && mode_ == RunMode::Look;
+    const bool is_failure = before->state == StepState::Failed && mode_ == RunMode::DryRun;
     if (before->state != StepState::Done && !is_failure) return nullptr;
     const auto isThere = [&](const InputFile& file) {
         return !isStale(file.path) && digest(file.path, progress) == file.sha256;
@@ -163,7 +163,7 @@ Json StepRunner::takeOver(const ChainStep& step, const Progress& progress)
     return result;
 }
 
-Json StepRunner::onlyLook(ChainStep step, const std::vector<std::string>& names)
+Json StepRunner::dryRun(ChainStep step, const std::vector<std::string>& names)
 {
     const ChainStep* const before = earlier_ ? earlier_->step(step.id) : nullptr;
     step.state = before && before->state == StepState::Done ? StepState::OutOfDate : StepState::NotReached;
@@ -188,13 +188,13 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     }
     step.request = requestOf(wanted);
     if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);
-    if (mode_ == RunMode::Look) return onlyLook(std::move(step), namesOf(wanted));
+    if (mode_ == RunMode::DryRun) return dryRun(std::move(step), namesOf(wanted));
     progress.report(0);
 
     VerbQuestion question{wanted.verb, wanted.operands, wanted.given, {}};
     for (const auto* outputs : {&wanted.outputs, &wanted.outputs_if_possible})
         for (const auto& [option, name] : *outputs) question.outputs[option] = path(name);
-    // What is there afterwards is this run's; a stop brings the earlier files back.
+    // Afterwards all files are of this run; if cancelled, the earlier files are restored.
     EarlierFiles aside(folder_);
     for (const std::string& name : namesOf(wanted)) {
         digests_.erase(name);
@@ -239,7 +239,7 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
     for (const std::string& name : inputs) wanted.operands.push_back(path(name));
     step.request = requestOf(wanted);
     if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);
-    if (mode_ == RunMode::Look) return onlyLook(std::move(step), {resultOf(id)});
+    if (mode_ == RunMode::DryRun) return dryRun(std::move(step), {resultOf(id)});
     MadeStep made = make();
     step.result = resultOf(id);
     io::writeFile(path(step.result), report::toText(*made.result));
@@ -253,7 +253,7 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
     return *made.result;
 }
 
-void StepRunner::miss(const std::string& id, Text what)
+void StepRunner::recordMissing(const std::string& id, Text what)
 {
     ChainStep step;
     step.id = id;
@@ -265,7 +265,7 @@ void StepRunner::miss(const std::string& id, Text what)
     finish(std::move(step), {});
 }
 
-void StepRunner::fail(const std::string& id, const Error& error)
+void StepRunner::recordFailure(const std::string& id, const Error& error)
 {
     ChainStep step;
     step.id = id;
@@ -277,7 +277,7 @@ void StepRunner::fail(const std::string& id, const Error& error)
     finish(std::move(step), {});
 }
 
-void StepRunner::keepRest()
+void StepRunner::keepEarlierSteps()
 {
     if (!earlier_) return;
     for (const ChainStep& step : earlier_->steps) {
@@ -288,7 +288,7 @@ void StepRunner::keepRest()
     }
 }
 
-void StepRunner::remark(Note note)
+void StepRunner::addNote(Note note)
 {
     ChainStep& step = dossier_.steps.back();
     if (taken_over_ || step.state != StepState::Done) return;

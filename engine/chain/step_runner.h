@@ -1,7 +1,7 @@
-// Steps of a chain: verbs asked one after the other, their files in one folder, all of it recorded in a dossier.
+// Steps of a chain: verbs run in sequence with their files in one folder, recorded in a dossier.
 //
-// A step whose question, files and program version are those of an earlier run, and whose files lie on the disk as they
-// were made, is taken over from there. A look asks and writes nothing: it says which steps would be run.
+// A step whose request, files and program version equal those of an earlier run, with unchanged files on the disk, is
+// reused. A dry run executes and writes nothing; it reports which steps would be run.
 #pragma once
 
 #include <functional>
@@ -16,59 +16,60 @@
 namespace lathelier::chain {
 
 enum class RunMode : std::uint8_t {
-    Everything,  ///< every step is asked
-    OutOfDate,   ///< steps that are as they were are taken over
-    Look         ///< nothing is asked, nothing is written
+    Everything,  ///< run every step
+    OutOfDate,   ///< reuse unchanged steps
+    DryRun       ///< run and write nothing
 };
 
-/// What one step asks of a verb. Files within the folder of the chain are named without it.
+/// Request of a step to a verb. Files within the folder of the chain have relative names.
 struct StepRequest {
-    std::string id;                                            ///< of the step; its result is ID.json
-    std::string verb;                                          ///< name
+    std::string id;  ///< of the step; its result is ID.json
+    std::string verb;
     std::vector<std::string> operands;                         ///< of the verb, as paths
     Values given;                                              ///< parameters that differ from their defaults
     std::map<std::string, std::string> outputs;                ///< option of the verb → name within the folder
-    std::map<std::string, std::string> outputs_if_possible{};  ///< the same; left out where the verb refuses them
+    std::map<std::string, std::string> outputs_if_possible{};  ///< the same; omitted if the verb refuses them
 };
 
-/// The result of a step that is no verb.
+/// Result of a step that is not a verb.
 struct MadeStep {
-    std::shared_ptr<const Json> result;     ///< never null
-    Notes notes;                            ///< of the step
-    std::vector<report::Section> sections;  ///< of its report
+    std::shared_ptr<const Json> result;  ///< never null
+    Notes notes;
+    std::vector<report::Section> sections;
 };
 
 class StepRunner {
 public:
-    /// Makes the folder, but for a look. `earlier`: of the last run in this folder; null: none. Error fileNotWritable.
+    /// Creates the folder, except in a dry run. `earlier`: of the last run in this folder; null: none. Error
+    /// fileNotWritable.
     StepRunner(std::string folder, AskVerb ask, RunMode mode, std::shared_ptr<const Dossier> earlier);
 
     std::string path(const std::string& name) const;  ///< of a file within the folder
 
-    /// Asks the verb, writes its result and its files, records the step. Gives its result; an object without members
-    /// where there is none. After a step that failed nothing is asked any more. Throws Cancelled.
+    /// Runs the verb, writes its result and files, records the step. Returns the result; an empty object if there is
+    /// none. After a failed step verbs are not run. Throws Cancelled.
     Json run(const StepRequest& step, const Progress& progress);
 
-    /// The same for a step that is no verb, from files within the folder.
+    /// The same for a step that is not a verb, from files within the folder.
     Json make(const std::string& id, const std::vector<std::string>& inputs, const std::function<MadeStep()>& make,
               const Progress& progress);
 
-    /// Files that the next step takes besides those of its verb: what prepared it.
-    void alsoTakes(const InputFile& file) { further_inputs_.push_back(named(file)); }
-    void alsoTakes(const std::string& name) { further_inputs_.push_back(madeFile(name, {})); }  ///< within the folder
+    /// Adds an input of the next step besides those of its verb.
+    void addInput(const InputFile& file) { further_inputs_.push_back(named(file)); }
+    void addInput(const std::string& name) { further_inputs_.push_back(madeFile(name, {})); }  ///< within the folder
     /// Writes a file of the chain for the next step.
     void write(const std::string& name, const std::string& text);
 
-    void miss(const std::string& id, Text what);           ///< records a step that lacks an input
-    void fail(const std::string& id, const Error& error);  ///< records a step whose preparation was refused
-    void keepRest();         ///< after a stop: steps that were not come to stay as the earlier run left them
-    void remark(Note note);  ///< of the last step, unless it was taken over
+    void recordMissing(const std::string& id, Text what);           ///< records a step with a missing input
+    void recordFailure(const std::string& id, const Error& error);  ///< records a step whose preparation failed
+    void keepEarlierSteps();  ///< after cancellation: keeps the records of the earlier run for steps not reached
+    void addNote(Note note);  ///< adds a note to the last step, unless it was reused
 
-    /// Why the last step went without its outputs_if_possible; none: it did not.
+    /// Why the last step omitted its outputs_if_possible; none: not omitted.
     const std::optional<Error>& refusal() const { return refusal_; }
     bool hasFailed() const { return failed_; }
     bool isDone(const std::string& id) const;
-    bool canRead(const std::string& name) const;  ///< the file within the folder is there and up to date
+    bool canRead(const std::string& name) const;  ///< the file within the folder exists and is up to date
     Dossier& dossier() { return dossier_; }
 
 private:
@@ -77,7 +78,7 @@ private:
     const std::string& digest(const std::string& path, const Progress& progress);
     const ChainStep* unchanged(const ChainStep& step, const Progress& progress);
     Json takeOver(const ChainStep& step, const Progress& progress);
-    Json onlyLook(ChainStep step, const std::vector<std::string>& names);
+    Json dryRun(ChainStep step, const std::vector<std::string>& names);
     void finish(ChainStep step, const Json& result);
     bool isStale(const std::string& path) const { return stale_.count(path) > 0; }
     std::string requestOf(const StepRequest& step) const;
@@ -90,11 +91,11 @@ private:
     Dossier dossier_;
     std::vector<InputFile> further_inputs_;
     std::vector<std::string> further_outputs_;
-    std::map<std::string, std::string> digests_;  ///< by path; empty: not there
-    std::set<std::string> stale_;                 ///< names within the folder that a run would make anew
+    std::map<std::string, std::string> digests_;  ///< by path; empty: missing
+    std::set<std::string> stale_;                 ///< names within the folder that a run would rewrite
     std::optional<Error> refusal_;
     bool failed_ = false;
-    bool taken_over_ = false;  ///< the last step
+    bool taken_over_ = false;  ///< the last step was reused
 };
 
 }  // namespace lathelier::chain

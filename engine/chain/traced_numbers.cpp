@@ -5,11 +5,11 @@
 namespace lathelier::chain {
 namespace {
 
-/// Place of a number in the result of a step; * stands for every item of a list.
+/// JSON pointer pattern of a number in the result of a step; * matches every item of a list.
 struct Pattern {
     const char* step;
     const char* value;
-    const char* uncertainty = nullptr;  // with the same items; nullptr: none is stated
+    const char* uncertainty = nullptr;  // pattern of its uncertainty; nullptr: none
     std::int64_t coverage_factor = 2;
 };
 
@@ -61,7 +61,7 @@ constexpr Pattern patterns[] = {
     {"surface", "/comparison/relative_to_feed/*"},
 };
 
-/// The pattern with its stars replaced, in order.
+/// The pattern with its * replaced in order.
 std::string filled(std::string pattern, const std::vector<std::size_t>& items)
 {
     for (const std::size_t item : items) {
@@ -106,7 +106,8 @@ std::vector<TracedNumber> numbersOf(const std::string& step, const Json& result,
             const Json* const value = memberAt(result, pointer);
             if (!value || !value->is_number()) return;
             std::string last = pointer.substr(pointer.rfind('/') + 1);
-            if (last.find_first_not_of("0123456789") == std::string::npos)  // an item of a plain list has the list's
+            if (last.find_first_not_of("0123456789") ==
+                std::string::npos)  // items of a plain list use the key of the list
                 last = pointer.substr(0, pointer.rfind('/')).substr(pointer.rfind('/', pointer.rfind('/') - 1) + 1);
             TracedNumber number{step, last, value->get<double>(), file, pointer, {}, pattern.coverage_factor, {}};
             if (pattern.uncertainty) {

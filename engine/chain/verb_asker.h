@@ -1,5 +1,5 @@
-// How the chain asks for its steps: by the verbs of the command line, whoever holds their table. Window and command
-// line hand the same function in, so that both run the same steps.
+// Interface by which the chain runs verbs of the command line. Window and command line pass in the same function, so
+// that both run the same steps.
 #pragma once
 
 #include <functional>
@@ -16,25 +16,25 @@
 
 namespace lathelier::chain {
 
-/// One question to a verb.
+/// Arguments of a verb.
 struct VerbQuestion {
-    std::string verb;                            ///< its name
-    std::vector<std::string> operands;           ///< paths
-    Values given;                                ///< parameters that differ from their defaults; others are left out
+    std::string verb;  ///< its name
+    std::vector<std::string> operands;
+    Values given;                                ///< parameters that differ from their defaults
     std::map<std::string, std::string> outputs;  ///< option of the verb → path of the file to write
 };
 
-/// What became of it.
+/// Result of a verb.
 struct VerbReply {
-    std::shared_ptr<const Json> result;     ///< the whole object, never null
-    std::vector<InputFile> inputs;          ///< that were read
-    Values parameters;                      ///< all of them
-    Notes notes;                            ///< of the answer
-    std::vector<Error> errors;              ///< empty: answered
-    std::vector<report::Section> sections;  ///< of its report; empty where it refused
+    std::shared_ptr<const Json> result;  ///< the whole object, never null
+    std::vector<InputFile> inputs;
+    Values parameters;
+    Notes notes;
+    std::vector<Error> errors;              ///< empty: successful
+    std::vector<report::Section> sections;  ///< of its report; empty on errors
 };
 
-/// Blocks; safe from any thread. Refusals are in the reply. Throws Cancelled.
+/// Blocks; safe from any thread. Errors are in the reply. Throws Cancelled.
 using AskVerb = std::function<VerbReply(const VerbQuestion& question, const Progress& progress)>;
 
 }  // namespace lathelier::chain

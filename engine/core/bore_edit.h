@@ -1,7 +1,7 @@
-// Edits of the bores of a shaft, row by row, as a person makes them in a drawing: values in, values out.
+// Edits of the bores of a shaft, row by row, as made by hand in a drawing: values in, values out.
 //
-// Rows count from 0, from the mouth inward. A bore without rows is no bore: it goes. Lengths stay as they are where a
-// row before them changes: what lies deeper moves along. None of these checks the whole shaft (shaft_rules.h).
+// Rows count from 0, from the mouth inward. A bore without rows is removed. When a row changes, the lengths of deeper
+// rows stay and their depths shift. None of these checks the whole shaft (shaft_rules.h).
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@ namespace lathelier {
 
 using ShaftBores = std::vector<ShaftBore>;
 
-/// With a cylinder more: behind the last row of the bore from this end, of its diameter at its bottom, or as a bore of
+/// Appends a cylinder behind the last row of the bore from this end, of its diameter at its bottom, or as a bore of
 /// its own.
 ShaftBores addBoreRow(ShaftBores bores, ShaftEnd from, double diameter_mm, double length_mm);
 
 /// A cylinder behind the row, with the diameter of its end and its length. Precondition: both indices are in range.
 ShaftBores insertBoreRow(ShaftBores bores, std::size_t bore, std::size_t row);
 
-/// Without the row. Precondition: both indices are in range.
+/// Removes the row. Precondition: both indices are in range.
 ShaftBores deleteBoreRow(ShaftBores bores, std::size_t bore, std::size_t row);
 
 /// Diameters at both ends of the row; a cylinder stays one. Precondition: both indices are in range.

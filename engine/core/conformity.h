@@ -1,4 +1,4 @@
-// Is a measured value within its limit? One decision for every room.
+// Conformity decision for a measured value and its limit.
 // Source: ISO 14253-1 (guarded), JCGM 106 (simple acceptance).
 #pragma once
 
@@ -21,7 +21,7 @@ Verdict judge(double value, double expanded_uncertainty, double limit, DecisionR
 /// The worse of two: Fail, then Undecided, then Pass.
 Verdict worse(Verdict a, Verdict b);
 
-/// true, false; nullopt when nothing is decided or no verdict was asked for.
+/// true, false; nullopt for Undecided or without a verdict.
 std::optional<bool> passed(const std::optional<Verdict>& verdict);
 
 std::string_view key(Verdict verdict);    ///< "pass" | "fail" | "undecided"

@@ -8,8 +8,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOnAxis_mm = 1e-9;
-constexpr std::size_t kSteps = 2048;
+constexpr double onAxis_mm = 1e-9;
+constexpr std::size_t mostSteps = 2048;
 
 Vector2d leftOf(const Vector2d& direction)
 {
@@ -18,7 +18,7 @@ Vector2d leftOf(const Vector2d& direction)
 
 bool isSurface(const ContourPiece& piece)
 {
-    return std::max(piece.from_mm.y(), piece.to_mm.y()) > kOnAxis_mm || piece.isArc();
+    return std::max(piece.from_mm.y(), piece.to_mm.y()) > onAxis_mm || piece.isArc();
 }
 
 /// Unit normals to the left, out of the material, at the ends of a piece.
@@ -73,9 +73,9 @@ ContourDistance::ContourDistance(const Contour& contour, double reach_mm) : reac
         last_mm = std::max(last_mm, piece.high.x());
     }
     first_mm_ -= reach_mm;
-    step_mm_ = std::max(1e-9, (last_mm + reach_mm - first_mm_) / static_cast<double>(kSteps));
+    step_mm_ = std::max(1e-9, (last_mm + reach_mm - first_mm_) / static_cast<double>(mostSteps));
     start_.push_back(0);
-    for (std::size_t step = 0; step < kSteps; ++step) {
+    for (std::size_t step = 0; step < mostSteps; ++step) {
         const double from = first_mm_ + step_mm_ * static_cast<double>(step), to = from + step_mm_;
         for (std::size_t i = 0; i < pieces_.size(); ++i)
             if (pieces_[i].low.x() - reach_mm <= to && pieces_[i].high.x() + reach_mm >= from)
@@ -119,7 +119,7 @@ std::optional<ContourDistance::Foot> ContourDistance::footOf(double z_mm, double
 {
     if (pieces_.empty() || !(z_mm >= first_mm_)) return std::nullopt;
     const auto step = static_cast<std::size_t>(std::min((z_mm - first_mm_) / step_mm_, 1e9));
-    if (step >= kSteps) return std::nullopt;
+    if (step >= mostSteps) return std::nullopt;
     double nearest = std::nextafter(reach_mm_, 2 * reach_mm_ + 1);
     Foot foot;
     bool any = false;

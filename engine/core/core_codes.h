@@ -1,4 +1,4 @@
-// Errors that any room may meet: codes with their English patterns. {name} is replaced by the named value; text() puts
+// Errors of all rooms: codes with their English patterns. {name} is replaced by the named value; text() puts
 // path, line, column and byte in front, so patterns do not repeat them.
 #pragma once
 

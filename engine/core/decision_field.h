@@ -6,7 +6,7 @@
 
 namespace lathelier {
 
-/// `help` says what the rule does in this capability. An advanced one is folded away in forms.
+/// `help`: effect of the rule in this capability. An advanced one is folded away in forms.
 template <class P>
 Field<P> decisionField(DecisionRule P::*member, Text help, bool advanced)
 {

@@ -1,4 +1,4 @@
-// "No answer" (Error, thrown), "answered, but" (Note, inside a result) and "stopped by the user" (Cancelled).
+// Error (thrown: no result), Note (a remark in a result) and Cancelled (thrown: stopped by the user).
 #pragma once
 
 #include <exception>
@@ -10,30 +10,30 @@
 
 namespace lathelier {
 
-/// What an error means to the caller; the command line turns it into its exit code.
+/// Class of an error; the command line turns it into its exit code.
 enum class ErrorKind {
-    WrongUsage,     ///< exit 2: the request itself makes no sense
-    InputRejected,  ///< exit 3: a file cannot be read as what it claims to be
-    NoAnswer,       ///< exit 4: the files are sound, but the question has no answer
-    OutputFailed    ///< exit 5: an answer is there, but a file to write it to is not
+    WrongUsage,     ///< exit 2: invalid options or parameters
+    InputRejected,  ///< exit 3: a file is not valid in its format
+    NoAnswer,       ///< exit 4: the inputs are valid, but there is no result
+    OutputFailed    ///< exit 5: the result cannot be written
 };
 
-/// How much a note matters for trusting the number beside it.
+/// Effect of a note on the reliability of the result.
 enum class Severity { Info, Warning };
 
-/// One reason for "no answer": an object beside the room that throws it, in its `<room>_codes.h`. Keys are unique.
+/// Kind of an error: an object in the `<room>_codes.h` of the room that throws it. Keys are unique.
 struct ErrorCode {
     const char* key;  ///< stable name for scripts, "file_not_found"
-    ErrorKind kind;   ///< what the error means to the caller: exit code of the command line
+    ErrorKind kind;   ///< determines the exit code of the command line
     Text pattern;     ///< English; {name} is replaced by the named value
 
     friend bool operator==(const ErrorCode& a, const ErrorCode& b) { return std::string_view(a.key) == b.key; }
 };
 
-/// One "answered, but": an object beside the room that says it, in its `<room>_codes.h`. Keys are unique.
+/// Kind of a note: an object in the `<room>_codes.h` of the room that adds it. Keys are unique.
 struct NoteCode {
     const char* key;    ///< stable name for scripts, "unit_guessed"
-    Severity severity;  ///< how much it matters for trusting the result
+    Severity severity;  ///< effect on the reliability of the result
     Text pattern;       ///< English; {name} is replaced by the named value
 
     friend bool operator==(const NoteCode& a, const NoteCode& b) { return std::string_view(a.key) == b.key; }
@@ -48,7 +48,7 @@ public:
     const ErrorCode& code() const { return code_; }
     const Values& values() const { return values_; }
 
-    /// Adds a value on the way up (a parser knows the line, its caller the path). An existing name is kept.
+    /// Adds a value in a caller (a parser knows the line, its caller the path). An existing name is kept.
     Error& with(std::string_view name, Value value);
 
     /// The English sentence, for test output and debuggers only.
@@ -66,7 +66,7 @@ public:
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Part of a result: something the reader of the number has to know.
+/// A remark in a result that affects its interpretation.
 struct Note {
     NoteCode code;  ///< which one, with its pattern
     Values values;  ///< fill in the pattern of `code`, by name

@@ -9,7 +9,7 @@
 namespace lathelier {
 namespace {
 
-/// A thread needs memory for its stack. TBB tells a failure to start one by its words only.
+/// A thread needs memory for its stack. TBB reports a failed start in the text of the exception only.
 bool isShortage(const std::exception& failure)
 {
     if (dynamic_cast<const std::bad_alloc*>(&failure)) return true;

@@ -1,4 +1,4 @@
-// Failures that are not ours as errors of ours.
+// Conversion of exceptions to Error.
 #pragma once
 
 #include <exception>
@@ -7,7 +7,8 @@
 
 namespace lathelier {
 
-/// An Error as it is; outOfMemory where memory or threads could not be had; `internal` with its words for all else.
+/// An Error unchanged; outOfMemory for a failed allocation or thread start; `internal` with its what() for everything
+/// else.
 Error toError(const std::exception& failure);
 
 }  // namespace lathelier

@@ -1,4 +1,4 @@
-// A parameter of a part as a parameter of the whole: what a question adds to the parameters it passes on.
+// Fields of a member struct as fields of the containing struct.
 #pragma once
 
 #include <stdexcept>

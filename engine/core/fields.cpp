@@ -74,7 +74,7 @@ std::vector<Interval> parseIntervals(const FieldInfo& info, std::string_view typ
     return result;
 }
 
-/// A row's error tells which row it is, counted from 1, and its key is that of the table and the column.
+/// An error in a row has `row`, counted from 1, and the key of table and column.
 void checkRow(const FieldInfo& info, const Row& row, std::size_t index)
 {
     for (const FieldInfo& column : info.columns)
@@ -88,7 +88,7 @@ void checkRow(const FieldInfo& info, const Row& row, std::size_t index)
 void checkRows(const FieldInfo& info, const Value& value)
 {
     const Rows* table = std::get_if<Rows>(&value);
-    const auto* ranges = std::get_if<std::vector<Interval>>(&value);  // an empty list in JSON has no kind
+    const auto* ranges = std::get_if<std::vector<Interval>>(&value);  // an empty JSON list has no element type
     if (!table && !(ranges && ranges->empty())) reject(info, value);
     checkRange(info, table ? static_cast<double>(table->rows.size()) : 0);
     if (!table) return;

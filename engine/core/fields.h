@@ -1,4 +1,4 @@
-// Parameters described once: the form, the project file, the command line, the report and the range check read this.
+// Descriptions of parameters, read by the form, the project file, the command line, the report and the range check.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@ namespace lathelier {
 /// One choice of a Choice field.
 struct FieldChoice {
     std::string key;  ///< stable, "revolution"
-    Text label;       ///< what people read
+    Text label;       ///< shown text
 };
 
 /// What one parameter is, without the struct it lives in.
 struct FieldInfo {
-    /// Rows: a list of structs, a table in the form. Group: an optional struct, its Flag says whether it is there.
+    /// Rows: a list of structs, a table in the form. Group: an optional struct; its value is a flag: present or absent.
     enum class Kind { Flag, Integer, Number, Choice, Word, Intervals, Rows, Group };
 
     std::string key;  ///< stable, with its unit: "tolerance_mm", within a group "chuck.radial_N_mm"; the option is
@@ -37,7 +37,7 @@ struct FieldInfo {
     std::vector<double> usual = {};    ///< Number: values of a standard, offered beside free typing
     Text group = {};                   ///< heading over the fields of one group; empty: none
     std::string group_key = {};        ///< key of the Group whose presence this field needs; empty: none
-    std::vector<FieldInfo> columns = {};  ///< Rows: what a row holds
+    std::vector<FieldInfo> columns = {};  ///< Rows: the fields of a row
 };
 
 /// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.
@@ -56,11 +56,11 @@ const std::vector<Field<P>>& fields()
     return fieldsOf(static_cast<const P*>(nullptr));
 }
 
-/// Throws Error valueOutOfRange or valueNotUnderstood when `value` is nothing this field takes.
+/// Throws Error valueOutOfRange or valueNotUnderstood when `value` is not valid for this field.
 void check(const FieldInfo& info, const Value& value);
 
-/// Reads what a person or a script typed ("0.05", "auto", "10:20,30:40"; Rows: "20,30;40,25", the cells in the order of
-/// the columns), decimal point only. Throws Error.
+/// Parses text typed by a person or a script ("0.05", "auto", "10:20,30:40"; Rows: "20,30;40,25", the cells in the
+/// order of the columns), decimal point only. Throws Error.
 Value parse(const FieldInfo& info, const std::string& typed);
 
 /// The infos alone, for code that builds forms and options without knowing P.
@@ -81,11 +81,11 @@ Values toValues(const P& parameters)
     return result;
 }
 
-/// Is a value of the group given, though nothing says whether the group is there?
+/// Is a value of the group given while the flag of the group itself is missing?
 bool isImplied(const FieldInfo& group, const Values& values);
 
 /// Applies the values whose names are known and checks them; others are ignored, missing ones keep P's default. An
-/// optional group is there when its own key says so or, without that, when one of its values is given.
+/// optional group is present when its own flag is true or, without the flag, when one of its values is given.
 template <class P>
 P fromValues(const Values& values, P parameters = {})
 {

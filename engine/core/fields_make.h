@@ -11,11 +11,11 @@ concept Enumeration = std::is_enum_v<E>;
 
 /// Range for numbers, inclusive.
 struct Range {
-    double minimum;  ///< lower end
-    double maximum;  ///< upper end
+    double minimum;
+    double maximum;
 };
 
-/// What a field says of itself besides its type.
+/// The description of a field besides its type.
 struct Label {
     Text label;             ///< FieldInfo::label: short, without the unit
     Text help;              ///< FieldInfo::help: one sentence
@@ -127,7 +127,7 @@ std::vector<Field<P>> group(const char* key, G P::*member, const Label& label)
     return result;
 }
 
-/// A struct that may be absent (a tailstock or none): first the field `key` that says whether it is there, then its
+/// A struct that may be absent (a tailstock or none): first the field `key`, a flag: present or absent, then its
 /// fields, which are "not given" while it is not.
 template <class P, class G>
 std::vector<Field<P>> group(const char* key, std::optional<G> P::*member, const Label& label)

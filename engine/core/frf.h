@@ -8,7 +8,7 @@
 
 namespace lathelier {
 
-/// What a response is per force: displacement, velocity, acceleration.
+/// Response per force: displacement, velocity, acceleration.
 enum class FrfQuantity { Receptance, Mobility, Accelerance };
 
 /// Complex values follow e^(+iωt), so that a driving-point receptance has Im ≤ 0. Both directions are positive the same

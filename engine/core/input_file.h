@@ -1,4 +1,4 @@
-// A file that an answer rests on.
+// Identification of an input file.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What items of a project refuse: codes with their English patterns.
+// Errors about items of a project: codes with their English patterns.
 #pragma once
 
 #include "engine/core/error.h"

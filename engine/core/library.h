@@ -1,4 +1,4 @@
-// A library of values to begin with: each has a key, and a source that says where it comes from.
+// A library of default values, each with a key and its source.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace lathelier {
 /// One entry of a library.
 template <class T>
 struct LibraryEntry {
-    std::string key;     ///< by which it is chosen: "steel"
-    T value;             ///< what it stands for
-    std::string source;  ///< where the values come from
+    std::string key;  ///< by which it is chosen: "steel"
+    T value;
+    std::string source;  ///< reference
 };
 
 /// The entry with this key; nullptr: there is none.

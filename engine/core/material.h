@@ -7,7 +7,7 @@
 
 namespace lathelier {
 
-/// Isotropic, linearly elastic. Default: steel as the handbooks have it, to be marked assumed where nobody stated it.
+/// Isotropic, linearly elastic. Default: steel with handbook values, to be marked as assumed unless stated.
 struct Material {
     std::string name = "steel";           ///< for people
     double elastic_modulus_MPa = 210000;  ///< Young's modulus E

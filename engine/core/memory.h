@@ -5,8 +5,8 @@
 
 namespace lathelier {
 
-/// Bytes that this process may still take: the least of what the machine has free, what its control group allows (v2)
-/// and what the limit of its address space leaves. The largest number when the system tells none of them.
+/// Bytes that this process may still allocate: the minimum of free memory, limit of the control group (v2) and limit of
+/// the address space. The largest number when none is known.
 std::uint64_t freeMemory_bytes();
 
 }  // namespace lathelier

@@ -1,5 +1,5 @@
 // Modules: parts of the program that call a large foreign library (OpenCASCADE, PCL, OpenCV). Each is a shared object
-// of its own that is loaded when it is first used, so that a program starts without the libraries that nobody asks for.
+// of its own that is loaded when it is first used, so that a program starts without libraries that are not used.
 //
 // A module exports one table of functions, `extern "C" const Table symbol`; its room calls through
 // moduleTable<Table>(). Errors and cancellation pass through: typeinfo is compared by name.

@@ -11,8 +11,8 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
                  const std::function<void(std::size_t begin, std::size_t end)>& body)
 {
     const std::size_t chunks = (count + grain - 1) / grain;
-    // By itself: where this loop runs within another, an error beside it must not stop it half way, for what follows it
-    // would go on with half of its results.
+    // An isolated context: in a nested loop an exception of a sibling must not cancel this loop, or the caller would
+    // use incomplete results.
     tbb::task_group_context own(tbb::task_group_context::isolated);
     tbb::parallel_for(
         std::size_t{0}, chunks,
@@ -23,7 +23,7 @@ void parallelFor(std::size_t count, std::size_t grain, const Progress& progress,
         own);
 }
 
-// Built in place: a copy of a global_control would take the limit back when the first of the two ends.
+// Constructed in place: the destructor of a copied global_control would reset the limit.
 struct ThreadLimit::Control {
     explicit Control(std::size_t threads) : control(tbb::global_control::max_allowed_parallelism, threads) {}
     tbb::global_control control;

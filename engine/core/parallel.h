@@ -22,7 +22,7 @@ template <class T, class Map, class Fold>
 T parallelReduce(std::size_t count, std::size_t grain, const Progress& progress, T start, Map map, Fold fold)
 {
     struct Part {
-        T value;  // a place of its own for each, which the bits of a std::vector<bool> have not
+        T value;  // a struct, since elements of std::vector<bool> share bytes
     };
     std::vector<Part> parts((count + grain - 1) / grain, Part{start});
     parallelFor(count, grain, progress,

@@ -45,7 +45,7 @@ PointSpread spreadOf(std::span<const Vector3d> points_mm, std::size_t least, dou
                 part.largest = std::max(part.largest, size);
             }
             part.squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-            // Maxima do not keep what is no number; the sums do.
+            // A maximum ignores NaN; the sums propagate it.
             if (!part.sum.allFinite()) part.largest = std::numeric_limits<double>::infinity();
             return part;
         },

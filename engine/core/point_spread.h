@@ -1,4 +1,4 @@
-// How points lie about their mean, and the refusal of points that have no extent.
+// Mean and principal axes of points, and the check for degenerate points.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 namespace lathelier {
 
 struct PointSpread {
-    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();    ///< mean of the points
+    Eigen::Vector3d mean_mm = Eigen::Vector3d::Zero();
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();   ///< columns: principal axes, the longest last
     Eigen::Vector3d extent_mm = Eigen::Vector3d::Zero();  ///< root mean square along them
     double largest_mm = 0;                                ///< largest coordinate

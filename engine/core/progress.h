@@ -1,4 +1,4 @@
-// Progress that nests, and the one way to stop a computation.
+// Nested progress and cancellation of a computation.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ class Progress {
 public:
     using Show = std::function<void(double fraction, Text stage)>;
 
-    Progress() = default;  ///< reports nowhere, is never stopped
+    Progress() = default;  ///< reports nothing and is never stopped
     Progress(std::stop_token stop, Show show);
 
     /// The share [from, to] of this progress, under its own name when `stage` is given.

@@ -1,5 +1,5 @@
-// Results described once: the JSON of the command line, tables on screen and in the report, and CSV read this, so that
-// a number of a result has one key, one name, one unit and one number of decimals.
+// Descriptions of results, read by the JSON of the command line, tables on screen and in the report, and CSV, so that
+// each quantity has one key, name, unit and number of decimals.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ struct QuantityInfo {
     Text unit = {};        ///< "µm", empty when there is none
     int decimals = 3;      ///< in tables
     bool in_json = true;   ///< false: for tables only
-    bool is_part = false;  ///< stands for a part that may be absent (JSON: null); its value says whether it is there
+    bool is_part = false;  ///< an optional part; its value is a flag (absent: JSON null)
     Text heading = {};     ///< short, for the columns of tables; empty: the label
 };
 
@@ -67,7 +67,7 @@ const QuantityOf<R>& quantityOf(std::string_view key)
     throw std::logic_error("no such quantity: " + std::string(key));
 }
 
-/// How a quantity looks in tables.
+/// Presentation of a quantity in tables.
 struct Look {
     Text label = {};      ///< QuantityInfo::label; empty: JSON only
     Text unit = {};       ///< QuantityInfo::unit; empty: none
@@ -171,7 +171,7 @@ std::vector<QuantityOf<R>> included(P R::*member)
     return result;
 }
 
-/// The same of a struct that may be absent: null in JSON then.
+/// The same for an optional struct: null in JSON when absent.
 template <class R, class P>
 std::vector<QuantityOf<R>> part(const char* key, std::optional<P> R::*member)
 {
@@ -201,7 +201,7 @@ Value verdictKey(const R& result)
     return result.verdict ? Value(std::string(key(*result.verdict))) : Value();
 }
 
-/// The verdict of a result for the cells of tables, likewise.
+/// The verdict of a result for the cells of tables; not given when there was none to make.
 template <class R>
 Value verdictName(const R& result)
 {

@@ -25,8 +25,8 @@ inline double randomUniform(std::uint64_t seed, std::uint64_t stream, std::uint6
     return static_cast<double>(randomBits(seed, stream, index) >> 11) * 0x1p-53;
 }
 
-/// A normal deviate with mean 0 and standard deviation 1 (Box and Muller), or 0 where its size is certainly less than
-/// `least`: much quicker when `rarity`, which is exp(-least²/2), is small.
+/// A normal deviate with mean 0 and standard deviation 1 (Box and Muller), or 0 where its absolute value is certainly
+/// below `least`: faster for small `rarity` = exp(-least²/2).
 inline double randomNormalBeyond(std::uint64_t seed, std::uint64_t stream, std::uint64_t index, double rarity)
 {
     const double radius = 1.0 - randomUniform(seed, stream, 2 * index);

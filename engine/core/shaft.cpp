@@ -44,7 +44,7 @@ const Text roleName = LT_TEXT("Engine", "Role");
 const Text roleHelp = LT_TEXT("Engine", "What it is: chamfer, fillet, groove…");
 const Text expandedHelp = LT_TEXT("Engine", "Expanded uncertainty, k = 2.");
 
-/// Members that hold a number of a mark, or do not.
+/// The optional numbers of a mark.
 Field<ShaftMark> markNumber(const char* key, std::optional<double> ShaftMark::*member, Text name, Text unit)
 {
     return field(key, member, lengths_mm, folded(name, LT_TEXT("Engine", "Of this kind of mark."), unit));

@@ -1,5 +1,6 @@
-// A turned shaft: its outer contour in segments from the free end toward the chuck, its bores, its material, and what
-// is known of each size. The one definition that receptance, deflection, stock, recognition, drawing and CAD share.
+// A turned shaft: its outer contour in segments from the free end toward the chuck, its bores, its material, and
+// tolerances and measured values. The one definition that receptance, deflection, stock, recognition, drawing and CAD
+// share.
 #pragma once
 
 #include <optional>
@@ -13,29 +14,28 @@ namespace lathelier {
 
 /// Limits of a row's diameter: a class of ISO 286-1 or the deviations themselves.
 struct SizeTolerance {
-    std::string iso_class;           ///< "h6"; empty: the deviations rule
+    std::string iso_class;           ///< "h6"; empty: the deviations apply
     std::optional<double> lower_um;  ///< lower limit deviation of the diameter
     std::optional<double> upper_um;  ///< upper limit deviation of the diameter
     friend bool operator==(const SizeTolerance&, const SizeTolerance&) = default;
 };
 
-/// Expanded uncertainties (k = 2) of a measured row; what is missing was not measured.
+/// Expanded uncertainties (k = 2) of a measured row; missing ones were not measured.
 struct SizeUncertainty {
-    std::optional<double> z_start_um, z_end_um;                ///< place of the row's ends along the axis
-    std::optional<double> length_um;                           ///< of its length
-    std::optional<double> start_diameter_um, end_diameter_um;  ///< of its diameters
-    std::optional<double> arc_radius_um;                       ///< of its arc radius
-    std::optional<double> angle_deg;                           ///< half angle of a cone
+    std::optional<double> z_start_um, z_end_um;  ///< of z at the row's ends
+    std::optional<double> length_um;
+    std::optional<double> start_diameter_um, end_diameter_um;
+    std::optional<double> arc_radius_um;
+    std::optional<double> angle_deg;  ///< half angle of a cone
     friend bool operator==(const SizeUncertainty&, const SizeUncertainty&) = default;
 };
 
-/// What a scan said of a row, kept beside nominal values that were set afterwards. Where the row has the same values it
-/// is as it was measured.
+/// Measured values of a row, kept beside nominal values that were set later. A row with the same values is as measured.
 struct MeasuredSize {
-    std::optional<double> length_mm;                           ///< along the axis, mm
-    std::optional<double> start_diameter_mm, end_diameter_mm;  ///< in mm
-    std::optional<double> arc_radius_mm;                       ///< signed as ShaftSegment::arc_radius_mm
-    SizeUncertainty uncertainty;                               ///< k = 2
+    std::optional<double> length_mm;  ///< along the axis
+    std::optional<double> start_diameter_mm, end_diameter_mm;
+    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
+    SizeUncertainty uncertainty;          ///< k = 2
     friend bool operator==(const MeasuredSize&, const MeasuredSize&) = default;
 };
 
@@ -48,7 +48,7 @@ struct ShaftSegment {
     std::optional<double> arc_radius_mm;          ///< > 0 convex (material bulges beyond the chord), < 0 concave
     std::string role;                             ///< "chamfer", "fillet", "groove"…; geometry never depends on it
     std::optional<SizeTolerance> tolerance = {};  ///< of the diameter; none: the general tolerance
-    std::optional<MeasuredSize> measured = {};    ///< none: the values are what was measured, or nothing was
+    std::optional<MeasuredSize> measured = {};    ///< none: the values themselves are measured, or nothing was measured
     std::string tie = {};  ///< cylinders with the same one share a diameter when it is edited; empty: none
     std::optional<double> tolerance_um = {};  ///< width T of the diameter's limits, where the limits are not stated
     std::optional<double> Rz_um = {};         ///< roughness that the drawing allows; none: not stated
@@ -60,9 +60,9 @@ enum class ShaftEnd { Free, Chuck };
 
 /// A row of a bore; diameters are those of the hole, an arc that is > 0 bulges into the hole.
 struct BoreSegment {
-    double length_mm = 0;                 ///< along the axis, mm
-    double start_diameter_mm = 0;         ///< in mm
-    double end_diameter_mm = 0;           ///< in mm
+    double length_mm = 0;  ///< along the axis
+    double start_diameter_mm = 0;
+    double end_diameter_mm = 0;
     std::optional<double> arc_radius_mm;  ///< none: straight
     std::string role;                     ///< as ShaftSegment::role
     friend bool operator==(const BoreSegment&, const BoreSegment&) = default;
@@ -75,30 +75,30 @@ struct ShaftBore {
     friend bool operator==(const ShaftBore&, const ShaftBore&) = default;
 };
 
-/// What is not a body of revolution. Which members hold depends on the kind.
+/// A feature that is not a body of revolution. `kind` determines which members are set.
 struct ShaftMark {
     std::string kind;  ///< "thread", "knurl", "keyway", "flat", "cross_hole", "free_form"
     std::optional<double> z_start_mm = {}, z_end_mm = {};  ///< from the free end
     std::optional<double> angle_deg = {};                  ///< of its middle about the axis
-    std::optional<double> width_mm = {};                   ///< keyway
+    std::optional<double> width_mm = {};                   ///< keyway: width of the slot
     std::optional<double> floor_mm = {};                   ///< keyway: floor from the axis
     std::optional<double> distance_mm = {};                ///< flat: from the axis
     std::optional<double> pitch_mm = {};                   ///< thread: pitch; knurl: pitch around the circle
     std::optional<double> major_mm = {};                   ///< thread: crest diameter
     std::optional<double> minor_mm = {};                   ///< thread: root diameter
-    std::optional<double> starts = {};                     ///< thread
+    std::optional<double> starts = {};                     ///< thread: number of starts
     std::optional<double> hand = {};                       ///< thread: 1 right, -1 left
-    std::optional<double> teeth = {};                      ///< knurl
-    std::optional<double> helix_deg = {};                  ///< knurl
+    std::optional<double> teeth = {};                      ///< knurl: number of teeth around the circle
+    std::optional<double> helix_deg = {};                  ///< knurl: angle of its ridges to the axis
     std::optional<double> diameter_mm = {};                ///< knurl: over its crests
-    std::optional<double> depth_mm = {};                   ///< knurl
+    std::optional<double> depth_mm = {};                   ///< knurl: from crest to root
     std::optional<double> deviation_mm = {};               ///< free form: the largest from the plain body
     std::string designation = {};                          ///< "M16×2", "DIN 82 RGE 1.25"
     friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
 
 struct Shaft {
-    std::string name;                    ///< of the part, for people; may be empty
+    std::string name;                    ///< display name of the part; may be empty
     std::vector<ShaftSegment> segments;  ///< from the free end toward the chuck
     std::optional<Material> material;    ///< none: not stated
     std::vector<ShaftBore> bores = {};   ///< at most one from each end; not beside ShaftSegment::bore_diameter_mm

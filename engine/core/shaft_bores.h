@@ -1,4 +1,4 @@
-// The bores of a shaft, whichever way it states them.
+// The bores of a shaft, stated as a list or by the segments.
 #pragma once
 
 #include <vector>

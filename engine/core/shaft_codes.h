@@ -1,4 +1,4 @@
-// What a shaft's definition refuses or remarks: codes with their English patterns. {name} is replaced by the named
+// Errors and notes about a shaft's definition: codes with their English patterns. {name} is replaced by the named
 // value.
 #pragma once
 

@@ -14,18 +14,18 @@ namespace {
 using Eigen::Vector2d;
 using std::numbers::pi;
 
-constexpr double kNothing_mm = 1e-12;  // a piece no longer than this is none
-constexpr int kStepsOfTaper = 20;
+constexpr double emptyPiece_mm = 1e-12;  // shorter pieces are left out
+constexpr int taperSteps = 20;
 
 Vector2d unitLeft(const Vector2d& direction)
 {
     return Vector2d(-direction.y(), direction.x()) / direction.norm();
 }
 
-/// Adds a piece that is longer than nothing.
+/// Adds a piece unless it has no length.
 void add(Contour& contour, const ContourPiece& piece)
 {
-    if ((piece.to_mm - piece.from_mm).norm() > kNothing_mm) contour.push_back(piece);
+    if ((piece.to_mm - piece.from_mm).norm() > emptyPiece_mm) contour.push_back(piece);
 }
 
 /// Adds a straight piece of no row.
@@ -74,7 +74,8 @@ Shaft withoutRowsThatRunBack(Shaft shaft)
             rows.push_back(row);
             continue;
         }
-        ShaftSegment& before = rows.back();  // ends where the face ends; an arc of that radius may not reach: a cone
+        ShaftSegment& before =
+            rows.back();  // shortened to the face; an arc of that radius may not span it, hence a cone
         before.length_mm = std::max(0.0, before.length_mm + row.length_mm);
         before.arc_radius_mm.reset();
     }
@@ -297,7 +298,7 @@ Shaft beamView(const Shaft& stated)
             const double run = piece.to_mm.x() - piece.from_mm.x();
             if (run == 0) continue;
             const bool plain = !piece.isArc() && piece.from_mm.y() == piece.to_mm.y();
-            const int count = plain ? 1 : kStepsOfTaper;
+            const int count = plain ? 1 : taperSteps;
             for (int k = 0; k < count; ++k) {
                 const double a = piece.from_mm.x() + run * k / count, b = piece.from_mm.x() + run * (k + 1) / count;
                 const double middle = piece.from_mm.x() + run * (k + 0.5) / count;

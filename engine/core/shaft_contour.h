@@ -21,8 +21,8 @@ namespace lathelier {
 struct ContourPiece {
     static constexpr std::ptrdiff_t none = -1;
 
-    Eigen::Vector2d from_mm = Eigen::Vector2d::Zero();  ///< where it begins
-    Eigen::Vector2d to_mm = Eigen::Vector2d::Zero();    ///< where it ends
+    Eigen::Vector2d from_mm = Eigen::Vector2d::Zero();  ///< start
+    Eigen::Vector2d to_mm = Eigen::Vector2d::Zero();    ///< end
     double arc_radius_mm = 0;    ///< 0: a line; > 0 bulges to the left of the direction of travel, < 0 to the right
     std::ptrdiff_t row = none;   ///< of its contour; `none`: a face between rows, or an end face, or the axis
     std::ptrdiff_t bore = none;  ///< which bore it belongs to; `none`: the outside
@@ -66,9 +66,9 @@ double volume_mm3(const Shaft& shaft);
 /// Points where two pieces meet, touching ends counted.
 std::vector<Eigen::Vector2d> meetingPoints(const ContourPiece& a, const ContourPiece& b);
 
-/// The shaft as readers want it that know lengths, diameters and ShaftSegment::bore_diameter_mm: `bores` are laid into
-/// the rows, which are cut where the bores step (a bore's cone or arc becomes 20 steps), and a row that runs back, the
-/// face of an undercut, is taken off the row before it. Marks stay.
+/// The shaft described by lengths, diameters and ShaftSegment::bore_diameter_mm only: `bores` are merged into the rows,
+/// which are cut where the bores step (a bore's cone or arc becomes 20 steps), and a row that runs back, the face of an
+/// undercut, is subtracted from the row before it. Marks stay.
 Shaft beamView(const Shaft& shaft);
 
 }  // namespace lathelier

@@ -11,9 +11,9 @@
 namespace lathelier {
 namespace {
 
-constexpr double kMinorShare = 0.15;
-constexpr double kSlope = 0.1;        // of a cone that its neighbours leave open: diameter by length
-constexpr double kGrooveDepth = 0.5;  // of a groove's width
+constexpr double minorLengthShare = 0.15;
+constexpr double openConeSlope = 0.1;     // of a cone whose neighbours do not determine it: diameter over length
+constexpr double grooveDepthShare = 0.5;  // of a groove's width
 
 std::ptrdiff_t at(std::size_t row)
 {
@@ -46,8 +46,8 @@ std::optional<MeasuredSize> joined(const ShaftSegment& a, const ShaftSegment& b,
     return both;
 }
 
-/// Which neighbour becomes longer when the row goes.
-std::size_t heirOf(const ShaftRows& rows, std::size_t row)
+/// Index of the neighbour that is lengthened when the row is deleted.
+std::size_t rowToLengthen(const ShaftRows& rows, std::size_t row)
 {
     if (row == 0) return 1;
     if (row + 1 == rows.size()) return row - 1;
@@ -58,7 +58,7 @@ std::size_t heirOf(const ShaftRows& rows, std::size_t row)
     return isMinorRow(before) && !isMinorRow(after) ? row + 1 : row - 1;
 }
 
-/// The ends that the neighbours leave a row between them.
+/// Diameters at the ends of a row, from its neighbours.
 void meetNeighbours(const ShaftRows& rows, std::size_t row, ShaftSegment& made)
 {
     const double own = (rows[row].start_diameter_mm + rows[row].end_diameter_mm) / 2;
@@ -82,7 +82,7 @@ void makeGroove(const ShaftRows& rows, std::size_t row, ShaftSegment& made)
     if (row > 0) edge = std::min(edge, rows[row - 1].end_diameter_mm);
     if (row + 1 < rows.size()) edge = std::min(edge, rows[row + 1].start_diameter_mm);
     double bottom = std::min(made.start_diameter_mm, made.end_diameter_mm);
-    if (bottom > edge - same_mm) bottom = edge - std::min(2 * kGrooveDepth * made.length_mm, edge / 4);
+    if (bottom > edge - same_mm) bottom = edge - std::min(2 * grooveDepthShare * made.length_mm, edge / 4);
     made.start_diameter_mm = made.end_diameter_mm = bottom;
 }
 
@@ -98,7 +98,7 @@ bool isMinorRow(const ShaftSegment& row)
     for (const char* minor : {"chamfer", "fillet", "edge_round", "groove", "undercut"})
         if (row.role == minor) return true;
     return row.role.empty() && !isCylinder(row) &&
-           row.length_mm <= kMinorShare * std::max(row.start_diameter_mm, row.end_diameter_mm);
+           row.length_mm <= minorLengthShare * std::max(row.start_diameter_mm, row.end_diameter_mm);
 }
 
 double startOf_mm(const ShaftRows& rows, std::size_t row)
@@ -110,7 +110,7 @@ double startOf_mm(const ShaftRows& rows, std::size_t row)
 
 ShaftRows deleteRow(ShaftRows rows, std::size_t row, KeepAfter keep)
 {
-    if (keep == KeepAfter::Places) rows[heirOf(rows, row)].length_mm += rows[row].length_mm;
+    if (keep == KeepAfter::Places) rows[rowToLengthen(rows, row)].length_mm += rows[row].length_mm;
     rows.erase(rows.begin() + at(row));
     return rows;
 }
@@ -185,7 +185,7 @@ ShaftRows changeForm(ShaftRows rows, std::size_t row, RowForm form)
         if (isCylinder(rows[row])) meetNeighbours(rows, row, made);
         if (isCylinder(made)) {
             const double leg = 2 * made.length_mm;
-            fall(rows, row, form == RowForm::Cone ? kSlope * made.length_mm : leg, made);
+            fall(rows, row, form == RowForm::Cone ? openConeSlope * made.length_mm : leg, made);
         }
         if (form == RowForm::Chamfer) made.role = "chamfer";
         const double chord = std::hypot(made.length_mm, (made.end_diameter_mm - made.start_diameter_mm) / 2);

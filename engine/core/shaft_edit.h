@@ -1,9 +1,9 @@
-// Edits of the outside of a shaft, row by row, as a person makes them in a drawing: values in, values out.
+// Edits of the outside of a shaft, row by row, as made by hand in a drawing: values in, values out.
 //
 // Rows count from 0, from the free end. A row is minor when it only breaks or rounds an edge, or is a groove or an
-// undercut: it goes with its neighbour and takes its length from it. Sizes are in shaft_sizes.h.
+// undercut: it moves with its neighbour, from which its length is taken. Sizes are in shaft_sizes.h.
 //
-// None of these checks the whole shaft (shaft_rules.h); what an edit makes of an odd shaft may be refused there.
+// None of these checks the whole shaft: call checkShaft() (shaft_rules.h) on the result.
 #pragma once
 
 #include <cmath>
@@ -24,13 +24,13 @@ inline bool isSameSize(double a_mm, double b_mm)
     return std::abs(a_mm - b_mm) < same_mm;
 }
 
-/// What stays of the rows after an edited one.
+/// Quantity of the following rows that an edit preserves.
 enum class KeepAfter : std::uint8_t {
     Places,   ///< their z: the next row that is not minor takes the difference (lengths from one datum)
     Lengths,  ///< their lengths: they move along (a chain of lengths)
 };
 
-/// What a row can be made.
+/// Forms for changeForm().
 enum class RowForm : std::uint8_t { Cylinder, Cone, Chamfer, Round, Fillet, Groove };
 
 /// By its role; without one, a cone or an arc no longer than 15 % of its larger diameter.

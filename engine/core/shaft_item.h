@@ -13,7 +13,7 @@ inline constexpr const char* shaftItem = "shaft";  ///< kind of the item
 /// What a shaft was recovered from, kept with the item for title blocks. Beside the keys of the shaft.
 struct RecoveredFrom {
     std::string scan;         ///< name of the file
-    std::string scan_sha256;  ///< of its content
+    std::string scan_sha256;  ///< of its content, lower-case hexadecimal
     std::string method;       ///< of the recognition: "robust"
     friend bool operator==(const RecoveredFrom&, const RecoveredFrom&) = default;
 };

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kShort_mm = 0.05;
-constexpr double kThin_mm = 0.01;
-constexpr double kTouching = 1 + 1e-9;  // a half round: its chord is twice its radius
+constexpr double shortRow_mm = 0.05;
+constexpr double thinWall_mm = 0.01;
+constexpr double touchingRatio = 1 + 1e-9;  // a half round: its chord is twice its radius
 
 const Text outside = LT_TEXT("Engine", "outside");
 const Text freeBore = LT_TEXT("Engine", "bore from the free end");
@@ -72,11 +72,11 @@ void checkContourRows(const std::vector<Segment>& rows, Text contour, bool bore,
             const double chord = std::hypot(row.length_mm, (row.end_diameter_mm - row.start_diameter_mm) / 2);
             if (!std::isfinite(*row.arc_radius_mm) || *row.arc_radius_mm == 0)
                 refuseRow(i, contour, radius, *row.arc_radius_mm, LT_TEXT("Engine", "a finite number that is not 0"));
-            if (std::abs(*row.arc_radius_mm) * 2 * kTouching < chord)
+            if (std::abs(*row.arc_radius_mm) * 2 * touchingRatio < chord)
                 refuseRow(i, contour, radius, *row.arc_radius_mm,
                           LT_TEXT("Engine", "at least half the distance between the ends of the row"));
         }
-        if (row.length_mm > 0 && row.length_mm < kShort_mm)
+        if (row.length_mm > 0 && row.length_mm < shortRow_mm)
             notes.push_back(
                 {notes::shaftRowShort,
                  {{"row", static_cast<std::int64_t>(i + 1)}, {"contour", contour}, {"length_mm", row.length_mm}}});
@@ -152,7 +152,7 @@ void checkCrossings(const Shaft& shaft, const Contour& contour)
         }
 }
 
-/// The thinnest wall between outside and bores, looked for at the ends and middles of pieces.
+/// The thinnest wall between outside and bores, evaluated at the ends and middles of pieces.
 void remarkThinWall(const Contour& contour, Notes& notes)
 {
     double wall_mm = std::numeric_limits<double>::infinity(), z_mm = 0;
@@ -177,7 +177,7 @@ void remarkThinWall(const Contour& contour, Notes& notes)
             }
         }
     }
-    if (wall_mm < kThin_mm) notes.push_back({notes::shaftWallThin, {{"wall_mm", wall_mm}, {"z_mm", z_mm}}});
+    if (wall_mm < thinWall_mm) notes.push_back({notes::shaftWallThin, {{"wall_mm", wall_mm}, {"z_mm", z_mm}}});
 }
 
 void remarkMarks(const Shaft& shaft, Notes& notes)

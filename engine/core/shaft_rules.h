@@ -1,4 +1,4 @@
-// The rules that the definition of a shaft keeps, each with the row that breaks it.
+// Validity rules of a shaft; errors name the row that violates them.
 #pragma once
 
 #include "engine/core/error.h"

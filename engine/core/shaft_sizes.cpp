@@ -11,9 +11,9 @@
 namespace lathelier {
 namespace {
 
-constexpr double kQuarter = 1e-3;         // of the radius: how near an arc's legs are to a quarter's
-constexpr double kHalfRound = 1 + 1e-12;  // an arc's radius is no less than half its chord, rounding included
-constexpr double kSteepest_deg = 89.9;
+constexpr double quarterTolerance = 1e-3;     // of the radius: tolerance for an arc to be a quarter of a circle
+constexpr double halfRoundRatio = 1 + 1e-12;  // an arc's radius is no less than half its chord, rounding included
+constexpr double steepestCone_deg = 89.9;
 
 const Text sizeLength = LT_TEXT("Engine", "length");
 const Text sizeDiameter = LT_TEXT("Engine", "diameter");
@@ -37,21 +37,21 @@ void requirePositive(std::size_t row, Text quantity, double value)
 
 void requireAngle(std::size_t row, double angle_deg)
 {
-    if (!(angle_deg > 0 && angle_deg < kSteepest_deg))
+    if (!(angle_deg > 0 && angle_deg < steepestCone_deg))
         refuseSize(row, sizeAngle, angle_deg, LT_TEXT("Engine", "more than 0° and less than 90°"));
 }
 
-/// An arc whose ends moved apart keeps a radius that reaches both.
+/// Enlarges the radius of an arc to half its chord at least.
 void reachEnds(ShaftSegment& row)
 {
     if (!row.arc_radius_mm) return;
     const double chord = std::hypot(row.length_mm, (row.end_diameter_mm - row.start_diameter_mm) / 2);
-    const double least = chord / 2 * kHalfRound;
+    const double least = chord / 2 * halfRoundRatio;
     if (std::abs(*row.arc_radius_mm) < least) row.arc_radius_mm = std::copysign(least, *row.arc_radius_mm);
 }
 
-/// So much more on the diameter of what meets the changed end of `row` on one side.
-void carryOn(ShaftRows& rows, std::size_t row, bool before, double old_mm, double by_mm)
+/// Adds `by_mm` to the diameter of the neighbour that meets the changed end of `row`.
+void followDiameter(ShaftRows& rows, std::size_t row, bool before, double old_mm, double by_mm)
 {
     if (before ? row == 0 : row + 1 >= rows.size()) return;
     const std::size_t next = before ? row - 1 : row + 1;
@@ -67,13 +67,15 @@ void carryOn(ShaftRows& rows, std::size_t row, bool before, double old_mm, doubl
     reachEnds(neighbour);
 }
 
-/// Of one row, whatever is tied to it.
+/// Sets the diameter of one row, without tied rows.
 void setOne(ShaftRows& rows, std::size_t index, double diameter_mm, RowEnd end)
 {
     ShaftSegment& row = rows[index];
     const double old_start = row.start_diameter_mm, old_end = row.end_diameter_mm;
     const bool both = end == RowEnd::Both || isCylinder(row);
-    if (both && !isCylinder(row)) {  // a cone or an arc: its larger end is named, the other goes along
+    if (both &&
+        !isCylinder(
+            row)) {  // a cone or an arc: the diameter is that of its larger end; the other end is shifted equally
         const double by = diameter_mm - std::max(old_start, old_end);
         row.start_diameter_mm = old_start + by;
         row.end_diameter_mm = old_end + by;
@@ -85,8 +87,8 @@ void setOne(ShaftRows& rows, std::size_t index, double diameter_mm, RowEnd end)
     }
     reachEnds(row);
     if (isMinorRow(row)) return;
-    carryOn(rows, index, true, old_start, row.start_diameter_mm - old_start);
-    carryOn(rows, index, false, old_end, row.end_diameter_mm - old_end);
+    followDiameter(rows, index, true, old_start, row.start_diameter_mm - old_start);
+    followDiameter(rows, index, false, old_end, row.end_diameter_mm - old_end);
 }
 
 /// The longest of [first, last] that is not minor; else the longest.
@@ -107,14 +109,14 @@ void lengthen(ShaftRows& rows, std::size_t row, double by_mm)
     reachEnds(rows[row]);
 }
 
-/// Takes the difference from the first row behind `last` that is not minor; at the end of the part the part grows.
+/// Subtracts the difference from the first row behind `last` that is not minor; without one the part becomes longer.
 void holdPlaces(ShaftRows& rows, std::size_t last, double by_mm)
 {
     for (std::size_t i = last + 1; i < rows.size(); ++i)
         if (!isMinorRow(rows[i])) return lengthen(rows, i, -by_mm);
 }
 
-/// A minor row of another length: what it meets takes the difference, else the row that is no minor one beside it.
+/// Changes the length of a minor row at the cost of the neighbour that it meets, else of a neighbour that is not minor.
 void setMinorLength(ShaftRows& rows, std::size_t first, std::size_t last, double length_mm)
 {
     requirePositive(first, sizeLength, length_mm);
@@ -123,12 +125,12 @@ void setMinorLength(ShaftRows& rows, std::size_t first, std::size_t last, double
     const double by = length_mm - now;
     lengthen(rows, longestOf(rows, first, last), by);
     std::optional<std::size_t> giver;
-    const auto offer = [&](std::size_t i, bool meets) {
+    const auto considerRow = [&](std::size_t i, bool meets) {
         if (!isMinorRow(rows[i]) && (!giver || meets)) giver = i;
     };
     if (last + 1 < rows.size())
-        offer(last + 1, isSameSize(rows[last].end_diameter_mm, rows[last + 1].start_diameter_mm));
-    if (first > 0) offer(first - 1, isSameSize(rows[first].start_diameter_mm, rows[first - 1].end_diameter_mm));
+        considerRow(last + 1, isSameSize(rows[last].end_diameter_mm, rows[last + 1].start_diameter_mm));
+    if (first > 0) considerRow(first - 1, isSameSize(rows[first].start_diameter_mm, rows[first - 1].end_diameter_mm));
     if (giver) lengthen(rows, *giver, -by);
 }
 
@@ -142,8 +144,8 @@ bool meetsAfter(const ShaftRows& rows, std::size_t row)
     return row + 1 < rows.size() && isSameSize(rows[row].end_diameter_mm, rows[row + 1].start_diameter_mm);
 }
 
-/// The end that stays while the other is `by_mm` of diameter away from it, on the side where it is now.
-void holdOneEnd(ShaftRows& rows, std::size_t index, double by_mm)
+/// Keeps one end and places the other at a diameter difference of `by_mm`, with its present sign.
+void keepMeetingEnd(ShaftRows& rows, std::size_t index, double by_mm)
 {
     ShaftSegment& row = rows[index];
     const bool rises = row.end_diameter_mm >= row.start_diameter_mm;
@@ -199,7 +201,7 @@ ShaftRows setChamfer(ShaftRows rows, std::size_t row, double leg_mm, double angl
 {
     requireAngle(row, angle_deg);
     setMinorLength(rows, row, row, leg_mm);
-    holdOneEnd(rows, row, 2 * leg_mm * std::tan(angle_deg * std::numbers::pi / 180));
+    keepMeetingEnd(rows, row, 2 * leg_mm * std::tan(angle_deg * std::numbers::pi / 180));
     return rows;
 }
 
@@ -219,13 +221,13 @@ ShaftRows setArcRadius(ShaftRows rows, std::size_t row, double radius_mm)
     requirePositive(row, sizeRadius, radius_mm);
     ShaftSegment& arc = rows[row];
     const double now = std::abs(arc.arc_radius_mm.value_or(0));
-    const double rise = std::abs(arc.end_diameter_mm - arc.start_diameter_mm) / 2, off = kQuarter * now;
+    const double rise = std::abs(arc.end_diameter_mm - arc.start_diameter_mm) / 2, off = quarterTolerance * now;
     const bool quarter = std::abs(arc.length_mm - now) <= off && std::abs(rise - now) <= off;
     arc.arc_radius_mm = std::copysign(radius_mm, arc.arc_radius_mm.value_or(1));
     if (quarter) {
         const double kept = *arc.arc_radius_mm;
         setMinorLength(rows, row, row, radius_mm);
-        holdOneEnd(rows, row, 2 * radius_mm);
+        keepMeetingEnd(rows, row, 2 * radius_mm);
         rows[row].arc_radius_mm = kept;
     }
     reachEnds(rows[row]);
@@ -245,7 +247,7 @@ ShaftRows setGroove(ShaftRows rows, std::size_t first, std::size_t last, double 
             const double by = bottom_mm - now;
             rows[i].start_diameter_mm += by;
             rows[i].end_diameter_mm += by;
-        } else {  // a flank: the end at the bottom goes along
+        } else {  // a flank: its lower end follows the bottom
             for (double* end : {&rows[i].start_diameter_mm, &rows[i].end_diameter_mm})
                 if (isSameSize(*end, now)) *end = bottom_mm;
             reachEnds(rows[i]);

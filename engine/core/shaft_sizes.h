@@ -1,4 +1,4 @@
-// Sizes of a shaft's rows, set one by one with what their neighbours have to follow: values in, values out.
+// Sets single sizes of a shaft's rows and adapts the neighbours: values in, values out.
 //
 // A cone or an arc that meets a cylinder without a shoulder follows its diameter: with its whole width where it is
 // minor and free on its other side (a chamfer keeps its leg and its angle), else with the end that meets it. Rows whose
@@ -18,8 +18,8 @@ namespace lathelier {
 /// Which end of a row a diameter is set at.
 enum class RowEnd : std::uint8_t { Both, Start, End };
 
-/// Diameter of the row, of the rows tied to it, and of what meets them. RowEnd::Start, End: of that end alone, where
-/// the row is no cylinder.
+/// Diameter of the row, of the rows tied to it, and of the neighbours that meet them. RowEnd::Start, End: of that end
+/// alone, where the row is no cylinder.
 ShaftRows setDiameter(ShaftRows rows, std::size_t row, double diameter_mm, RowEnd end = RowEnd::Both);
 
 /// Length from the start of `first` to the end of `last`: the longest of them that is not minor takes the difference.
@@ -46,7 +46,7 @@ ShaftRows setGroove(ShaftRows rows, std::size_t first, std::size_t last, double 
 /// either are tied to both. Error shaftRowWrong: one of them is no cylinder.
 ShaftRows tieDiameters(ShaftRows rows, std::size_t row, std::size_t other);
 
-/// Sets the row free; where one other row is left of its tie, that one too.
+/// Unties the row; a single remaining row of the tie is untied too.
 ShaftRows untieDiameter(ShaftRows rows, std::size_t row);
 
 /// Numbers (from 0) of the other rows that share the row's diameter.
@@ -56,8 +56,8 @@ std::vector<std::size_t> tiedTo(const ShaftRows& rows, std::size_t row);
 /// Where the number of rows differs, `after` as it is.
 ShaftRows followTies(const ShaftRows& before, ShaftRows after);
 
-/// `after` with what was measured kept in MeasuredSize of each row that was edited and had none: the values of `before`
-/// are measured ones. Where the number of rows differs, `after` as it is.
+/// `after` with MeasuredSize filled from `before` (whose values are measured) for each edited row that has none. Where
+/// the number of rows differs, `after` as it is.
 ShaftRows keepMeasured(const ShaftRows& before, ShaftRows after);
 
 }  // namespace lathelier

@@ -1,4 +1,4 @@
-// A row of the table of steps that a published method prints: a cylinder with its chamfers folded in.
+// A row of the step table of the published method: a cylinder including its chamfers.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace lathelier {
 
 struct ShaftStep {
-    double x_mm = 0, y_mm = 0;            ///< of its centre; 0 on the axis of a shaft
-    double radius_mm = 0;                 ///< in mm
+    double x_mm = 0, y_mm = 0;  ///< of its centre; 0 on the axis of a shaft
+    double radius_mm = 0;
     double z_start_mm = 0, z_end_mm = 0;  ///< to the outer ends of its chamfers
     double chamfer_start_mm = 0;          ///< leg along z; 0: none
     double chamfer_end_mm = 0;            ///< leg along z

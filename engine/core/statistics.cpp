@@ -16,7 +16,7 @@ double median(std::vector<double> values)
 double studentQuantile(double probability, std::int64_t degrees_of_freedom)
 {
     if (degrees_of_freedom < 1) return std::numeric_limits<double>::quiet_NaN();
-    // In double precision: long double costs ten times as much and changes nothing that is shown.
+    // In double precision: long double takes ten times as long without visible effect.
     using Plain = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
     const boost::math::students_t_distribution<double, Plain> student(static_cast<double>(degrees_of_freedom));
     return quantile(student, probability);

@@ -8,8 +8,8 @@
 
 namespace lathelier {
 
-/// From the median absolute deviation of normal values to their standard deviation.
-inline constexpr double mad_to_sigma = 1.4826;
+/// Ratio of the standard deviation to the median absolute deviation of a normal distribution.
+inline constexpr double madToSigma = 1.4826;
 
 /// The value at rank floor(share · n) of `values`, share in 0…1, which are put into another order. NaN for no values.
 template <class T>

@@ -1,4 +1,4 @@
-// Text that a person will read, kept as data: an English literal marked for translation, never a built sentence.
+// Visible text as data: an English literal marked for translation, never a composed sentence.
 #pragma once
 
 #include <string_view>

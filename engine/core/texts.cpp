@@ -36,7 +36,7 @@ std::string place(const Values& values, const Language& language)
     return result;
 }
 
-/// The digits that can be meant of a number that was converted: 0.1 mm is 0.003937 in.
+/// Rounds a converted number to its significant digits: 0.1 mm is 0.003937 in.
 double readable(double converted)
 {
     if (converted == 0 || !std::isfinite(converted)) return converted;
@@ -127,7 +127,7 @@ std::string withUnits(std::string piece, const Lengths& lengths, const Language&
 }
 
 /// The value of a brace. Numbers of lengths as they are shown.
-std::string worded(const Value& value, const Brace& brace, const Lengths& lengths, const Language& language)
+std::string textOfBrace(const Value& value, const Brace& brace, const Lengths& lengths, const Language& language)
 {
     const double* const exact = std::get_if<double>(&value);
     if (!exact) return text(value, language);
@@ -226,9 +226,9 @@ std::string fill(const std::string& pattern, const Values& values, const Languag
     for (std::optional<Brace> brace; (brace = nextBrace(pattern, from)); from = brace->end) {
         append(from, brace->begin);
         const Value* value = find(values, brace->name);
-        const std::string word =
-            value ? worded(*value, *brace, lengths, language) : pattern.substr(brace->begin, brace->end - brace->begin);
-        if (word.empty() && result.ends_with(' ')) result.pop_back();  // a unit that there is none of
+        const std::string word = value ? textOfBrace(*value, *brace, lengths, language)
+                                       : pattern.substr(brace->begin, brace->end - brace->begin);
+        if (word.empty() && result.ends_with(' ')) result.pop_back();  // an empty value takes the blank before it away
         result += word;
     }
     append(from, pattern.size());

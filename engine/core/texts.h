@@ -14,15 +14,15 @@ namespace lathelier {
 inline constexpr Text millimetre = LT_TEXT("Engine", "mm");
 inline constexpr Text micrometre = LT_TEXT("Engine", "µm");
 
-/// A unit in which people read what the engine gives in another.
+/// A unit of presentation for values that the engine gives in another.
 struct ShownUnit {
     Text unit;              ///< "in"; empty: that of the engine
     double factor = 1;      ///< shown value = value of the engine × factor
-    int more_decimals = 0;  ///< than the value of the engine has, so that as much can be told apart
+    int more_decimals = 0;  ///< additional decimals, to keep the resolution
     friend bool operator==(const ShownUnit&, const ShownUnit&) = default;
 };
 
-/// How to speak: a translation of English literals, the look of numbers, units of length. Default: English, decimal
+/// Language of texts: translation of English literals, format of numbers, units of length. Default: English, decimal
 /// point, the engine's units.
 struct Language {
     std::function<std::string(const char* english)> translate = {};  ///< empty: as it is
@@ -32,7 +32,7 @@ struct Language {
     ShownUnit deviations_of_form = {};                               ///< of what the engine gives in µm
 };
 
-/// The unit in which `unit` is shown: another for "mm" and "µm" where the language asks for it, else itself.
+/// The unit in which `unit` is shown: another for "mm" and "µm" where the language has one, else itself.
 ShownUnit shownUnit(Text unit, const Language& language);
 
 /// `value`, which the engine gives in `unit`, with `decimals` places of it, as it is shown, without the unit. Empty

@@ -1,4 +1,4 @@
-// Units, factors between them, and tolerances of coordinates that every room speaks of.
+// Units, factors between them, and tolerances of coordinates for all rooms.
 #pragma once
 
 #include <limits>
@@ -14,12 +14,12 @@ inline constexpr double turn_rad = 2 * std::numbers::pi;
 inline constexpr double rad_per_deg = std::numbers::pi / 180;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
-/// A number that does not exist: not measured, not defined.
+/// Marks a number as not measured or not defined.
 inline constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Sizes and places no further apart are the same: a thousandth of the finest step that drawings and programs state.
 inline constexpr double same_mm = 1e-6;
-/// Ends of lines and arcs no further apart meet: what rounding leaves of coordinates up to some metres.
+/// Ends of lines and arcs no further apart meet: the rounding of coordinates up to some metres.
 inline constexpr double meet_mm = 1e-9;
 
 /// Units as they are shown beside a number.

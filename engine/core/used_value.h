@@ -1,4 +1,4 @@
-// The values that an answer rests on, and where each came from: stated by the user, by a file, or assumed.
+// The parameter values of a result and their origin: given by the user, by a file, or assumed.
 #pragma once
 
 #include <optional>
@@ -12,13 +12,13 @@ namespace lathelier {
 
 enum class ValueOrigin { Given, File, Assumed };
 
-/// A parameter that the user may leave open, as it was used.
+/// A parameter with an optional value, as used.
 struct UsedValue {
-    std::string key;                            ///< of the parameter, as in fields()
-    Text label;                                 ///< of the parameter
-    Value value;                                ///< what was used
-    Text unit;                                  ///< of the value; empty: none
-    ValueOrigin origin = ValueOrigin::Assumed;  ///< who said so
+    std::string key;  ///< of the parameter, as in fields()
+    Text label;       ///< of the parameter, FieldInfo::label
+    Value value;
+    Text unit;  ///< of the value; empty: none
+    ValueOrigin origin = ValueOrigin::Assumed;
 
     friend bool operator==(const UsedValue&, const UsedValue&) = default;
 };
@@ -28,8 +28,8 @@ using UsedValues = std::vector<UsedValue>;
 /// Adds the parameter described by `info`; what is in the list already is not repeated.
 void addUsed(UsedValues& used, const FieldInfo& info, const Value& value, ValueOrigin origin);
 
-/// Takes the value of parameter `key` of P: the given one, else that of the file, else the assumed one, and writes down
-/// which it was.
+/// Takes the value of parameter `key` of P: the given one, else that of the file, else the assumed one, and records the
+/// origin.
 template <class P, class T>
 T resolve(UsedValues& used, std::string_view key, const std::optional<std::type_identity_t<T>>& given,
           const std::optional<std::type_identity_t<T>>& in_file, const T& assumed)

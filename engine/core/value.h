@@ -1,4 +1,4 @@
-// Named values: what errors, notes, parameters and reports carry instead of finished sentences.
+// Named values for errors, notes, parameters and reports; sentences are made from them later (texts.h).
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct Row;
 
 /// The rows of a table, each with the same names: the segments of a shaft, the rods of a measurement.
 struct Rows {
-    std::vector<Row> rows;  ///< in order
+    std::vector<Row> rows;
     friend bool operator==(const Rows& a, const Rows& b);
 };
 

@@ -1,5 +1,5 @@
-// What "Verify installation" can check of a room: reference data with known answers, and how far off this program is on
-// this computer. A room describes its checks; engine/verify collects them.
+// Checks of "Verify installation": reference data with known results, and the deviation of this program on this
+// computer. A room describes its checks; engine/verify collects them.
 #pragma once
 
 #include <cmath>
@@ -45,7 +45,7 @@ public:
     void compare(double found, double expected) { take(std::abs(found - expected)); }
     void take(double deviation)
     {
-        // Once it is no number it stays so, and fails.
+        // NaN is kept, and fails.
         if (std::isnan(kind_.largest_deviation)) return;
         if (!(deviation <= kind_.largest_deviation)) kind_.largest_deviation = deviation;
     }

@@ -1,4 +1,4 @@
-// Text of unknown origin, made safe to show: what would hide, turn round or move other text becomes visible.
+// Text of unknown origin, made safe to show: control and direction characters are replaced by visible codes.
 #pragma once
 
 #include <string>

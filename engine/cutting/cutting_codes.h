@@ -1,5 +1,5 @@
-// What cutting forces refuse: codes with their English patterns. {name} is replaced by the named value; text() puts
-// path, line, column and byte in front, so patterns do not repeat them.
+// Errors of cutting forces: codes with their English patterns. {name} is replaced by the named value; text() puts path,
+// line, column and byte in front, so patterns do not repeat them.
 #pragma once
 
 #include "engine/core/error.h"

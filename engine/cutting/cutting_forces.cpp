@@ -8,7 +8,7 @@
 namespace lathelier::cutting {
 namespace {
 
-constexpr double leastEntering_deg = 1;  ///< a flatter edge only rubs
+constexpr double leastEntering_deg = 1;  ///< smallest effective entering angle; a flatter edge rubs
 constexpr double largestEntering_deg = 179;
 
 Label required(Text name, Text help, Text unit)
@@ -107,7 +107,7 @@ Chip CuttingEdge::chipAt(double depth_mm) const
     const double along = forward_mm + feed_mm_ / 2;
     const double outward = depth_mm - scallop_mm_;
     const double chord_mm = std::sqrt(along * along + outward * outward);
-    // The chip flows across the chord: what lies along the chord's height pushes along the feed.
+    // The chip flows perpendicular to the chord, so the height of the chord gives the feed component.
     chip.along_feed = outward / chord_mm;
     chip.across_feed = along / chord_mm;
     chip.area_mm2 = feed_mm_ * depth_mm - cusp_mm2_;

@@ -1,10 +1,12 @@
 // Cutting forces in longitudinal turning with a corner radius: mechanistic coefficients (Y. Altintas, Manufacturing
 // Automation, ch. 2) over the contact length, direction of the chip by L. V. Colwell (Predicting the angle of chip flow
-// for single-point cutting tools, Trans. ASME 76 (1954) 199): across the chord that joins the ends of the edge in cut.
+// for single-point cutting tools, Trans. ASME 76 (1954) 199): perpendicular to the chord that joins the ends of the
+// edge in cut.
 //
 // Plane of the edge: u along the feed, h outward from the deepest point of the corner, whose centre is at (0, r). The
 // edge leaves the corner at the entering angle κ = 90° - lead angle from the feed, at the height lim = r (1 - cos κ).
-// With depth a and feed f the edge in cut runs from D, where it meets the corner as it stood a revolution ago, to A:
+// With depth a and feed f the edge in cut runs from D, its intersection with the corner of the previous revolution, to
+// A:
 //   D = (-f/2, r - √(r² - f²/4))
 //   A = (r sin κ + L cos κ, a),  L = (a - lim)/sin κ         where a ≥ lim
 //   A = (√(r² - (r - a)²), a)                                where a < lim
@@ -13,7 +15,7 @@
 // straight a/sin κ. Chip area b·h: f a less the scallop f r - (f/4) √(4r² - f²) - r² asin(f/2r), exact; straight f a.
 // Forces: F_t = K_tc b h + K_te b, F_rf = K_rfc b h + K_rfe b.
 //
-// F_ap does not grow with the depth throughout: beyond the corner the chip turns toward the feed.
+// F_ap is not monotonic in the depth: beyond the corner the chip flow turns toward the feed.
 #pragma once
 
 #include <optional>
@@ -23,8 +25,8 @@
 
 namespace lathelier::cutting {
 
-/// Of a pair of work material and insert. Cutting (c) by chip area, edge (e) by contact length; tangential (t) and, in
-/// the plane of the rake face, along the flow of the chip (rf).
+/// Coefficients of a pair of workpiece material and insert. Cutting (c) by chip area, edge (e) by contact length;
+/// tangential (t) and, in the plane of the rake face, along the flow of the chip (rf).
 struct CuttingCoefficients {
     double K_tc_N_mm2 = 0;   ///< tangential, by area
     double K_te_N_mm = 0;    ///< tangential, by length of edge
@@ -33,15 +35,15 @@ struct CuttingCoefficients {
     friend bool operator==(const CuttingCoefficients&, const CuttingCoefficients&) = default;
 };
 
-/// The part of an insert that cuts.
+/// Geometry of the cutting corner of an insert.
 struct ToolGeometry {
     double lead_angle_deg = 0;                 ///< κ = 90° - lead angle: -5° enters at 95°
     double corner_radius_mm = 0;               ///< r
-    std::optional<double> tip_angle_deg = {};  ///< ε (ISO 1832): no force depends on it, its outline does
+    std::optional<double> tip_angle_deg = {};  ///< ε (ISO 1832): used for its outline, not for forces
     friend bool operator==(const ToolGeometry&, const ToolGeometry&) = default;
 };
 
-/// What counts as the length of the edge in cut.
+/// Definition of the length of the edge in cut.
 enum class ContactLength { Arc, Chord, Straight };
 
 const std::vector<Field<CuttingCoefficients>>& fieldsOf(const CuttingCoefficients*);
@@ -49,40 +51,40 @@ const std::vector<Field<ToolGeometry>>& fieldsOf(const ToolGeometry*);
 /// The choices of ContactLength, for the structs that have one.
 const std::vector<FieldChoice>& contactLengthChoices();
 
-/// What the edge takes off.
+/// Uncut chip.
 struct Chip {
     double contact_mm = 0;     ///< b
     double area_mm2 = 0;       ///< b·h
     double along_feed = 0;     ///< cos Ω
     double across_feed = 0;    ///< sin Ω
-    bool is_cut = false;       ///< false: no deeper than the scallop, no force
+    bool is_cut = false;       ///< false: depth within the scallop, no force
     double flowAngle() const;  ///< Ω in rad, from the direction of the feed
 };
 
-/// Sizes of the forces on the tool: the work feels their opposites.
+/// Magnitudes of the forces on the tool; the forces on the workpiece are opposite.
 struct CuttingForces {
     double F_t_N = 0;   ///< along the cutting speed
     double F_f_N = 0;   ///< against the feed
-    double F_ap_N = 0;  ///< outward, out of the work
+    double F_ap_N = 0;  ///< radially outward from the workpiece
 };
 
 /// An edge at one feed.
 class CuttingEdge {
 public:
-    CuttingEdge() = default;  ///< cuts nothing
-    /// `turned_rad`: the feed is turned outward by so much from the axis, which opens κ by as much less; depths are
-    /// then across the feed. Errors feedMissing, feedBeyondCorner, edgeCannotEnter.
+    CuttingEdge() = default;  ///< an edge without forces
+    /// `turned_rad`: angle of the feed direction outward from the axis, which reduces κ; depths are then normal to the
+    /// feed. Errors feedMissing, feedBeyondCorner, edgeCannotEnter.
     CuttingEdge(const ToolGeometry& tool, double feed_mm_rev, ContactLength contact, double turned_rad = 0);
 
     /// Height of the scallop that the corner leaves, r - √(r² - f²/4): no force at this depth or less.
     double scallop_mm() const { return scallop_mm_; }
 
-    /// Of a depth across the feed. A few square roots and, within the corner, one arc cosine.
+    /// Chip at a depth normal to the feed. A few square roots and, within the corner, one arc cosine.
     Chip chipAt(double depth_mm) const;
 
 private:
     double feed_mm_ = 0, radius_mm_ = 0;
-    double sin_ = 1, cos_ = 0;  ///< of κ
+    double sin_ = 1, cos_ = 0;  ///< sine and cosine of κ
     double corner_mm_ = 0;      ///< lim
     double scallop_mm_ = 0;
     double trailing_mm_ = 0;  ///< arc behind the deepest point, r asin(f/2r)

@@ -1,6 +1,5 @@
-// A library of inserts on common holders, to begin with. File as io::readLibrary(): "inserts" with the fields of
-// ToolGeometry. What an insert is made of is no part of it: cutting coefficients belong to the pair of material and
-// insert, and stay where they are stated.
+// Built-in library of inserts on common holders. File as io::readLibrary(): "inserts" with the fields of ToolGeometry.
+// It holds no cutting coefficients, which belong to the pair of material and insert.
 #pragma once
 
 #include <string>

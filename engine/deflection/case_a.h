@@ -1,5 +1,5 @@
-// The worked example that everything in this room is checked by: case A of G. Grossi et al., "A digital solution for
-// slender workpiece turning: the DRITTO project", a bar of 34 mm turned to 28 mm between chuck and tailstock.
+// Reference example of this room: case A of G. Grossi et al., "A digital solution for slender workpiece turning: the
+// DRITTO project", a bar of 34 mm turned to 28 mm between chuck and tailstock.
 #pragma once
 
 #include "engine/core/shaft.h"
@@ -7,7 +7,7 @@
 
 namespace lathelier::deflection {
 
-/// Its tables 1 and 2; without the path of a stock.
+/// Set-up of its tables 1 and 2, without stock file.
 TurningSetup caseASetup();
 
 Shaft caseAStock();

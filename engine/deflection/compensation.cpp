@@ -10,10 +10,11 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr double acceptedShare = 0.97;  ///< of the tolerance, at the nodes: between them the error is a little larger
-constexpr int mostTrials = 6;           ///< each with lines nearer to what is wanted
+constexpr double acceptedShare =
+    0.97;  ///< share of the tolerance accepted at the nodes, as the error between them is slightly larger
+constexpr int mostTrials = 6;  ///< each with a smaller contour tolerance
 
-/// Which runs leave a part of the final contour.
+/// Runs that generate part of the final contour.
 std::vector<bool> finishing(const WorkPlan& plan, const TurningSetup& setup)
 {
     TurningWork work(plan, setup);
@@ -38,7 +39,7 @@ double largestOff_um(const CutPlan& asked, std::span<const Station> stations)
     return um_per_mm_of_diameter * largest_mm;
 }
 
-/// Corrects one run and takes it off the work.
+/// Corrects one run and removes it from the workpiece.
 WrittenRun correct(const WorkPlan& plan, const CutPlan& cut, std::span<const Station> ideal,
                    const CompensationParameters& parameters, TurningWork& work)
 {
@@ -129,8 +130,8 @@ ComparedPlans comparedPlans(const Shaft& stock, std::span<const ToolRun> program
     return plans;
 }
 
-void judgeWritten(const Shaft& stock, std::span<const ToolRun> programmed, std::span<const ToolRun> written,
-                  CompensationResult& result)
+void evaluateWritten(const Shaft& stock, std::span<const ToolRun> programmed, std::span<const ToolRun> written,
+                     CompensationResult& result)
 {
     const TurningSetup& setup = result.before.setup;
     const ComparedPlans plans = comparedPlans(stock, programmed, written, setup);
@@ -217,7 +218,7 @@ CompensationResult compensate(const Shaft& stock, std::span<const ToolRun> runs,
     originals.reserve(plan.cuts.size());
     for (const CutPlan& cut : plan.cuts) originals.push_back(cut.run);
     progress.report(0.8);
-    judgeWritten(stock, originals, result.written, result);
+    evaluateWritten(stock, originals, result.written, result);
     if (result.largest_correction_um < 0)
         result.notes.push_back({notes::correctionCutsDeeper, {{"correction_um", -result.largest_correction_um}}});
     progress.report(1);

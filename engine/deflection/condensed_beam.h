@@ -1,8 +1,8 @@
-// A beam on springs seen from one node: 2×2 stiffness of all that lies to its left, and to its right.
+// A beam on springs condensed to one node: 2×2 stiffness of everything to its left and to its right.
 //
-// A shaft in bending is a row of short uniform pieces of Timoshenko's beam (sections and shear coefficient of
-// engine/beam). What lies on one side of a node acts on it as a stiffness S over (w, θ), θ = dw/dz. It passes on to the
-// far end of the next piece in two parts: a rigid lever, S_r = Bᵀ S B with B = [[1, ∓h], [0, 1]], in series with the
+// A shaft in bending is a chain of short uniform Timoshenko beam elements (sections and shear coefficient of
+// engine/beam). The structure on one side of a node acts on it as a stiffness S over (w, θ), θ = dw/dz. Its transfer
+// over the next piece has two parts: a rigid lever, S_r = Bᵀ S B with B = [[1, ∓h], [0, 1]], in series with the
 // flexibility of the piece held at its near end,
 //   F = [[h³/3EI + h/κGA, ±h²/2EI], [±h²/2EI, h/EI]]      (upper sign: away from the free end)
 //   S' = (S_r⁻¹ + F)⁻¹ = (S_r + det S_r · adj F) / (1 + tr(S_r F) + det S_r · det F)
@@ -47,7 +47,7 @@ inline Motion2 times(const Symmetric2& s, const Motion2& v)
     return {s.ww * v.w + s.wt * v.t, s.wt * v.w + s.tt * v.t};
 }
 
-/// What bends.
+/// Material constants in bending.
 struct Elasticity {
     double elastic_modulus_MPa = 0;  ///< E
     double shear_modulus_MPa = 0;    ///< G
@@ -85,7 +85,7 @@ inline Symmetric2 onLever(const Symmetric2& s, double toward_mm)
     return {s.ww, wt, s.tt - toward_mm * (s.wt + wt)};
 }
 
-/// In series with a flexibility.
+/// Series connection with a flexibility.
 inline Symmetric2 inSeries(const Symmetric2& s, const Symmetric2& f)
 {
     const double size = s.determinant();
@@ -113,7 +113,7 @@ inline Motion2 motionBefore(const Symmetric2& s, const Symmetric2& f, double len
     return {after.w - bent.w - length_mm * t, t};
 }
 
-/// Motion of the node after, likewise.
+/// Motion of the node after, from that of the node before.
 inline Motion2 motionAfter(const Symmetric2& s, const Symmetric2& f, double length_mm, const Motion2& before)
 {
     const Motion2 bent = times({f.ww, -f.wt, f.tt}, times(s, before));

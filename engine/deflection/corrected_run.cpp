@@ -11,7 +11,7 @@
 namespace lathelier::deflection {
 namespace {
 
-/// Works through one run. Sides of a node: 0 toward the piece before it, 1 toward the piece behind.
+/// Corrects one run. Sides of a node: 0 toward the piece before it, 1 toward the piece after.
 class RunWriter {
 public:
     RunWriter(const WorkPlan& plan, const TurningWork& before, const CutPlan& cut, std::span<const Station> ideal,
@@ -25,9 +25,9 @@ public:
             const CutPiece& piece = cut.pieces[i];
             const std::size_t k = cut.first + i;
             const bool starts_in = before.outerStart_mm()[k] - piece.start_mm > noDepth_mm;
-            if (starts_in && !wanted_[1][i]) wanted_[1][i] = wanted_[0][i];  // one station for both sides
+            if (starts_in && !wanted_[1][i]) wanted_[1][i] = wanted_[0][i];  // one station represents both sides
             const bool ends_in = before.outerEnd_mm()[k] - piece.end_mm > noDepth_mm;
-            // The cut begins or ends within the piece: nothing to correct at its end in air.
+            // The cut begins or ends within the piece: its end in air is not corrected.
             if (starts_in && !ends_in) wanted_[0][i + 1] = inAir(z(i + 1), piece.end_mm);
             if (!starts_in && ends_in) wanted_[1][i] = inAir(z(i), piece.start_mm);
         }
@@ -53,7 +53,7 @@ public:
 
 private:
     bool isMaterial(std::size_t piece) const { return wanted_[1][piece] && wanted_[0][piece + 1]; }
-    /// A shoulder, or a place where another feed begins, which bends the work by another amount.
+    /// True at a shoulder or a change of feed, where the deflection jumps.
     bool isShoulder(std::size_t node) const
     {
         if (node == 0 || node == count_) return false;
@@ -61,7 +61,7 @@ private:
         const Station *before = wanted_[0][node], *behind = wanted_[1][node];
         return before && behind && std::abs(before->x_mm - behind->x_mm) > tolerance_mm_;
     }
-    /// An arc of which a part cuts is replaced from its start to its end: the part in air keeps its shape.
+    /// A partly cutting arc is replaced over its whole length; its part in air keeps its shape.
     void takeArcsWhole()
     {
         for (std::size_t i = 0; i < count_;) {
@@ -90,7 +90,7 @@ private:
     }
     double z(std::size_t node) const { return plan_.z_mm[cut_.first + node]; }
 
-    /// Of a stretch of straight pieces in material, between nodes `from` and `to`.
+    /// Chooses the corners of a stretch of straight pieces in material, between nodes `from` and `to`.
     void chooseCorners(std::size_t from, std::size_t to)
     {
         std::vector<WantedPlace> places;
@@ -110,7 +110,7 @@ private:
         }
     }
 
-    /// The contour between the corners; in air as it was.
+    /// Interpolates the contour between the corners; unchanged in air.
     void fillContour()
     {
         written_.cut = cut_;
@@ -148,7 +148,7 @@ private:
         written_.nodes.push_back(node);
     }
 
-    /// `point`: of the original, where a block ends there.
+    /// `point`: end of the original block there; null: none.
     void emitCorner(std::size_t at, int side, const PathPoint* point)
     {
         const CutPiece& piece = cut_.pieces[side == 0 ? at - 1 : at];
@@ -171,7 +171,7 @@ private:
         written_.run.points.push_back({node.z_mm, node.x_mm, node.feed_mm_rev, node.line, true});
     }
 
-    /// z lies where straight blocks between corners replace what was there.
+    /// True if the original contour at z is replaced by straight blocks between corners.
     bool isReplaced(double z_mm) const
     {
         const auto after = std::upper_bound(plan_.z_mm.begin(), plan_.z_mm.end(), z_mm);
@@ -199,7 +199,7 @@ private:
         emitBefore(HUGE_VAL);
     }
 
-    /// What stands at one node: corners of both sides, and the original's points there.
+    /// Emits the corners of both sides of a node and the original points there.
     void emitNode(std::size_t i, const std::vector<PathPoint>& here)
     {
         const bool before = !std::isnan(corner_mm_[0][i]), behind = !std::isnan(corner_mm_[1][i]);
@@ -221,10 +221,10 @@ private:
     const CutPlan& cut_;
     double grid_mm_, tolerance_mm_;
     std::size_t count_;
-    std::vector<const Station*> wanted_[2];  ///< by side, of the nodes
-    std::deque<Station> made_;               ///< beside those that came
-    std::vector<double> corner_mm_[2];       ///< likewise; NaN: none
-    std::vector<bool> filled_;               ///< of the pieces: replaced
+    std::vector<const Station*> wanted_[2];  ///< target stations of the nodes by side; null: none
+    std::deque<Station> made_;               ///< stations generated here
+    std::vector<double> corner_mm_[2];       ///< corner radius by side; NaN: none
+    std::vector<bool> filled_;               ///< true for replaced pieces
     WrittenRun written_;
 };
 

@@ -10,7 +10,7 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr double clearSlope_rad =
-    5 / deg_per_rad;  ///< forces on a flatter slope are those of a cylinder within a few %
+    5 / deg_per_rad;  ///< on flatter slopes the forces differ from those of a cylinder by a few %
 constexpr double largeDeflection_mm = 0.3;
 
 void noteMoves(const WorkPlan& plan, const CutPlan& cut, const TurningWork& work, Notes& notes)
@@ -19,7 +19,7 @@ void noteMoves(const WorkPlan& plan, const CutPlan& cut, const TurningWork& work
         const PathPoint& end = cut.run.points.back();
         const std::size_t piece = std::min(cut.first, plan.pieces() - 1);
         const bool meets = std::max(work.outerStart_mm()[piece], work.outerEnd_mm()[piece]) - end.x_mm > 1e-9;
-        // At an end of the work the tool faces it, beside the stock.
+        // At an end of the workpiece the tool is outside the stock.
         if (end.z_mm > 1e-6 && end.z_mm < plan.length_mm() && meets)
             notes.push_back({notes::plungeNotModelled, {{"line", end.line}, {"z_mm", end.z_mm}}});
         return;
@@ -105,7 +105,7 @@ void TargetContour::take(const CutPlan& contour, std::span<const Station> statio
     };
     for (const Station& s : stations) {
         is_cut(s.piece, s.at_start);
-        // One station stands for both sides of a node where nothing changes there.
+        // One station represents both sides of a node without a jump.
         if (!s.at_start && s.piece + 1 < contour.pieces.size() &&
             contour.pieces[s.piece + 1].start_mm == contour.pieces[s.piece].end_mm)
             is_cut(s.piece + 1, true);

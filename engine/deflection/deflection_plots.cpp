@@ -11,7 +11,7 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr double gapFactor = 4;  ///< a place so many usual steps away is beyond a gap
+constexpr double gapFactor = 4;  ///< points more than this many typical steps apart are separated by a gap
 
 report::Plot alongZ(Text title, Text quantity, Text unit)
 {
@@ -22,7 +22,7 @@ report::Plot alongZ(Text title, Text quantity, Text unit)
     return plot;
 }
 
-/// Broken where nothing is cut.
+/// Interrupted where the tool does not cut.
 report::Curve curveOf(report::Caption name, const std::vector<double>& z_mm, const std::vector<double>& values,
                       const std::vector<std::size_t>& gaps = {})
 {
@@ -60,7 +60,7 @@ report::Plot errorPlot(const DeflectionResult& result, const ErrorPlotParts& par
         band.style = report::Curve::Style::Band;
         band.y_low = parts.band->low_um;
         band.colour = report::ColourRole::Neutral;
-        band.spoken = false;
+        band.has_readout = false;
         plot.curves.push_back(std::move(band));
     }
     const bool several = result.passes.size() > 1;

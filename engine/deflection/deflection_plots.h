@@ -14,11 +14,11 @@
 
 namespace lathelier::deflection {
 
-/// What the chart of errors shows besides the passes.
+/// Optional parts of the error chart.
 struct ErrorPlotParts {
     const ErrorBand* band = nullptr;                  ///< 95 % of the final error
-    const CompensationResult* corrected = nullptr;    ///< the written program beside
-    std::optional<double> tolerance_um;               ///< to both sides
+    const CompensationResult* corrected = nullptr;    ///< error of the corrected program
+    std::optional<double> tolerance_um;               ///< symmetric limits ±
     std::span<const ComparedDiameter> measured = {};  ///< points
 };
 
@@ -37,10 +37,10 @@ report::Plot depthPlot(const DeflectionResult& result, const Language& language 
 /// The handle of shapePlot().
 inline constexpr const char* toolKey = "tool";
 
-/// The bent axis in both directions, with the tool as a handle to drag along z.
+/// The deflected axis in both directions, with the tool as a handle to drag along z.
 report::Plot shapePlot(const DeflectedShape& shape);
 
-/// What to program less what was programmed, on diameter, corner by corner.
+/// Correction on diameter at each corner.
 report::Plot correctionPlot(const CompensationResult& result, const Language& language = {});
 
 /// The feed that holds the tolerance, toward each place.

@@ -10,7 +10,7 @@
 namespace lathelier::deflection {
 namespace {
 
-/// At most so many changed blocks in the report; the rest is counted.
+/// Largest number of changed blocks listed in the report; further ones are counted.
 constexpr std::size_t mostChangesShown = 400;
 
 report::Table changesTable(const std::vector<ProgramChange>& changes, const Language& language)

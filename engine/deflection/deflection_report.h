@@ -7,7 +7,7 @@
 
 namespace lathelier::deflection {
 
-/// What the sheet holds besides the prediction.
+/// Optional parts of the sheet.
 struct ReportParts {
     const CorrectedProgram* corrected = nullptr;
     const ErrorBand* band = nullptr;
@@ -17,7 +17,7 @@ struct ReportParts {
     std::optional<double> tolerance_um;  ///< of the diameter error, to both sides
 };
 
-/// Largest error against the tolerance; mean, range, and the offset that would leave least.
+/// Largest error against the tolerance; mean, range, and the offset that minimises the error.
 report::Answer answer(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
                       const Language& language = {});
 /// Residual of the written program, blocks, largest correction.
@@ -25,7 +25,7 @@ report::Answer answer(const CompensationResult& result, const Language& language
 
 report::Section deflectionSummary(const DeflectionResult& result, const std::optional<double>& tolerance_um = {},
                                   const Language& language = {});
-/// Every changed word of the corrected program with its reason, and what it is worth on other machines.
+/// Every changed word of the corrected program with its reason, and the robustness of the correction.
 report::Section compensationSection(const CorrectedProgram& corrected, const Language& language = {});
 report::Section identificationSection(const IdentificationResult& result);
 

@@ -17,7 +17,7 @@ Shaft rod(double length_mm, double diameter_mm)
     return shaft;
 }
 
-/// Compliance at a node of uncut work: the run that would cut stops there.
+/// Compliance of the uncut workpiece at a node.
 double complianceAt(const TurningSetup& setup, const Shaft& stock, double z_mm)
 {
     const std::vector<ToolRun> runs{{ToolRun::Kind::TowardChuck, {{z_mm, 1e4, 0.2, 1}, {z_mm + 1, 1e4, 0.2, 1}}}};

@@ -1,4 +1,4 @@
-// The feed along z that keeps the last pass within a tolerance: for those who may change F but not X.
+// The feed along z that keeps the last pass within a tolerance: an alternative to correcting X.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace lathelier::deflection {
 
 struct FeedParameters {
     double tolerance_um = 20;         ///< of |e| on diameter
-    double least_feed_mm_rev = 0.05;  ///< no less: the edge would rub
+    double least_feed_mm_rev = 0.05;  ///< lower bound, below which the edge rubs
     double largest_feed_mm_rev = 0.4;
     friend bool operator==(const FeedParameters&, const FeedParameters&) = default;
 };
@@ -20,10 +20,10 @@ const std::vector<Field<FeedParameters>>& fieldsOf(const FeedParameters*);
 struct FeedResult {
     FeedParameters parameters;
     std::vector<double> z_mm;               ///< ends of the pieces, ascending
-    std::vector<double> feed_mm_rev;        ///< toward each of them
+    std::vector<double> feed_mm_rev;        ///< of the piece ending there
     std::vector<double> diameter_error_um;  ///< of the last pass with these feeds
     double max_um = 0;                      ///< largest |e|
-    double time_ratio = 1;                  ///< time in cut, by that with the programmed feed at the same speed
+    double time_ratio = 1;                  ///< time in cut over that with the programmed feed at the same speed
     Notes notes;                            ///< feedCannotHold
 };
 

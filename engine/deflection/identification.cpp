@@ -13,10 +13,10 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr double difference = 1e-4;  ///< of the logarithm, for derivatives
-constexpr double largestLog = 4.6;   ///< factors within 0.01 … 100
+constexpr double difference = 1e-4;  ///< step of the logarithms for numerical derivatives
+constexpr double largestLog = 4.6;   ///< limits the factors to 0.01 … 100
 constexpr int mostIterations = 100;
-constexpr double settledLog = 1e-9;
+constexpr double convergedLog = 1e-9;
 constexpr double poor_percent = 50;
 
 std::vector<Influence> soughtOf(const IdentificationParameters& p, const TurningSetup& setup)
@@ -130,9 +130,9 @@ IdentificationResult identify(const Shaft& stock, std::span<const ToolRun> runs,
         }
     };
     double damping = 1e-3;
-    bool settled = false;
+    bool converged = false;
     differentiate();
-    while (!settled && result.iterations < mostIterations) {
+    while (!converged && result.iterations < mostIterations) {
         progress.report(static_cast<double>(++result.iterations) / mostIterations);
         const Eigen::VectorXd off = weight.cwiseProduct(errors_um - now);
         Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
@@ -141,18 +141,18 @@ IdentificationResult identify(const Shaft& stock, std::span<const ToolRun> runs,
         const Eigen::VectorXd next = (logs + step).cwiseMax(-largestLog).cwiseMin(largestLog);
         const Eigen::VectorXd there = predicted(next);
         if (weight.cwiseProduct(errors_um - there).squaredNorm() <= off.squaredNorm()) {
-            settled = (next - logs).cwiseAbs().maxCoeff() < settledLog;
+            converged = (next - logs).cwiseAbs().maxCoeff() < convergedLog;
             logs = next;
             now = there;
             damping = std::max(1e-12, damping / 10);
-            if (!settled) differentiate();
+            if (!converged) differentiate();
         } else {
-            settled = step.cwiseAbs().maxCoeff() < settledLog;
+            converged = step.cwiseAbs().maxCoeff() < convergedLog;
             damping *= 10;
-            if (damping > 1e12) settled = true;
+            if (damping > 1e12) converged = true;
         }
     }
-    if (!settled) throw Error(errors::notConverged, {{"iterations", static_cast<std::int64_t>(result.iterations)}});
+    if (!converged) throw Error(errors::notConverged, {{"iterations", static_cast<std::int64_t>(result.iterations)}});
 
     differentiate();
     const Eigen::MatrixXd covariance = pseudoInverse(jacobian.transpose() * jacobian);

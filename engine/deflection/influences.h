@@ -1,5 +1,5 @@
-// What an answer about deflection hangs on, each as a factor on the set-up: for robustness, sensitivities, uncertainty
-// and identification.
+// Input quantities that a predicted deflection depends on, each as a factor on the set-up: for robustness,
+// sensitivities, uncertainty and identification.
 #pragma once
 
 #include <vector>
@@ -14,28 +14,28 @@ enum class Influence {
     ChuckRadial,  ///< radial stiffness of the chuck
     ChuckTilt,    ///< tilting stiffness of the chuck
     Rests,        ///< steady rests and follower rest
-    ToolPost,     ///< tool and turret
-    Modulus,      ///< E of the work
-    Forces        ///< all four cutting coefficients
+    ToolPost,
+    Modulus,  ///< E of the work
+    Forces    ///< all cutting coefficients
 };
 
 struct InfluenceName {
     Influence influence;
     const char* key;  ///< "tailstock"
-    Text name;        ///< for tables
+    Text name;
 };
 
 /// All of them, in order.
 const std::vector<InfluenceName>& influences();
 const InfluenceName& nameOf(Influence influence);
 
-/// False: nothing in the set-up that it could change.
+/// False if the set-up lacks the element.
 bool hasInfluence(const TurningSetup& setup, Influence influence);
 
-/// The set-up with that part `factor` times as large.
+/// The set-up with that quantity multiplied by `factor`.
 TurningSetup scaled(TurningSetup setup, Influence influence, double factor);
 
-/// Every spring that holds the work, likewise.
+/// The set-up with all workpiece springs multiplied by `factor`.
 TurningSetup withSpringsScaled(TurningSetup setup, double factor);
 
 }  // namespace lathelier::deflection

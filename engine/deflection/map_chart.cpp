@@ -16,7 +16,7 @@ struct Corner {
     double depth_mm, feed_mm_rev, above_um;
 };
 
-/// Where the side between two corners crosses 0.
+/// Zero crossing on a cell side between two corners.
 void addCrossing(const Corner& a, const Corner& b, Isoline& line)
 {
     const double share = a.above_um / (a.above_um - b.above_um);
@@ -24,7 +24,7 @@ void addCrossing(const Corner& a, const Corner& b, Isoline& line)
     line.feed_mm_rev.push_back(a.feed_mm_rev + share * (b.feed_mm_rev - a.feed_mm_rev));
 }
 
-/// 1, 2 or 5 times a power of ten, so that at most so many steps fit in.
+/// 1, 2 or 5 times a power of ten, such that at most `most` steps fit into the span.
 double roundStep(double span, double most)
 {
     const double least = span / most;
@@ -86,7 +86,7 @@ Isoline isolineOf(const DeflectionMap& map, double error_um)
 {
     Isoline line;
     const auto corner = [&](std::size_t row, std::size_t column) {
-        // Never 0: a line through a corner would be counted by all cells that meet there.
+        // Avoids exact zeros: a line through a corner would be counted by all adjacent cells.
         double above_um = map.at(row, column) - error_um;
         if (above_um == 0) above_um = 1e-12;
         return Corner{map.depth_mm[column], map.feed_mm_rev[row], above_um};
@@ -125,7 +125,7 @@ report::Plot mapChart(const DeflectionMap& map, const Language& language)
         Isoline line = isolineOf(map, error_um);
         if (line.depth_mm.empty()) return;
         report::Curve curve{std::move(name), std::move(line.depth_mm), std::move(line.feed_mm_rev), style};
-        curve.spoken = false;
+        curve.has_readout = false;
         plot.curves.push_back(std::move(curve));
     };
     const double largest = largestOf(map);

@@ -9,13 +9,13 @@
 
 namespace lathelier::deflection {
 
-/// Where the diameters were measured, between the places of a contour.
+/// Interpolation of contour values at the measured positions.
 class MeasuredPlaces {
 public:
     /// Error measuredOutsideCut. Precondition: the contour is not empty.
     MeasuredPlaces(const FinalContour& contour, std::span<const MeasuredDiameter> measured);
 
-    /// Values of the contour there, straight between its places.
+    /// Linearly interpolated values of the contour.
     Eigen::VectorXd of(const std::vector<double>& values) const;
 
 private:

@@ -1,5 +1,5 @@
-// What holds the work, what cuts it, and how the deflection is computed: SETUP.json as a struct.
-// Units: mm, N, N·mm/rad, MPa. z from the free (tailstock) end toward the chuck.
+// Clamping, tool and numerical parameters of the deflection: SETUP.json as a struct. Units: mm, N, N·mm/rad, MPa. z
+// from the free (tailstock) end toward the chuck.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@
 
 namespace lathelier::deflection {
 
-/// A material to be cut: an elastic one, with the coefficients of a pair of it and an insert.
+/// Workpiece material: elastic constants, and the cutting coefficients of the pair of material and insert.
 struct WorkMaterial {
     Material elastic;                      ///< E and ν are used
     cutting::CuttingCoefficients cutting;  ///< of material and insert
     friend bool operator==(const WorkMaterial&, const WorkMaterial&) = default;
 };
 
-/// A chuck or a tailstock: springs at an end of the work. Axial and torsional ones never couple to the diameter.
+/// A chuck or a tailstock: springs at an end of the work. Axial and torsional ones do not affect the diameter.
 struct HoldingSprings {
     double radial_N_mm = 0;       ///< against deflection
     double axial_N_mm = 0;        ///< along z; has no influence
@@ -29,46 +29,46 @@ struct HoldingSprings {
     friend bool operator==(const HoldingSprings&, const HoldingSprings&) = default;
 };
 
-/// A rest that stands at one place.
+/// A rest at a fixed position.
 struct SteadyRest {
-    double z_mm = 0;         ///< from the free end
-    double radial_N_mm = 0;  ///< stiffness
+    double z_mm = 0;  ///< from the free end
+    double radial_N_mm = 0;
     friend bool operator==(const SteadyRest&, const SteadyRest&) = default;
 };
 
 /// A rest that moves with the tool.
 struct FollowerRest {
-    double offset_mm = 0;    ///< from the tool toward the chuck; negative: behind it, on the machined surface
-    double radial_N_mm = 0;  ///< stiffness
+    double offset_mm = 0;  ///< from the tool toward the chuck; negative: on the machined surface behind it
+    double radial_N_mm = 0;
     friend bool operator==(const FollowerRest&, const FollowerRest&) = default;
 };
 
-/// Tool, turret and slide, in series with the work.
+/// Tool, turret and slide, in series with the workpiece.
 struct ToolPost {
-    double radial_N_mm = 0;      ///< against being pushed out of the work
-    double tangential_N_mm = 0;  ///< against being pushed along the cutting speed
+    double radial_N_mm = 0;      ///< away from the workpiece axis
+    double tangential_N_mm = 0;  ///< along the cutting speed
     friend bool operator==(const ToolPost&, const ToolPost&) = default;
 };
 
-/// Which depth and entering angle the forces of a sloping contour have. Both are the same on a cylinder.
+/// Depth and entering angle used for the forces on a sloping contour. Identical on a cylinder.
 enum class SlopeModel { Radial, Normal };
 
-/// SETUP.json. Defaults of what has to be stated are those of no machine.
+/// SETUP.json. Required values have no meaningful default.
 struct TurningSetup {
-    std::string stock;                                             ///< path, relative to the file; may be empty
-    double z_zero_mm = 0;                                          ///< z of the program's Z0: z = z_zero_mm - Z
-    WorkMaterial material;                                         ///< of the work
-    cutting::ToolGeometry tool;                                    ///< insert
-    HoldingSprings chuck;                                          ///< at z = length
-    std::optional<HoldingSprings> tailstock;                       ///< at z = 0; none: free end
-    std::vector<SteadyRest> steady_rests;                          ///< any number
-    std::optional<FollowerRest> follower_rest;                     ///< none: none
+    std::string stock;     ///< path, relative to the file; may be empty
+    double z_zero_mm = 0;  ///< z of the program's Z0: z = z_zero_mm - Z
+    WorkMaterial material;
+    cutting::ToolGeometry tool;
+    HoldingSprings chuck;                     ///< at z = length
+    std::optional<HoldingSprings> tailstock;  ///< at z = 0; none: free end
+    std::vector<SteadyRest> steady_rests;
+    std::optional<FollowerRest> follower_rest;
     std::optional<ToolPost> tool_post;                             ///< none: rigid
-    cutting::ContactLength contact = cutting::ContactLength::Arc;  ///< of edge and chip
+    cutting::ContactLength contact = cutting::ContactLength::Arc;  ///< contact length of edge and chip
     bool feed_moment = false;                                      ///< M = -F_f (stock radius - depth/2)
-    SlopeModel slope = SlopeModel::Radial;                         ///< of cones and arcs
-    beam::ShearModel shear = beam::ShearModel::Cowper;             ///< the receptance takes the same to agree at 0 Hz
-    double step_mm = 0.5;                                          ///< longest step along z
+    SlopeModel slope = SlopeModel::Radial;                         ///< for cones and arcs
+    beam::ShearModel shear = beam::ShearModel::Cowper;  ///< must equal that of the receptance for agreement at 0 Hz
+    double step_mm = 0.5;                               ///< longest step along z
     friend bool operator==(const TurningSetup&, const TurningSetup&) = default;
 };
 

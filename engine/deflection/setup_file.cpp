@@ -19,7 +19,7 @@ io::Likeness likeSetup(const std::string&, std::string_view head, const Values&)
     return io::hasKey(keys, "tool") && io::hasKey(keys, "material") ? io::Likeness::Certain : io::Likeness::Likely;
 }
 
-/// Groups that have to be there, each with the words for it.
+/// Throws keyMissing for a required group.
 void requireGroup(const io::JsonCursor& root, const char* key, Text expected)
 {
     root.at(key, expected);

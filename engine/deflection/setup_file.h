@@ -1,4 +1,4 @@
-// SETUP.json: the described fields of TurningSetup as JSON, with line and column for whatever does not fit.
+// SETUP.json: the described fields of TurningSetup as JSON, errors with line and column.
 #pragma once
 
 #include <string>
@@ -17,16 +17,16 @@ TurningSetup readSetup(const std::string& json, Notes& notes);
 /// The text of a file that readSetup() reads to the same bits.
 std::string setupText(const TurningSetup& setup);
 
-/// A set-up with its stock and what was understood of its file.
+/// A set-up with its stock and the facts of its file.
 struct SetupFile {
-    TurningSetup setup;          ///< as read
-    std::optional<Shaft> stock;  ///< of the file that it names; none where it names none
+    TurningSetup setup;
+    std::optional<Shaft> stock;  ///< from the file named in the set-up; none: no file named
     io::FileFacts facts;         ///< as setupFiles() has them
     Notes notes;                 ///< of both readings, with their paths
 };
 
-/// Opens the stock too (receptance/shaft_file.h: the text format or SHAFT.json), beside the set-up's file. Errors of
-/// both readers, with the path.
+/// Also reads the stock file (io/shaft_file.h: text format or SHAFT.json), relative to the file of the set-up. Errors
+/// of both readers, with the path.
 SetupFile loadSetup(const io::FileToRead& file);
 
 /// SETUP.json. facts: format "setup_json"; details "stock", "tailstock" (true | false), "steady_rests" (count),

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t comparedPlaces = 9;
 
-/// A run along the whole work that touches nothing: the compliance follows the tool.
-ToolRun besideTheWork(const Shaft& stock)
+/// A run along the whole workpiece without cutting, for the compliance at every node.
+ToolRun nonCuttingRun(const Shaft& stock)
 {
     double largest_mm = 0;
     for (const ShaftSegment& segment : stock.segments)
@@ -41,7 +41,7 @@ StaticCompliance staticCompliance(const Shaft& stock, const TurningSetup& setup)
     TurningSetup plain = setup;
     plain.follower_rest.reset();
     plain.tool_post.reset();
-    const ToolRun run = besideTheWork(stock);
+    const ToolRun run = nonCuttingRun(stock);
     const WorkPlan plan = workPlan(stock, {&run, 1}, plain);
     TurningWork work(plan, plain);
     std::vector<Station> stations;

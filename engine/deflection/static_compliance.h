@@ -1,5 +1,5 @@
-// Compliance of the work as it is before the first cut, at the place of the tool: by the beam of this room, and by the
-// receptance of engine/receptance at 0 Hz with the same springs. Both rooms describe one machine; here it shows.
+// Compliance of the uncut workpiece at the tool position: by the beam of this room and, as a cross-check, by
+// engine/receptance at 0 Hz with the same springs.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,11 @@
 
 namespace lathelier::deflection {
 
-/// Without follower rest and tool post, which stand beside the tool.
+/// Without follower rest and tool post.
 struct StaticCompliance {
     std::vector<double> z_mm, compliance_um_N;                ///< of every node of the plan
-    std::vector<double> compared_z_mm, receptance_0_hz_um_N;  ///< at some of them
-    double largest_difference = 0;                            ///< relative
+    std::vector<double> compared_z_mm, receptance_0_hz_um_N;  ///< at a subset of them
+    double largest_difference = 0;                            ///< largest relative difference
 };
 
 /// Errors of workPlan() and receptance::receptanceOf().

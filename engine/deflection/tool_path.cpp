@@ -11,7 +11,7 @@ namespace {
 
 constexpr int mostChords = 2000;  ///< of one arc
 
-/// A straight stretch that cuts, or might.
+/// A straight stretch of feed motion.
 struct Stretch {
     PathPoint from, to;
 
@@ -45,7 +45,7 @@ void appendArc(const PathPoint& from, const ToolMove& move, double chord_mm, std
     }
 }
 
-/// Stretches that follow each other without a break become runs.
+/// Joins consecutive stretches to runs.
 class RunMaker {
 public:
     void add(const Stretch& stretch)

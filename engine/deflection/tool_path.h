@@ -1,5 +1,5 @@
-// What a program does with the tool, as plain values: moves in the coordinates of the work, and the runs of them that
-// cut toward the chuck. z from the free end toward the chuck, x a radius.
+// Tool motion of a program as plain values: moves in workpiece coordinates, and their connected runs. z from the free
+// end toward the chuck, x a radius.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace lathelier::deflection {
 
-/// Centre of an arc; the way round is that of the (z, x) plane, z to the right and x up.
+/// Centre of an arc; sense of rotation in the (z, x) plane, z to the right and x up.
 struct ArcCentre {
-    double z_mm = 0;         ///< of the centre
-    double x_mm = 0;         ///< of the centre
+    double z_mm = 0;
+    double x_mm = 0;
     bool clockwise = false;  ///< in the (z, x) plane
     friend bool operator==(const ArcCentre&, const ArcCentre&) = default;
 };
 
-/// A move, by its end point. The first one says where the tool starts.
+/// A move, given by its end point. The first one is the start position.
 struct ToolMove {
-    double z_mm = 0;               ///< end
+    double z_mm = 0;
     double x_mm = 0;               ///< end, radius
-    bool is_feed = false;          ///< false: rapid, or anything else that does not cut
+    bool is_feed = false;          ///< false: rapid or otherwise not cutting
     double feed_mm_rev = 0;        ///< of a feed move
     std::int64_t line = 0;         ///< of the block that caused it
     std::optional<ArcCentre> arc;  ///< none: straight
@@ -38,20 +38,20 @@ struct PathPoint {
     friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
-/// An unbroken run of feed moves in one direction along z. Equal z of neighbours is a shoulder.
+/// A connected sequence of feed moves in one direction along z. Equal z of neighbours: a shoulder.
 struct ToolRun {
     enum class Kind {
-        TowardChuck,    ///< z never falls, and rises somewhere
-        TowardFreeEnd,  ///< z never rises, and falls somewhere
-        Plunge          ///< at one z, toward the axis
+        TowardChuck,    ///< z non-decreasing, not constant
+        TowardFreeEnd,  ///< z non-increasing, not constant
+        Plunge          ///< at constant z, toward the axis
     };
     Kind kind = Kind::TowardChuck;
     std::vector<PathPoint> points;  ///< two at least
     friend bool operator==(const ToolRun&, const ToolRun&) = default;
 };
 
-/// Arcs become chords that leave them by `chord_mm` at most. Moves along x alone that begin or end a run are no part of
-/// it. Rapid moves, and feed moves that only retract, are in no run.
+/// Arcs become chords that leave them by `chord_mm` at most. Moves along x alone at the start or end of a run are
+/// excluded, as are rapid moves and retracting feed moves.
 std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm = 1e-5);
 
 }  // namespace lathelier::deflection

@@ -11,7 +11,7 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr double clearShare = 0.5;  ///< of what the next best cause leaves
+constexpr double clearShare = 0.5;  ///< largest share of the residual of the next best cause
 
 }  // namespace
 

@@ -1,9 +1,9 @@
-// Is it the program, the set-up, or the work that gives way? What measured diameters along z look like.
+// Cause of measured diameter errors along z: program, alignment, or deflection.
 //
-// Measured errors e(z) are explained by one cause each, with one size fitted by least squares: an offset (the program
-// or the tool's wear), a taper that is zero at the chuck face (the tailstock stands aside, or the headstock is out of
-// line), or the predicted deflection. The cause that leaves the least is named where it leaves less than half of what
-// every other one does; then all three are fitted together where there are diameters enough.
+// Measured errors e(z) are explained by one cause each, with one parameter fitted by least squares: an offset (the
+// program or the tool's wear), a taper that is zero at the chuck face (misaligned tailstock or headstock), or the
+// predicted deflection. The cause with the smallest residual is reported if its residual is less than half of every
+// other one. All three are fitted together if there are enough diameters.
 #pragma once
 
 #include <optional>
@@ -20,11 +20,11 @@ enum class ErrorCause { Program, Alignment, Deflection, Undecided };
 const char* key(ErrorCause cause);
 Text nameOf(ErrorCause cause);
 
-/// One cause alone.
+/// Fit of one cause alone.
 struct CauseFit {
     ErrorCause cause = ErrorCause::Undecided;
     double size = 0;    ///< offset in µm; taper in µm on diameter over the length; factor on the prediction
-    double rms_um = 0;  ///< what it leaves
+    double rms_um = 0;  ///< residual
 };
 
 struct TriageResult {
@@ -32,8 +32,8 @@ struct TriageResult {
     std::vector<CauseFit> alone;      ///< program, alignment, deflection
     double rms_um = 0;                ///< of the measured errors
     std::optional<double> offset_um;  ///< of all three together; none: fewer than four diameters
-    std::optional<double> taper_um;   ///< at the free end, likewise
-    std::optional<double> scale;      ///< on the predicted deflection, likewise
+    std::optional<double> taper_um;   ///< at the free end; none as for offset_um
+    std::optional<double> scale;      ///< factor on the predicted deflection; none as for offset_um
 };
 
 /// Errors: tooFewMeasured (below two), measuredOutsideCut, those of predictDeflection().

@@ -19,7 +19,7 @@ namespace {
 constexpr double mm_per_m = 1000;
 constexpr int decimalsOfDiameter = 3;
 
-/// In 1/min; NaN where nothing says the speed.
+/// In 1/min; NaN: no speed stated.
 double speedOf(const gcode::Move& move)
 {
     double speed = move.speed_rpm;
@@ -30,7 +30,7 @@ double speedOf(const gcode::Move& move)
     return speed;
 }
 
-/// In mm per revolution; 0 where the program does not say it.
+/// In mm per revolution; 0: not stated.
 double feedOf(const gcode::Move& move)
 {
     if (gcode::isKnown(move.feed_mm_rev)) return move.feed_mm_rev;
@@ -38,7 +38,7 @@ double feedOf(const gcode::Move& move)
     return std::isfinite(feed) ? feed : 0;
 }
 
-/// Builds the list of moves, with what has to be said about them.
+/// Builds the list of moves and notes on them.
 class MoveMaker {
 public:
     MoveMaker(const TurningSetup& setup, Notes& notes) : z_zero_mm_(setup.z_zero_mm), notes_(notes) {}
@@ -61,7 +61,7 @@ public:
             if (made.feed_mm_rev <= 0 && gcode::isKnown(move.feed_mm_min) &&
                 !contains(notes_, notes::spindleSpeedUnknown))
                 notes_.push_back({notes::spindleSpeedUnknown, {{"line", move.line}}});
-            // Seen with z toward the chuck instead of Z the arc runs the other way round.
+            // The sense of rotation is reversed, as z points opposite to Z.
             if (move.kind == gcode::MoveKind::Arc)
                 made.arc = ArcCentre{z_zero_mm_ - move.centre_z_mm, move.centre_x_mm, !move.clockwise};
         }
@@ -83,7 +83,7 @@ private:
     std::vector<ToolMove> moves_;
 };
 
-/// The blocks of a program that change, with the corner at the end of each of their parts.
+/// Changed blocks of a program, with the corner at the end of each of their parts.
 class BlockPlanner {
 public:
     BlockPlanner(const TurningJob& job, const std::vector<Interval>& kept_lines)
@@ -108,7 +108,7 @@ public:
         }
     }
 
-    /// Blocks behind a changed one that state no X go on at theirs.
+    /// Blocks after a changed one that state no X get the original X.
     void restore()
     {
         double change_mm = 0;
@@ -133,7 +133,7 @@ public:
     gcode::RewrittenProgram write() const { return rewriter_.write(); }
     std::int64_t arcs() const { return arcs_; }
 
-    /// The corner that a part of a changed block leads to; none: it follows from another change.
+    /// The corner that a part of a changed block leads to; null: it follows from another change.
     const CorrectedNode* cornerOf(const gcode::BlockChange& change) const
     {
         const auto planned = corners_.find(static_cast<std::size_t>(change.line - 1));
@@ -209,8 +209,7 @@ ProgramChange changeOf(const gcode::BlockChange& change, const CorrectedNode* co
     return made;
 }
 
-/// The set-up's material is the one of the cutting coefficients; a stock that states another one may be the wrong
-/// stock.
+/// The set-up's material is the one of the cutting coefficients; a stock of another material may be the wrong file.
 void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& list)
 {
     if (!stock.material) return;
@@ -221,7 +220,7 @@ void noteOtherMaterial(const Shaft& stock, const TurningSetup& setup, Notes& lis
         list.push_back({notes::materialOfSetup, {{"stock_MPa", stated_MPa}, {"setup_MPa", used_MPa}}});
 }
 
-/// Takes off what a run does at the axis or beyond: faces, ways to them and from them.
+/// Removes the parts of a run at or beyond the axis: facing and its approach.
 void takeOffAxis(ToolRun& run)
 {
     std::vector<PathPoint>& points = run.points;
@@ -238,7 +237,7 @@ void takeOffAxis(ToolRun& run)
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-/// Runs that leave a diameter. Facing and parting off, which end on the axis or beyond, leave none.
+/// Runs that generate a diameter; not facing and parting off, which end at or beyond the axis.
 std::vector<ToolRun> turningRuns(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
 {
     std::vector<ToolRun> runs = toolRuns(toolMoves(path, setup, notes));
@@ -289,7 +288,7 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
 {
     CorrectedProgram corrected;
     CompensationParameters without = parameters;
-    without.robustness = false;  // that of the text is wanted
+    without.robustness = false;  // robustness is computed for the written text only
     corrected.compensation = compensate(job.stock, job.runs, job.setup, without, progress.part(0, 0.6));
     CompensationResult& result = corrected.compensation;
     result.parameters = parameters;
@@ -312,7 +311,7 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
     gcode::Toolpath path = findToolpath(again, reading, job.noses, progress.part(0.7, 0.8));
     Notes known;
     const std::vector<ToolRun> runs = turningRuns(path, job.setup, known);
-    judgeWritten(job.stock, job.runs, runs, result);
+    evaluateWritten(job.stock, job.runs, runs, result);
     result.written = runs;
     corrected.moves = std::move(path.moves);
     progress.report(1);

@@ -1,7 +1,7 @@
-// An NC program on a machine: program, stock and set-up as one job, and the program written anew.
+// An NC program with stock and set-up as one job, and the corrected program.
 //
-// The moves of the program are those of the tool's imaginary tip, taken for its deepest point; z = z_zero_mm - Z. What
-// is written is read again as text and simulated again: the residual is that of the file, not of what was meant.
+// The moves of the program are those of the tool's imaginary tip, assumed to be its point of largest depth; z =
+// z_zero_mm - Z. The corrected text is parsed and simulated again, so that the residual is that of the file.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace lathelier::deflection {
 
-/// A program and what cuts it.
+/// Program, stock and set-up.
 struct TurningJob {
-    gcode::Program program;     ///< as read
+    gcode::Program program;
     gcode::Toolpath path;       ///< its moves; free of errors
     Shaft stock;                ///< before the first cut
     TurningSetup setup;         ///< machine, tool, material
-    gcode::Noses noses;         ///< that the moves were found with
+    gcode::Noses noses;         ///< nose radii used for the moves
     std::vector<ToolRun> runs;  ///< of the moves, filled in by turningJob()
     WorkPlan plan;              ///< stock and runs on one row of nodes, filled in by turningJob()
     Notes notes;                ///< threads, several tools, feeds per minute without a speed, another material
@@ -39,7 +39,7 @@ TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock,
 /// predictDeflection() with the notes of the job.
 DeflectionResult predictJob(const TurningJob& job, const Progress& progress = {});
 
-/// One changed or added block of the written program, and why.
+/// One changed or added block of the corrected program with the reason.
 struct ProgramChange {
     std::int64_t line = 0;              ///< of the original block; of an added one: the block that it follows
     std::optional<std::string> before;  ///< text of the block; none: added
@@ -51,18 +51,18 @@ struct ProgramChange {
 /// The reason in English.
 std::string reasonOf(const ProgramChange& change);
 
-/// A program that was written anew.
+/// A corrected program.
 struct CorrectedProgram {
-    CompensationResult compensation;     ///< counts, residual and robustness are those of `text`
-    std::string text;                    ///< the whole program; bytes of unchanged blocks as they were
-    std::vector<ProgramChange> changes;  ///< in order
-    std::vector<gcode::Move> moves;      ///< of `text`
+    CompensationResult compensation;  ///< counts, residual and robustness are those of `text`
+    std::string text;                 ///< the whole program; bytes of unchanged blocks as they were
+    std::vector<ProgramChange> changes;
+    std::vector<gcode::Move> moves;  ///< of `text`
 };
 
 /// Only X words change, on a grid of 0.001 mm of diameter, and blocks are divided where a corner is needed. Blocks
-/// behind a changed one that state no X, or count from it, get the X that they had. Errors: those of compensate();
-/// ncBlockNotRewritable (line, block, reason) under nose radius compensation, in a contour of G70-G73, in what runs
-/// more than once. Throws Cancelled.
+/// behind a changed one that state no X, or count from it, get their original X. Errors: those of compensate();
+/// ncBlockNotRewritable (line, block, reason) under nose radius compensation, in a contour of G70-G73, in blocks
+/// executed more than once. Throws Cancelled.
 CorrectedProgram correctProgram(const TurningJob& job, const CompensationParameters& parameters = {},
                                 const Progress& progress = {});
 

@@ -14,7 +14,7 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr std::size_t mostFindingsSaid = 3;
+constexpr std::size_t mostReportedFindings = 3;
 
 void append(const Notes& more, Notes& notes)
 {
@@ -36,7 +36,7 @@ Json jsonOf(const DeflectionMap& map)
         {{"depth_mm", map.depth_mm}, {"feed_mm_rev", map.feed_mm_rev}, {"max_um", map.max_um}, {"time_s", map.time_s}});
 }
 
-/// What the check found and what follows for trust in the answer; remarks on single moves stay in its own list.
+/// Adds the result of the stock check; notes on single moves remain in its own list.
 void checkStock(const TurningJob& job, TurningStudy& study, const Progress& progress)
 {
     const stock::StockParameters parameters = stockParameters(job.setup);
@@ -55,7 +55,7 @@ void checkStock(const TurningJob& job, TurningStudy& study, const Progress& prog
              {{"count", static_cast<std::int64_t>(written.findings.size())}, {"line", written.findings.front().line}}});
 }
 
-report::Finding whatIsMet(const stock::StockFinding& found)
+report::Finding findingOf(const stock::StockFinding& found)
 {
     return {
         LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep"),
@@ -196,7 +196,7 @@ report::Answer answer(const TurningStudy& study, const Language& language)
     report::Answer made = answer(study.prediction, study.parameters.tolerance_um, language);
     if (study.band) made.expanded_uncertainty = (study.band->max_high_um - study.band->max_low_um) / 2;
     if (study.stock && !study.stock->findings.empty())
-        made.findings.push_back(whatIsMet(study.stock->findings.front()));
+        made.findings.push_back(findingOf(study.stock->findings.front()));
     made.findings.push_back(largestError(study.prediction.final, study.verdict));
     if (study.swings && !study.swings->empty()) {
         const Sensitivity& first = study.swings->front();
@@ -218,7 +218,7 @@ report::Answer answer(const TurningStudy& study, const Language& language)
                                  {},
                                  {}});
     }
-    if (made.findings.size() > mostFindingsSaid) made.findings.resize(mostFindingsSaid);
+    if (made.findings.size() > mostReportedFindings) made.findings.resize(mostReportedFindings);
     return made;
 }
 

@@ -1,5 +1,5 @@
-// All that is asked of one job at once: prediction, uncertainty, what-if, measured diameters, correction. What the
-// panel Deflection, the command line and the setter's sheet show.
+// Complete evaluation of one job: prediction, uncertainty, what-if, measured diameters, correction. Used by the panel
+// Deflection, the command line and the setter's sheet.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@
 namespace lathelier::deflection {
 
 struct StudyParameters {
-    std::optional<double> tolerance_um;      ///< of the diameter error, to both sides; none: no verdict
+    std::optional<double> tolerance_um;      ///< symmetric limit of the diameter error; none: no verdict
     bool band = false;                       ///< 95 % of samples of springs, forces and modulus
-    bool sensitivities = false;              ///< what 10 % of each influence do
+    bool sensitivities = false;              ///< effect of ±10 % of each influence
     bool map = false;                        ///< largest error over depth and feed of the last pass
-    bool check_stock = true;                 ///< where rapid moves and the tool meet what they must not
+    bool check_stock = true;                 ///< check for collisions
     bool feed = false;                       ///< the feed along z that keeps the last pass within the tolerance
-    bool correction = false;                 ///< write the program anew
-    std::vector<MeasuredDiameter> measured;  ///< on the finished part; springs are sought from them
+    bool correction = false;                 ///< compute a corrected program
+    std::vector<MeasuredDiameter> measured;  ///< on the finished part; used to identify the springs
     friend bool operator==(const StudyParameters&, const StudyParameters&) = default;
 };
 
@@ -40,36 +40,36 @@ struct StudyDetails {
 };
 
 struct TurningStudy {
-    StudyParameters parameters;                      ///< as asked
-    DeflectionResult prediction;                     ///< of the program as it is
-    std::optional<Verdict> verdict;                  ///< of the largest error against the tolerance
-    StaticCompliance compliance;                     ///< of the stock on its springs
-    std::optional<stock::StockResult> stock;         ///< as asked
-    std::optional<ErrorBand> band;                   ///< as asked
-    std::optional<std::vector<Sensitivity>> swings;  ///< as asked
-    std::optional<FeedResult> feed;                  ///< as asked, where there is a tolerance
-    std::optional<DeflectionMap> map;                ///< as asked
-    std::optional<IdentificationResult> identified;  ///< where diameters were measured, enough for it
-    std::optional<TriageResult> triage;              ///< where two diameters or more were measured
-    std::optional<CorrectedProgram> corrected;       ///< as asked
-    Notes notes;                                     ///< of all parts
+    StudyParameters parameters;
+    DeflectionResult prediction;     ///< of the program as it is
+    std::optional<Verdict> verdict;  ///< of the largest error against the tolerance
+    StaticCompliance compliance;     ///< of the stock on its springs
+    std::optional<stock::StockResult> stock;
+    std::optional<ErrorBand> band;
+    std::optional<std::vector<Sensitivity>> swings;
+    std::optional<FeedResult> feed;  ///< none without a tolerance
+    std::optional<DeflectionMap> map;
+    std::optional<IdentificationResult> identified;  ///< none: not enough measured diameters
+    std::optional<TriageResult> triage;              ///< none: fewer than two measured diameters
+    std::optional<CorrectedProgram> corrected;
+    Notes notes;
 };
 
-/// What the check against the stock knows of a set-up: insert, chuck, tailstock, zero.
+/// Parameters of the stock check from a set-up: insert, chuck, tailstock, zero.
 stock::StockParameters stockParameters(const TurningSetup& setup);
 
-/// Fewer measured diameters than springs that are sought: only the triage, with the note tooFewForStiffness. Errors:
-/// those of the parts. Throws Cancelled.
+/// With fewer measured diameters than unknown springs: only the triage, with the note tooFewForStiffness. Errors: those
+/// of the parts. Throws Cancelled.
 TurningStudy studyTurning(const TurningJob& job, const StudyParameters& parameters, const StudyDetails& details = {},
                           const Progress& progress = {});
 
-/// Keys of the prediction, `verdict`, `static_compliance`; those of the stock check (`findings` null where not asked);
-/// `band`, `sensitivities`, `feed_adjustment`, `map`, `identification`, `triage` (null where not asked); with a
+/// Keys of the prediction, `verdict`, `static_compliance`; those of the stock check (`findings` null if not requested);
+/// `band`, `sensitivities`, `feed_adjustment`, `map`, `identification`, `triage` (null if not requested); with a
 /// correction its keys.
 Json toJson(const TurningStudy& study);
 
-/// The largest error with its uncertainty against the tolerance; up to three findings: what the tool meets, where the
-/// error is largest, what it hangs on most, what a correction leaves.
+/// The largest error with its uncertainty against the tolerance; up to three findings: collisions, position of the
+/// largest error, strongest influence, residual of a correction.
 report::Answer answer(const TurningStudy& study, const Language& language = {});
 
 report::Table findingsTable(const stock::StockResult& result);

@@ -8,9 +8,9 @@
 namespace lathelier::deflection {
 namespace {
 
-constexpr double heldOff_mm = 1e-6;  ///< more than rounding
-constexpr double settled_mm = 1e-10;
-constexpr int mostRounds = 12;  ///< of the plain iteration, which gains a digit or two a round
+constexpr double contactTolerance_mm = 1e-6;  ///< change of contact beyond rounding
+constexpr double depthTolerance_mm = 1e-10;
+constexpr int mostRounds = 12;  ///< fixed-point iterations; each gains one or two digits
 constexpr int mostHalvings = 200;
 
 void requireHeld(const TurningSetup& setup)
@@ -70,7 +70,7 @@ Symmetric2 TurningWork::withRest(Symmetric2 s, std::size_t node) const
     return s;
 }
 
-/// Down to `node`.
+/// Updates right_ down to `node`.
 void TurningWork::sweepFromChuck(std::size_t node)
 {
     std::size_t i = plan_->pieces();
@@ -79,7 +79,7 @@ void TurningWork::sweepFromChuck(std::size_t node)
         right_[i] = passedDown(withRest(right_[i + 1], i + 1), flexibilityOf(i), plan_->z_mm[i + 1] - plan_->z_mm[i]);
 }
 
-/// Up to `node`.
+/// Updates left_ up to `node`.
 void TurningWork::sweepFromFreeEnd(std::size_t node)
 {
     left_[0] = {};
@@ -88,13 +88,13 @@ void TurningWork::sweepFromFreeEnd(std::size_t node)
         left_[i + 1] = passedUp(withRest(left_[i], i), flexibilityOf(i), plan_->z_mm[i + 1] - plan_->z_mm[i]);
 }
 
-/// All that holds a node.
+/// Total stiffness at a node.
 Symmetric2 TurningWork::heldAt(std::size_t node) const
 {
     return setup_->follower_rest ? followedAt(node) : withRest(left_[node] + right_[node], node);
 }
 
-/// The same with the follower rest, which may stand within a piece; beyond the ends of the work it holds nothing.
+/// The same with the follower rest, which may lie within a piece; without effect beyond the ends of the workpiece.
 Symmetric2 TurningWork::followedAt(std::size_t node) const
 {
     const FollowerRest& rest = *setup_->follower_rest;
@@ -149,21 +149,21 @@ TurningWork::Pull TurningWork::pulled(const Symmetric2& c, double x_mm, double s
     return {dx_mm, dy_mm, std::sqrt(x_left_mm * x_left_mm + dy_mm * dy_mm), f};
 }
 
-/// Plain iteration: the forces change by a few per cent of what moves the depth.
-double TurningWork::settledDepth(const Symmetric2& c, double x_mm, double stock_mm) const
+/// Fixed-point iteration: contracts, as the deflection changes by a few per cent of a change of depth.
+double TurningWork::convergedDepth(const Symmetric2& c, double x_mm, double stock_mm) const
 {
     double depth_mm = stock_mm - x_mm - pushed_mm_;
     for (int round = 0; round < mostRounds && depth_mm > edge_.scallop_mm(); ++round) {
         const double next_mm = stock_mm - pulled(c, x_mm, stock_mm, depth_mm).radius_mm;
-        const bool is_settled = std::abs(next_mm - depth_mm) <= settled_mm;
+        const bool is_converged = std::abs(next_mm - depth_mm) <= depthTolerance_mm;
         depth_mm = next_mm;
-        if (is_settled && depth_mm > edge_.scallop_mm()) return depth_mm;
+        if (is_converged && depth_mm > edge_.scallop_mm()) return depth_mm;
     }
     return boundedDepth(c, x_mm, stock_mm);
 }
 
-/// Where the iteration does not settle, by halving. No more than the scallop: the work gives way to the edge, which
-/// takes just that.
+/// Bisection, if the iteration does not converge. If no larger depth is in equilibrium, the edge rubs at the depth of
+/// the scallop.
 double TurningWork::boundedDepth(const Symmetric2& c, double x_mm, double stock_mm) const
 {
     const auto missing = [&](double depth_mm) {
@@ -173,14 +173,14 @@ double TurningWork::boundedDepth(const Symmetric2& c, double x_mm, double stock_
     if (!(missing(low_mm) > 0)) return edge_.scallop_mm();
     double high_mm = std::max(stock_mm - x_mm, 2 * low_mm);
     while (missing(high_mm) > 0 && high_mm < stock_mm) high_mm = std::min(stock_mm, 1.5 * high_mm);
-    for (int i = 0; i < mostHalvings && high_mm - low_mm > settled_mm; ++i) {
+    for (int i = 0; i < mostHalvings && high_mm - low_mm > depthTolerance_mm; ++i) {
         const double middle_mm = (low_mm + high_mm) / 2;
         (missing(middle_mm) > 0 ? low_mm : high_mm) = middle_mm;
     }
     return (low_mm + high_mm) / 2;
 }
 
-/// False: nothing to cut there.
+/// False: no material to cut.
 bool TurningWork::cutStation(const Symmetric2& c, double contour_mm, double bore_mm, CutTask task, Station& s)
 {
     s.x_mm = contour_mm;
@@ -194,7 +194,7 @@ bool TurningWork::cutStation(const Symmetric2& c, double contour_mm, double bore
     s.radius_mm = contour_mm;
     s.rubs = nominal_mm * slope_cos_ <= edge_.scallop_mm();
     if (s.rubs) return true;
-    if (task == CutTask::Predict) s.depth_mm = settledDepth(c, contour_mm, s.stock_mm);
+    if (task == CutTask::Predict) s.depth_mm = convergedDepth(c, contour_mm, s.stock_mm);
     const Pull pull = pulled(c, contour_mm, s.stock_mm, s.depth_mm);
     s.forces = pull.forces;
     s.dx_mm = pull.dx_mm;
@@ -214,9 +214,9 @@ bool TurningWork::cutStation(const Symmetric2& c, double contour_mm, double bore
 bool TurningWork::meetsBefore(const CutPlan& cut, std::size_t piece) const
 {
     const std::size_t k = cut.first + piece;
-    // A run that begins where the last one ended finds the work still pushed away there.
-    const double held_off_mm = k + 1 == last_node_ ? pushed_mm_ + heldOff_mm : noDepth_mm;
-    return end_mm_[k] - cut.pieces[piece].end_mm > held_off_mm;
+    // If a run begins where the last one ended, the workpiece is still deflected there.
+    const double contact_limit_mm = k + 1 == last_node_ ? pushed_mm_ + contactTolerance_mm : noDepth_mm;
+    return end_mm_[k] - cut.pieces[piece].end_mm > contact_limit_mm;
 }
 
 bool TurningWork::meets(const CutPlan& cut) const
@@ -257,7 +257,7 @@ void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& s
         const std::size_t node = cut.first + i;
         double stock_mm = 0;
         if (i > 0) {
-            // What the tool is about to leave at this node, but for what changes within one piece.
+            // Radius expected at this node, neglecting changes within one piece.
             stock_mm = end_mm_[node - 1];
             end_mm_[node - 1] = std::min(stock_mm, cut.pieces[i - 1].end_mm + 2 * pushed_mm_ - pushed_before_mm_);
             left_[node] = passedUp(withRest(left_[node - 1], node - 1), flexibilityOf(node - 1),
@@ -269,16 +269,16 @@ void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& s
             if (was_cut_) unpredicted_end_[node - 1] = false;
         }
         if (i == cut.pieces.size()) break;
-        const bool goes_on =
+        const bool is_continued =
             i > 0 && cut.pieces[i].start_mm == cut.pieces[i - 1].end_mm && start_mm_[node] == stock_mm &&
             cut.pieces[i].feed_mm_rev == cut.pieces[i - 1].feed_mm_rev &&
             (setup_->slope == SlopeModel::Radial || cut.pieces[i].slope_rad == cut.pieces[i - 1].slope_rad);
-        start_mm_[node] = goes_on ? end_mm_[node - 1] : stationAt(cut, i, true, start_mm_[node], task, stations);
+        start_mm_[node] = is_continued ? end_mm_[node - 1] : stationAt(cut, i, true, start_mm_[node], task, stations);
         if (was_cut_) unpredicted_start_[node] = false;
     }
 }
 
-/// The radius that is left there.
+/// Returns the radius left.
 double TurningWork::stationAt(const CutPlan& cut, std::size_t piece, bool at_start, double stock_mm, CutTask task,
                               std::vector<Station>& stations)
 {
@@ -295,7 +295,7 @@ double TurningWork::stationAt(const CutPlan& cut, std::size_t piece, bool at_sta
         was_cut_ = false;
         return stock_mm;
     }
-    // Straight on from the two stations before; not across a shoulder or the start of a cut.
+    // Linear extrapolation from the two previous stations; not across a shoulder or the start of a cut.
     const double pushed_mm = task == CutTask::Predict ? s.radius_mm - s.x_mm : 0;
     pushed_before_mm_ = was_cut_ && !at_start ? pushed_mm_ : pushed_mm;
     pushed_mm_ = pushed_mm;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double tornado = 0.1;
 constexpr double share_per_percent = 0.01;
-constexpr double outside = 0.025;  ///< of the samples, at each side of a band
+constexpr double outside = 0.025;  ///< share of samples beyond each side of a 95 % band
 constexpr std::size_t cellsAtOnce = 4, samplesAtOnce = 4;
 
 std::vector<double> spread(double from, double to, int count)
@@ -27,7 +27,7 @@ std::vector<double> spread(double from, double to, int count)
     return result;
 }
 
-/// The last pass alone, on the work as it stands before it.
+/// Plan of the last pass alone, on the workpiece before it.
 WorkPlan lastPassAlone(const WorkPlan& plan, const TurningSetup& setup)
 {
     const LastPass last = lastPassOf(plan, setup);
@@ -47,7 +47,7 @@ void setDepth(WorkPlan& plan, double depth_mm)
     }
 }
 
-/// In cut at a constant cutting speed: πD dz/(v f).
+/// Cutting time at constant cutting speed: ∫ πD dz/(v f).
 double timeOf_s(const WorkPlan& plan, double feed_mm_rev, double speed_m_min)
 {
     const CutPlan& cut = plan.cuts.front();
@@ -202,7 +202,7 @@ ErrorBand errorBand(const WorkPlan& plan, const TurningSetup& setup, const BandP
             }
         }
     });
-    // A sample where the tool misses another place than in the nominal answer cannot be set beside it.
+    // Samples with a different set of cut positions than the nominal result are not comparable.
     std::erase_if(errors_um, [&](const std::vector<double>& one) { return one.size() != band.z_mm.size(); });
     band.samples_used = static_cast<int>(errors_um.size());
     std::vector<double> values, largest_um;

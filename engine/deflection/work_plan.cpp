@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t mostPieces = 200000;
 constexpr double programGrid_mm = 0.001;  ///< of the program's Z
-constexpr double coarseEnough_mm = 0.01;  ///< steps from here on may be moved onto the grid
+constexpr double coarseEnough_mm = 0.01;  ///< smallest step that may be moved onto the grid
 constexpr double arcChord_mm = 5e-5;
 
 double reachOf(const ToolRun& run)
@@ -46,7 +46,7 @@ void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, std::vector<double>& 
     }
 }
 
-/// Ends of segments, rests, and of the blocks of the runs: where there has to be a node.
+/// Ends of segments, rests, and of the blocks of the runs: positions that need a node.
 std::vector<double> fixedPlaces(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup,
                                 double length_mm)
 {
@@ -123,7 +123,7 @@ double between(const PathPoint& a, const PathPoint& b, double z_mm)
     return a.x_mm + (b.x_mm - a.x_mm) * std::clamp((z_mm - a.z_mm) / width_mm, 0.0, 1.0);
 }
 
-/// The points from the free end toward the chuck; each still tells of the stretch toward smaller z.
+/// Points ordered toward the chuck; each keeps the attributes of the stretch toward smaller z.
 std::vector<PathPoint> ascending(const ToolRun& run)
 {
     std::vector<PathPoint> points = run.points;
@@ -197,7 +197,7 @@ CutPlan onNodes(const WorkPlan& plan, const ToolRun& run)
 
 WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup)
 {
-    beam::uniformSegments(stock);  // refuses what is no shaft
+    beam::uniformSegments(stock);  // throws for invalid shafts
     WorkPlan plan;
     const double length_mm = stock.length_mm();
     plan.z_mm = nodesOf(fixedPlaces(stock, runs, setup, length_mm), setup);

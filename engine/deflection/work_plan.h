@@ -1,5 +1,5 @@
-// Work and tool path on one row of nodes along z: what a computation needs, prepared once and then only read, so that
-// sliders, maps and samples repeat the cutting alone.
+// Workpiece and tool path discretised on common nodes along z; prepared once, so that repeated simulations (sliders,
+// maps, samples) only repeat the cutting.
 //
 // Nodes lie at both ends of the stock, at shoulders and ends of segments, at rests, at the ends of blocks within the
 // stock, along arcs as their chords need them, and between those no further apart than the step; nodes along arcs and
@@ -23,38 +23,38 @@ inline constexpr double samePlanPlace_mm = 1e-7;  ///< along z: places no furthe
 struct CutPiece {
     double start_mm = 0;     ///< radius of the contour at the node before
     double end_mm = 0;       ///< at the node after
-    double feed_mm_rev = 0;  ///< of the block there
-    double slope_rad = 0;    ///< of the contour: outward toward the chuck is positive
-    std::int64_t line = 0;   ///< of the block there
+    double feed_mm_rev = 0;  ///< feed of its block
+    double slope_rad = 0;    ///< of the contour; positive: radius grows toward the chuck
+    std::int64_t line = 0;   ///< line of its block
     bool in_arc = false;     ///< within an arc
     friend bool operator==(const CutPiece&, const CutPiece&) = default;
 };
 
-/// A run on the nodes: piece i lies behind node first + i.
+/// A run on the nodes: piece i lies between nodes first + i and first + i + 1.
 struct CutPlan {
     ToolRun::Kind kind = ToolRun::Kind::TowardChuck;
-    std::size_t first = 0;         ///< node where it enters the stock's length
+    std::size_t first = 0;         ///< node where it enters the length of the stock
     std::vector<CutPiece> pieces;  ///< Plunge: none
-    std::vector<bool> block_ends;  ///< of the nodes first…: a block ends there
-    ToolRun run;                   ///< as it came
+    std::vector<bool> block_ends;  ///< for the nodes from `first` on: true at block ends
+    ToolRun run;                   ///< the run itself
 
-    std::size_t last() const { return first + pieces.size(); }  ///< node
+    std::size_t last() const { return first + pieces.size(); }
 };
 
 struct WorkPlan {
     std::vector<double> z_mm;             ///< nodes, n + 1, ascending from 0
-    std::vector<double> outer_start_mm;   ///< radius of the stock behind each node, n
-    std::vector<double> outer_end_mm;     ///< radius before the node that follows
+    std::vector<double> outer_start_mm;   ///< stock radius at the start of each piece, n
+    std::vector<double> outer_end_mm;     ///< stock radius at the end of each piece
     std::vector<double> bore_mm;          ///< radius in the middle, 0: solid
     std::vector<std::size_t> rest_nodes;  ///< of TurningSetup::steady_rests, in their order
-    std::vector<CutPlan> cuts;            ///< in order; runs beside the stock are left out
+    std::vector<CutPlan> cuts;            ///< in order; runs outside the stock are omitted
 
     double length_mm() const { return z_mm.back(); }
     std::size_t pieces() const { return outer_start_mm.size(); }
 };
 
-/// Errors: those of beam::uniformSegments(); stockTooShort (`line`) for a run that meets material at the chuck face and
-/// goes on; feedMissing (`line`); placeOutsideShaft for a rest; tooManySteps.
+/// Errors: those of beam::uniformSegments(); stockTooShort (`line`) for a run that cuts beyond the chuck face;
+/// feedMissing (`line`); placeOutsideShaft for a rest; tooManySteps.
 WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup);
 
 }  // namespace lathelier::deflection

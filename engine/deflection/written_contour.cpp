@@ -8,12 +8,14 @@ namespace {
 
 constexpr double rounding = 1e-12;  ///< mm
 
-/// A corner at one of the grid's radii.
+/// Candidate corner at one grid radius.
 struct Candidate {
     double x_mm = 0;
-    double squares_mm2 = std::numeric_limits<double>::infinity();   ///< of the distances at the corners up to here
-    std::size_t corners = std::numeric_limits<std::size_t>::max();  ///< in the shortest chain up to here
-    std::size_t before_place = 0, before_candidate = 0;             ///< in that chain
+    double squares_mm2 =
+        std::numeric_limits<double>::infinity();  ///< sum of squared distances at the corners up to here
+    std::size_t corners =
+        std::numeric_limits<std::size_t>::max();         ///< number of corners of the shortest chain up to here
+    std::size_t before_place = 0, before_candidate = 0;  ///< predecessor in that chain
 
     bool isReached() const { return corners != std::numeric_limits<std::size_t>::max(); }
 };

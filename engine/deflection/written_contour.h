@@ -1,4 +1,4 @@
-// A contour as a program can hold it: corners on a grid, straight blocks between them, as few as stay near enough.
+// Approximation of a contour by a minimal number of straight blocks with corners on a grid, within a tolerance.
 //
 // Among the places z₀ < z₁ < … the corners are chosen, and for each a radius on the grid, so that every straight line
 // between neighbours passes every place in between within the tolerance. For a corner (z, x) the lines that do so have
@@ -13,22 +13,22 @@
 
 namespace lathelier::deflection {
 
-/// A place of the wanted contour.
+/// A point of the target contour.
 struct WantedPlace {
     double z_mm = 0;
-    double x_mm = 0;         ///< wanted there
-    bool is_corner = false;  ///< a corner has to be here
+    double x_mm = 0;         ///< target radius
+    bool is_corner = false;  ///< a corner is required here
     friend bool operator==(const WantedPlace&, const WantedPlace&) = default;
 };
 
-/// A corner that was chosen.
+/// A chosen corner.
 struct WrittenCorner {
-    std::size_t place = 0;  ///< index of the wanted place
+    std::size_t place = 0;  ///< index of the target point
     double x_mm = 0;        ///< on the grid
     friend bool operator==(const WrittenCorner&, const WrittenCorner&) = default;
 };
 
-/// Corners among `wanted`, whose first and last are corners anyway; z ascends strictly. `grid_mm` and `tolerance_mm`
+/// Corners among `wanted`, whose first and last are always corners; z ascends strictly. `grid_mm` and `tolerance_mm`
 /// are of the radius. None: no grid radius lies within the tolerance at a corner.
 std::optional<std::vector<WrittenCorner>> writtenContour(const std::vector<WantedPlace>& wanted, double grid_mm,
                                                          double tolerance_mm);

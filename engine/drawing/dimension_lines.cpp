@@ -8,9 +8,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kOffset_mm = 1;  // between a contour and its extension line
-constexpr double kBeyond_mm = 1;  // of an extension line beyond the dimension line
-constexpr double kTail_mm = 2;    // of a dimension line beyond arrows that stand outside
+constexpr double contourOffset_mm = 1;      // between a contour and its extension line
+constexpr double extensionOverhang_mm = 1;  // of an extension line beyond the dimension line
+constexpr double arrowTail_mm = 2;          // of a dimension line beyond arrows that stand outside
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::pair<double, double> DimensionPainter::extentOf(double from_x, double to_x,
 {
     const double length = to_x - from_x;
     const bool arrows_inside = length >= 2 * arrow_mm + 1;
-    const double tail = arrows_inside ? 0 : arrow_mm + kTail_mm;
+    const double tail = arrows_inside ? 0 : arrow_mm + arrowTail_mm;
     if (fitsInside(length, label)) return {from_x - tail, to_x + tail};
     const double text_end = from_x - (arrows_inside ? 1 : arrow_mm + 1);
     return {text_end - widthOf(label), to_x + tail};
@@ -51,7 +51,7 @@ void DimensionPainter::horizontal(double from_x, double to_x, double y, double f
     const double sense = to_x < from_x ? -1 : 1, length = std::abs(to_x - from_x);
     for (const auto& [x, start] : {std::pair(from_x, from_y), std::pair(to_x, to_y)}) {
         const double away = y < start ? -1 : 1;
-        line({x, start + away * kOffset_mm}, {x, y + away * kBeyond_mm});
+        line({x, start + away * contourOffset_mm}, {x, y + away * extensionOverhang_mm});
     }
     const bool arrows_inside = length >= 2 * arrow_mm + 1;
     const Vector2d along(sense, 0);
@@ -59,8 +59,8 @@ void DimensionPainter::horizontal(double from_x, double to_x, double y, double f
     arrow({to_x, y}, arrows_inside ? along : Vector2d(-along));
     double start = from_x, end = to_x;
     if (!arrows_inside) {
-        start -= sense * (arrow_mm + kTail_mm);
-        end += sense * (arrow_mm + kTail_mm);
+        start -= sense * (arrow_mm + arrowTail_mm);
+        end += sense * (arrow_mm + arrowTail_mm);
     }
     if (fitsInside(length, label) && text_x != outside) {
         text({text_x.value_or((from_x + to_x) / 2), y + gap_mm()}, label, Anchor::Middle);
@@ -78,8 +78,8 @@ void DimensionPainter::vertical(double x, double from_y, double to_y, const Dime
     const bool arrows_inside = length >= 2 * arrow_mm + 1;
     arrow({x, low}, Vector2d(0, arrows_inside ? -1 : 1));
     arrow({x, high}, Vector2d(0, arrows_inside ? 1 : -1));
-    double top = arrows_inside ? high : high + arrow_mm + kTail_mm;
-    const double bottom = arrows_inside ? low : low - arrow_mm - kTail_mm;
+    double top = arrows_inside ? high : high + arrow_mm + arrowTail_mm;
+    const double bottom = arrows_inside ? low : low - arrow_mm - arrowTail_mm;
     if (fitsInside(length, label)) {
         text({x - gap_mm(), (low + high) / 2}, label, Anchor::Middle, 90);
     } else {

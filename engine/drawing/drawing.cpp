@@ -17,18 +17,18 @@ namespace {
 using Eigen::Vector2d;
 
 /// Advance widths of DejaVu Sans for U+0020 to U+007E, thousandths of the font size.
-constexpr std::array<int, 95> kAscii = {318,  401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361, 318, 337,
-                                        636,  636, 636, 636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531,
-                                        1000, 684, 686, 698, 770, 632, 575, 775, 752, 295, 295, 656, 557, 863, 748, 787,
-                                        603,  787, 695, 635, 611, 732, 684, 989, 685, 611, 685, 390, 337, 390, 838, 500,
-                                        500,  613, 635, 550, 635, 615, 352, 635, 634, 278, 278, 579, 278, 974, 634, 612,
-                                        635,  635, 411, 521, 392, 634, 592, 818, 592, 592, 525, 636, 337, 636, 838};
-constexpr int kOther = 700;      // letters with accents and other scripts, on the safe side
-constexpr double kBelow = 0.32;  // of the height, below the base line
-constexpr double kAbove = 1.15;  // of the height, above it
+constexpr std::array<int, 95> asciiWidths = {
+    318, 401, 460, 838, 636, 950, 780, 275, 390, 390, 500, 838, 318, 361,  318, 337, 636, 636, 636,
+    636, 636, 636, 636, 636, 636, 636, 337, 337, 838, 838, 838, 531, 1000, 684, 686, 698, 770, 632,
+    575, 775, 752, 295, 295, 656, 557, 863, 748, 787, 603, 787, 695, 635,  611, 732, 684, 989, 685,
+    611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
+    278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
+constexpr int otherCharacterWidth = 700;  // upper bound for letters with accents and other scripts
+constexpr double descentShare = 0.32;     // depth below the base line over the height
+constexpr double ascentShare = 1.15;      // height above the base line over the height
 
-/// Signs of drawings, likewise.
-constexpr std::array<std::pair<char32_t, int>, 7> kSigns = {{
+/// Advance widths of the signs of drawings.
+constexpr std::array<std::pair<char32_t, int>, 7> signWidths = {{
     {0xB0, 500},     // °
     {0xB1, 838},     // ±
     {0xD7, 838},     // ×
@@ -40,10 +40,10 @@ constexpr std::array<std::pair<char32_t, int>, 7> kSigns = {{
 
 int advanceOf(char32_t code)
 {
-    if (code >= 0x20 && code <= 0x7E) return kAscii.at(code - 0x20);
-    for (const auto& [sign, advance] : kSigns)
+    if (code >= 0x20 && code <= 0x7E) return asciiWidths.at(code - 0x20);
+    for (const auto& [sign, advance] : signWidths)
         if (sign == code) return advance;
-    return code > 0x2000 ? 1000 : kOther;
+    return code > 0x2000 ? 1000 : otherCharacterWidth;
 }
 
 void grow(Box& box, const Vector2d& point)
@@ -110,7 +110,7 @@ double textWidth_mm(std::string_view text, double height_mm)
     int sum = 0;
     for (std::size_t at = 0; at < text.size();) {
         const Utf8Character character = utf8At(text, at);
-        sum += character.length == 0 ? kOther : advanceOf(character.code);
+        sum += character.length == 0 ? otherCharacterWidth : advanceOf(character.code);
         at += std::max<std::size_t>(1, character.length);
     }
     return sum / 1000.0 * height_mm * fontSizeOverHeight;
@@ -122,18 +122,18 @@ Box boxOf(const Label& label)
     const double start = label.anchor == Anchor::Start ? 0 : label.anchor == Anchor::Middle ? -width / 2 : -width;
     const double angle = label.angle_deg * std::numbers::pi / 180;
     const Vector2d along(std::cos(angle), std::sin(angle)), up(-along.y(), along.x());
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Box box{kFar, kFar, -kFar, -kFar};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Box box{infinity, infinity, -infinity, -infinity};
     for (const double x : {start, start + width})
-        for (const double y : {-kBelow * label.height_mm, kAbove * label.height_mm})
+        for (const double y : {-descentShare * label.height_mm, ascentShare * label.height_mm})
             grow(box, label.at_mm + x * along + y * up);
     return box;
 }
 
 Box boxOf(const Drawing& drawing)
 {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Box box{kFar, kFar, -kFar, -kFar};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Box box{infinity, infinity, -infinity, -infinity};
     for (const Line& line : drawing.lines)
         for (const Vector2d& point : {line.from_mm, line.to_mm}) grow(box, point);
     for (const Arc& arc : drawing.arcs)

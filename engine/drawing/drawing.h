@@ -56,26 +56,25 @@ inline constexpr double thin_mm = 0.25;  ///< width of all other lines
 
 struct Line {
     Eigen::Vector2d from_mm = Eigen::Vector2d::Zero(), to_mm = Eigen::Vector2d::Zero();
-    Layer layer = Layer::Contour;          ///< one of `layers`, or a further one
-    double width_mm = thick_mm;            ///< of the line
-    LineType type = LineType::Continuous;  ///< of the line
+    Layer layer = Layer::Contour;  ///< one of `layers`, or a further one
+    double width_mm = thick_mm;    ///< line width on paper
+    LineType type = LineType::Continuous;
     friend bool operator==(const Line&, const Line&) = default;
 };
 
 /// Anticlockwise from start to end; 0 to 360 is the whole circle.
 struct Arc {
     Eigen::Vector2d centre_mm = Eigen::Vector2d::Zero();
-    double radius_mm = 0;                 ///< in mm
+    double radius_mm = 0;                 ///< on paper
     double start_deg = 0, end_deg = 360;  ///< anticlockwise from x
     Layer layer = Layer::Contour;         ///< one of `layers`, or a further one
-    double width_mm = thick_mm;           ///< of the line
+    double width_mm = thick_mm;           ///< line width on paper
     friend bool operator==(const Arc&, const Arc&) = default;
 };
 
 enum class Anchor : std::uint8_t { Start, Middle, End };
 
-/// What a text says of the outside of the shaft or of a bore, for a window in which it is edited. Writers of files
-/// ignore it.
+/// The size of the outside or of a bore that a text states, for editing in a window. Writers of files ignore it.
 struct DimensionTarget {
     enum class Of : std::uint8_t { None, Diameter, Length, ArcRadius, Chamfer, Taper, Groove };
     Of of = Of::None;                      ///< which size; None: a remark, a keyway
@@ -91,9 +90,9 @@ struct Label {
     double angle_deg = 0;                             ///< 0, or 90: read from the right
     std::string text = {};                            ///< UTF-8
     Anchor anchor = Anchor::Start;
-    bool italic = false;          ///< as measured
+    bool italic = false;          ///< a measured value
     Layer layer = Layer::Text;    ///< one of `layers`, or a further one
-    DimensionTarget target = {};  ///< what it says
+    DimensionTarget target = {};  ///< the size that the text states
     friend bool operator==(const Label&, const Label&) = default;
 };
 
@@ -107,14 +106,14 @@ struct Arrow {
 };
 
 struct Drawing {
-    Sheet sheet = Sheet::A4Landscape;                     ///< size of the paper
+    Sheet sheet = Sheet::A4Landscape;
     Scale scale;                                          ///< of the main view
-    std::string title;                                    ///< what a screen reader says
-    std::vector<Line> lines;                              ///< in order
+    std::string title;                                    ///< for screen readers
+    std::vector<Line> lines;                              ///< drawn first
     std::vector<Arc> arcs;                                ///< drawn after the lines
-    std::vector<Label> labels;                            ///< in order
+    std::vector<Label> labels;                            ///< drawn after the arcs
     std::vector<Arrow> arrows;                            ///< drawn last
-    bool complete = true;                                 ///< false: dimensions had to be left out for want of room
+    bool complete = true;                                 ///< false: dimensions were left out for lack of space
     Eigen::Vector2d origin_mm = Eigen::Vector2d::Zero();  ///< of the main view: its axis at the free end
     friend bool operator==(const Drawing&, const Drawing&) = default;
 };
@@ -122,10 +121,10 @@ struct Drawing {
 /// Width of `text` set in DejaVu Sans with capitals of `height_mm`; exact for ASCII and the signs of drawings.
 double textWidth_mm(std::string_view text, double height_mm);
 
-/// What a label covers: from below the base line (descenders) to above the capitals (accents).
+/// Box of a label, from below the base line (descenders) to above the capitals (accents).
 Box boxOf(const Label& label);
 
-/// What all entities cover, line widths left out; an empty drawing gives an empty box at 0.
+/// Bounding box of all entities without line widths; an empty box at 0 for an empty drawing.
 Box boxOf(const Drawing& drawing);
 
 /// All entities moved.

@@ -25,9 +25,9 @@ std::string number(double value)
 /// The font's sign for a diameter is no taller than a small letter.
 std::string withTallDiameters(std::string text)
 {
-    constexpr std::string_view kSign = "⌀", kTall = "Ø";
-    for (std::size_t at = 0; (at = text.find(kSign, at)) != std::string::npos; at += kTall.size())
-        text.replace(at, kSign.size(), kTall);
+    constexpr std::string_view diameterSign = "⌀", tallDiameterSign = "Ø";
+    for (std::size_t at = 0; (at = text.find(diameterSign, at)) != std::string::npos; at += tallDiameterSign.size())
+        text.replace(at, diameterSign.size(), tallDiameterSign);
     return text;
 }
 

@@ -13,8 +13,8 @@
 namespace lathelier::drawing {
 namespace {
 
-constexpr double kSteep_deg = 10;  // cones are given by their whole angle from here on
-const char* const kDiameter = "⌀";
+constexpr double wholeAngleFrom_deg = 10;  // cones are given by their whole angle from here on
+const char* const diameterPrefix = "⌀";
 
 bool same(double a, double b)
 {
@@ -123,7 +123,7 @@ private:
                 continue;
             }
             DimensionText label = withPrefix(
-                kDiameter,
+                diameterPrefix,
                 size(row, row.start_diameter_mm, uncertaintyOf(row, options_.uncertainties).start_diameter_um));
             label.target = {Of::Diameter, {row.index}};
             features_.diameters.push_back(
@@ -144,7 +144,7 @@ private:
         const ContourRow& row = rows[i];
         const double difference = std::abs(row.end_diameter_mm - row.start_diameter_mm);
         std::string text;
-        if (row.angle_deg() >= kSteep_deg) {
+        if (row.angle_deg() >= wholeAngleFrom_deg) {
             text = number(2 * row.angle_deg(), 2) + "°";
         } else {
             const double x = row.length_mm() / difference;
@@ -153,7 +153,7 @@ private:
         }
         const bool large_at_end = row.end_diameter_mm > row.start_diameter_mm;
         if (!continuesAsCylinder(rows, i, large_at_end))
-            text += fmt::format(" {}{}", kDiameter, number(std::max(row.start_diameter_mm, row.end_diameter_mm)));
+            text += fmt::format(" {}{}", diameterPrefix, number(std::max(row.start_diameter_mm, row.end_diameter_mm)));
         return text + " (" + number(row.length_mm()) + ")";
     }
 
@@ -173,9 +173,9 @@ private:
         for (std::size_t i = first; i <= last; ++i)
             for (const double diameter : {rows[i].start_diameter_mm, rows[i].end_diameter_mm})
                 bottom = outside ? std::min(bottom, diameter) : std::max(bottom, diameter);
-        std::string text = number(width) + "×" + kDiameter + number(bottom);
+        std::string text = number(width) + "×" + diameterPrefix + number(bottom);
         if (rows[first].tolerance)
-            text = number(width) + "×" + kDiameter +
+            text = number(width) + "×" + diameterPrefix +
                    nominalSize(bottom, rows[first].tolerance, options_.decimal_separator);
         return {std::move(text), isMeasured(rows[first])};
     }
@@ -306,7 +306,8 @@ private:
             const bool from_mouth = isOpen(0, i), from_far = through && isOpen(i + 1, rows.size());
             BoreDimension bore{
                 {std::min(row.start_z_mm, row.end_z_mm), std::max(row.start_z_mm, row.end_z_mm), row.start_diameter_mm,
-                 withPrefix(kDiameter, size(row, row.start_diameter_mm, uncertaintyOf(row, known).start_diameter_um)),
+                 withPrefix(diameterPrefix,
+                            size(row, row.start_diameter_mm, uncertaintyOf(row, known).start_diameter_um)),
                  row.start_diameter_mm},
                 free ? from_mouth : from_far,
                 free ? from_far : from_mouth};
@@ -355,7 +356,7 @@ private:
         if (mark.kind == "flat" && mark.distance_mm)
             return fill(translated(LT_TEXT("Engine", "flat, {distance} from the axis"), options_),
                         {{"distance", number(*mark.distance_mm)}});
-        if (mark.kind == "cross_hole" && mark.diameter_mm) return kDiameter + number(*mark.diameter_mm);
+        if (mark.kind == "cross_hole" && mark.diameter_mm) return diameterPrefix + number(*mark.diameter_mm);
         return {};
     }
 

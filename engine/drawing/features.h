@@ -1,4 +1,4 @@
-// What a shaft's drawing has to say, before any layout: in millimetres of the part.
+// Dimensions of a shaft's drawing before layout, in millimetres of the part.
 #pragma once
 
 #include <Eigen/Core>
@@ -48,7 +48,7 @@ struct LengthDimension {
 
 struct KeywayView {
     double from_z_mm = 0, to_z_mm = 0;
-    double width_mm = 0;          ///< of the line
+    double width_mm = 0;          ///< of the slot
     double floor_mm = 0;          ///< from the axis
     double diameter_mm = 0;       ///< of the shaft around it
     double bore_diameter_mm = 0;  ///< of the bore inside it

@@ -1,4 +1,4 @@
-// Which lane below a view each length of a chain stands on.
+// Assignment of the lengths of a chain to lanes below a view.
 #pragma once
 
 #include <vector>

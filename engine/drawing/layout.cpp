@@ -16,12 +16,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFirstLane_mm = 10;   // from the view to the first dimension line
-constexpr double kCut_mm = 5;          // from the view to the arrows of a cutting plane
-constexpr double kOverhang_mm = 4;     // of the axis
-constexpr double kLeaderSpace_mm = 2;  // least distance of leaders
-constexpr double kClear_mm = 1.2;      // between a dimension line and an edge beside it
-constexpr double kBend_mm = 3;         // leaders are vertical from so far above the view; also beside keyways
+constexpr double firstLane_mm = 10;       // from the view to the first dimension line
+constexpr double cutArrowOffset_mm = 5;   // from the view to the arrows of a cutting plane
+constexpr double axisOverhang_mm = 4;     // of the axis
+constexpr double leaderSpace_mm = 2;      // least distance of leaders
+constexpr double edgeClearance_mm = 1.2;  // between a dimension line and an edge beside it
+constexpr double leaderBend_mm = 3;       // leaders are vertical from so far above the view; also beside keyways
 
 class Layout {
 public:
@@ -31,8 +31,8 @@ public:
         drawing_ = viewOf(shaft, factor);
         view_ = boxOf(drawing_);
         for (const KeywayView& keyway : features.keyways)
-            taken_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
-                              factor * keyway.width_mm / 2});
+            occupied_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
+                                 factor * keyway.width_mm / 2});
         for (const BoreDimension& bore : features.bores)
             for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm}) edges_.push_back(factor * z);
         for (const LengthDimension& length : features.bore_lengths)
@@ -59,17 +59,18 @@ private:
     struct Leader {
         Vector2d at_mm;
         DimensionText label;
-        std::optional<double> lower_y_mm;  ///< a ⌀: its dimension line comes from here
+        std::optional<double> lower_y_mm;  ///< a ⌀: lower end of its dimension line
     };
 
     bool isFree(const Box& box) const
     {
-        return std::none_of(taken_.begin(), taken_.end(), [&](const Box& other) { return box.overlaps(other); });
+        return std::none_of(occupied_.begin(), occupied_.end(), [&](const Box& other) { return box.overlaps(other); });
     }
 
     bool isNearEdge(double x) const
     {
-        return std::any_of(edges_.begin(), edges_.end(), [&](double edge) { return std::abs(edge - x) < kClear_mm; });
+        return std::any_of(edges_.begin(), edges_.end(),
+                           [&](double edge) { return std::abs(edge - x) < edgeClearance_mm; });
     }
 
     double pitch() const { return 2 * paint_.height_mm(); }
@@ -84,14 +85,15 @@ private:
         }
     }
 
-    /// Where a dimension line across the view meets nothing, next to the middle; the middle where there is no such
-    /// place.
+    /// Place nearest to the middle where a dimension line across the view crosses nothing; the middle where there is
+    /// none.
     double clearPlace(double from, double to, double radius) const
     {
         const double middle = (from + to) / 2, reach = (to - from) / 2 - 1;
         for (double off = 0; off <= reach; off += 0.5)
             for (const double x : {middle + off, middle - off})
-                if (!isNearEdge(x) && isFree({x - kBend_mm, -radius, x + kBend_mm, bored_ ? 0 : radius})) return x;
+                if (!isNearEdge(x) && isFree({x - leaderBend_mm, -radius, x + leaderBend_mm, bored_ ? 0 : radius}))
+                    return x;
         return middle;
     }
 
@@ -107,7 +109,7 @@ private:
                 const Box box{x - band, -radius, x + 0.5, bored_ ? 0 : radius};
                 if (!isFree(box) || isNearEdge(x)) continue;
                 addInside(diameter.label, x, radius);
-                taken_.push_back(box);
+                occupied_.push_back(box);
                 return true;
             }
         return false;
@@ -126,13 +128,13 @@ private:
         paint_.text({x - paint_.gap_mm(), -radius / 2}, label, Anchor::Middle, 90);
     }
 
-    /// What the letter of a cutting plane needs between the view and the first lane.
+    /// Height of the letter of a cutting plane between the view and the first lane.
     double cutSpace() const { return features_.keyways.empty() ? 0 : 2 * paint_.height_mm(); }
 
     /// Lanes of the lengths, 0 nearest to the view.
     void addLengths(const std::vector<int>& lanes)
     {
-        const double first = view_.bottom_mm - kFirstLane_mm - cutSpace();
+        const double first = view_.bottom_mm - firstLane_mm - cutSpace();
         for (std::size_t i = 0; i < lanes.size(); ++i) {
             const LengthDimension& length = features_.lengths[i];
             paint_.horizontal(factor_ * length.from_z_mm, factor_ * length.to_z_mm, first - lanes[i] * pitch(),
@@ -160,7 +162,7 @@ private:
 
     void addRunningLengths()
     {
-        const double y = view_.bottom_mm - kFirstLane_mm - cutSpace();
+        const double y = view_.bottom_mm - firstLane_mm - cutSpace();
         std::vector<double> places;
         for (const LengthDimension& length : features_.lengths) places.push_back(factor_ * length.to_z_mm);
         const std::vector<double> x = spread(places, paint_.band_mm() + 0.5);
@@ -189,17 +191,17 @@ private:
             leaders_.push_back({{middle, factor_ * bore.size.diameter_mm / 2}, bore.size.label, std::nullopt});
     }
 
-    /// Beside the view, small ones nearest to it; half of each, since the section shows half.
+    /// Beside the view, small ones nearest to it; half dimension lines, since the section shows half.
     void addBores(std::vector<DiameterDimension>& bores, bool left)
     {
         std::stable_sort(bores.begin(), bores.end(), [](const DiameterDimension& a, const DiameterDimension& b) {
             return a.diameter_mm < b.diameter_mm;
         });
         const double sense = left ? -1 : 1, step = paint_.band_mm() + 2;
-        double x = left ? view_.left_mm - step - 1 : view_.right_mm + kOverhang_mm + step;
+        double x = left ? view_.left_mm - step - 1 : view_.right_mm + axisOverhang_mm + step;
         for (const DiameterDimension& bore : bores) {
             const double radius = factor_ * bore.diameter_mm / 2, width = paint_.widthOf(bore.label);
-            const double low = std::min(-kOverhang_mm, radius - arrow_mm - 2 - width);
+            const double low = std::min(-axisOverhang_mm, radius - arrow_mm - 2 - width);
             while (overlapsLabel({x - paint_.band_mm(), low, x + 0.5, radius})) x += sense * step;
             paint_.line({factor_ * (left ? bore.from_z_mm : bore.to_z_mm), radius}, {x + sense * 1.5, radius});
             paint_.line({x, radius}, {x, low});
@@ -220,7 +222,7 @@ private:
         label.text = callout.label.text;
         label.anchor = left ? Anchor::End : Anchor::Start;
         const Box box = boxOf(label);
-        if (box.top_mm > view_.top_mm + kBend_mm || overlapsLabel(box)) return false;
+        if (box.top_mm > view_.top_mm + leaderBend_mm || overlapsLabel(box)) return false;
         paint_.line(at, knee);
         paint_.arrow(at, at - knee);
         paint_.line(knee, knee + Vector2d(sense * (width + 1), 0));
@@ -240,19 +242,20 @@ private:
         std::vector<LeaderText> texts;
         for (const Leader& leader : leaders_) texts.push_back({leader.at_mm.x(), paint_.widthOf(leader.label) + 1});
         if (!features_.keyways.empty()) texts.push_back({cuttingPlane(features_.keyways.front()), 0});
-        places_ = placeLeaders(texts, kLeaderSpace_mm);
+        places_ = placeLeaders(texts, leaderSpace_mm);
         double cut = 0;
         if (!features_.keyways.empty()) {
             cut = places_.back().x_mm;
             places_.pop_back();
         }
-        double y = view_.top_mm + kFirstLane_mm + cutSpace();
+        double y = view_.top_mm + firstLane_mm + cutSpace();
         for (const LengthDimension& length : features_.bore_lengths) {
             addBoreLength(length, y);
             y += pitch();
         }
-        const double bend = view_.top_mm + kBend_mm;
-        double first = features_.bore_lengths.empty() ? view_.top_mm + kBend_mm + 4 : y - pitch() + 2 * kBend_mm;
+        const double bend = view_.top_mm + leaderBend_mm;
+        double first =
+            features_.bore_lengths.empty() ? view_.top_mm + leaderBend_mm + 4 : y - pitch() + 2 * leaderBend_mm;
         if (!features_.keyways.empty()) first = std::max(first, addCuttingPlane(features_.keyways.front(), cut));
         for (std::size_t i = 0; i < leaders_.size(); ++i) addLeader(leaders_[i], places_[i], bend, first);
     }
@@ -306,7 +309,7 @@ private:
         for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
         lines.push_back(0);
         const auto clearance = [&](double x) {
-            double least = 2.5;  // more is no better
+            double least = 2.5;  // the clearance is capped
             for (const double line : lines) least = std::min(least, std::abs(line - x));
             return least;
         };
@@ -323,19 +326,19 @@ private:
         const double height = paint_.height_mm();
         if (x < factor_ * keyway.from_z_mm || x > factor_ * keyway.to_z_mm) x = cuttingPlane(keyway);
         for (const double sign : {1.0, -1.0}) {
-            const double edge = sign > 0 ? view_.top_mm : view_.bottom_mm, far = edge + sign * kCut_mm;
+            const double edge = sign > 0 ? view_.top_mm : view_.bottom_mm, far = edge + sign * cutArrowOffset_mm;
             drawing_.lines.push_back({{x, edge + sign}, {x, far}, Layer::Contour, thick_mm});
             paint_.line({x, far}, {x + 2 * arrow_mm, far});
             paint_.arrow({x, far}, {-1, 0});
             paint_.text({x, sign > 0 ? far + 0.4 * height : far - 1.3 * height}, {"A", false}, Anchor::Middle);
         }
-        return view_.top_mm + kCut_mm + 2 * height;
+        return view_.top_mm + cutArrowOffset_mm + 2 * height;
     }
 
     void addAxis()
     {
         std::sort(gaps_.begin(), gaps_.end());
-        double start = view_.left_mm - kOverhang_mm;
+        double start = view_.left_mm - axisOverhang_mm;
         const auto add = [&](double end) {
             if (end - start > 0.5)
                 drawing_.lines.push_back({{start, 0}, {end, 0}, Layer::Axis, thin_mm, LineType::DashDot});
@@ -344,7 +347,7 @@ private:
             add(from);
             start = std::max(start, to);
         }
-        add(view_.right_mm + kOverhang_mm);
+        add(view_.right_mm + axisOverhang_mm);
     }
 
     void addSection(const KeywayView& keyway)
@@ -369,7 +372,7 @@ private:
     Drawing drawing_;
     DimensionPainter paint_;
     Box view_;
-    std::vector<Box> taken_;                       // inside the view
+    std::vector<Box> occupied_;                    // inside the view
     std::vector<double> edges_;                    // x of upright lines of bores
     std::vector<std::pair<double, double>> gaps_;  // of the axis
     std::vector<Leader> leaders_;

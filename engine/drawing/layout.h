@@ -12,7 +12,7 @@ namespace lathelier::drawing {
 enum class LengthStyle : std::uint8_t {
     Parallel,  ///< each on a lane of its own
     Chain,     ///< side by side on as few lanes as their texts allow
-    Running,   ///< superimposed on one line, for want of height; of lengths from the free end
+    Running,   ///< superimposed on one line, to save height; for lengths from the free end
 };
 
 /// `shaft` with its bores stated (withStatedBores), `features` of it; lettering `height_mm` high.

@@ -59,7 +59,7 @@ std::vector<LeaderPlace> placeLeaders(const std::vector<LeaderText>& texts, doub
     int best_most = -1, best_sum = 0;
     for (std::size_t split = 0; split <= count; ++split) {
         std::vector<double> left_x, left_width, right_x, right_width;
-        for (std::size_t i = split; i-- > 0;) {  // mirrored, so that the same rule serves
+        for (std::size_t i = split; i-- > 0;) {  // mirrored, to use the same function
             left_x.push_back(-x[i]);
             left_width.push_back(texts[order[i]].width_mm);
         }

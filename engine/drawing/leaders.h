@@ -1,4 +1,4 @@
-// Where the texts of leaders stand: boundary labelling with vertical leaders above a view.
+// Placement of leader texts: boundary labelling with vertical leaders above a view.
 #pragma once
 
 #include <vector>

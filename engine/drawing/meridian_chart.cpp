@@ -13,10 +13,10 @@
 namespace lathelier::drawing {
 namespace {
 
-constexpr const char* kShoulder = "shoulder/";
-constexpr double kArcStep = 5 * std::numbers::pi / 180;
+constexpr const char* shoulderPrefix = "shoulder/";
+constexpr double arcStep_rad = 5 * std::numbers::pi / 180;
 
-/// From its start, its end left out.
+/// Points of a piece without its end.
 void addPiece(const ContourPiece& piece, std::vector<Eigen::Vector2d>& points)
 {
     if (!piece.isArc()) {
@@ -24,7 +24,7 @@ void addPiece(const ContourPiece& piece, std::vector<Eigen::Vector2d>& points)
         return;
     }
     const auto [start, end] = piece.arcAngles();
-    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end - start) / kArcStep)));
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::abs(end - start) / arcStep_rad)));
     const Eigen::Vector2d centre = piece.centre_mm();
     const double radius = std::abs(piece.arc_radius_mm);
     for (int i = 0; i < steps; ++i) {
@@ -76,7 +76,7 @@ report::Plot meridianChart(const Shaft& shaft)
     const double length_mm = stated.length_mm();
     for (const Station& station : stationsOf(outerRows(stated))) {
         report::Handle handle;
-        handle.key = kShoulder + std::to_string(station.before);
+        handle.key = shoulderPrefix + std::to_string(station.before);
         handle.kind = report::Handle::Kind::Point;
         handle.x = station.z_mm;
         handle.y = station.radius_mm;
@@ -89,7 +89,7 @@ report::Plot meridianChart(const Shaft& shaft)
 
 std::optional<std::size_t> rowOfShoulder(const std::string& key)
 {
-    const std::string start = kShoulder;
+    const std::string start = shoulderPrefix;
     if (!key.starts_with(start)) return std::nullopt;
     std::size_t row = 0;
     const auto [end, error] = std::from_chars(key.data() + start.size(), key.data() + key.size(), row);

@@ -1,4 +1,4 @@
-// The meridian of a shaft as a chart to edit it in: outside, bores, and a handle at each place that a length leads to.
+// The meridian of a shaft as a chart to edit it in: outside, bores, and a handle at each place with a length dimension.
 #pragma once
 
 #include <Eigen/Core>

@@ -28,7 +28,7 @@ RowKind kindOf(const ContourRow& row, const std::string& role)
     return role.empty() && short_and_steep ? RowKind::Chamfer : RowKind::Taper;
 }
 
-/// Has the row the values that were measured?
+/// Does the row have its measured values?
 bool stands(const ShaftSegment& segment)
 {
     if (!segment.measured) return false;

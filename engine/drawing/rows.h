@@ -1,4 +1,4 @@
-// Rows of a contour, outside or bore, with what a drawing calls them.
+// Rows of a contour, outside or bore, with their kind in a drawing.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,14 +16,14 @@ enum class RowKind : std::uint8_t { Cylinder, Taper, Curve, Chamfer, Radius, Gro
 
 /// A row in the order of travel: from the free end, or from a bore's mouth inward.
 struct ContourRow {
-    RowKind kind = RowKind::Cylinder;                   ///< what it is
-    double start_z_mm = 0, end_z_mm = 0;                ///< z of the shaft
-    double start_diameter_mm = 0, end_diameter_mm = 0;  ///< in mm
-    double arc_radius_mm = 0;                           ///< signed as ShaftSegment::arc_radius_mm; 0: straight
-    std::size_t index = 0;                              ///< in ShaftSegment or BoreSegment lists
+    RowKind kind = RowKind::Cylinder;
+    double start_z_mm = 0, end_z_mm = 0;  ///< z of the shaft
+    double start_diameter_mm = 0, end_diameter_mm = 0;
+    double arc_radius_mm = 0;  ///< signed as ShaftSegment::arc_radius_mm; 0: straight
+    std::size_t index = 0;     ///< in ShaftSegment or BoreSegment lists
     std::optional<SizeTolerance> tolerance = {};
     bool is_nominal = false;   ///< values were set after measuring
-    bool as_measured = false;  ///< the measured values are known, and stand
+    bool as_measured = false;  ///< the values are the measured ones
 
     double length_mm() const;
     double middleZ_mm() const { return (start_z_mm + end_z_mm) / 2; }
@@ -38,7 +38,7 @@ struct ContourRow {
 /// The shaft with ShaftSegment::bore_diameter_mm turned into bores, equal neighbours joined.
 Shaft withStatedBores(const Shaft& shaft);
 
-/// Roles decide the kind; where they say nothing: a cone of 10° or more and at most a tenth of its large diameter long
+/// Roles determine the kind; without a role: a cone of 10° or more and at most a tenth of its large diameter long
 /// is a chamfer, an arc no longer than 15 % of its diameter a radius.
 std::vector<ContourRow> outerRows(const Shaft& shaft);
 std::vector<ContourRow> boreRows(const Shaft& shaft, std::size_t bore);

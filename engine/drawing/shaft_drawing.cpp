@@ -12,12 +12,12 @@
 namespace lathelier::drawing {
 namespace {
 
-constexpr double kMargin_mm = 4;     // between the frame and what is drawn
-constexpr double kReadable_mm = 60;  // the part's larger size on paper, wanted
-constexpr double kGenerous_mm = 90;  // the same, for which the smaller sheet is taken
-constexpr double kHalf = 0.5;        // the smallest scale for which the smaller sheet is taken
+constexpr double frameMargin_mm = 4;      // between the frame and what is drawn
+constexpr double readableSize_mm = 60;    // least larger size of the part on paper, if possible
+constexpr double generousSize_mm = 90;    // larger size of the part on paper that suffices for the smaller sheet
+constexpr double smallestA4Factor = 0.5;  // the smallest scale for which the smaller sheet is taken
 
-/// One way to try.
+/// One combination to try.
 struct Attempt {
     Sheet sheet = Sheet::A4Landscape;
     double height_mm = 3.5;
@@ -31,17 +31,17 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
     std::vector<Attempt> attempts;
     if (!sheet)
         for (const Sheet small : {Sheet::A4Landscape, Sheet::A4Portrait})
-            attempts.push_back({small, 3.5, kGenerous_mm, kHalf});
+            attempts.push_back({small, 3.5, generousSize_mm, smallestA4Factor});
     const Sheet last = sheet.value_or(Sheet::A3Landscape);
     for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
-        for (const double height : {3.5, 2.5}) attempts.push_back({last, height, kReadable_mm, 0, lengths});
-    for (const double least : {kReadable_mm / 2, 0.0})
+        for (const double height : {3.5, 2.5}) attempts.push_back({last, height, readableSize_mm, 0, lengths});
+    for (const double least : {readableSize_mm / 2, 0.0})
         for (const LengthStyle lengths : {LengthStyle::Parallel, LengthStyle::Running})
             attempts.push_back({last, 2.5, least, 0, lengths});
     return attempts;
 }
 
-/// U of rows as they were measured, where none are given; and whether the drawing has any measured row.
+/// Fills U of measured rows where none is given, and DrawingOptions::legend.
 DrawingOptions withKnown(const Shaft& shaft, DrawingOptions options)
 {
     std::vector<SizeUncertainty> known;
@@ -91,7 +91,7 @@ public:
 private:
     bool take(const Attempt& attempt, const Features& features, double largest_mm)
     {
-        Box room = frameBox(attempt.sheet).grown(-kMargin_mm);
+        Box room = frameBox(attempt.sheet).grown(-frameMargin_mm);
         room.bottom_mm += block_mm_;
         for (const Scale& scale : scales()) {
             const double factor = scale.factor();

@@ -14,10 +14,9 @@
 // tolerance; measured ones (ShaftSegment::measured has the same values, or DrawingOptions::measured and the row holds
 // none) are italic with ± U where U is known. U of a length joins those of its two ends.
 //
-// Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of
-// lengths need too much height, they become running dimensions on one line; what still does not fit is
-// drawn with its overall length only (Drawing::complete is false). What of an undercut lies behind a shoulder is not
-// drawn in the full view.
+// Scale: the largest of ISO 5455 that fits, with lettering of 3.5 mm, else of 2.5 mm; where the lanes of lengths are
+// too high, they become running dimensions on one line; what still does not fit is drawn with its overall length only
+// (Drawing::complete is false). What of an undercut lies behind a shoulder is not drawn in the full view.
 //
 // Precondition: a shaft that keeps checkShaft(). Errors: none; a shaft without rows gives an empty sheet.
 #pragma once
@@ -52,10 +51,10 @@ struct DrawingOptions {
     std::string decimal_separator = ".";  ///< "," where the reader expects it
     LengthsFrom lengths_from = LengthsFrom::Datum;    ///< a chain that finds no room becomes running dimensions
     bool measured = false;                            ///< rows without ShaftSegment::measured are measured values
-    bool legend = false;                              ///< says in the block what italic means; drawShaft() sets it
+    bool legend = false;                              ///< the block explains italic type; set by drawShaft()
     std::vector<SizeUncertainty> uncertainties = {};  ///< by row (k = 2); shorter: the others are unknown;
                                                       ///< empty: those of MeasuredSize, of rows as measured
-    std::vector<std::vector<SizeUncertainty>> bore_uncertainties = {};  ///< by Shaft::bores and their rows, likewise
+    std::vector<std::vector<SizeUncertainty>> bore_uncertainties = {};  ///< by Shaft::bores and their rows (k = 2)
     std::function<std::string(Text)> translate = {};                    ///< empty: English
 };
 

@@ -45,7 +45,7 @@ private:
         return a.kind != RowKind::Undercut || b.kind != RowKind::Undercut;
     }
 
-    /// Gives a run of minor rows that begins at `first` its place, if it has none; the row after it.
+    /// Assigns a place to a run of minor rows that begins at `first`, if it has none; returns the row after it.
     std::size_t afterRun(std::size_t first)
     {
         std::size_t last = first;

@@ -1,4 +1,4 @@
-// Which places of a contour get a length.
+// Selection of the places of a contour that get a length dimension.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace lathelier::drawing {
 /// A place that a length leads to.
 struct Station {
     double z_mm = 0;         ///< along the axis
-    double radius_mm = 0;    ///< the larger one there
+    double radius_mm = 0;    ///< the larger one of both sides
     std::size_t before = 0;  ///< position in the list of the row that ends there
 };
 

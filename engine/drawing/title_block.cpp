@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kWidth_mm = 180;
-constexpr double kPadding_mm = 1.2;
-constexpr double kCaption_mm = 1.6;   // height of captions
-constexpr double kSmallest_mm = 1.4;  // height of contents that are long
+constexpr double blockWidth_mm = 180;
+constexpr double cellPadding_mm = 1.2;
+constexpr double captionHeight_mm = 1.6;   // height of captions
+constexpr double smallestHeight_mm = 1.4;  // height of contents that are long
 
 struct Cell {
     Text caption;
@@ -41,13 +41,14 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
     std::vector<BlockRow> rows;
     if (options.legend || options.measured)
         rows.push_back(
-            {5.5, {{{}, translated(LT_TEXT("Engine", "italic: as measured, ± U (k = 2)"), options), kWidth_mm, 2.2}}});
+            {5.5,
+             {{{}, translated(LT_TEXT("Engine", "italic: as measured, ± U (k = 2)"), options), blockWidth_mm, 2.2}}});
     if (options.scan) {
         rows.push_back(
             {5.5,
              {{{},
                translated(LT_TEXT("Engine", "recovered from a scan; measured values are not a specification"), options),
-               kWidth_mm,
+               blockWidth_mm,
                2.2}}});
         rows.push_back({9,
                         {{LT_TEXT("Engine", "Scan"), fileName(options.scan->path), 62},
@@ -72,14 +73,14 @@ std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, 
     return rows;
 }
 
-/// The label made to fit so many millimetres: smaller, then shortened.
+/// Fits the label into a width: smaller, then shortened.
 void fit(Label& label, double width_mm)
 {
     const double wide = textWidth_mm(label.text, label.height_mm);
     if (wide <= width_mm) return;
     const double shrunk = label.height_mm * width_mm / wide;
-    label.height_mm = std::max(kSmallest_mm, shrunk);
-    if (shrunk >= kSmallest_mm) return;
+    label.height_mm = std::max(smallestHeight_mm, shrunk);
+    if (shrunk >= smallestHeight_mm) return;
     std::size_t count = countCharacters(label.text);
     std::string shortened;
     do {
@@ -111,7 +112,7 @@ Drawing titleBlock(const Shaft& shaft, const DrawingOptions& options, Sheet shee
         line({box.left_mm, box.top_mm}, {box.left_mm, box.bottom_mm}, thick_mm);
     };
     rectangle(frame);
-    const double left = frame.right_mm - kWidth_mm;
+    const double left = frame.right_mm - blockWidth_mm;
     double top = frame.bottom_mm + titleBlockHeight_mm(shaft, options);
     rectangle({left, frame.bottom_mm, frame.right_mm, top});
     for (const BlockRow& row : rowsOf(shaft, options, scale.text(), name(sheet))) {
@@ -120,15 +121,15 @@ Drawing titleBlock(const Shaft& shaft, const DrawingOptions& options, Sheet shee
         double x = left;
         for (const Cell& cell : row.cells) {
             if (x > left) line({x, bottom}, {x, top}, thin_mm);
-            const double room = cell.width_mm - 2 * kPadding_mm;
+            const double room = cell.width_mm - 2 * cellPadding_mm;
             if (!cell.caption.empty()) {
-                Label caption{{x + kPadding_mm, top - kPadding_mm - kCaption_mm}, kCaption_mm};
+                Label caption{{x + cellPadding_mm, top - cellPadding_mm - captionHeight_mm}, captionHeight_mm};
                 caption.text = translated(cell.caption, options);
                 fit(caption, room);
                 drawing.labels.push_back(caption);
             }
             if (!cell.content.empty()) {
-                Label content{{x + kPadding_mm, bottom + 0.6 + 0.4 * cell.height_mm}, cell.height_mm};
+                Label content{{x + cellPadding_mm, bottom + 0.6 + 0.4 * cell.height_mm}, cell.height_mm};
                 content.text = cell.content;
                 content.italic = cell.caption.empty();
                 fit(content, room);

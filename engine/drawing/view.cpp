@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kCorner = 0.02;  // sine of the angle between two pieces that meet in an edge
+constexpr double cornerSine = 0.02;  // least sine of the angle between two pieces that meet in an edge
 
 Vector2d mirrored(const Vector2d& point)
 {
@@ -30,7 +30,7 @@ Vector2d tangent(const ContourPiece& piece, bool at_end)
 bool isCorner(const ContourPiece& a, const ContourPiece& b)
 {
     const Vector2d u = tangent(a, true), v = tangent(b, false);
-    return std::abs(u.x() * v.y() - u.y() * v.x()) > kCorner || u.dot(v) < 0;
+    return std::abs(u.x() * v.y() - u.y() * v.x()) > cornerSine || u.dot(v) < 0;
 }
 
 /// The point at this share of the piece, 0 its start.
@@ -100,12 +100,12 @@ private:
                               end * 180 / std::numbers::pi, Layer::Contour, thick_mm});
     }
 
-    /// The piece as far as no material hides it, where one of its ends at least is seen.
+    /// The visible part of the piece, if at least one of its ends is visible.
     void addVisible(const ContourPiece& piece, bool mirror)
     {
-        constexpr double kInside = 1e-6;
-        const bool start_hidden = isHidden(outside_, pointOn(piece, kInside)),
-                   end_hidden = isHidden(outside_, pointOn(piece, 1 - kInside));
+        constexpr double insideMargin = 1e-6;
+        const bool start_hidden = isHidden(outside_, pointOn(piece, insideMargin)),
+                   end_hidden = isHidden(outside_, pointOn(piece, 1 - insideMargin));
         if (start_hidden && end_hidden) return;
         if (start_hidden == end_hidden) {
             addPiece(piece, mirror);
@@ -265,19 +265,19 @@ Drawing keywaySection(const KeywayView& keyway, double factor)
     Polygon polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
     for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
         section.lines.push_back({polygon[i], polygon[i + 1], Layer::Contour, thick_mm});
-    constexpr int kSteps = 180;
+    constexpr int arcSteps = 180;
     const double begin = std::numbers::pi / 2 + slot, turn = 2 * std::numbers::pi - 2 * slot;
-    for (int i = 1; i < kSteps; ++i) {
-        const double angle = begin + turn * i / kSteps;
+    for (int i = 1; i < arcSteps; ++i) {
+        const double angle = begin + turn * i / arcSteps;
         polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
     Polygon hole;
     const double bore = factor * keyway.bore_diameter_mm / 2;
     if (bore > 0) {
         section.arcs.push_back({Vector2d::Zero(), bore, 0, 360, Layer::Contour, thick_mm});
-        for (int i = 0; i < kSteps; ++i)
-            hole.emplace_back(bore * std::cos(2 * std::numbers::pi * i / kSteps),
-                              bore * std::sin(2 * std::numbers::pi * i / kSteps));
+        for (int i = 0; i < arcSteps; ++i)
+            hole.emplace_back(bore * std::cos(2 * std::numbers::pi * i / arcSteps),
+                              bore * std::sin(2 * std::numbers::pi * i / arcSteps));
     }
     for (const Line& line : hatch({polygon, hole}, 2.5)) section.lines.push_back(line);
     const double over = radius + 3;

@@ -1,5 +1,5 @@
-// Single nominal sizes that a person has accepted, put into the shaft beside what was measured. All of them at once are
-// Snap::Apply.
+// Single nominal sizes that a person has accepted, applied to the shaft, with the measured ones kept. All of them at
+// once are Snap::Apply.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct AcceptedSize {
     friend bool operator==(const AcceptedSize&, const AcceptedSize&) = default;
 };
 
-/// "2:diameter_mm,5:radius_mm": as the parameters of a project keep them. What is not understood is left out.
+/// "2:diameter_mm,5:radius_mm": as the parameters of a project keep them. Entries that are not understood are left out.
 std::vector<AcceptedSize> acceptedSizes(std::string_view text);
 std::string textOf(const std::vector<AcceptedSize>& accepted);
 
@@ -26,8 +26,8 @@ std::string textOf(const std::vector<AcceptedSize>& accepted);
 /// other numbers.
 std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const RowChange& change);
 
-/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Of sizes that are
-/// no longer suggested nothing is taken; unless the robust method only suggests, the shaft as it is.
+/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Sizes that are no
+/// longer suggested are ignored. Unless the method is robust with Snap::Suggest, the shaft is returned as it is.
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted);
 
 }  // namespace lathelier::features

@@ -12,8 +12,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kBins = 4;  // of the histogram, in σ
-constexpr double kBelow = 2.5, kAbove = 5;
+constexpr double binsPerSigma = 4;  // of the histogram, in σ
+constexpr double sigmasBelow = 2.5, sigmasAbove = 5;
 
 /// Counts from `from` on.
 struct Histogram {
@@ -58,8 +58,8 @@ std::array<double, 3> densities(double u, double half)
 /// The parts' weights by repeated weighted least squares; parts that came out negative are left out.
 double misfitAt(const Histogram& histogram, double c, double sigma, double blur)
 {
-    constexpr int kRounds = 4;
-    constexpr double kLeast = 0.02;
+    constexpr int rounds = 4;
+    constexpr double leastExpected = 0.02;
     const auto n = static_cast<Eigen::Index>(histogram.counts.size());
     Eigen::MatrixXd parts(n, 3);
     Eigen::VectorXd seen(n);
@@ -73,10 +73,10 @@ double misfitAt(const Histogram& histogram, double c, double sigma, double blur)
     for (const Eigen::Index used : {1, 2, 3}) {
         const Eigen::MatrixXd own = parts.leftCols(used);
         Eigen::VectorXd expected = seen.array() + 1, found;
-        for (int round = 0; round < kRounds; ++round) {
+        for (int round = 0; round < rounds; ++round) {
             const Eigen::MatrixXd weighted = expected.cwiseInverse().asDiagonal() * own;
             found = (own.transpose() * weighted).ldlt().solve(weighted.transpose() * seen);
-            expected = (own * found).cwiseMax(kLeast);
+            expected = (own * found).cwiseMax(leastExpected);
         }
         if (!found.allFinite() || found.head(std::min<Eigen::Index>(used, 2)).minCoeff() < 0) continue;
         double sum = 2 * static_cast<double>(used);
@@ -87,7 +87,7 @@ double misfitAt(const Histogram& histogram, double c, double sigma, double blur)
     return best;
 }
 
-/// Where the radii of the outermost third lie closest together.
+/// The densest place among the outermost third of the radii.
 double densest(std::vector<float> radii, double sigma)
 {
     const auto third = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() * 2 / 3);
@@ -110,8 +110,8 @@ std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, d
 {
     if (radii.size() < 60 || !(sigma_mm > 0)) return std::nullopt;
     const double start = densest(radii, std::hypot(sigma_mm, blur_mm / std::sqrt(12.0)));
-    const Histogram histogram = histogramOf(radii, start - kBelow * sigma_mm - blur_mm,
-                                            start + kAbove * sigma_mm + blur_mm / 2, sigma_mm / kBins);
+    const Histogram histogram = histogramOf(radii, start - sigmasBelow * sigma_mm - blur_mm,
+                                            start + sigmasAbove * sigma_mm + blur_mm / 2, sigma_mm / binsPerSigma);
     double place = start, step = 0.25 * sigma_mm, least = misfitAt(histogram, start, sigma_mm, blur_mm);
     for (int round = 0; round < 5; ++round, step /= 4) {
         const double around = place;
@@ -130,11 +130,11 @@ std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, d
 Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm, double level_mm,
             double sigma_mm)
 {
-    constexpr double kStep_mm = 0.1, kReached_mm = 0.03, kBefore_mm = 0.15, kSpot_mm = 0.15, kGroup_mm = 0.6,
-                     kLeast_mm = 0.2;
-    constexpr double kLeastError = 2.5,
-                     kUnsure = 1.7;  // for the share of the points that lies on the crest is not known beforehand
-    constexpr int kRounds = 4;
+    constexpr double shareWidth_mm = 0.1, crestTolerance_mm = 0.03, endMargin_mm = 0.15, assumedSpot_mm = 0.15,
+                     groupLength_mm = 0.6, shortestLead_mm = 0.2;
+    constexpr double leastErrorFactor = 2.5,
+                     crestShareFactor = 1.7;  // allows for the unknown share of the points on the crest
+    constexpr int rounds = 4;
     const double sign = toward_end ? 1 : -1;
     std::vector<std::pair<double, double>> points;  // how far inside the border, radius
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
@@ -152,14 +152,15 @@ Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, doubl
         radii.reserve(static_cast<std::size_t>(last - first));
         for (auto point = first; point != last; ++point)
             radii.push_back(static_cast<float>(point->second - slope * (point->first - (from + to) / 2)));
-        return std::pair(crestOf(radii, sigma_mm, std::abs(slope) * kSpot_mm), last - first);
+        return std::pair(crestOf(radii, sigma_mm, std::abs(slope) * assumedSpot_mm), last - first);
     };
-    // First bin by bin; the median of all slopes between two of them bears bins whose crest was mistaken.
+    // First bin by bin; the median of the slopes between all pairs (Theil and Sen) is robust to bins with a wrong
+    // crest.
     std::vector<std::pair<double, double>> crests;
-    for (double from = 0; from + kStep_mm <= longest_mm; from += kStep_mm) {
-        const auto crest = crestAt(from, from + kStep_mm, 0).first;
-        if (!crest || crest->radius_mm > level_mm - kReached_mm) break;
-        crests.emplace_back(from + kStep_mm / 2, crest->radius_mm);
+    for (double from = 0; from + shareWidth_mm <= longest_mm; from += shareWidth_mm) {
+        const auto crest = crestAt(from, from + shareWidth_mm, 0).first;
+        if (!crest || crest->radius_mm > level_mm - crestTolerance_mm) break;
+        crests.emplace_back(from + shareWidth_mm / 2, crest->radius_mm);
     }
     if (crests.size() < 3) return {};
     const auto middleOf = [](std::vector<double> values) { return upperMedianInPlace(values); };
@@ -170,24 +171,24 @@ Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, doubl
     double slope = middleOf(slopes);
     for (const auto& [place, r] : crests) levels.push_back(r - slope * place);
     double level = middleOf(levels);
-    // Then over more points at once, which the slope brings together.
+    // Then over groups of bins, with the slope removed.
     Lead lead;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         if (!(slope > 0.1)) return {};
-        const double length = std::min(longest_mm, (level_mm - level) / slope - kBefore_mm);
-        if (!(length >= kLeast_mm)) return {};
-        const int groups = std::max(3, static_cast<int>(length / kGroup_mm));
-        const double scatter = std::hypot(sigma_mm, slope * kSpot_mm / std::sqrt(12.0)), step = length / groups;
+        const double length = std::min(longest_mm, (level_mm - level) / slope - endMargin_mm);
+        if (!(length >= shortestLead_mm)) return {};
+        const int groups = std::max(3, static_cast<int>(length / groupLength_mm));
+        const double scatter = std::hypot(sigma_mm, slope * assumedSpot_mm / std::sqrt(12.0)), step = length / groups;
         lead.walls.clear();
-        lead.reached_mm = border_mm + sign * (length + kBefore_mm);
+        lead.reached_mm = border_mm + sign * (length + endMargin_mm);
         double s = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
         for (int g = 0; g < groups; ++g) {
             const auto [crest, count] = crestAt(g * step, (g + 1) * step, slope);
             if (!crest) return {};
-            const double error =
-                std::max(kUnsure * crest->sigma_mm, kLeastError * scatter / std::sqrt(static_cast<double>(count)));
+            const double error = std::max(crestShareFactor * crest->sigma_mm,
+                                          leastErrorFactor * scatter / std::sqrt(static_cast<double>(count)));
             const double x = (g + 0.5) * step, w = 1 / (error * error);
-            const int shares = std::max(1, static_cast<int>(std::lround(step / kStep_mm)));
+            const int shares = std::max(1, static_cast<int>(std::lround(step / shareWidth_mm)));
             for (int k = 0; k < shares; ++k) {
                 const double off = ((k + 0.5) / shares - 0.5) * step;
                 Wall wall;

@@ -21,13 +21,13 @@ struct Crest {
 /// their noise.
 std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, double blur_mm = 0);
 
-/// A cone that leads into a rough zone, seen between its grooves only.
+/// The cone at the start of a rough zone, seen between the grooves only.
 struct Lead {
     std::vector<Wall> walls;  ///< over its crests, 0.1 mm wide, in order of z; none: no such cone
     double reached_mm = 0;    ///< along the axis: here it reaches the crests of the zone
 };
 
-/// `border_mm`: where the zone begins; `toward_end`: it goes on to larger z. The cone is at most `longest_mm` long and
+/// `border_mm`: where the zone begins; `toward_end`: it extends to larger z. The cone is at most `longest_mm` long and
 /// ends at the radius `level_mm`.
 Lead leadIn(const MeridianCloud& cloud, double border_mm, bool toward_end, double longest_mm, double level_mm,
             double sigma_mm);

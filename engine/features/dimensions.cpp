@@ -11,9 +11,9 @@
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t kSizes = 7;  // z start, z end, start radius, end radius, arc radius, half angle, length
+constexpr std::size_t sizeCount = 7;  // z start, z end, start radius, end radius, arc radius, half angle, length
 
-using Sizes = std::array<double, kSizes>;
+using Sizes = std::array<double, sizeCount>;
 
 Sizes sizesOf(const Run& run, std::size_t k)
 {
@@ -44,7 +44,7 @@ std::vector<Sizes> sigmas(const Outline& outline)
     const std::vector<Sizes> base = allSizes(model);
     const std::size_t count = outline.fit.slots.size();
     std::vector<Eigen::MatrixXd> jacobians(base.size(),
-                                           Eigen::MatrixXd::Zero(kSizes, static_cast<Eigen::Index>(count)));
+                                           Eigen::MatrixXd::Zero(sizeCount, static_cast<Eigen::Index>(count)));
     for (std::size_t s = 0; s < count; ++s) {
         constexpr double step = 1e-5;
         const Model before = model;
@@ -53,13 +53,13 @@ std::vector<Sizes> sigmas(const Outline& outline)
         const std::vector<Sizes> moved = allSizes(model);
         model = before;
         for (std::size_t i = 0; i < base.size(); ++i)
-            for (std::size_t q = 0; q < kSizes; ++q)
+            for (std::size_t q = 0; q < sizeCount; ++q)
                 jacobians[i](static_cast<Eigen::Index>(q), static_cast<Eigen::Index>(s)) =
                     (moved[i][q] - base[i][q]) / step;
     }
     std::vector<Sizes> result(base.size());
     for (std::size_t i = 0; i < base.size(); ++i)
-        for (std::size_t q = 0; q < kSizes; ++q) {
+        for (std::size_t q = 0; q < sizeCount; ++q) {
             const auto row = jacobians[i].row(static_cast<Eigen::Index>(q));
             result[i][q] = std::sqrt(std::max(0.0, (row * outline.fit.covariance * row.transpose())(0, 0)));
         }
@@ -74,8 +74,8 @@ std::string tiesOf(const Element& e)
     return start == end ? start : start + "-" + end;
 }
 
-/// Peak to valley of the polynomial of degree 4 through what is left, so that noise adds little to it; of a short row,
-/// whose walls tell no form from noise, 0.
+/// Peak to valley of a polynomial of degree 4 fitted to the residuals, to suppress noise; 0 for a short row, whose form
+/// cannot be separated from noise.
 double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from -1 to 1, deviation, weight
 {
     constexpr int degree = 4;
@@ -103,7 +103,7 @@ double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from 
     return 1e3 * (high - low);
 }
 
-/// What the walls of one element leave.
+/// Residuals of the walls of one element.
 void addForm(const Outline& outline, const Run& run, std::size_t k, RecognizedRow& row)
 {
     const double from = run.nodes_mm[k], to = run.nodes_mm[k + 1], middle = (from + to) / 2,

@@ -14,7 +14,8 @@ namespace {
 using registration::Ray;
 
 constexpr double sureOfRay = 0.997;
-constexpr std::array<double, 13> kWidths_mm{0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12, 0.15, 0.18, 0.22, 0.28, 0.36, 0.5};
+constexpr std::array<double, 13> candidateWidths_mm{0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12,
+                                                    0.15, 0.18, 0.22, 0.28, 0.36, 0.5};
 constexpr int edgeSectors = 24;
 
 /// Sum of log P over the rays, which are in order of height.
@@ -50,7 +51,7 @@ std::optional<PlanePlace> placeOf(const registration::EdgeRays& edge)
     for (std::size_t i = 0; i < rays.size(); ++i) hits[i + 1] = hits[i] + (rays[i].hit ? 1 : 0);
     const std::size_t all_hits = hits.back();
     if (all_hits < 10 || rays.size() - all_hits < 10) return std::nullopt;
-    // Start: the place that the fewest rays contradict.
+    // Start: the place with the fewest contradicting rays.
     double start = rays.front().height, least = 1e300;
     for (std::size_t i = 0; i <= rays.size(); ++i) {
         const double wrong =
@@ -62,8 +63,8 @@ std::optional<PlanePlace> placeOf(const registration::EdgeRays& edge)
                                        : (rays[i - 1].height + rays[i].height) / 2;
         }
     }
-    double best = -1e300, place = start, width = kWidths_mm[0];
-    for (const double w : kWidths_mm) {
+    double best = -1e300, place = start, width = candidateWidths_mm[0];
+    for (const double w : candidateWidths_mm) {
         double centre = start, step = 0.04;
         double value = logLikelihood(rays, hits, centre, w);
         for (int round = 0; round < 7; ++round, step /= 4) {
@@ -104,7 +105,7 @@ std::optional<PlanePlace> placeOf(const registration::EdgeRays& edge)
 std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, double inner_mm, double outer_mm,
                                    double sigma_mm, double walls_per_mm2)
 {
-    constexpr double least_mm = 1e-3;  // of exact data, whose axis is not exact
+    constexpr double least_mm = 1e-3;  // lower bound, for data without noise
     sigma_mm = std::max(sigma_mm, least_mm);
     const double margin = 6 * sigma_mm + 0.15, reach = 8 * sigma_mm + 0.3;
     const double low = inner_mm + (inner_mm > 0 ? margin : 0), high = outer_mm - margin;
@@ -147,7 +148,7 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
         const double at = std::clamp(z, run.nodes_mm.front(), run.nodes_mm.back());
         const std::size_t element = start ? 0 : run.elements.size() - 1;
         const double end_node = start ? run.nodes_mm[1] : run.nodes_mm[run.nodes_mm.size() - 2];
-        // Beyond the guessed end the last element goes on.
+        // Beyond the estimated end the last element is extrapolated.
         const double model_r = (z - end_node) * sign > 0 ? run.elements[element].radiusAt_mm(z) : radiusAt_mm(run, at);
         const double slope = std::abs(run.elements[element].slopeAt(at));
         if (std::abs(static_cast<double>(cloud.r_mm[i]) - model_r) >
@@ -169,7 +170,7 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
     std::vector<double> lasts;
     for (std::size_t s = 0; s < edgeSectors; ++s)
         if (heights[s].size() > 3) {
-            last[s] = heights[s][heights[s].size() - 3];  // a stray point is not the last
+            last[s] = heights[s][heights[s].size() - 3];  // stray points are not counted as the last hit
             lasts.push_back(last[s]);
         }
     if (lasts.size() < 3) return std::nullopt;
@@ -211,7 +212,7 @@ std::optional<EndPlace> endOf(const MeridianCloud& cloud, const Model& model, co
         gap = std::max(gap, *(h + 1) - *h);
     EndPlace found;
     found.place.z_mm = guess + sign * place;
-    // The density is that of the wall before; regular rows are met in step, which the spread of the sectors holds.
+    // The density is that of the wall before; the scatter over the sectors includes the effect of regular rows.
     found.place.sigma_mm = std::sqrt(width / (6 * density) + gap * gap / 12 + 36e-6);
     found.place.spot_mm = width;
     if (!scanner) return found;

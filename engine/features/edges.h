@@ -1,5 +1,5 @@
 // Where planes across the axis are: shoulders by the likelihood of hits and misses of single rays, faces by the points
-// on them, ends by where the hits stop.
+// on them, ends by the last hits.
 #pragma once
 
 #include <optional>
@@ -23,13 +23,13 @@ struct PlanePlace {
 /// fewer than 10 hits or misses. Heights are those of the edge (z times its sign).
 std::optional<PlanePlace> placeOf(const registration::EdgeRays& rays);
 
-/// A face between two radii, when the points show it as densely as they show walls: a third or more.
+/// A face between two radii, when its point density is at least a third of that of the walls.
 std::optional<PlanePlace> seenFace(const MeridianCloud& cloud, double z_mm, double inner_mm, double outer_mm,
                                    double sigma_mm, double walls_per_mm2);
 
-/// Where the hits on a wall stop: a Poisson process of constant density that ends in a ramp of width `spot_mm`.
+/// End of the hits on a wall: a Poisson process of constant density that ends in a ramp of width `spot_mm`.
 struct EndPlace {
-    PlanePlace place;       ///< along the axis
+    PlanePlace place;
     double tilt_share = 0;  ///< of the tilt of the scanner's rows that the end follows: 0 the part's, 1 the data's
     double tilt_share_sigma = 1e9;  ///< its standard uncertainty; large where there is no tilt
 };

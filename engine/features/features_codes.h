@@ -1,4 +1,4 @@
-// What recognition remarks: codes with their English patterns. {name} is replaced by the named value.
+// Notes of the recognition: codes with their English patterns. {name} is replaced by the named value.
 #pragma once
 
 #include "engine/core/error.h"

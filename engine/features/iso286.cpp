@@ -8,15 +8,15 @@
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t kRanges = 13;
-using RangeValues = std::array<double, kRanges>;
+constexpr std::size_t rangeCount = 13;
+using RangeValues = std::array<double, rangeCount>;
 
 // ISO 286-1:2010. A range goes over the limit before it up to and including its own.
-constexpr RangeValues kSizeTo_mm{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
+constexpr RangeValues sizeTo_mm{3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500};
 
 // Table 1: standard tolerances in µm, IT5 to IT13.
-constexpr int kFirstGrade = 5, kLastGrade = 13, kLastGradeOfFits = 11;
-constexpr std::array<RangeValues, kLastGrade - kFirstGrade + 1> kTolerance_um{{
+constexpr int firstGrade = 5, lastGrade = 13, lastGradeOfFits = 11;
+constexpr std::array<RangeValues, lastGrade - firstGrade + 1> standardTolerances_um{{
     {4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27},
     {6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40},
     {10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63},
@@ -35,7 +35,7 @@ struct Deviation {
     Side side;                     // which limit the deviation is, of the shaft
     RangeValues deviation_um;
 };
-constexpr std::array<Deviation, 10> kDeviations{{
+constexpr std::array<Deviation, 10> fundamentalDeviations{{
     {"d", "D", Side::Upper, {-20, -30, -40, -50, -65, -80, -100, -120, -145, -170, -190, -210, -230}},
     {"e", "E", Side::Upper, {-14, -20, -25, -32, -40, -50, -60, -72, -85, -100, -110, -125, -135}},
     {"f", "F", Side::Upper, {-6, -10, -13, -16, -20, -25, -30, -36, -43, -50, -56, -62, -68}},
@@ -50,14 +50,14 @@ constexpr std::array<Deviation, 10> kDeviations{{
 
 std::optional<std::size_t> sizeRangeOf(double nominal_mm)
 {
-    if (!(nominal_mm > 0) || nominal_mm > kSizeTo_mm.back()) return {};
-    return static_cast<std::size_t>(std::lower_bound(kSizeTo_mm.begin(), kSizeTo_mm.end(), nominal_mm) -
-                                    kSizeTo_mm.begin());
+    if (!(nominal_mm > 0) || nominal_mm > sizeTo_mm.back()) return {};
+    return static_cast<std::size_t>(std::lower_bound(sizeTo_mm.begin(), sizeTo_mm.end(), nominal_mm) -
+                                    sizeTo_mm.begin());
 }
 
 Limits limitsIn(const Deviation& letter, bool hole, int grade, std::size_t range)
 {
-    const double tolerance = kTolerance_um[static_cast<std::size_t>(grade - kFirstGrade)][range];
+    const double tolerance = standardTolerances_um[static_cast<std::size_t>(grade - firstGrade)][range];
     if (letter.side == Side::Both) return {-tolerance / 2, tolerance / 2};
     double deviation = letter.deviation_um[range];
     if (letter.side == Side::Upper && hole) return {-deviation, -deviation + tolerance};
@@ -76,18 +76,18 @@ std::optional<IsoClass> parseIsoClass(std::string_view text)
     int grade = 0;
     const auto [end, failure] = std::from_chars(number.data(), number.data() + number.size(), grade);
     if (failure != std::errc() || end != number.data() + number.size() || number.front() == '0') return {};
-    const bool known = std::any_of(kDeviations.begin(), kDeviations.end(), [&](const Deviation& one) {
-        return !deviation.empty() && (one.shaft == deviation || one.hole == deviation);
-    });
-    if (!known || grade < kFirstGrade || grade > kLastGrade) return {};
+    const bool known = std::any_of(
+        fundamentalDeviations.begin(), fundamentalDeviations.end(),
+        [&](const Deviation& one) { return !deviation.empty() && (one.shaft == deviation || one.hole == deviation); });
+    if (!known || grade < firstGrade || grade > lastGrade) return {};
     return IsoClass{std::string(deviation), grade};
 }
 
 std::optional<double> standardTolerance_um(int grade, double nominal_mm)
 {
     const auto range = sizeRangeOf(nominal_mm);
-    if (!range || grade < kFirstGrade || grade > kLastGrade) return {};
-    return kTolerance_um[static_cast<std::size_t>(grade - kFirstGrade)][*range];
+    if (!range || grade < firstGrade || grade > lastGrade) return {};
+    return standardTolerances_um[static_cast<std::size_t>(grade - firstGrade)][*range];
 }
 
 std::optional<Limits> limitsOf(std::string_view iso_class, double nominal_mm)
@@ -95,7 +95,7 @@ std::optional<Limits> limitsOf(std::string_view iso_class, double nominal_mm)
     const auto parsed = parseIsoClass(iso_class);
     const auto range = sizeRangeOf(nominal_mm);
     if (!parsed || !range) return {};
-    for (const Deviation& letter : kDeviations)
+    for (const Deviation& letter : fundamentalDeviations)
         if (letter.shaft == parsed->deviation || letter.hole == parsed->deviation)
             return limitsIn(letter, letter.hole == parsed->deviation, parsed->grade, *range);
     return {};
@@ -103,19 +103,19 @@ std::optional<Limits> limitsOf(std::string_view iso_class, double nominal_mm)
 
 std::vector<std::string> fitsOf(double measured_mm, double U_mm, double nominal_mm, Surface surface)
 {
-    constexpr double kRounding_um = 1e-6;
-    constexpr std::size_t kMost = 3;
+    constexpr double rounding_um = 1e-6;
+    constexpr std::size_t mostFits = 3;
     const auto range = sizeRangeOf(nominal_mm);
     std::vector<std::string> fits;
     if (!range) return fits;
     const double low_um = 1000 * (measured_mm - U_mm - nominal_mm), high_um = 1000 * (measured_mm + U_mm - nominal_mm);
     const bool hole = surface == Surface::Bore;
-    for (int grade = kFirstGrade; grade <= kLastGradeOfFits; ++grade)
-        for (const Deviation& letter : kDeviations) {
+    for (int grade = firstGrade; grade <= lastGradeOfFits; ++grade)
+        for (const Deviation& letter : fundamentalDeviations) {
             const std::string_view name = hole ? letter.hole : letter.shaft;
-            if (name.empty() || fits.size() == kMost) continue;
+            if (name.empty() || fits.size() == mostFits) continue;
             const Limits zone = limitsIn(letter, hole, grade, *range);
-            if (zone.lower_um <= low_um + kRounding_um && high_um <= zone.upper_um + kRounding_um)
+            if (zone.lower_um <= low_um + rounding_um && high_um <= zone.upper_um + rounding_um)
                 fits.push_back(std::string(name) + std::to_string(grade));
         }
     return fits;

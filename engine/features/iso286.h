@@ -15,7 +15,7 @@ namespace lathelier::features {
 
 /// Limit deviations of a size from its nominal size.
 struct Limits {
-    double lower_um = 0, upper_um = 0;  ///< limit deviation
+    double lower_um = 0, upper_um = 0;
     friend bool operator==(const Limits&, const Limits&) = default;
 };
 

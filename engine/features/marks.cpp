@@ -15,9 +15,9 @@ namespace lathelier::features {
 namespace {
 
 constexpr int markSectors = 144;
-constexpr double kCell_mm = 1;
-constexpr int kMostStarts = 8;
-constexpr int kMostTeeth = 160;
+constexpr double mapCell_mm = 1;
+constexpr int mostStarts = 8;
+constexpr int mostTeeth = 160;
 
 /// Run and element of the model at z, or none in gaps and rough zones.
 const Run* runAt(const Model& model, double z_mm)
@@ -52,11 +52,11 @@ double boreAt(const Outline* bore, double z_mm)
 std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, const Outline* bore, double first_mm,
                               double last_mm)
 {
-    const auto rows = static_cast<std::size_t>(std::clamp((last_mm - first_mm) / kCell_mm + 1, 1.0, 1e5));
+    const auto rows = static_cast<std::size_t>(std::clamp((last_mm - first_mm) / mapCell_mm + 1, 1.0, 1e5));
     std::vector<std::array<std::uint32_t, 2>> cells(rows * markSectors, {0, 0});
     std::vector<std::uint32_t> off;
     const auto cellOf = [&](std::size_t i) {
-        const auto row = static_cast<std::size_t>((static_cast<double>(cloud.z_mm[i]) - first_mm) / kCell_mm);
+        const auto row = static_cast<std::size_t>((static_cast<double>(cloud.z_mm[i]) - first_mm) / mapCell_mm);
         const auto sector =
             std::min<std::size_t>(markSectors - 1, static_cast<std::size_t>(cloud.turn[i] * markSectors));
         return std::min(row, rows - 1) * markSectors + sector;
@@ -65,7 +65,7 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
         const double z = static_cast<double>(cloud.z_mm[i]);
         if (z < first_mm || z > last_mm) continue;
         const Run* const run = runAt(model, z);
-        // Edges are blurred; what lies there is no mark.
+        // Edges are blurred: points there belong to no mark.
         if (!run || z < run->nodes_mm.front() + 0.4 || z > run->nodes_mm.back() - 0.4) continue;
         const double outer = radiusAt_mm(*run, z);
         if (bore && static_cast<double>(cloud.r_mm[i]) < (outer + boreAt(bore, z)) / 2) continue;
@@ -116,10 +116,10 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
     return regions;
 }
 
-/// Of the order m among all from -kMostTeeth on.
+/// Of the order m among all from -mostTeeth on.
 std::size_t indexOfOrder(int m)
 {
-    const int place = kMostTeeth + m;
+    const int place = mostTeeth + m;
     return static_cast<std::size_t>(place);
 }
 
@@ -232,7 +232,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     for (std::size_t c = 0; c < columns; ++c)
         turns[c] = std::polar(1.0, -turn_rad * (static_cast<double>(c) + 0.5) / columns);
     // Around the circle first: A_m(z).
-    std::vector<std::vector<Complex>> around(2 * kMostTeeth + 1, std::vector<Complex>(rows, 0));
+    std::vector<std::vector<Complex>> around(2 * mostTeeth + 1, std::vector<Complex>(rows, 0));
     for (std::size_t row = 0; row < rows; ++row) {
         if (row % 32 == 0) progress.check();
         std::array<double, columns> values{};
@@ -240,7 +240,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
             const double n = counts[row * columns + c];
             values[c] = n > 0 ? sums[row * columns + c] - n * mean : 0;
         }
-        for (int m = 0; m <= kMostTeeth; ++m) {
+        for (int m = 0; m <= mostTeeth; ++m) {
             Complex sum = 0;
             std::size_t place = 0;
             for (std::size_t c = 0; c < columns; ++c) {
@@ -257,12 +257,12 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     double best = 0, best_f = 0;
     int best_m = 0;
     const double f_step = 1 / (4 * length), f_most = std::min(5.0, 0.4 / step);
-    for (int m = -kMostTeeth; m <= kMostTeeth; ++m) {
+    for (int m = -mostTeeth; m <= mostTeeth; ++m) {
         progress.check();
         const std::vector<Complex>& row = around[indexOfOrder(m)];
-        for (double f = m == 0 ? 2 / length : 0; f < (std::abs(m) > kMostStarts ? std::min(f_most, 2.0) : f_most);
+        for (double f = m == 0 ? 2 / length : 0; f < (std::abs(m) > mostStarts ? std::min(f_most, 2.0) : f_most);
              f += f_step) {
-            if (std::abs(m) <= kMostStarts && f < 0.15) continue;
+            if (std::abs(m) <= mostStarts && f < 0.15) continue;
             const Complex turn = std::polar(1.0, -turn_rad * f * step);
             Complex sum = 0, phase = 1;
             for (const Complex& value : row) {
@@ -317,7 +317,7 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
     for (const std::uint32_t i : points) crests.push_back(cloud.r_mm[i]);
     const std::optional<Crest> found = crestOf(crests, sigma_mm);
     const double crest_mm = found ? found->radius_mm : about_mm;
-    if (std::abs(best_m) <= kMostStarts) {
+    if (std::abs(best_m) <= mostStarts) {
         mark.kind = "thread";
         mark.starts = std::abs(best_m);
         // r repeats where f·z + m·turn does: z grows with the turn for m < 0, a right-hand thread.

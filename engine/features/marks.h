@@ -1,4 +1,5 @@
-// What is not a body of revolution: keyways, flats, free forms beside the walls; threads and knurls in rough zones.
+// Features that are not bodies of revolution: keyways, flats, free forms beside the walls; threads and knurls in rough
+// zones.
 //
 // Regions of the map (z, θ) where more than half of the points lie off the model by more than 5 σ are marks. A plane
 // r·cos(θ - θ₀) = h through a region is a keyway's floor or a flat. Threads and knurls are peaks of the spectrum

@@ -1,9 +1,9 @@
-// Points of a mesh that stand for the surface its corners lie on.
+// Points on the round surface through the vertices of a mesh.
 //
-// The triangles of a mesh cut the corners of a round surface by the sagitta of their chords. Its vertices are what was
-// measured or designed. Between them a point is interpolated in cylindrical coordinates about the axis of the part:
-// what is on a cylinder or a cone then lies on it exactly. Planes across the axis, and triangles that span more of the
-// circle than the others (flats, floors of keyways), keep their points.
+// The triangles of a mesh cut the corners of a round surface by the sagitta of their chords. Its vertices lie on the
+// measured or designed surface. Between them a point is interpolated in cylindrical coordinates about the axis of the
+// part: points of a cylinder or a cone then lie on it exactly. Planes across the axis, and triangles that span more of
+// the circle than the others (flats, floors of keyways), keep their points.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,8 +20,8 @@ namespace lathelier::features {
 std::vector<Eigen::Vector3d> flatPoints(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
                                         const Progress& progress = {});
 
-/// The places of the samples on the round surface about the axis of `fit`, and how far nine tenths of the facets lie
-/// inside it at most. Below a sagitta of 0.5 µm `points` are empty: the flat ones do.
+/// The places of the samples on the round surface about the axis of `fit`, and the 90 % quantile of the facets'
+/// sagitta. Below a sagitta of 0.5 µm `points` is empty: use the flat ones.
 struct RoundedPoints {
     std::vector<Eigen::Vector3d> points;
     double sagitta_mm = 0;

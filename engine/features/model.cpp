@@ -7,8 +7,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kPenalty_mm = 2e-3;
-constexpr double kLeastLength_mm = 0.01;
+constexpr double penaltyScale_mm = 2e-3;
+constexpr double leastElementLength_mm = 0.01;
 
 double square(double x)
 {
@@ -65,7 +65,7 @@ double meetLineAndArc(const Element& line, const Element& arc, double hint, doub
     const double a = 1 + s * s, b = s * m, c = m * m - square(arc.radius_mm());
     const double disc = b * b - a * c;
     if (disc < 0) {
-        violation += square((std::abs(m) / std::sqrt(a) - arc.radius_mm()) / kPenalty_mm);
+        violation += square((std::abs(m) / std::sqrt(a) - arc.radius_mm()) / penaltyScale_mm);
         return arc.centre_z_mm - b / a;
     }
     const double one = arc.centre_z_mm + (-b - std::sqrt(disc)) / a, two = arc.centre_z_mm + (-b + std::sqrt(disc)) / a;
@@ -83,7 +83,7 @@ double meetArcs(const Element& p, const Element& q, double hint, double& violati
     const double at = (d * d + a * a - b * b) / (2 * d), disc = a * a - at * at;
     const double z = p.centre_z_mm + at * dz / d;
     if (disc < 0) {
-        violation += square((std::abs(at) - a) / kPenalty_mm);
+        violation += square((std::abs(at) - a) / penaltyScale_mm);
         return z;
     }
     const double half = std::sqrt(disc) * dr / d;
@@ -96,7 +96,7 @@ double meet(const Element& p, const Element& q, double hint, double& violation)
         const double bend = p.slope - q.slope;
         const double gap = (q.level_mm - q.slope * q.at_mm) - (p.level_mm - p.slope * p.at_mm);
         if (std::abs(bend) > 1e-9) return gap / bend;
-        violation += square(gap / kPenalty_mm);
+        violation += square(gap / penaltyScale_mm);
         return hint;
     }
     if (p.arc && q.arc) return meetArcs(p, q, hint, violation);
@@ -114,8 +114,8 @@ std::size_t elementAt(const Run& run, double z_mm)
 /// the surface: to second order in the noise σ² f'' (1 + s²/(2 (1 + s²))), f'' = ∓(1 + s²)^(3/2)/ρ, s the slope.
 double normalNoiseShift_mm(const Element& arc, double z_mm, double sigma_mm)
 {
-    constexpr double kSteepest = 2;  // beyond it the expansion does not hold
-    const double s = std::clamp(arc.slopeAt(z_mm), -kSteepest, kSteepest), q = 1 + s * s;
+    constexpr double steepestSlope = 2;  // beyond it the expansion does not hold
+    const double s = std::clamp(arc.slopeAt(z_mm), -steepestSlope, steepestSlope), q = 1 + s * s;
     const double bend = (arc.convex ? -1 : 1) * q * std::sqrt(q) / arc.radius_mm();
     return sigma_mm * sigma_mm * bend * (1 + s * s / (2 * q));
 }
@@ -154,13 +154,14 @@ void resolve(const Model& model, Run& run)
         run.nodes_mm[k + 1] = meet(run.elements[k], run.elements[k + 1], run.nodes_mm[k + 1], run.violation);
     for (std::size_t k = 0; k < n; ++k) {
         const double length = run.nodes_mm[k + 1] - run.nodes_mm[k];
-        if (!(length > kLeastLength_mm)) run.violation += square((length - kLeastLength_mm) / kPenalty_mm);
+        if (!(length > leastElementLength_mm))
+            run.violation += square((length - leastElementLength_mm) / penaltyScale_mm);
         const Element& e = run.elements[k];
         if (!e.arc) continue;
         // An arc is less than half a turn and single-valued along z.
         const double over =
             std::max(run.nodes_mm[k + 1] - e.centre_z_mm, e.centre_z_mm - run.nodes_mm[k]) - e.radius_mm();
-        if (over > 1e-9) run.violation += square(over / kPenalty_mm);
+        if (over > 1e-9) run.violation += square(over / penaltyScale_mm);
     }
 }
 
@@ -195,7 +196,7 @@ double predicted_mm(const Model& model, const Run& run, const Wall& wall)
     }
     const std::size_t own = elementAt(run, wall.z_mm);
     if (model.corner_mm > 0 && run.elements[own].arc && model.sigma_mm > 0) {
-        // Noise carries points of an arc that is hardly longer than it to the neighbours.
+        // Noise displaces points of an arc of similar length to its neighbours.
         const double share =
             std::clamp((run.nodes_mm[own + 1] - run.nodes_mm[own]) / (4 * model.sigma_mm) - 1, 0.0, 1.0);
         if (share > 0) sum += share * normalNoiseShift_mm(run.elements[own], wall.z_mm, model.sigma_mm);

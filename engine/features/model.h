@@ -1,4 +1,4 @@
-// The meridian as a model: runs of lines and arcs between planes across the axis, joined exactly.
+// The meridian as a model: runs of lines and arcs between planes across the axis, with exact junctions.
 //
 // Junctions: line and line meet in their intersection; a line and an arc that is tied to it in the foot of the
 // perpendicular from the arc's centre, else in the nearer intersection; anything ends at a plane where the plane is.
@@ -17,10 +17,11 @@ namespace lathelier::features {
 enum class Tie { Free, Tangent, Plane };
 
 struct Element {
-    bool arc = false;                                         ///< an arc, else a line
-    bool cylinder = false;                                    ///< a line whose slope stays 0
-    double level_mm = 0, slope = 0, at_mm = 0;                ///< line: r = level + slope·(z - at); `at` stays
-    double centre_z_mm = 0, centre_r_mm = 0, log_radius = 0;  ///< arc; what its ties give follows from the neighbours
+    bool arc = false;                           ///< an arc, else a line
+    bool cylinder = false;                      ///< a line whose slope stays 0
+    double level_mm = 0, slope = 0, at_mm = 0;  ///< line: r = level + slope·(z - at); `at` stays
+    double centre_z_mm = 0, centre_r_mm = 0,
+           log_radius = 0;                   ///< arc; values determined by its ties follow from the neighbours
     bool convex = false;                     ///< arc: material bulges, r = r_c + √…; else r = r_c - √…
     Tie start = Tie::Free, end = Tie::Free;  ///< of an arc
     bool rough = false;                      ///< a thread or knurl: a cylinder that no selection changes
@@ -37,9 +38,9 @@ struct Plane {
     double z_mm = 0;                   ///< along the axis
     double seen_mm = 0, sigma_mm = 1;  ///< where it was observed: one datum of the fit
     bool data_end = false;             ///< no face: the data end here
-    double lean = 0;                   ///< the lower wall does not count nearer to it: rays that lean miss it there
-    int low_side = 0;                  ///< of a shoulder: the lower wall lies before it, -1, or behind it, 1; else 0
-    bool is_clear = false;             ///< of a shoulder: high enough that no wall mixes points of both sides
+    double lean = 0;        ///< distance within which the lower wall does not count, since inclined rays miss it there
+    int low_side = 0;       ///< of a shoulder: the lower wall lies before it, -1, or behind it, 1; else 0
+    bool is_clear = false;  ///< of a shoulder: high enough that no wall mixes points of both sides
 };
 
 /// Elements from one plane to another.
@@ -48,7 +49,7 @@ struct Run {
     std::vector<Element> elements;    ///< in order of z
     std::vector<double> nodes_mm;     ///< z of the junctions: one more than elements
     double violation = 0;             ///< squared penalties of junctions that do not exist or are out of order
-    std::vector<Wall> walls;          ///< what the run is compared with, in order of z
+    std::vector<Wall> walls;          ///< data of the run, in order of z
 };
 
 struct Model {
@@ -66,8 +67,8 @@ void resolve(const Model& model, Run& run);
 /// Radius of the run at z, of the element that holds there.
 double radiusAt_mm(const Run& run, double z_mm);
 
-/// The mean that the wall is compared with; beside a clear shoulder the spot ends there, for what lies beyond is seen
-/// as a point of the other wall. Precondition: resolve().
+/// The mean that the wall is compared with; beside a clear shoulder the spot ends there, since points beyond belong to
+/// the other wall. Precondition: resolve().
 double predicted_mm(const Model& model, const Run& run, const Wall& wall);
 
 /// Does the wall count: is it far enough from planes and, with `corner_mm`, from corners? Beside a clear shoulder: all

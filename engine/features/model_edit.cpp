@@ -11,9 +11,9 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kParallel = 0.02;        // difference of slopes without a sure intersection
-constexpr double kChosenPlace_mm = 0.05;  // standard uncertainty of a place that a person pointed at
-constexpr double leastRow_mm = 0.02;      // of a row that a cut leaves
+constexpr double parallelSlope = 0.02;  // lines with a smaller difference of slopes have no well-defined intersection
+constexpr double chosenPlaceSigma_mm = 0.05;  // standard uncertainty of a place chosen by hand
+constexpr double leastRow_mm = 0.02;          // least length of a row after a cut
 
 std::ptrdiff_t at(std::size_t index)
 {
@@ -42,8 +42,8 @@ ElementPlace elementPlaceOf(const Model& model, const RowChange& change)
     throw Error(errors::rowNotThere, {{"row", change.row}, {"rows", static_cast<std::int64_t>(countRows(model))}});
 }
 
-/// Ties whose partner is gone.
-void loosen(Run& run)
+/// Removes ties without a partner.
+void releaseLostTies(Run& run)
 {
     for (std::size_t i = 0; i < run.elements.size(); ++i) {
         Element& e = run.elements[i];
@@ -81,8 +81,8 @@ void putPlane(Model& model, std::size_t r, std::size_t k, double z_mm, double si
                                       [](const Wall& wall, double z) { return wall.z_mm < z; });
     right.walls.assign(cut, left.walls.end());
     left.walls.erase(cut, left.walls.end());
-    loosen(left);
-    loosen(right);
+    releaseLostTies(left);
+    releaseLostTies(right);
     model.runs.insert(model.runs.begin() + at(r + 1), std::move(right));
 }
 
@@ -91,7 +91,7 @@ void partParallels(Model& model, std::size_t r, double sigma_mm)
 {
     for (std::size_t k = 0; k + 1 < model.runs[r].elements.size(); ++k) {
         const Element &a = model.runs[r].elements[k], &b = model.runs[r].elements[k + 1];
-        if (a.arc || b.arc || std::abs(a.slope - b.slope) > kParallel) continue;
+        if (a.arc || b.arc || std::abs(a.slope - b.slope) > parallelSlope) continue;
         putPlane(model, r, k, model.runs[r].nodes_mm[k + 1], sigma_mm);
         return partParallels(model, r + 1, sigma_mm);
     }
@@ -106,7 +106,7 @@ void erasePlane(Model& model, std::size_t index)
     }
 }
 
-/// The run goes; the neighbour that is nearer in radius reaches over its place.
+/// Removes the run; the neighbour nearer in radius is extended over its place.
 void deleteRun(Outline& outline, std::size_t r, std::int64_t row)
 {
     Model& model = outline.model;
@@ -141,10 +141,10 @@ void deleteElement(Outline& outline, const ElementPlace& place, std::int64_t row
     run.elements.erase(run.elements.begin() + at(k));
     run.nodes_mm.erase(run.nodes_mm.begin() + at(first ? 1 : k));
     if (!first && !last) run.nodes_mm[k] = (from + to) / 2;
-    // What the row covered belongs to no element: it would pull at its neighbours.
+    // The walls of the row are left out: they would bias the neighbours.
     std::erase_if(run.walls, [&](const Wall& wall) { return wall.z_mm > from && wall.z_mm < to; });
-    loosen(run);
-    partParallels(model, place.run, std::max(kChosenPlace_mm, (to - from) / 4));
+    releaseLostTies(run);
+    partParallels(model, place.run, std::max(chosenPlaceSigma_mm, (to - from) / 4));
 }
 
 Element lineThrough(double z0, double r0, double z1, double r1, bool cylinder)
@@ -197,8 +197,8 @@ void mergeElements(Outline& outline, const ElementPlace& place, std::int64_t row
         merged(run.elements[k], run.elements[k + 1], run.nodes_mm[k], run.nodes_mm[k + 1], run.nodes_mm[k + 2]);
     run.elements.erase(run.elements.begin() + at(k + 1));
     run.nodes_mm.erase(run.nodes_mm.begin() + at(k + 1));
-    loosen(run);
-    partParallels(model, place.run, kChosenPlace_mm);
+    releaseLostTies(run);
+    partParallels(model, place.run, chosenPlaceSigma_mm);
 }
 
 void splitElement(Model& model, const ElementPlace& place, double z_mm, std::int64_t row)
@@ -210,10 +210,10 @@ void splitElement(Model& model, const ElementPlace& place, double z_mm, std::int
         refuse(row, LT_TEXT("Engine", "the place of the cut does not lie inside it"));
     run.elements.insert(run.elements.begin() + at(k + 1), run.elements[k]);
     run.nodes_mm.insert(run.nodes_mm.begin() + at(k + 1), z_mm);
-    putPlane(model, place.run, k, z_mm, kChosenPlace_mm);
+    putPlane(model, place.run, k, z_mm, chosenPlaceSigma_mm);
 }
 
-/// The arc with those of its ties that suit the walls best, each paid for by the parameters that it saves.
+/// The arc with the ties of least criterion: misfit plus the price of the free parameters.
 void fitArc(Model& model, const ElementPlace& place, bool convex)
 {
     Run& run = model.runs[place.run];
@@ -258,8 +258,8 @@ void changeKind(Model& model, const ElementPlace& place, RowChange::What what, s
     if (what == RowChange::What::Round || what == RowChange::What::Fillet)
         return fitArc(model, place, what == RowChange::What::Round);
     e = lineThrough(z0, e.radiusAt_mm(z0), z1, e.radiusAt_mm(z1), what == RowChange::What::Cylinder);
-    loosen(run);
-    partParallels(model, place.run, kChosenPlace_mm);
+    releaseLostTies(run);
+    partParallels(model, place.run, chosenPlaceSigma_mm);
 }
 
 }  // namespace

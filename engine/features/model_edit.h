@@ -1,4 +1,4 @@
-// Changes of a settled model's structure; sizes follow by the joint fit afterwards (model_fit.h).
+// Changes to the structure of a fitted model; sizes follow from the joint fit afterwards (model_fit.h).
 //
 // Rows are the elements of all runs in order. Where two lines would be left that are parallel, and so have no
 // intersection, a plane is put between them.

@@ -8,18 +8,18 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kHuber = 4;
+constexpr double huberLimit = 4;
 
 double huber(double residual)
 {
     const double a = std::abs(residual);
-    return a <= kHuber ? a * a : kHuber * (2 * a - kHuber);
+    return a <= huberLimit ? a * a : huberLimit * (2 * a - huberLimit);
 }
 
 double weightOf(double residual)
 {
     const double a = std::abs(residual);
-    return a <= kHuber ? 1 : kHuber / a;
+    return a <= huberLimit ? 1 : huberLimit / a;
 }
 
 double stepOf(const Slot& slot)
@@ -35,7 +35,7 @@ double stepOf(const Slot& slot)
     return 1e-6;
 }
 
-/// A wall with what it is compared by.
+/// A wall (index into Run::walls) with its standard uncertainty in mm.
 struct FitRow {
     std::size_t wall;
     double sigma;

@@ -13,7 +13,7 @@ namespace lathelier::features {
 /// One free number of a model.
 struct Slot {
     enum class Of { Plane, Level, Slope, CentreZ, CentreR, LogRadius };
-    Of of = Of::Level;        ///< which number
+    Of of = Of::Level;
     std::size_t run = 0;      ///< Plane: its index
     std::size_t element = 0;  ///< index into Run::elements
 };
@@ -25,8 +25,7 @@ std::vector<Slot> slotsOf(const Model& model, std::size_t run, std::size_t first
 /// All of the model: planes with a face first, then runs.
 std::vector<Slot> allSlots(const Model& model);
 
-/// Fits the slots to the walls that count. Of a run only walls from element `first` to `last` are looked at when
-/// `first` ≤ `last` of the run's elements is asked for by `window`.
+/// Elements `first` to `last` (both included) of one run, whose walls are summed and whose slots are fitted.
 struct Window {
     std::size_t run = 0, first = 0, last = 0;  ///< index into Model::runs
 };
@@ -38,7 +37,7 @@ double misfit(const Model& model, const Window& window, std::size_t* rows = null
 /// Local: Levenberg-Marquardt over the slots of the window's elements, their neighbours fixed. Gives misfit().
 double fitWindow(Model& model, const Window& window, int iterations = 12);
 
-/// The same with the range of z that is looked at given, whatever the elements are.
+/// The same over a given range of z.
 double fitWindow(Model& model, const Window& window, double from_mm, double to_mm, int iterations);
 double misfit(const Model& model, std::size_t run, double from_mm, double to_mm, std::size_t* rows = nullptr);
 
@@ -46,7 +45,7 @@ struct JointFit {
     double chi2 = 0;             ///< of all walls that count, Huber
     std::size_t rows = 0;        ///< walls that count
     Eigen::MatrixXd covariance;  ///< of the slots
-    std::vector<Slot> slots;     ///< the free numbers
+    std::vector<Slot> slots;     ///< the free parameters, in the order of `covariance`
     bool converged = false;      ///< the last step changed nothing
 };
 

@@ -1,12 +1,15 @@
-// Nominal sizes that measured ones may have had, with the chance that any number would have been as near to one.
+// Candidate nominal sizes of measured ones, with the probability that an arbitrary size lies as near to one
+// (false-match probability).
 //
 // Diameters and lengths: grids g = 5 (from 10 mm), 1, 0.5, 0.1 mm; N the nearest multiple; window
 // w = min(U + t, g/20) with t = IT10(N)/2 (diameters) or half the tolerance ISO 2768-m (lengths); a grid counts when
 // U <= g/20; the coarsest grid with |x - N| <= w wins; chance = 2w/g. 8000 simulated diameters, U 2 µm: 78 % right,
-// 2 % wrong, the others none; of arbitrary numbers 28 % find one. Hence suggested, and never put in place unasked.
+// 2 % wrong, the others none; of arbitrary numbers 28 % find one. Therefore they are suggested, and applied only on
+// request.
 //
 // Series (legs, radii, tapers): the nearest member within its window; chance = 2w over the spacing of the series there.
-// U is an expanded uncertainty (k = 2) everywhere. No function throws; numbers that are not finite find nothing.
+// U is an expanded uncertainty (k = 2) everywhere. No function throws; for numbers that are not finite the result is
+// empty.
 #pragma once
 
 #include <optional>
@@ -39,7 +42,7 @@ struct MeasuredCone {
     double half_angle_deg = 0;  ///< of either sign
     double U_deg = 0;
     double small_mm = 0, large_mm = 0;  ///< diameters of its ends
-    double length_mm = 0;               ///< along the axis, mm
+    double length_mm = 0;               ///< along the axis
 };
 /// Quantity "taper": measured_mm and nominal_mm are C = (D - d)/L in mm per mm, difference_um in µm per mm. Standard
 /// tapers whose half angle is within U + 0.005° (AT8 of ISO 1947), nearest first, at most three: Morse 1, Morse 2 and
@@ -68,7 +71,7 @@ struct MeasuredUndercut {
     Measured depth, width, radius;  ///< t1; f, from the run-out's start to the face; r
 };
 /// The undercut of DIN 509 whose sizes are within tolerance (t1 +0.1 0, f +0.2 0, r ±0.1) ± U, the nearest. The shaft's
-/// diameter only decides between equals: the standard recommends, it does not rule.
+/// diameter only decides between equally near ones: the standard recommends the assignment.
 std::optional<Undercut> undercutOf(const MeasuredUndercut& measured);
 /// By its designation "DIN 509 - E 0.6×0.2"; none: no such.
 std::optional<std::pair<Undercut, UndercutForm>> undercutOf(std::string_view designation);

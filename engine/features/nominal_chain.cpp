@@ -74,7 +74,7 @@ private:
 
     /// The undercut of the standard that row i is part of and that can be put in place; none: it stays as measured.
     std::optional<UndercutRows> standard(std::size_t i) const;
-    /// A row's end; what meets it goes along: in one point, or in the u of a plane.
+    /// Moves a row's end together with the neighbour that meets it: in one point, or in the u of a plane.
     void putStart(std::size_t i, const Vector2d& point)
     {
         at_[i].right = point;
@@ -227,14 +227,14 @@ std::optional<Line> RowPlacing::neighbour(std::size_t i, bool before) const
 
 void RowPlacing::placeArc(std::size_t i)
 {
-    constexpr double kTangent_deg = 0.2, kOnAxis_mm = 0.005, kStraight = 1e-6;
+    constexpr double tangentTolerance_deg = 0.2, onAxisRadius_mm = 0.005, straightSine = 1e-6;
     const ContourPiece measured = chain_.piece(i);
     double radius = std::abs(measured.arc_radius_mm);
     if (const Suggestion* named = suggestion(i, "radius_mm")) radius = named->nominal_mm;
     const double scale = radius / std::abs(measured.arc_radius_mm);
     const auto [leaving, arriving] = tangents(measured);
     const auto before = neighbour(i, true), after = neighbour(i, false);
-    // Was the arc tangent to its neighbour? The neighbour's way of travel as it is in place, then.
+    // For an arc that was tangent to its neighbour: the direction of the neighbour after placing.
     const auto along = [&](const std::optional<Line>& line, bool is_before,
                            const Vector2d& tangent) -> std::optional<Vector2d> {
         if (!line) return {};
@@ -244,19 +244,19 @@ void RowPlacing::placeArc(std::size_t i)
             direction = (row.to_mm - row.from_mm).normalized();
         }
         const double cosine = direction.dot(tangent);
-        if (std::abs(cosine) < std::cos(kTangent_deg * rad_per_deg)) return {};
+        if (std::abs(cosine) < std::cos(tangentTolerance_deg * rad_per_deg)) return {};
         return line->direction.dot(tangent) > 0 ? line->direction : Vector2d(-line->direction);
     };
     const auto a = along(before, true, leaving), b = along(after, false, arriving);
     Vector2d start = at_[i].right, end = at_[i + 1].left;
     const Vector2d chord = measured.to_mm - measured.from_mm;
     const double cross = a && b ? a->x() * b->y() - a->y() * b->x() : 0;
-    if (a && b && std::abs(cross) > kStraight) {
+    if (a && b && std::abs(cross) > straightSine) {
         const Vector2d w = after->point - before->point;
         const Vector2d corner = before->point + (w.x() * b->y() - w.y() * b->x()) / cross * *a;
         const double tangent = std::tan(std::abs(std::atan2(cross, a->dot(*b))) / 2);
-        // A ball ends on the axis whatever its radius.
-        if (std::min(measured.from_mm.y(), measured.to_mm.y()) < kOnAxis_mm) radius = corner.y() / tangent;
+        // A ball ends on the axis for any radius.
+        if (std::min(measured.from_mm.y(), measured.to_mm.y()) < onAxisRadius_mm) radius = corner.y() / tangent;
         start = corner - radius * tangent * *a;
         end = corner + radius * tangent * *b;
     } else {
@@ -278,7 +278,7 @@ void RowPlacing::placeArc(std::size_t i)
             if (after) end.y() = after->radiusAt_mm(end.x());
         }
     }
-    // A radius less than half the chord spans nothing.
+    // No arc exists for a radius below half the chord.
     radius = std::max(radius, (end - start).norm() / 2);
     arc_[i] = measured.arc_radius_mm > 0 ? radius : -radius;
     putStart(i, start);
@@ -289,7 +289,7 @@ void RowPlacing::placeUndercut(const UndercutRows& rows)
 {
     const auto [standard, form] = *undercutOf(suggestion(rows.arc, "undercut")->designation);
     const double out = chain_.sign(), r = standard.radius_mm, t = standard.depth_mm;
-    const double run_out = t / std::tan(kUndercutRunOut_deg * rad_per_deg);
+    const double run_out = t / std::tan(undercutRunOut_deg * rad_per_deg);
     const double way = rows.before_face ? 1 : -1;  // from the run-out toward the face
     const std::size_t shaft_row = rows.before_face ? rows.first - 1 : rows.last + 1;
     const double face_u = rows.before_face ? at_[rows.last + 1].right.x() : at_[rows.first].left.x();
@@ -301,7 +301,7 @@ void RowPlacing::placeUndercut(const UndercutRows& rows)
         putStart(i, rows.before_face ? low : high);
         putEnd(i, rows.before_face ? high : low);
     };
-    const double a = kUndercutFace_deg * rad_per_deg;
+    const double a = undercutFace_deg * rad_per_deg;
     const bool relieved = form == UndercutForm::F;
     const double centre = relieved ? r - standard.face_depth_mm : r;  // before the face
     const Vector2d edge = point(standard.width_mm, t), floor = point(standard.width_mm - run_out, 0);
@@ -331,7 +331,7 @@ std::vector<PlacedRow> RowPlacing::rows() const
         }
         const auto face = std::find_if(faces_.begin(), faces_.end(), [&](const auto& one) { return one.first == i; });
         const ContourPiece piece{start, end, arc_[i]};
-        // What runs behind the edge of a face is cut there.
+        // A row that runs behind the edge of a face is cut there.
         if (i > 0 && chain_.joint(i) == Joint::Relieved && start.x() < placed.back().end_u_mm && piece.isArc()) {
             start.x() = placed.back().end_u_mm;
             start.y() = piece.radiusAt_mm(start.x());

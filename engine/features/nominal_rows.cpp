@@ -88,7 +88,7 @@ LimitDeviations plusMinus(optional<double> tolerance_mm)
     return {-*tolerance_mm, *tolerance_mm};
 }
 
-/// Those of a row's own tolerance; none: it has none that is known.
+/// Limits of a row's own tolerance; none: not stated or not known.
 optional<LimitDeviations> ownLimits(const optional<SizeTolerance>& tolerance, double nominal_mm)
 {
     if (!tolerance) return {};
@@ -178,7 +178,7 @@ private:
         one.measured_mm = size.value_mm;
         one.smallest_mm = size.smallest_mm;
         one.largest_mm = size.largest_mm;
-        if (size.U_mm && *size.U_mm < nominal_mm) one.uncertainty_mm = size.U_mm;  // beyond that it says nothing
+        if (size.U_mm && *size.U_mm < nominal_mm) one.uncertainty_mm = size.U_mm;  // beyond that range it has no value
         if (size.value_mm) one.deviation_mm = *size.value_mm - nominal_mm;
         const bool limited = one.lower_mm || one.upper_mm;
         if (limited && !size.value_mm) one.verdict = Verdict::Undecided;

@@ -1,10 +1,10 @@
 // The sizes of a recognised part against those of its drawing: row by row measured - nominal, U, limits, verdict.
 //
 // Rows are matched in their order, by the z of their ends and their diameters; several measured rows, into which wear
-// has cut a cylinder, may stand for one of the drawing. Limits: the class (ISO 286-1) or the deviations of the row for
-// its diameters, else the general tolerance (ISO 2768-1: table 1 for sizes, table 2 for broken edges: legs of chamfers
-// and outer radii); rows of undercuts, which have standards of their own, are left out of it. What the scan does not
-// show, a length that ends where the data do, a radius that runs out of sight, is not measured. Decision:
+// divides a cylinder, may correspond to one of the drawing. Limits: the class (ISO 286-1) or the deviations of the row
+// for its diameters, else the general tolerance (ISO 2768-1: table 1 for sizes, table 2 for broken edges: legs of
+// chamfers and outer radii); rows of undercuts, which have standards of their own, are left out of it. Sizes that the
+// scan does not show (a length that ends with the data, an arc that is partly hidden) are not measured. Decision:
 // core/conformity.h; of a diameter every local size must be within (ISO 14405-1).
 #pragma once
 
@@ -28,13 +28,13 @@ struct ComparedRow {
     std::string quantity;
     double nominal_mm = 0;                 ///< as drawn; a radius without its sign
     std::optional<double> measured_mm;     ///< of a cylinder the mean along it; none: not found on the part
-    std::optional<double> smallest_mm;     ///< of a cylinder, at the ends of what was measured of it
-    std::optional<double> largest_mm;      ///< the largest of these
+    std::optional<double> smallest_mm;     ///< of a cylinder, at the ends of its measured part
+    std::optional<double> largest_mm;      ///< largest of the same
     std::optional<double> deviation_mm;    ///< measured - nominal
     std::optional<double> uncertainty_mm;  ///< k = 2; none: not known
-    std::optional<double> lower_mm;        ///< limit deviation from the nominal size; none: no such limit
-    std::optional<double> upper_mm;        ///< likewise
-    std::optional<Verdict> verdict;        ///< none: no limit; undecided where a size with a limit was not found
+    std::optional<double> lower_mm;        ///< limit deviations from the nominal size; none: no such limit
+    std::optional<double> upper_mm;
+    std::optional<Verdict> verdict;  ///< none: no limit; undecided where a size with a limit was not found
 };
 
 /// The quantities of all rows of `nominal`, in their order, then those of its bores (of bores that the rows state,

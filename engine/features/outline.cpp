@@ -28,7 +28,7 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
             const auto index = static_cast<std::size_t>(near - stretch.coarse.begin());
             const double slope = std::abs(slopeAt(stretch.coarse, index));
             if (std::abs(wall.r_mm - near->r_mm) < 0.3 + 2 * slope * std::abs(wall.z_mm - near->z_mm) + slope * 0.2)
-                takeOff(stretch.worn, walls.emplace_back(wall));
+                subtractWear(stretch.worn, walls.emplace_back(wall));
         }
     walls.insert(walls.end(), stretch.crests.begin(), stretch.crests.end());
     std::sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.z_mm < b.z_mm; });
@@ -77,7 +77,7 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
     for (Run& run : model.runs) resolve(model, run);
 }
 
-/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them. What is known
+/// A thread or knurl that begins on a cone: the row over its crests begins where the cone reaches them. The uncertainty
 /// of that place follows from the cone and the crests, z = at + (crest - level)/slope.
 void meetCones(Outline& outline, const std::vector<Border>& borders)
 {
@@ -130,7 +130,7 @@ void meetCones(Outline& outline, const std::vector<Border>& borders)
 
 }  // namespace
 
-std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress)
+std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& progress)
 {
     Outline outline;
     const std::vector<Stretch> stretches = stretchesOf(input, outline, progress.part(0, 0.1));

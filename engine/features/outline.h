@@ -1,4 +1,4 @@
-// One outline of the part, the outside or a bore, from its walls to a settled model.
+// One outline of the part, the outside or a bore: from its walls to a fitted model.
 #pragma once
 
 #include <optional>
@@ -12,37 +12,37 @@
 
 namespace lathelier::features {
 
-/// What is known before the outline is looked at.
+/// Input of fitOutline().
 struct OutlineInput {
-    const std::vector<Eigen::Vector3d>& points_mm;  ///< of the scan
+    const std::vector<Eigen::Vector3d>& points_mm;  ///< in the frame of the scan
     const registration::RevolutionFit& fit;         ///< in whose frame all the rest is
-    const MeridianCloud& cloud;                     ///< of the scan
+    const MeridianCloud& cloud;                     ///< of the same points
     const Walls& coarse;                            ///< for the cutting
     const Walls& fine;                              ///< for the fit
     std::optional<registration::ScannerAxis> scanner;
     double form_mm = 0.02;
-    bool bore = false;                  ///< on the inside
+    bool bore = false;                  ///< outline of a bore, else of the outside
     std::vector<Plane> part_ends = {};  ///< of the outside: a bore that comes near one ends there
 };
 
 /// A stretch that is too rough for its elements: one cylinder over its crests.
 struct RoughZone {
     double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
-    double eccentric_mm = 0;  ///< a round that lies this far off the axis explains the roughness; 0: it does not
+    double eccentric_mm = 0;              ///< eccentricity of a round that explains the scatter; 0: none does
 };
 
 struct Outline {
-    Model model;                         ///< the settled one
+    Model model;                         ///< fitted
     JointFit fit;                        ///< of all parameters
     std::vector<Gap> gaps;               ///< in the frame of the fit
     std::vector<RoughZone> rough;        ///< threads and knurls
     std::vector<MergedJunction> merged;  ///< within the form tolerance
-    std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: nothing is known
+    std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: not estimated
     bool face_seen[2] = {false, false};
-    bool surface_scan = false;  ///< faces are seen: no rays of a rotary scanner
+    bool surface_scan = false;  ///< most faces are seen: not the rays of a rotary scanner
 };
 
-/// Nothing when no chain of that side is there.
-std::optional<Outline> settleOutline(const OutlineInput& input, const Progress& progress = {});
+/// Fits the outline; nothing when there is no chain of that side.
+std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& progress = {});
 
 }  // namespace lathelier::features

@@ -7,10 +7,10 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kChamfer_mm = 0.15;
-constexpr std::size_t kLeastSections = 3;
-constexpr std::size_t kLeastPoints = 8;
-constexpr double kMostSections = 1e6;
+constexpr double chamferDrop_mm = 0.15;
+constexpr std::size_t leastStepSections = 3;
+constexpr std::size_t leastSectionPoints = 8;
+constexpr double mostSections = 1e6;
 
 struct Section {
     double z_mm, x_mm, y_mm, radius_mm;
@@ -19,7 +19,7 @@ struct Section {
 /// x² + y² = Ax + By + C by least squares.
 std::optional<Section> sectionThrough(const std::vector<Eigen::Vector2d>& points, double z_mm)
 {
-    if (points.size() < kLeastPoints) return std::nullopt;
+    if (points.size() < leastSectionPoints) return std::nullopt;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -69,7 +69,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
         last = std::max(last, sense * p[along]);
     }
     const double width = parameters.band_width_mm, pitch = width * 100 / parameters.coverage_percent;
-    if (points.empty() || (last - first) / pitch > kMostSections) return result;
+    if (points.empty() || (last - first) / pitch > mostSections) return result;
     const auto count = static_cast<std::size_t>((last - first) / pitch) + 1;
     std::vector<std::vector<Eigen::Vector2d>> bands(count);
     for (const Eigen::Vector3d& p : points) {
@@ -97,7 +97,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
             if (std::abs(sections[end].radius_mm - other) > parameters.radial_tolerance_mm) break;
             ++end;
         }
-        if (end - i >= kLeastSections) {
+        if (end - i >= leastStepSections) {
             ShaftStep step;
             for (std::size_t k = i; k < end; ++k) {
                 const double n = static_cast<double>(end - i);
@@ -112,7 +112,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
         }
         i = end;
     }
-    // What was dropped beside a step, and lies below its radius, is its chamfer.
+    // Dropped sections beside a step and below its radius form its chamfer.
     for (std::size_t s = 0; s < result.steps.size(); ++s) {
         ShaftStep& step = result.steps[s];
         const double before = s > 0 ? result.steps[s - 1].z_end_mm : -1,
@@ -120,13 +120,13 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
         const double start = step.z_start_mm, end = step.z_end_mm;
         for (const Section& section : sections) {
             const double z = section.z_mm - zero;
-            if (step.radius_mm - section.radius_mm < kChamfer_mm) continue;
+            if (step.radius_mm - section.radius_mm < chamferDrop_mm) continue;
             if (z > before && z < start) step.z_start_mm = std::min(step.z_start_mm, z - width / 2);
             if (z > end && z < after) step.z_end_mm = std::max(step.z_end_mm, z + width / 2);
         }
         step.chamfer_start_mm = start - step.z_start_mm;
         step.chamfer_end_mm = step.z_end_mm - end;
-        // Of a section or two no chamfer is told from a shoulder that lies within them.
+        // With one or two sections a chamfer cannot be distinguished from a shoulder within them.
         if (step.chamfer_start_mm < 2.5 * pitch) step.chamfer_start_mm = 0;
         if (step.chamfer_end_mm < 2.5 * pitch) step.chamfer_end_mm = 0;
     }

@@ -4,8 +4,8 @@
 // (1), (2), (13)-(16), with the signs corrected: x_c = +A/2, y_c = +B/2, C = R² - x_c² - y_c², so that
 // R = √((A² + B² + 4C)/4). Sections of width s lie s·100/p apart for a coverage of p percent. A section belongs to a
 // step when its radius lies within the radial tolerance of the one before, or of the step's first (the text allows
-// both). Steps of fewer than 3 sections are dropped; what they leave beside a step is its chamfer where it lies more
-// than 0.15 mm below the step's radius. It knows no cones, arcs and undercuts, and no shoulder finer than a section.
+// both). Steps of fewer than 3 sections are dropped; their sections beside a step form its chamfer where they lie more
+// than 0.15 mm below the step's radius. It finds no cones, arcs or undercuts, and locates shoulders to a section only.
 #pragma once
 
 #include <Eigen/Geometry>

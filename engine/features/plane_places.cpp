@@ -7,8 +7,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kHollow_mm = 0.3;    // nearer to the larger radius, a hollow begins at it
-constexpr double kLeastShoulder = 8;  // in σ: what is lower is placed as a step
+constexpr double hollowMargin_mm = 0.3;     // a hollow that begins within this of the larger radius begins at it
+constexpr double leastShoulder_sigmas = 8;  // lower shoulders are placed as steps
 
 /// Smallest and largest radius of a run within a distance of one of its planes.
 std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
@@ -24,39 +24,42 @@ std::pair<double, double> radiiNear(const Run& run, bool start, double reach_mm)
     return {low, high};
 }
 
-/// The radius at which an arc beside the plane stands across the axis, when it does so there; else nothing. What is
-/// read as its end near such a place is far off for a plane that is off by little.
+/// Radius at which the tangent of an arc beside the plane is across the axis, when it is so near the plane; else
+/// nothing. Evaluating the arc at the plane is ill-conditioned there: a small error of the plane gives a large one of
+/// the radius.
 std::optional<double> uprightAt(const Element& element, const Plane& plane, double side)
 {
-    constexpr double kNear_mm = 0.06;
+    constexpr double nearPlane_mm = 0.06;
     if (!element.arc) return std::nullopt;
     const double upright = element.centre_z_mm + side * element.radius_mm();
-    return std::abs(upright - plane.z_mm) < kNear_mm ? std::optional(element.centre_r_mm) : std::nullopt;
+    return std::abs(upright - plane.z_mm) < nearPlane_mm ? std::optional(element.centre_r_mm) : std::nullopt;
 }
 
-/// The place where one wall becomes the other, from what each point says: the logarithm of the ratio of its likelihoods
-/// to lie on the wall behind and on the wall before, `word`. A ray at z is read somewhere within its spot, so that it
-/// shows the wall behind with the probability P = clamp((z - z_e)/s + ½, 0, 1); the likelihood of z_e is the product of
-/// P·exp(word) + 1 - P. Mean and standard deviation over z_e, all places of the stretch as likely beforehand: the best
-/// estimate of a change point in the square mean (Ibragimov and Has'minskii 1981, VII).
-struct Said {
-    double z_mm, word;
+/// Log-likelihood ratio L of one point: on the wall behind against on the wall before an edge at z_e. A ray at z is
+/// read anywhere within its spot of width s and shows the wall behind with the probability P = clamp((z - z_e)/s + ½,
+/// 0, 1); the likelihood of z_e is the product of P·exp(L) + 1 - P. Its posterior mean and standard deviation with a
+/// uniform prior over the stretch minimise the mean square error of a change point (Ibragimov and Has'minskii 1981,
+/// VII).
+struct LogLikelihoodRatio {
+    double z_mm, log_ratio;
 };
 
-std::optional<PlanePlace> placeFrom(std::vector<Said> points, double from_mm, double to_mm, double spot_mm)
+std::optional<PlanePlace> placeOfChange(std::vector<LogLikelihoodRatio> points, double from_mm, double to_mm,
+                                        double spot_mm)
 {
-    constexpr double kCoarse_mm = 0.01, kFar = 12;
-    constexpr int kFine = 240;
+    constexpr double coarseStep_mm = 0.01, negligibleLogRatio = 12;
+    constexpr int fineSteps = 240;
     if (points.size() < 40 || !(to_mm > from_mm)) return std::nullopt;
-    std::sort(points.begin(), points.end(), [](const Said& a, const Said& b) { return a.z_mm < b.z_mm; });
+    std::sort(points.begin(), points.end(),
+              [](const LogLikelihoodRatio& a, const LogLikelihoodRatio& b) { return a.z_mm < b.z_mm; });
     std::vector<double> behind(points.size() + 1, 0), ratio(points.size());
     for (std::size_t i = points.size(); i-- > 0;) {
-        behind[i] = behind[i + 1] + points[i].word;
-        ratio[i] = std::expm1(points[i].word);
+        behind[i] = behind[i + 1] + points[i].log_ratio;
+        ratio[i] = std::expm1(points[i].log_ratio);
     }
     const double spot = std::max(spot_mm, 1e-3);
     const auto likelihood = [&](double place) {
-        const auto at = [](const Said& one, double z) { return one.z_mm < z; };
+        const auto at = [](const LogLikelihoodRatio& one, double z) { return one.z_mm < z; };
         const auto low = std::lower_bound(points.begin(), points.end(), place - spot / 2, at);
         auto point = low;
         double sum = 0;
@@ -65,29 +68,30 @@ std::optional<PlanePlace> placeFrom(std::vector<Said> points, double from_mm, do
                               ratio[static_cast<std::size_t>(point - points.begin())]);
         return sum + behind[static_cast<std::size_t>(point - points.begin())];
     };
-    // Where it matters at all, then finely there.
+    // A coarse grid to bracket the likelihood, then a fine one within.
     std::vector<double> places, values;
-    for (double z = from_mm; z <= to_mm; z += kCoarse_mm) {
+    for (double z = from_mm; z <= to_mm; z += coarseStep_mm) {
         places.push_back(z);
         values.push_back(likelihood(z));
     }
     const double most = *std::max_element(values.begin(), values.end());
     double low = to_mm, high = from_mm;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (values[i] < most - kFar) continue;
+        if (values[i] < most - negligibleLogRatio) continue;
         low = std::min(low, places[i]);
         high = std::max(high, places[i]);
     }
-    low = std::max(from_mm, low - kCoarse_mm);
-    high = std::min(to_mm, high + kCoarse_mm);
+    low = std::max(from_mm, low - coarseStep_mm);
+    high = std::min(to_mm, high + coarseStep_mm);
     double sum = 0, first = 0, second = 0, best = most;
-    std::vector<double> fine(kFine + 1);
-    for (int k = 0; k <= kFine; ++k) {
-        fine[static_cast<std::size_t>(k)] = likelihood(low + (high - low) * k / kFine);
+    std::vector<double> fine(fineSteps + 1);
+    for (int k = 0; k <= fineSteps; ++k) {
+        fine[static_cast<std::size_t>(k)] = likelihood(low + (high - low) * k / fineSteps);
         best = std::max(best, fine[static_cast<std::size_t>(k)]);
     }
-    for (int k = 0; k <= kFine; ++k) {
-        const double z = low + (high - low) * k / kFine, weight = std::exp(fine[static_cast<std::size_t>(k)] - best);
+    for (int k = 0; k <= fineSteps; ++k) {
+        const double z = low + (high - low) * k / fineSteps,
+                     weight = std::exp(fine[static_cast<std::size_t>(k)] - best);
         sum += weight;
         first += weight * (z - low);
         second += weight * (z - low) * (z - low);
@@ -99,36 +103,37 @@ std::optional<PlanePlace> placeFrom(std::vector<Said> points, double from_mm, do
     return found;
 }
 
-/// A small step of the radius. The word of a single point is held to 100 : 1, for some points are spurious.
+/// A small step of the radius. The log-likelihood ratio of a point is clipped at ±4.6 (100 : 1), against spurious
+/// points.
 void placeStep(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
 {
-    constexpr double kMostReach_mm = 3, kLongestWord = 4.6, kFar = 5;
+    constexpr double largestReach_mm = 3, largestLogRatio = 4.6, farSigmas = 5;
     Plane& plane = model.planes[p];
     const Element &before = a.elements.back(), &after = b.elements.front();
     const double jump = startRadius_mm(b) - endRadius_mm(a), sigma = model.sigma_mm;
-    const double reach = std::min({kMostReach_mm, 0.4 * (a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2]),
+    const double reach = std::min({largestReach_mm, 0.4 * (a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2]),
                                    0.4 * (b.nodes_mm[1] - b.nodes_mm.front())});
     if (jump == 0 || !(sigma > 0)) return;
-    std::vector<Said> points;
+    std::vector<LogLikelihoodRatio> points;
     for (std::size_t i = 0; i < input.cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(input.cloud.z_mm[i]);
         if (std::abs(z - plane.z_mm) > reach) continue;
         const double low = before.radiusAt_mm(z), high = after.radiusAt_mm(z);
         const double off = static_cast<double>(input.cloud.r_mm[i]) - (low + high) / 2;
-        if (std::abs(off) > std::abs(high - low) / 2 + kFar * sigma) continue;
-        points.push_back({z, std::clamp(off * (high - low) / (sigma * sigma), -kLongestWord, kLongestWord)});
+        if (std::abs(off) > std::abs(high - low) / 2 + farSigmas * sigma) continue;
+        points.push_back({z, std::clamp(off * (high - low) / (sigma * sigma), -largestLogRatio, largestLogRatio)});
     }
-    const auto place = placeFrom(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
+    const auto place = placeOfChange(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
     if (!place) return;
     plane.z_mm = plane.seen_mm = place->z_mm;
     plane.sigma_mm = place->sigma_mm;
 }
 
-/// Where a thread or a knurl ends beside a wall that its grooves nearly reach: how likely a radius is on it is seen
-/// from the radii of all of its points.
+/// The end of a thread or a knurl beside a wall that its grooves nearly reach: the density of the radii on the rough
+/// zone is the histogram of all of its points.
 void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const Run& a, const Run& b)
 {
-    constexpr double kMostReach_mm = 1.5, kLongestWord = 4.6, kFar = 5, kBeside_mm = 0.5;
+    constexpr double largestReach_mm = 1.5, largestLogRatio = 4.6, farSigmas = 5, besideBorder_mm = 0.5;
     const bool first_rough = a.elements.back().rough;
     const Run& rough = first_rough ? a : b;
     const Element& wall = first_rough ? b.elements.front() : a.elements.back();
@@ -138,9 +143,9 @@ void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const
     const double own =
         first_rough ? b.nodes_mm[1] - b.nodes_mm.front() : a.nodes_mm.back() - a.nodes_mm[a.nodes_mm.size() - 2];
     const double length = rough.nodes_mm.back() - rough.nodes_mm.front();
-    const double reach = std::min({kMostReach_mm, 0.4 * own, 0.3 * length});
-    const double low = std::min(wall.level_mm, rough.elements.front().root_mm) - kFar * sigma,
-                 high = std::max(wall.level_mm, rough.elements.front().level_mm) + kFar * sigma, step = sigma / 2;
+    const double reach = std::min({largestReach_mm, 0.4 * own, 0.3 * length});
+    const double low = std::min(wall.level_mm, rough.elements.front().root_mm) - farSigmas * sigma,
+                 high = std::max(wall.level_mm, rough.elements.front().level_mm) + farSigmas * sigma, step = sigma / 2;
     std::vector<double> counts(static_cast<std::size_t>((high - low) / step) + 1, 0.5);
     double all = 0;
     std::vector<std::pair<double, double>> near;
@@ -148,20 +153,20 @@ void placeRoughEnd(const OutlineInput& input, Model& model, std::size_t p, const
         const double z = static_cast<double>(input.cloud.z_mm[i]), r = static_cast<double>(input.cloud.r_mm[i]);
         if (!(r > low && r < high)) continue;
         if (std::abs(z - plane.z_mm) < reach) near.emplace_back(z, r);
-        if (z < rough.nodes_mm.front() + kBeside_mm || z > rough.nodes_mm.back() - kBeside_mm) continue;
+        if (z < rough.nodes_mm.front() + besideBorder_mm || z > rough.nodes_mm.back() - besideBorder_mm) continue;
         counts[static_cast<std::size_t>((r - low) / step)] += 1;
         all += 1;
     }
     if (all < 200) return;
-    std::vector<Said> points;
+    std::vector<LogLikelihoodRatio> points;
     for (const auto& [z, r] : near) {
         const double u = (r - wall.radiusAt_mm(z)) / sigma;
         const double on_wall = -u * u / 2 - std::log(sigma * std::sqrt(2 * std::numbers::pi));
         const double on_rough = std::log(counts[static_cast<std::size_t>((r - low) / step)] / (all * step));
-        const double word = std::clamp(on_wall - on_rough, -kLongestWord, kLongestWord);
-        points.push_back({z, first_rough ? word : -word});
+        const double log_ratio = std::clamp(on_wall - on_rough, -largestLogRatio, largestLogRatio);
+        points.push_back({z, first_rough ? log_ratio : -log_ratio});
     }
-    const auto place = placeFrom(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
+    const auto place = placeOfChange(std::move(points), plane.z_mm - reach, plane.z_mm + reach, model.spot_mm);
     if (!place) return;
     plane.z_mm = plane.seen_mm = place->z_mm;
     plane.sigma_mm = place->sigma_mm;
@@ -175,7 +180,7 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
     Model& model = outline.model;
     std::vector<registration::Edge> edges;
     std::vector<std::size_t> plane_of;
-    std::vector<double> jumps, late;  // of the radius; how far behind the plane the rays show it
+    std::vector<double> jumps, lags_mm;  // steps of the radius; distance behind the plane at which the rays show it
     double walls = 0, area = 0;
     for (const Run& run : model.runs)
         for (const Wall& wall : run.walls) {
@@ -195,11 +200,11 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         const auto upright_next = uprightAt(b.elements.front(), plane, -1);
         const bool hollow_here = (upright && !a.elements.back().convex) || (upright_next && !b.elements.front().convex);
         const double jump =
-            hollow_here ? kHollow_mm + 8 * model.sigma_mm : std::abs(startRadius_mm(b) - endRadius_mm(a));
+            hollow_here ? hollowMargin_mm + 8 * model.sigma_mm : std::abs(startRadius_mm(b) - endRadius_mm(a));
         const bool is_rough = a.elements.back().rough || b.elements.front().rough;
         if (borders[a.right] == Border::Lead) continue;
         if (borders[a.right] == Border::Step ||
-            (borders[a.right] == Border::Shoulder && !is_rough && jump < kLeastShoulder * model.sigma_mm)) {
+            (borders[a.right] == Border::Shoulder && !is_rough && jump < leastShoulder_sigmas * model.sigma_mm)) {
             placeStep(input, model, a.right, a, b);
             continue;
         }
@@ -213,21 +218,21 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         double end = a_rough ? before.root_mm : upright_before && before.convex ? *upright_before : endRadius_mm(a);
         double start = b_rough ? after.root_mm : upright_after && after.convex ? *upright_after : startRadius_mm(b);
         const bool rises = start > end;
-        // A hollow that falls upright from the larger radius is seen as that until it lies deep enough.
-        const bool hollow = rises ? upright_before && !before.convex && *upright_before > start - kHollow_mm
-                                  : upright_after && !after.convex && *upright_after > end - kHollow_mm;
-        double late_mm = 0;
+        // A hollow that falls across the axis from the larger radius counts as that radius until it is deep enough.
+        const bool hollow = rises ? upright_before && !before.convex && *upright_before > start - hollowMargin_mm
+                                  : upright_after && !after.convex && *upright_after > end - hollowMargin_mm;
+        double lag_mm = 0;
         if (hollow) {
             const Element& fall = rises ? before : after;
             const double most = fall.radius_mm(), depth = std::min(5 * model.sigma_mm, most / 2);
             const auto along = [&](double deep) { return most - std::sqrt(most * most - deep * deep); };
             (rises ? end : start) = (rises ? start : end) - std::min(2 * depth, most);
-            late_mm = (rises ? -1 : 1) * along(depth);
+            lag_mm = (rises ? -1 : 1) * along(depth);
         }
         plane.lean = lean * std::abs(start - end);
         plane.low_side = rises ? -1 : 1;
         plane.is_clear = false;
-        if (is_rough && std::abs(start - end) < kLeastShoulder * model.sigma_mm) {
+        if (is_rough && std::abs(start - end) < leastShoulder_sigmas * model.sigma_mm) {
             placeRoughEnd(input, model, a.right, a, b);
             continue;
         }
@@ -250,10 +255,10 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         if (std::abs(edge.after_mm - edge.before_mm) < 4 * model.sigma_mm) continue;
         edges.push_back(edge);
         plane_of.push_back(a.right);
-        late.push_back(late_mm);
+        lags_mm.push_back(lag_mm);
         jumps.push_back(std::abs(start - end));
     }
-    // Clusters of points are parted at gaps of 6 σ or 0.3 mm; noise fills 3.5 σ on each side.
+    // Clusters of points are separated by gaps of 6 σ or 0.3 mm; noise fills 3.5 σ on each side.
     const double clear = std::max(6 * model.sigma_mm, 0.3) + 7 * model.sigma_mm;
     if (!edges.empty() && !input.bore) {
         std::vector<double> spots;
@@ -261,9 +266,9 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         for (std::size_t e = 0; e < edges.size(); ++e)
             if (const auto place = placeOf(rays[e])) {
                 Plane& plane = model.planes[plane_of[e]];
-                plane.z_mm = plane.seen_mm = place->z_mm - late[e];
+                plane.z_mm = plane.seen_mm = place->z_mm - lags_mm[e];
                 plane.sigma_mm = place->sigma_mm;
-                plane.is_clear = late[e] == 0 && jumps[e] > clear;
+                plane.is_clear = lags_mm[e] == 0 && jumps[e] > clear;
                 spots.push_back(place->spot_mm);
             }
         if (!spots.empty()) {

@@ -1,4 +1,4 @@
-// Sees where the planes of an outline are, with the radii as its model has them.
+// Locates the planes of an outline, given the radii of its model.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,9 @@
 
 namespace lathelier::features {
 
-/// Shoulders by the rays of the scan or by their faces, steps by the points that change, ends by where hits stop. Sets
-/// the planes and their uncertainties, the width of the spot, and what the ends are. `borders`: one for each plane.
+/// Shoulders from the rays of the scan or from their faces, steps as change points of the radii, ends from the last
+/// hits. Sets the planes and their uncertainties, the width of the spot, and the state of the ends. `borders`: one for
+/// each plane.
 void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<Border>& borders,
                  const Progress& progress);
 

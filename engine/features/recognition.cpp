@@ -28,16 +28,16 @@ namespace {
 using Eigen::Vector3d;
 using registration::RevolutionFit;
 
-constexpr std::size_t kMeshSamples = 400000;
-constexpr double kBin_mm = 0.1;
-constexpr double kLeastInBin = 25;
+constexpr std::size_t meshSamples = 400000;
+constexpr double fineBin_mm = 0.1;
+constexpr double leastPointsPerBin = 25;
 
 RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, Notes& notes, const Progress& progress)
 {
     RevolutionFit fit = registration::fitRevolution(points, progress);
     registration::remarkRevolution(fit, "scan", notes);
     if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
-    registration::faceForward(fit);
+    registration::orientAxis(fit);
     if (free_end == FreeEnd::Last) fit = registration::reversed(fit);
     return fit;
 }
@@ -58,11 +58,11 @@ double largestRadius(const RevolutionFit& fit)
     return largest;
 }
 
-/// Points of a coarse mesh are put onto the round surface that its corners lie on.
+/// Points of a coarse mesh are moved onto the round surface through its vertices.
 void roundFacets(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
                  std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
 {
-    constexpr int rounds = 2;  // the axis of the flat facets is not yet that of their corners
+    constexpr int rounds = 2;  // the axis of the flat facets differs from that of their vertices
     double sagitta_mm = 0;
     for (int round = 0; round < rounds; ++round) {
         const RevolutionFit fit = registration::fitRevolution(points, progress);
@@ -84,8 +84,8 @@ void keepOnly(const std::vector<std::uint8_t>& kept, std::vector<T>& items)
     items.resize(next);
 }
 
-/// What is cut off is said.
-void sayCut(const Scene& scene, Recognition& result)
+/// Adds the note sceneCut.
+void noteSceneCut(const Scene& scene, Recognition& result)
 {
     result.scene = scene.groups;
     const auto all = static_cast<std::int64_t>(scene.kept.size());
@@ -102,8 +102,8 @@ void sayCut(const Scene& scene, Recognition& result)
                              {"clutter_points", count("clutter")}}});
 }
 
-/// The end that stands on the turntable lies on its plane; what was seen of it was cut off with that.
-void standOn(const SupportPlane& support, const RevolutionFit& fit, Outline& outline, Recognition& result)
+/// The end on the turntable lies in its plane; its own points were removed with the plane.
+void placeEndOnSupport(const SupportPlane& support, const RevolutionFit& fit, Outline& outline, Recognition& result)
 {
     const double first = outline.model.planes.front().z_mm, last = outline.model.planes.back().z_mm;
     if (!endOnSupport(support, fit, outline)) return;
@@ -133,7 +133,7 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
 {
     constexpr double near_mm = 1;
     std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
-    // One cylinder that goes on behind a stretch without points is one row.
+    // A cylinder that continues behind a stretch without points is one row.
     for (std::size_t i = 0; i + 1 < rows.size();) {
         RecognizedRow &a = rows[i], &b = rows[i + 1];
         const bool same = a.kind == RowKind::Cylinder && b.kind == RowKind::Cylinder &&
@@ -183,9 +183,9 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
         check(field.info, field.get(parameters));
     std::vector<registration::SurfaceSample> samples;
-    std::vector<Vector3d> own;  // unless the points of the scan do as they are
+    std::vector<Vector3d> own;  // unless the points of the scan are used as they are
     if (scan.isMesh()) {
-        samples = registration::drawSamples(scan, kMeshSamples, 0, progress);
+        samples = registration::drawSamples(scan, meshSamples, 0, progress);
         own = flatPoints(scan, samples, progress);
     }
     const std::vector<Vector3d>& all = scan.isMesh() ? own : scan.points_mm;
@@ -196,7 +196,7 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     const Scene scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
     const bool is_cut = !scene.groups.empty();
     if (is_cut) {
-        sayCut(scene, result);
+        noteSceneCut(scene, result);
         if (!scan.isMesh()) own = scan.points_mm;
         keepOnly(scene.kept, own);
         if (scan.isMesh()) keepOnly(scene.kept, samples);
@@ -208,7 +208,7 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
         fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
     const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
     const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);
-    double bin = std::max(kBin_mm, kLeastInBin / std::max(1.0, cloud.points_per_mm));
+    double bin = std::max(fineBin_mm, leastPointsPerBin / std::max(1.0, cloud.points_per_mm));
     Walls coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
     const std::optional<registration::ScannerAxis> scanner =
         scan.isMesh() ? std::nullopt : registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
@@ -222,12 +222,12 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
     OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false};
-    std::optional<Outline> outside = settleOutline(input, fitting.part(0, 0.8));
+    std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
     if (!outside)
         throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
                                            {"points", static_cast<std::int64_t>(points.size())},
                                            {"minimum", std::int64_t{50}}});
-    if (scene.support) standOn(*scene.support, fit, *outside, result);
+    if (scene.support) placeEndOnSupport(*scene.support, fit, *outside, result);
     const double zero = outside->model.planes.front().z_mm;
     AddedUncertainty added;
     if (parameters.scanner_accuracy_mm)
@@ -262,7 +262,7 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     describeEnds(*outside, result);
     input.bore = true;
     input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    const std::optional<Outline> inner = settleOutline(input, fitting.part(0.8, 1));
+    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
     if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
     for (ShaftMark& mark : result.marks) {

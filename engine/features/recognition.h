@@ -1,9 +1,9 @@
 // From the scan of a turned part to its table of rows: axis, meridian, cylinders, cones, arcs, shoulders, ends.
 //
 // The cloud collapses onto one curve, the meridian (z, r). Bins of it carry all the information; an exact segmentation
-// finds its pieces, model selection (Schwarz's criterion) settles what each small piece is, and one damped least
-// squares over all parameters, with exact junctions, gives every size with its covariance. Shoulders that a radial ray
-// does not see are located by maximum likelihood of hits and misses of single rays.
+// finds its pieces, model selection (Schwarz's criterion) decides the kind of each small piece, and one damped least
+// squares over all parameters, with exact junctions, gives every size with its covariance. Shoulders, which a radial
+// ray does not hit, are located by maximum likelihood from hits and misses of single rays.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -31,11 +31,11 @@ enum class CompareWith { Previous, First };  ///< the paper's section that the n
 
 struct RecognitionParameters {
     RecognitionMethod method = RecognitionMethod::Robust;  ///< robust or published
-    SceneUse scene = SceneUse::Auto;                       ///< what is not the part: cut off, or kept
+    SceneUse scene = SceneUse::Auto;                       ///< removal of objects other than the part
     Snap snap = Snap::Suggest;                   ///< nominal sizes: none, suggested, or put in place of the measured
     double form_tolerance_mm = 0.02;             ///< on radius: rows that one element describes within it are one
     std::optional<double> scanner_accuracy_mm;   ///< systematic, added to every uncertainty
-    FreeEnd free_end = FreeEnd::First;           ///< where z is 0
+    FreeEnd free_end = FreeEnd::First;           ///< origin of z
     std::optional<double> length_mm;             ///< confirms the length where an end is not seen
     std::optional<double> length_of_chucked_mm;  ///< the last part, in the chuck: not in the stock file
     double band_width_mm = 0.2;                  ///< paper: width of a section
@@ -48,38 +48,38 @@ const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParam
 
 enum class RowKind { Cylinder, Cone, Arc };
 
-/// A nominal size that a measured one may have had, and how much that says.
+/// A candidate nominal size of a measured one, with its false-match probability.
 struct Suggestion {
-    std::string quantity;           ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
-    double measured_mm = 0;         ///< as measured
+    std::string quantity;  ///< "diameter_mm", "length_mm", "z_mm", "leg_mm", "radius_mm", "taper", "undercut"
+    double measured_mm = 0;
     double nominal_mm = 0;          ///< multiple of the grid
     double difference_um = 0;       ///< measured - nominal
     double grid_mm = 0;             ///< multiples of this are candidates
-    double chance_percent = 0;      ///< that any number would have been as near to one
+    double chance_percent = 0;      ///< false-match probability: an arbitrary size lies as near to a multiple
     std::vector<std::string> fits;  ///< ISO 286 classes whose zone contains the measured value ± U, tightest first
-    std::string designation;        ///< "1×45°", "DIN 509 - E 0.6×0.2"; empty: the number is enough
+    std::string designation;        ///< "1×45°", "DIN 509 - E 0.6×0.2"; empty: only the number
 };
 
 /// One row of the table as it was measured. z counts from the free end.
 struct RecognizedRow {
-    RowKind kind = RowKind::Cylinder;     ///< what it is
+    RowKind kind = RowKind::Cylinder;
     std::string role;                     ///< as ShaftSegment::role
     double z_start_mm = 0, z_end_mm = 0;  ///< the start of the next row before a face undercut lies before the end
-    double start_diameter_mm = 0, end_diameter_mm = 0;  ///< in mm
-    std::optional<double> arc_radius_mm;                ///< signed as ShaftSegment::arc_radius_mm
-    double half_angle_deg = 0;                          ///< of a cone, + when the diameter grows with z
-    std::string ties;             ///< of an arc: "free", "tangent", "plane" for start and end, "tangent-plane"
-    std::int64_t points = 0;      ///< number of points
-    double coverage_deg = 360;    ///< of the circle
-    double residual_um = 0;       ///< rms of the bins about the row
-    double form_pv_um = 0;        ///< peak to valley of means over five bins about the row
-    double taper_um = 0;          ///< of a worn cylinder: change of the radius along it
-    bool fully_visible = true;    ///< false: an undercut's arc that runs out of sight
-    SizeUncertainty uncertainty;  ///< k = 2
+    double start_diameter_mm = 0, end_diameter_mm = 0;
+    std::optional<double> arc_radius_mm;  ///< signed as ShaftSegment::arc_radius_mm
+    double half_angle_deg = 0;            ///< of a cone, + when the diameter grows with z
+    std::string ties;                     ///< of an arc: "free", "tangent", "plane" for start and end, "tangent-plane"
+    std::int64_t points = 0;              ///< number of points
+    double coverage_deg = 360;            ///< of the circle
+    double residual_um = 0;               ///< rms of the bins about the row
+    double form_pv_um = 0;                ///< peak to valley of means over five bins about the row
+    double taper_um = 0;                  ///< of a worn cylinder: change of the radius along it
+    bool fully_visible = true;            ///< false: an undercut's arc that is partly hidden
+    SizeUncertainty uncertainty;          ///< k = 2
     std::vector<Suggestion> suggestions;
 };
 
-/// What several rows are together, or what a jump between them is.
+/// A feature formed by several rows, or a shoulder between two.
 struct RecognizedFeature {
     std::string kind;                     ///< shoulder | chamfer | fillet | edge_break | groove | undercut | taper
     double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
@@ -89,7 +89,7 @@ struct RecognizedFeature {
 
 /// An end of the part or of the data.
 struct RecognizedEnd {
-    double z_mm = 0;            ///< along the axis
+    double z_mm = 0;            ///< from the free end
     double uncertainty_mm = 0;  ///< k = 2
     std::string closed_by;      ///< face | chamfer | round | edge | data
 };
@@ -99,24 +99,24 @@ struct Gap {
     double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
 };
 
-/// A junction that the form tolerance took away.
+/// A junction removed within the form tolerance.
 struct MergedJunction {
-    double z_mm = 0;       ///< along the axis
+    double z_mm = 0;       ///< from the free end
     double step_um = 0;    ///< of the radius
     double angle_deg = 0;  ///< bend between the two
 };
 
-/// One wall of one bin of the meridian: what the plots draw.
+/// One wall of one bin of the meridian, for plots.
 struct MeridianPoint {
-    double z_mm = 0, radius_mm = 0;  ///< along the axis
+    double z_mm = 0, radius_mm = 0;  ///< z from the free end
     double sigma_mm = 0;             ///< standard uncertainty of the radius
     double residual_mm = 0;          ///< measured - model, along the radius; NaN where no row is
     std::int32_t row = -1;           ///< index into `segments`, or of `bores` when `bore`; -1: none
-    bool bore = false;               ///< on the inside
+    bool bore = false;               ///< a point of a bore, else of the outside
 };
 
 struct Recognition {
-    RecognitionParameters parameters;                               ///< as asked
+    RecognitionParameters parameters;
     std::string method_used;                                        ///< "robust" | "paper"
     Eigen::Isometry3d part_T_scan = Eigen::Isometry3d::Identity();  ///< into z along the axis from the free end
     Eigen::Vector3d axis_point_mm = Eigen::Vector3d::Zero();        ///< free end on the axis, in the scan's frame
@@ -145,7 +145,7 @@ struct Recognition {
     std::vector<ShaftStep> paper_steps;
     double paper_axis_off_deg = 0;                       ///< its axis against the robust one
     std::vector<MeridianPoint> meridian;                 ///< in order of z
-    Notes notes;                                         ///< what people should know
+    Notes notes;                                         ///< remarks, see recognize()
     std::shared_ptr<const RecognitionBasis> basis = {};  ///< for refit.h
 };
 

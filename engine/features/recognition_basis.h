@@ -1,4 +1,4 @@
-// What a recognition leaves for a fit with another structure.
+// Data of a recognition that refit() needs.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,7 +9,7 @@
 namespace lathelier::features {
 
 struct RecognitionBasis {
-    Outline outside;                ///< settled, with its walls
+    Outline outside;                ///< fitted, with its walls
     Eigen::Isometry3d axis_T_scan;  ///< into the frame of the outline
     double coverage_deg = 360;      ///< of the circle
     AddedUncertainty added;         ///< to every U

@@ -10,7 +10,7 @@
 namespace lathelier::features {
 namespace {
 
-/// What closes an end of the outside.
+/// Kind of closure of an end of the outside (RecognizedEnd::closed_by).
 std::string closedBy(const std::vector<RecognizedRow>& rows, bool start, bool data)
 {
     if (data) return "data";
@@ -20,8 +20,8 @@ std::string closedBy(const std::vector<RecognizedRow>& rows, bool start, bool da
     return row.kind == RowKind::Cone && toward_end > 10 ? "chamfer" : "edge";
 }
 
-/// Does the end of the data belong to the part? Unknown counts as no, unless a chamfer or a round leads to it.
-bool isPartsEnd(const Outline& outline, bool start, const std::string& closed_by)
+/// Is the end of the data an end of the part? Unknown counts as no, unless it follows a chamfer or a round.
+bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
 {
     if (outline.face_seen[start ? 0 : 1]) return true;
     const auto& end = outline.ends[start ? 0 : 1];
@@ -43,7 +43,7 @@ void describeEnds(const Outline& outline, Recognition& result)
         end.z_mm = plane.z_mm - zero;
         end.uncertainty_mm = 2 * plane.sigma_mm;
         end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start, false);
-        seen[start ? 0 : 1] = isPartsEnd(outline, start, end.closed_by);
+        seen[start ? 0 : 1] = isPartEnd(outline, start, end.closed_by);
         if (!seen[start ? 0 : 1]) end.closed_by = "data";
         result.ends.push_back(end);
     }
@@ -60,7 +60,7 @@ void describeEnds(const Outline& outline, Recognition& result)
     }
     if (!result.length_mm && result.parameters.length_mm) {
         result.length_mm = result.parameters.length_mm;
-        // The end that is not seen is put where the stated length says.
+        // The unseen end is placed by the stated length.
         const double missing = *result.parameters.length_mm - measured;
         if (!seen[1] && !result.segments.empty()) {
             result.segments.back().z_end_mm += missing;

@@ -5,7 +5,7 @@
 
 namespace lathelier::features {
 
-/// Ends of the outside from its planes, the length, and where an end is not seen the stated length in its place; notes
+/// Ends of the outside from its planes, the length, and for an unseen end the stated length; notes
 /// endConfirmed, endNotSeen. Before it: `segments`, `parameters`. Without a length `complete` becomes false.
 void describeEnds(const Outline& outline, Recognition& result);
 

@@ -21,11 +21,11 @@ namespace {
 using Eigen::Vector2d;
 using report::Curve;
 
-constexpr int kPiecesOfArc = 40;
-constexpr std::size_t mostNamesShown = 8;  ///< names in the meridian; more would stand in each other's way
-constexpr double kNameAt = 0.15;           ///< of a row's length: its name stands to the right of that
-constexpr double kShownShare = 0.995;      ///< of the residuals that the chart shows at first
-constexpr double kRowsHoldLittle = 0.04;   ///< of the length: shorter cylinders carry no diameter
+constexpr int chordsOfArc = 40;
+constexpr std::size_t mostNamesShown = 8;     ///< largest number of labels in the meridian, so that they do not overlap
+constexpr double labelPlaceShare = 0.15;      ///< of a row's length: left end of its label
+constexpr double shownResidualShare = 0.995;  ///< of the residuals within the initial range of the chart
+constexpr double shortestLabelledShare = 0.04;  ///< of the part's length: shorter cylinders have no diameter label
 
 /// Along a piece from its start to its end, arcs cut finely.
 std::vector<Vector2d> pointsOf(const ContourPiece& piece)
@@ -34,8 +34,8 @@ std::vector<Vector2d> pointsOf(const ContourPiece& piece)
     if (piece.isArc()) {
         const Vector2d centre = piece.centre_mm();
         const auto [from, to] = piece.arcAngles();
-        for (int i = 1; i < kPiecesOfArc; ++i) {
-            const double angle = from + (to - from) * i / kPiecesOfArc;
+        for (int i = 1; i < chordsOfArc; ++i) {
+            const double angle = from + (to - from) * i / chordsOfArc;
             points.push_back(centre + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle)));
         }
     }
@@ -43,7 +43,7 @@ std::vector<Vector2d> pointsOf(const ContourPiece& piece)
     return points;
 }
 
-/// z of both charts: that of the data, with some air.
+/// Range of z of both charts: that of the data, with a margin.
 Interval shownRangeOf(const Recognition& result)
 {
     double from = std::numeric_limits<double>::infinity(), to = -from;
@@ -61,7 +61,7 @@ Interval shownRangeOf(const Recognition& result)
     return {from - air_mm, to + air_mm};
 }
 
-/// A disc: at equal scales its rows would stand too close to be told apart.
+/// A disc: at equal scales its rows would be too close to distinguish.
 bool isShort(const Recognition& result)
 {
     const Interval range = shownRangeOf(result);
@@ -99,7 +99,7 @@ public:
     void addTo(report::Plot& plot, bool spoken = false)
     {
         if (curve_.x.empty()) return;
-        curve_.spoken = spoken;
+        curve_.has_readout = spoken;
         plot.curves.push_back(std::move(curve_));
     }
 
@@ -221,20 +221,21 @@ void addRows(report::Plot& plot, const Recognition& result)
     for (Strokes& kind : kinds) kind.addTo(plot);
 }
 
-/// Diameters of the longest cylinders in order of z, then the designations of features.
+/// Labels: diameters of the longest cylinders in order of z, then the designations of features.
 void addNames(report::Plot& plot, const Recognition& result, const Language& language)
 {
     const Interval range = *plot.x.range;
     std::vector<const RecognizedRow*> longest;
     for (const RecognizedRow& row : result.segments)
-        if (row.kind == RowKind::Cylinder && row.z_end_mm - row.z_start_mm > kRowsHoldLittle * (range.to - range.from))
+        if (row.kind == RowKind::Cylinder &&
+            row.z_end_mm - row.z_start_mm > shortestLabelledShare * (range.to - range.from))
             longest.push_back(&row);
     const auto length = [](const RecognizedRow* row) { return row->z_end_mm - row->z_start_mm; };
     std::stable_sort(longest.begin(), longest.end(),
                      [&](const auto* a, const auto* b) { return length(a) > length(b); });
     longest.resize(std::min(longest.size(), mostNamesShown));
     for (const RecognizedRow* row : longest)
-        plot.marks.push_back({row->z_start_mm + kNameAt * length(row), row->start_diameter_mm / 2,
+        plot.marks.push_back({row->z_start_mm + labelPlaceShare * length(row), row->start_diameter_mm / 2,
                               "⌀ " + shownNumber(row->start_diameter_mm, unit::mm, 3, language)});
     for (const RecognizedFeature& feature : result.features) {
         if (feature.designation.empty() || plot.marks.size() >= 2 * mostNamesShown || feature.rows.empty()) continue;
@@ -309,7 +310,7 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     const Interval range = *plot.x.range;
     Curve axis{{}, {range.from, range.to}, {0, 0}, Curve::Style::Dashed};
     axis.colour = report::ColourRole::Neutral;
-    axis.spoken = false;
+    axis.has_readout = false;
     plot.curves.push_back(std::move(axis));
     plotStretches(plot, result);
     addNames(plot, result, language);
@@ -356,7 +357,7 @@ report::Plot residualPlot(const Recognition& result)
     if (!means.x.empty()) plot.curves.push_back(std::move(means));
     double edge_um = 1;
     if (!sizes.empty()) {
-        edge_um = std::max(edge_um, lowerQuantileInPlace(sizes, kShownShare));
+        edge_um = std::max(edge_um, lowerQuantileInPlace(sizes, shownResidualShare));
     }
     const double tolerance_um = 1e3 * result.parameters.form_tolerance_mm;
     if (tolerance_um > 0) {

@@ -1,5 +1,5 @@
-// The charts of a recognition: the meridian with its rows, and under it what is left between data and rows. Both have
-// the same range of z, so that they stand aligned.
+// The charts of a recognition: the meridian with its rows, and under it the residuals between data and rows. Both have
+// the same range of z and are aligned.
 #pragma once
 
 #include <Eigen/Core>

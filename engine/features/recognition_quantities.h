@@ -1,11 +1,11 @@
-// The single numbers of a recognition described for tables, and what its rows are called.
+// Descriptions of the single numbers of a recognition for tables, and names of its rows.
 #pragma once
 
 #include "engine/features/recognized_rows.h"
 
 namespace lathelier::features {
 
-/// Its single numbers, for tables; JSON is toJson() (recognized_rows.h).
+/// For tables; JSON is toJson() (recognized_rows.h).
 const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*);
 
 /// The largest diameter of the outside with its expanded uncertainty; none without rows.
@@ -16,7 +16,7 @@ struct LargestDiameter {
 };
 std::optional<LargestDiameter> largestDiameter(const Recognition& result);
 
-/// What kinds, roles and ends are called; a role that is none of the known ones is said as it is.
+/// Names of kinds, roles and ends; an unknown role is shown as it is.
 Text kindName(RowKind kind);
 Value roleName(const std::string& role);
 Value endName(const std::string& closed_by);

@@ -16,7 +16,7 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kUm = 1e-3;  ///< mm
+constexpr double mm_per_um = 1e-3;
 
 /// Two digits of the uncertainty, from hundredths of a millimetre to tenths of a micrometre.
 int decimalsFor(double uncertainty)
@@ -36,10 +36,10 @@ std::string withUncertainty(double value, std::optional<double> uncertainty, Tex
 
 std::optional<double> mmOf(const std::optional<double>& value_um)
 {
-    return value_um ? std::optional(kUm * *value_um) : std::nullopt;
+    return value_um ? std::optional(mm_per_um * *value_um) : std::nullopt;
 }
 
-std::string wordsOf(const RecognizedRow& row, const Language& language)
+std::string descriptionOf(const RecognizedRow& row, const Language& language)
 {
     std::string words = text(kindName(row.kind), language);
     if (!row.role.empty()) words += ", " + text(roleName(row.role), language);
@@ -143,8 +143,8 @@ report::Table endsTable(const Recognition& result)
     return table;
 }
 
-/// Whose bins lie farthest apart about it.
-const RecognizedRow* leastTrue(const Recognition& result)
+/// The row with the largest form deviation.
+const RecognizedRow* rowWithLargestForm(const Recognition& result)
 {
     const auto row =
         std::max_element(result.segments.begin(), result.segments.end(),
@@ -168,7 +168,7 @@ void addFindings(const Recognition& result, report::Answer& answer)
                                    {},
                                    {Interval{gap.z_start_mm, gap.z_end_mm}, {}, {}}});
     }
-    if (const RecognizedRow* row = leastTrue(result))
+    if (const RecognizedRow* row = rowWithLargestForm(result))
         answer.findings.push_back({LT_TEXT("Engine", "Row {row}: form {form_um:1} µm · z {from_mm:1}-{to_mm:1} mm"),
                                    {{"row", static_cast<std::int64_t>(row - result.segments.data()) + 1},
                                     {"form_um", row->form_pv_um},
@@ -246,7 +246,7 @@ report::Table rowsTable(const Recognition& result, const Language& language)
     const auto add = [&](Value number, const RecognizedRow& row) {
         const SizeUncertainty& u = row.uncertainty;
         table.rows.push_back(
-            {std::move(number), wordsOf(row, language), diameterOf(row, language), suggestionsOf(row, language),
+            {std::move(number), descriptionOf(row, language), diameterOf(row, language), suggestionsOf(row, language),
              withUncertainty(row.z_start_mm, mmOf(u.z_start_um), unit::mm, language),
              withUncertainty(row.z_end_mm, mmOf(u.z_end_um), unit::mm, language), shapeOf(row, language),
              row.residual_um, row.form_pv_um > 0 ? Value(row.form_pv_um) : Value()});

@@ -9,15 +9,15 @@
 namespace lathelier::features {
 
 /// "Length 183.002 ± 0.010 mm": the same on the command line, in the panel and in the report. There is no verdict: a
-/// scan alone states no limit.
+/// scan has no limits.
 report::Answer answer(const Recognition& result);
 
-/// The rows, then those of bores as "B1.2", with the uncertainty beside each value (k = 2) and the nominal sizes that
-/// they may have had.
+/// The rows, then those of bores as "B1.2", with the uncertainty beside each value (k = 2) and the suggested nominal
+/// sizes.
 report::Table rowsTable(const Recognition& result, const Language& language = {});
 inline constexpr int nominalColumn = 3;  ///< of rowsTable(), from 0
 
-/// "⌀ 30 (+0.4 µm, chance 10 %, h6)": one suggestion as people read it.
+/// "⌀ 30 (+0.4 µm, chance 10 %, h6)": the text of one suggestion.
 std::string suggestionText(const Suggestion& suggestion, const Language& language = {});
 
 /// The paper's Table 1: cylinders with their chamfers folded in.

@@ -1,4 +1,4 @@
-// The parts of a recognition, described once: what JSON, tables and CSV say of rows, features, ends, gaps.
+// Descriptions of the parts of a recognition (rows, features, ends, gaps) for JSON, tables and CSV.
 #pragma once
 
 #include "engine/core/quantities.h"

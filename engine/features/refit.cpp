@@ -14,7 +14,7 @@
 namespace lathelier::features {
 namespace {
 
-constexpr int kIterations = 25;
+constexpr int refitIterations = 25;
 
 /// A contour has no gaps but those of the data.
 void requireContour(const Model& model, double zero_mm)
@@ -30,7 +30,7 @@ void requireContour(const Model& model, double zero_mm)
     }
 }
 
-/// What the earlier fit gave in its own z, when the free end comes to lie elsewhere by so much.
+/// Shifts the results of the earlier fit by the displacement of the free end.
 void shift(double by_mm, Recognition& result)
 {
     for (auto& bore : result.bores)
@@ -45,7 +45,7 @@ void shift(double by_mm, Recognition& result)
             if (*z) **z += by_mm;
 }
 
-/// An end of the part that was seen is one whatever row leads to it now.
+/// A seen end of the part stays one, whichever row now leads to it.
 void keepEndsSeen(const Recognition& found, Outline& outline)
 {
     for (std::size_t i = 0; i < found.ends.size() && i < 2; ++i) {
@@ -84,7 +84,7 @@ Recognition refit(const Recognition& found, const std::vector<RowChange>& change
         progress.check();
         changeStructure(outline, change, before_mm);
     }
-    outline.fit = fitAll(outline.model, kIterations, progress);
+    outline.fit = fitAll(outline.model, refitIterations, progress);
     for (Run& run : outline.model.runs) resolve(outline.model, run);
     const double zero_mm = outline.model.planes.front().z_mm;
     requireContour(outline.model, zero_mm);

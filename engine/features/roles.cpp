@@ -11,12 +11,12 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kSteep_deg = 10, kFlat_deg = 80;
-constexpr double kLargestLeg_mm = 6, kLargestRound_mm = 10;
+constexpr double shallowestChamfer_deg = 10, steepestChamfer_deg = 80;
+constexpr double largestLeg_mm = 6, largestRound_mm = 10;
 constexpr double noDiameter_mm = 0.01;
 
-/// Does this boundary of row i drop away from the row: an end of the part, or a shoulder that falls further?
-bool fallsAway(const RowChain& chain, std::size_t i, bool at_start)
+/// Is this boundary of row i an end of the part, or a shoulder that falls further?
+bool isFallingAway(const RowChain& chain, std::size_t i, bool at_start)
 {
     const Joint joint = chain.joint(at_start ? i : i + 1);
     if (joint == Joint::End) return at_start ? chain.startsAtEnd() : chain.endsAtEnd();
@@ -26,20 +26,20 @@ bool fallsAway(const RowChain& chain, std::size_t i, bool at_start)
 }
 
 /// Is the lower edge of row i at an end or a falling shoulder, and the upper one joined to a row?
-bool breaksAnEdge(const RowChain& chain, std::size_t i)
+bool isBreakingEdge(const RowChain& chain, std::size_t i)
 {
     const bool rises = chain.endHeight_mm(i) > chain.startHeight_mm(i);
     const std::size_t upper = rises ? i + 1 : i;
-    return fallsAway(chain, i, rises) && (chain.joint(upper) == Joint::Joined || chain.isRoughSeam(upper));
+    return isFallingAway(chain, i, rises) && (chain.joint(upper) == Joint::Joined || chain.isRoughSeam(upper));
 }
 
-/// Is the arc's lowest or highest point inside?
+/// Is the arc's lowest or highest point inside the row?
 bool turns(const RowChain& chain, std::size_t i)
 {
-    constexpr double kShare = 0.05;
+    constexpr double endShare = 0.05;
     const double start = chain.start_mm(i), length = chain.length_mm(i);
     const double at = (chain.piece(i).centre_mm().x() - start) / length;
-    return at > kShare && at < 1 - kShare;
+    return at > endShare && at < 1 - endShare;
 }
 
 std::string roleOfCone(const RowChain& chain, std::size_t i)
@@ -47,8 +47,8 @@ std::string roleOfCone(const RowChain& chain, std::size_t i)
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2, angle = chain.angle_deg(i);
     const RecognizedRow& row = chain.row(i);
     if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm || radial == 0) return "";
-    if (angle > kSteep_deg && angle < kFlat_deg && std::min(radial, std::abs(chain.length_mm(i))) <= kLargestLeg_mm &&
-        breaksAnEdge(chain, i))
+    if (angle > shallowestChamfer_deg && angle < steepestChamfer_deg &&
+        std::min(radial, std::abs(chain.length_mm(i))) <= largestLeg_mm && isBreakingEdge(chain, i))
         return "chamfer";
     return "taper";
 }
@@ -59,20 +59,20 @@ std::string roleOfArc(const RowChain& chain, std::size_t i)
     if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm) return "";
     const bool inside = turns(chain, i);
     if (chain.isConcave(i)) return inside ? "saddle" : "fillet";
-    if (inside || std::abs(*row.arc_radius_mm) > kLargestRound_mm) return "";
+    if (inside || std::abs(*row.arc_radius_mm) > largestRound_mm) return "";
     const bool between = chain.joint(i) == Joint::Joined && chain.joint(i + 1) == Joint::Joined;
-    return between || breaksAnEdge(chain, i) ? "edge_round" : "";
+    return between || isBreakingEdge(chain, i) ? "edge_round" : "";
 }
 
 /// The mark, thread or knurl, that covers most of a row; nullptr: none.
 const ShaftMark* markOn(const RecognizedRow& row, const std::vector<ShaftMark>& marks)
 {
-    constexpr double kShare = 0.5;
+    constexpr double coveredShare = 0.5;
     if (row.kind != RowKind::Cylinder) return nullptr;
     for (const ShaftMark& mark : marks) {
         if ((mark.kind != "thread" && mark.kind != "knurl") || !mark.z_start_mm || !mark.z_end_mm) continue;
         const double common = std::min(row.z_end_mm, *mark.z_end_mm) - std::max(row.z_start_mm, *mark.z_start_mm);
-        if (common > kShare * (row.z_end_mm - row.z_start_mm)) return &mark;
+        if (common > coveredShare * (row.z_end_mm - row.z_start_mm)) return &mark;
     }
     return nullptr;
 }
@@ -125,14 +125,14 @@ std::vector<std::int64_t> numbersOf(std::size_t first, std::size_t last)
     return numbers;
 }
 
-/// "0.2…0.4": the leg of an edge break and what is not known of it.
+/// "0.2…0.4": range of the leg of an edge break.
 std::string rangeOfLeg(const RowChain& chain, std::size_t i)
 {
-    constexpr double kUncertain_mm = 0.1;
+    constexpr double uncertainLeg_mm = 0.1;
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2;
     const double leg = (std::abs(chain.length_mm(i)) + radial) / 2;
     const auto tenths = [](double value_mm) { return std::max(0.0, std::round(value_mm * 10) / 10); };
-    return fmt::format("{}…{}", tenths(leg - kUncertain_mm), tenths(leg + kUncertain_mm));
+    return fmt::format("{}…{}", tenths(leg - uncertainLeg_mm), tenths(leg + uncertainLeg_mm));
 }
 
 std::vector<RecognizedFeature> featuresOf(const RowChain& chain, const Patterns& patterns, bool named)

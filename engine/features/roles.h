@@ -1,4 +1,4 @@
-// What the rows of a recognised part are: their roles, the features they form, and the nominal sizes they may have had.
+// Roles of the rows of a recognised part, the features they form, and suggested nominal sizes.
 //
 // Roles, from geometry alone:
 //   chamfer     cone of 10° to 80°, shorter leg at most 6 mm, whose upper edge goes on in a row and whose lower one
@@ -28,7 +28,7 @@
 namespace lathelier::features {
 
 /// Fills `role` and `suggestions` of every row of `segments` and `bores`, `features`, and the designation of threads
-/// among `marks` that have none. What stood there before is replaced. Parameters with Snap::None: no suggestions, no
+/// among `marks` that have none. Existing values are replaced. Parameters with Snap::None: no suggestions, no
 /// designations.
 void describeRows(Recognition& recognition);
 

@@ -7,8 +7,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kSameDiameter_mm = 1e-4;
-constexpr double joinGap_mm = 1e-3, kRelief_mm = 1e-6;
+constexpr double sameDiameter_mm = 1e-4;
+constexpr double joinGap_mm = 1e-3, leastRelief_mm = 1e-6;
 
 double inMillimetres(const std::optional<double>& value_um)
 {
@@ -38,7 +38,8 @@ RowChain::RowChain(const Recognition& recognition, std::size_t bore) : rows_(&re
     const RecognizedRow &first = rows_->front(), &last = rows_->back();
     const double to_free = std::min(first.z_start_mm, first.z_end_mm);
     const double to_chuck = length - std::max(last.z_start_mm, last.z_end_mm);
-    // Rows run from the mouth inward; one row alone is at the end that it is nearer to, or says so by its z.
+    // Rows run from the mouth inward; a single row belongs to the end that it is nearer to, or that its order of z
+    // gives.
     const bool falls =
         size() > 1 ? first.z_start_mm + first.z_end_mm > last.z_start_mm + last.z_end_mm : to_chuck < to_free;
     const bool from_chuck = falls || first.z_start_mm > first.z_end_mm;
@@ -47,8 +48,8 @@ RowChain::RowChain(const Recognition& recognition, std::size_t bore) : rows_(&re
     if (recognition.ends.size() > (from_chuck ? 1U : 0U))
         end_uncertainty_mm_ = recognition.ends[from_chuck ? 1 : 0].uncertainty_mm;
     starts_at_end_ = isSeen(recognition, from_chuck ? 1 : 0);
-    constexpr double kThrough_mm = 0.1;
-    ends_at_end_ = end_mm(size() - 1) > length - kThrough_mm;
+    constexpr double throughTolerance_mm = 0.1;
+    ends_at_end_ = end_mm(size() - 1) > length - throughTolerance_mm;
     findJoints();
 }
 
@@ -58,21 +59,21 @@ void RowChain::findJoints()
     for (std::size_t i = 1; i < size(); ++i) {
         const double ahead = start_mm(i) - end_mm(i - 1);
         const double step = std::abs(row(i).start_diameter_mm - row(i - 1).end_diameter_mm);
-        joints_[i] = ahead > joinGap_mm         ? Joint::Gap
-                     : ahead < -kRelief_mm      ? Joint::Relieved
-                     : step <= kSameDiameter_mm ? Joint::Joined
-                                                : Joint::Plane;
+        joints_[i] = ahead > joinGap_mm        ? Joint::Gap
+                     : ahead < -leastRelief_mm ? Joint::Relieved
+                     : step <= sameDiameter_mm ? Joint::Joined
+                                               : Joint::Plane;
     }
 }
 
 bool RowChain::isRoughSeam(std::size_t boundary) const
 {
-    constexpr double kStep_mm = 0.1;
+    constexpr double roughSeamStep_mm = 0.1;
     const auto isRough = [](const RecognizedRow& row) { return row.role == "thread" || row.role == "knurl"; };
     if (joint(boundary) != Joint::Plane) return false;
     const RecognizedRow &before = row(boundary - 1), &after = row(boundary);
     return isRough(before) != isRough(after) &&
-           std::abs(before.end_diameter_mm - after.start_diameter_mm) / 2 <= kStep_mm;
+           std::abs(before.end_diameter_mm - after.start_diameter_mm) / 2 <= roughSeamStep_mm;
 }
 
 double RowChain::angle_deg(std::size_t i) const
@@ -115,7 +116,7 @@ double lengthUncertainty_mm(const RecognizedRow& row)
 
 std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t first)
 {
-    constexpr double kAngle_deg = 2, kDeepest_mm = 1.5, kWidest_mm = 10, kBeyondFace_mm = 0.05;
+    constexpr double runOutTolerance_deg = 2, deepestUndercut_mm = 1.5, widestUndercut_mm = 10, beyondFace_mm = 0.05;
     UndercutRows found;
     found.first = first;
     const std::size_t n = chain.size();
@@ -156,13 +157,13 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
     const double falls = chain.startHeight_mm(found.run_out) - chain.endHeight_mm(found.run_out);
     const double rises = chain.endHeight_mm(found.arc) - chain.startHeight_mm(found.arc);
     if (found.before_face != (falls > 0) || found.before_face != (rises > 0)) return {};
-    const double window = kAngle_deg + cone.uncertainty.angle_deg.value_or(0);
-    if (std::abs(chain.angle_deg(found.run_out) - kUndercutRunOut_deg) > window) return {};
+    const double window = runOutTolerance_deg + cone.uncertainty.angle_deg.value_or(0);
+    if (std::abs(chain.angle_deg(found.run_out) - undercutRunOut_deg) > window) return {};
     MeasuredUndercut& measured = found.measured;
     // The circle of form F reaches t2, at least 0.1 mm, beyond the face; where it ends there it is cut off.
     const double face_at = found.before_face ? chain.closing_mm(found.last) : chain.end_mm(first - 1);
     const double reach = std::abs(chain.piece(found.arc).centre_mm().x() - face_at);
-    const bool beyond = std::abs(*arc.arc_radius_mm) - reach > kBeyondFace_mm;
+    const bool beyond = std::abs(*arc.arc_radius_mm) - reach > beyondFace_mm;
     measured.form = relieved || beyond || !arc.fully_visible ? UndercutForm::F : UndercutForm::E;
     measured.shaft_mm =
         std::abs(found.before_face ? chain.startHeight_mm(found.run_out) : chain.endHeight_mm(found.run_out));
@@ -172,15 +173,15 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
     const double face = inMillimetres(found.before_face ? arc.uncertainty.z_end_um : arc.uncertainty.z_start_um);
     measured.width.U_mm = std::hypot(free, face);
     measured.radius = {std::abs(*arc.arc_radius_mm), inMillimetres(arc.uncertainty.arc_radius_um)};
-    if (measured.depth.value_mm > kDeepest_mm || measured.width.value_mm > kWidest_mm) return {};
+    if (measured.depth.value_mm > deepestUndercut_mm || measured.width.value_mm > widestUndercut_mm) return {};
     return found;
 }
 
 std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
 {
-    constexpr std::size_t kMostRows = 5;
-    constexpr double kNarrowest_mm = 0.2, kWidest_mm = 8, kWidestShare = 0.5, kShallowest_mm = 0.1, kFlank_deg = 10,
-                     kSame_mm = 0.002;
+    constexpr std::size_t mostGrooveRows = 5;
+    constexpr double narrowestGroove_mm = 0.2, widestGroove_mm = 8, widestGrooveShare = 0.5, shallowestGroove_mm = 0.1,
+                     leastFlank_deg = 10, sameEnd_mm = 0.002;
     if (first == 0) return {};
     const auto meets = [&](std::size_t b) { return chain.joint(b) == Joint::Plane || chain.joint(b) == Joint::Joined; };
     const double left = chain.endHeight_mm(first - 1);
@@ -188,32 +189,32 @@ std::optional<GrooveRows> grooveRowsAt(const RowChain& chain, std::size_t first)
     found.first = first;
     bool rising = false;
     double lowest = left;
-    for (std::size_t i = first; i < chain.size() && i < first + kMostRows && meets(i); ++i) {
+    for (std::size_t i = first; i < chain.size() && i < first + mostGrooveRows && meets(i); ++i) {
         const RecognizedRow& row = chain.row(i);
         if (!row.role.empty() || chain.length_mm(i) < 0) return {};
         const double start = chain.startHeight_mm(i), end = chain.endHeight_mm(i);
         const double before = chain.endHeight_mm(i - 1);
-        // Down to the bottom and up again, once.
+        // Heights fall to the bottom and rise again, once.
         if (i > first && chain.joint(i) == Joint::Plane) return {};
-        if (i == first && start > before + kSame_mm) return {};
-        if (end > start + kSame_mm) rising = true;
-        if (rising && end < start - kSame_mm) return {};
+        if (i == first && start > before + sameEnd_mm) return {};
+        if (end > start + sameEnd_mm) rising = true;
+        if (rising && end < start - sameEnd_mm) return {};
         if (row.kind == RowKind::Cylinder) {
             if (found.bottom || rising) return {};
             found.bottom = i;
         }
-        if (row.kind == RowKind::Cone && chain.angle_deg(i) < kFlank_deg) return {};
+        if (row.kind == RowKind::Cone && chain.angle_deg(i) < leastFlank_deg) return {};
         if (row.kind == RowKind::Arc && !chain.isConcave(i)) return {};
         lowest = std::min({lowest, start, end});
         if (i + 1 >= chain.size() || !meets(i + 1)) return {};
         const double right = chain.startHeight_mm(i + 1), rim = std::min(left, right);
         const double width = chain.end_mm(i) - chain.start_mm(first);
-        if (width > kWidest_mm) return {};
-        const bool closed = chain.joint(i + 1) == Joint::Plane ? right > end : std::abs(end - right) <= kSame_mm;
-        const bool next_rises =
-            i + 1 < chain.size() && chain.joint(i + 1) == Joint::Joined && chain.endHeight_mm(i + 1) > right + kSame_mm;
-        if (!closed || rim - lowest < kShallowest_mm || next_rises) continue;
-        if (width < kNarrowest_mm || width > kWidestShare * std::abs(rim)) return {};
+        if (width > widestGroove_mm) return {};
+        const bool closed = chain.joint(i + 1) == Joint::Plane ? right > end : std::abs(end - right) <= sameEnd_mm;
+        const bool next_rises = i + 1 < chain.size() && chain.joint(i + 1) == Joint::Joined &&
+                                chain.endHeight_mm(i + 1) > right + sameEnd_mm;
+        if (!closed || rim - lowest < shallowestGroove_mm || next_rises) continue;
+        if (width < narrowestGroove_mm || width > widestGrooveShare * std::abs(rim)) return {};
         found.last = i;
         found.between_planes = chain.joint(first) == Joint::Plane && chain.joint(i + 1) == Joint::Plane;
         // A flank on one side and a plane on the other is a step with a fillet or a run-out, not a groove.

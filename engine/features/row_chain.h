@@ -1,5 +1,5 @@
-// The rows of one contour as roles and nominal sizes look at them: u runs along the rows from 0 (the free end; of a
-// bore its mouth), heights grow out of the material, how neighbours meet is said.
+// The rows of one contour, as needed for roles and nominal sizes: u runs along the rows from 0 (the free end; of a
+// bore its mouth), heights grow out of the material, with the kind of joint between neighbours.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +32,8 @@ public:
     std::size_t size() const { return rows_->size(); }
     const RecognizedRow& row(std::size_t i) const { return (*rows_)[i]; }
     Joint joint(std::size_t boundary) const { return joints_[boundary]; }  ///< before row `boundary`; size(): after all
-    /// Does a row go on here in one with role "thread" or "knurl"? Its diameter is known less well: a step to 0.1 mm.
+    /// Does the row continue here in one with role "thread" or "knurl"? A step up to 0.1 mm counts as none, since the
+    /// diameter of a crest is less certain.
     bool isRoughSeam(std::size_t boundary) const;
     double start_mm(std::size_t i) const { return sense_ * (row(i).z_start_mm - origin_mm_); }
     double end_mm(std::size_t i) const { return sense_ * (row(i).z_end_mm - origin_mm_); }
@@ -85,7 +86,7 @@ std::optional<UndercutRows> undercutRowsAt(const RowChain& chain, std::size_t fi
 
 /// Rows of a groove: lower than both neighbours, narrow, between planes or flanks.
 struct GrooveRows {
-    std::size_t first = 0, last = 0;    ///< first element
+    std::size_t first = 0, last = 0;    ///< rows of the chain, both included
     std::optional<std::size_t> bottom;  ///< its cylinder
     bool between_planes = false;        ///< else between flanks
     Measured width, shaft;              ///< shaft: the lower of its neighbours

@@ -10,8 +10,9 @@
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t kMostChanges = 1000;
-constexpr std::array<std::string_view, 7> kNames{"delete", "merge", "split", "cylinder", "cone", "round", "fillet"};
+constexpr std::size_t mostRowChanges = 1000;
+constexpr std::array<std::string_view, 7> changeNames{"delete", "merge", "split", "cylinder",
+                                                      "cone",   "round", "fillet"};
 
 template <class Number>
 std::optional<Number> numberIn(std::string_view text)
@@ -27,8 +28,8 @@ std::optional<RowChange> changeIn(std::string_view text)
     if (colon == std::string_view::npos) return std::nullopt;
     RowChange change;
     std::size_t name = 0;
-    while (name < kNames.size() && kNames[name] != text.substr(0, colon)) ++name;
-    if (name == kNames.size()) return std::nullopt;
+    while (name < changeNames.size() && changeNames[name] != text.substr(0, colon)) ++name;
+    if (name == changeNames.size()) return std::nullopt;
     change.what = static_cast<RowChange::What>(name);
     const bool split = change.what == RowChange::What::Split;
     if (split != (sign != std::string_view::npos)) return std::nullopt;
@@ -48,7 +49,7 @@ std::optional<RowChange> changeIn(std::string_view text)
 std::vector<RowChange> rowChanges(std::string_view text)
 {
     std::vector<RowChange> all;
-    while (!text.empty() && all.size() < kMostChanges) {
+    while (!text.empty() && all.size() < mostRowChanges) {
         const std::size_t comma = text.find(',');
         if (const auto change = changeIn(text.substr(0, comma))) all.push_back(*change);
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
@@ -61,7 +62,7 @@ std::string textOf(const std::vector<RowChange>& changes)
     std::string text;
     for (const RowChange& change : changes) {
         if (!text.empty()) text += ',';
-        text += fmt::format("{}:{}", kNames[static_cast<std::size_t>(change.what)], change.row);
+        text += fmt::format("{}:{}", changeNames[static_cast<std::size_t>(change.what)], change.row);
         if (change.what == RowChange::What::Split) text += fmt::format("@{}", change.z_mm);
     }
     return text;

@@ -1,4 +1,4 @@
-// Changes of the structure that a recognition found, as a person asks for them: rows deleted, merged, split, of another
+// Changes by hand to the structure that a recognition found: rows deleted, merged, split, of another
 // kind.
 #pragma once
 
@@ -17,8 +17,8 @@ struct RowChange {
     friend bool operator==(const RowChange&, const RowChange&) = default;
 };
 
-/// "delete:3,merge:4,split:2@35.2,cone:5": as the parameters of a project keep them. What is not understood is left
-/// out; more than 1000 too.
+/// "delete:3,merge:4,split:2@35.2,cone:5": as the parameters of a project keep them. Entries that are not understood,
+/// and those after the first 1000, are left out.
 std::vector<RowChange> rowChanges(std::string_view text);
 std::string textOf(const std::vector<RowChange>& changes);
 

@@ -1,4 +1,4 @@
-// Which measured rows stand for which row of a drawing: the cheapest assignment in order of z.
+// Assignment of measured rows to the rows of a drawing: least cost, in order of z.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ struct RowRun {
 
 struct RowMatch {
     std::vector<RowRun> runs;  ///< one for each row of the drawing
-    double cost_mm = 0;        ///< distances of ends and diameters, and the price of what is left over
+    double cost_mm = 0;        ///< distances of ends and diameters, and the price of unassigned rows
 };
 
 /// Both in order of z.

@@ -7,7 +7,7 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kJoined_mm = 0.05;  // rows no further apart join
+constexpr double joiningGap_mm = 0.05;  // rows no further apart join
 
 /// Rows turned end for end.
 RowOnAxis turnedRow(RowOnAxis row)
@@ -61,7 +61,7 @@ RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing
     std::stable_sort(result.begin(), result.end(), before);
     if (result.empty()) return result;
     for (std::size_t i = 0; i + 1 < result.size(); ++i)
-        if (result[i + 1].z_start_mm - result[i].z_end_mm > kJoined_mm)
+        if (result[i + 1].z_start_mm - result[i].z_end_mm > joiningGap_mm)
             result[i].end_seen = result[i + 1].start_seen = false;
     if (placing.turned) std::swap(outer_seen[0], outer_seen[1]);
     result.front().start_seen = outer_seen[0];
@@ -88,7 +88,7 @@ RowsOnAxis placedBores(const Recognition& measured, const Placing& placing)
         last_mm = std::max(last_mm, row.z_end_mm);
     }
     const std::array<bool, 2> ends = endsSeen(measured);
-    return placed(rows, placing, {ends[0] && first_mm < kJoined_mm, ends[1] && last_mm > length_mm - kJoined_mm});
+    return placed(rows, placing, {ends[0] && first_mm < joiningGap_mm, ends[1] && last_mm > length_mm - joiningGap_mm});
 }
 
 std::vector<ShaftBore> drawnBores(const Shaft& nominal)

@@ -21,7 +21,7 @@ struct Placing {
     double at(double z_mm) const { return offset_mm + (turned ? -z_mm : z_mm); }
 };
 
-/// Where the measured rows may lie: as stated, and with ends on ends, for the place along the axis may not be
+/// Candidate placings of the measured rows: as stated, and with either end on end, since the axial position may not be
 /// determined. `nominal_T_part`: from the frame of the recognition to that of the drawing; none: either end first.
 std::vector<Placing> placings(const Shaft& nominal, const Recognition& measured,
                               const std::optional<Eigen::Isometry3d>& nominal_T_part);

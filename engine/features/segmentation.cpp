@@ -7,9 +7,9 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kFloor_mm = 1e-3;  // form that the walls have besides their noise
-constexpr double kLongestArc_mm = 30;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double formFloor_mm = 1e-3;  // standard deviation of the walls' form besides their noise
+constexpr double longestArc_mm = 30;
+constexpr double infiniteCost = std::numeric_limits<double>::infinity();
 
 /// Sums over walls relative to one place, so that short arcs far from z = 0 lose no digits.
 class Sums {
@@ -19,7 +19,7 @@ public:
     void add(const Wall& wall)
     {
         const double n = std::max(1.0, wall.points);
-        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + kFloor_mm * kFloor_mm);
+        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + formFloor_mm * formFloor_mm);
         const double x = wall.z_mm - z_, y = wall.r_mm - r_, q = x * x + y * y;
         s_ += w;
         sx_ += w * x;
@@ -43,7 +43,7 @@ public:
         Eigen::Matrix3d m;
         m << sxx_, sxy_, sx_, sxy_, syy_, sy_, sx_, sy_, s_;
         const Eigen::Vector3d rhs(sxq_, syq_, sq_);
-        // Scaled, for x and y may be small against 1.
+        // Scaled, since x and y may be small against 1.
         const Eigen::Vector3d scale = m.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
         const Eigen::Matrix3d scaled = scale.asDiagonal() * m * scale.asDiagonal();
         const Eigen::LDLT<Eigen::Matrix3d> solver(scaled);
@@ -52,7 +52,7 @@ public:
         b = found[1];
         c = found[2];
         const double square = c + (a * a + b * b) / 4;
-        if (!(square > 0) || !found.allFinite()) return kInfinity;
+        if (!(square > 0) || !found.allFinite()) return infiniteCost;
         const double misfit = std::max(0.0, sqq_ - found.dot(rhs));
         // Mean squared cosine: ((y - b/2)/ρ)² over the walls.
         const double cosine = (syy_ - b * sy_ + b * b / 4 * s_) / (square * s_);
@@ -64,7 +64,7 @@ public:
         piece.at_mm = z_ + sx_ / s_;
         piece.level_mm = r_ + sy_ / s_;
         piece.slope = cxx > 0 ? cxy / cxx : 0;
-        piece.slope_error = cxx > 0 ? 1 / std::sqrt(cxx) : kInfinity;
+        piece.slope_error = cxx > 0 ? 1 / std::sqrt(cxx) : infiniteCost;
     }
     double meanY() const { return sy_ / s_; }
     double z() const { return z_; }
@@ -132,26 +132,26 @@ std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& pr
 {
     const std::size_t n = walls.size();
     const double line_price = linePrice(n), arc_price = arcPrice(n), left_out_price = leftOutPrice(n);
-    std::vector<double> best(n + 1, kInfinity);    // of a piece that ends before wall j
-    std::vector<double> before(n + 1, kInfinity);  // of a piece that may start at wall i
+    std::vector<double> best(n + 1, infiniteCost);    // of a piece that ends before wall j
+    std::vector<double> before(n + 1, infiniteCost);  // of a piece that may start at wall i
     std::vector<std::size_t> left_out(n + 1, 0);
     std::vector<std::size_t> from(n + 1, 0);
     std::vector<char> is_arc(n + 1, 0);
     best[0] = before[0] = 0;
-    for (std::size_t j = kLeastOfLine; j <= n; ++j) {
+    for (std::size_t j = leastLineWalls; j <= n; ++j) {
         if (j % 64 == 0) progress.check();
         Sums sums(walls[j - 1].z_mm, walls[j - 1].r_mm);
         for (std::size_t i = j; i-- > 0;) {
             sums.add(walls[i]);
             const std::size_t length = j - i;
-            if (length < kLeastOfLine || before[i] == kInfinity) continue;
+            if (length < leastLineWalls || before[i] == infiniteCost) continue;
             const double line = sums.line();
             if (before[i] + line + line_price < best[j]) {
                 best[j] = before[i] + line + line_price;
                 from[j] = i;
                 is_arc[j] = 0;
             }
-            if (length < kLeastOfArc || walls[j - 1].z_mm - walls[i].z_mm > kLongestArc_mm) continue;
+            if (length < leastArcWalls || walls[j - 1].z_mm - walls[i].z_mm > longestArc_mm) continue;
             if (before[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
             double a = 0, b = 0, c = 0;
             const double arc = sums.arc(a, b, c);
@@ -162,14 +162,14 @@ std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& pr
             }
         }
         before[j] = best[j];
-        for (std::size_t k = 1; k <= kMostLeftOut && k < j; ++k)
+        for (std::size_t k = 1; k <= mostOmittedWalls && k < j; ++k)
             if (const double value = best[j - k] + static_cast<double>(k) * left_out_price; value < before[j]) {
                 before[j] = value;
                 left_out[j] = k;
             }
     }
     std::vector<Piece> pieces;
-    if (n < kLeastOfLine || best[n] == kInfinity) return pieces;
+    if (n < leastLineWalls || best[n] == infiniteCost) return pieces;
     for (std::size_t j = n; j > 0; j = from[j] - left_out[from[j]])
         pieces.push_back(pieceOf(walls, from[j], j, is_arc[j] != 0));
     return {pieces.rbegin(), pieces.rend()};

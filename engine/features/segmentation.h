@@ -17,7 +17,7 @@ namespace lathelier::features {
 
 /// Walls [begin, end) of a chain as one element.
 struct Piece {
-    std::size_t begin = 0, end = 0;                          ///< first wall
+    std::size_t begin = 0, end = 0;                          ///< indices of walls, `end` excluded
     bool arc = false;                                        ///< an arc, else a line
     double level_mm = 0;                                     ///< line: radius at `at_mm`
     double slope = 0;                                        ///< line: dr/dz
@@ -36,6 +36,6 @@ double arcCost(std::span<const Wall> walls);
 double linePrice(std::size_t walls);
 double arcPrice(std::size_t walls);
 double leftOutPrice(std::size_t walls);
-inline constexpr std::size_t kLeastOfLine = 3, kLeastOfArc = 5, kMostLeftOut = 2;
+inline constexpr std::size_t leastLineWalls = 3, leastArcWalls = 5, mostOmittedWalls = 2;
 
 }  // namespace lathelier::features

@@ -10,11 +10,11 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kShortCone_mm = 4;
-constexpr double kShort_mm = 0.45;  // shorter elements are dropped when that costs little
-constexpr double kBend = 3.4 * std::numbers::pi / 180;
+constexpr double longestDoubtfulCone_mm = 4;
+constexpr double shortElement_mm = 0.45;  // shorter elements are dropped when the misfit grows by less than their price
+constexpr double mergedBend_rad = 3.4 * std::numbers::pi / 180;
 
-/// A run tried in place of the one that is there.
+/// A trial run in place of the present one.
 struct Trial {
     Run run;
     double value = 0;
@@ -32,8 +32,8 @@ std::vector<Tie> tiesAt(const Model& model, const Run& run, std::size_t k, bool 
     return {Tie::Free, Tie::Tangent};
 }
 
-/// Arcs of neighbours lose ties to what element k no longer is.
-void loosenNeighbours(Run& run, std::size_t k)
+/// Removes ties of neighbouring arcs that element k no longer supports.
+void releaseNeighbourTies(Run& run, std::size_t k)
 {
     if (!run.elements[k].arc) return;
     if (k > 0 && run.elements[k - 1].arc && run.elements[k - 1].end == Tie::Tangent)
@@ -42,7 +42,7 @@ void loosenNeighbours(Run& run, std::size_t k)
         run.elements[k + 1].start = Tie::Free;
 }
 
-/// A slope that rises into a shoulder's foot is a fillet more often than a cone.
+/// A slope that rises into the foot of a shoulder is more often a fillet than a cone.
 double priorOf(const Model& model, std::size_t r, std::size_t k)
 {
     constexpr double unusual = 12;
@@ -67,9 +67,9 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     const auto attempt = [&](const Element& element) {
         model.runs[r] = before;
         model.runs[r].elements[k] = element;
-        loosenNeighbours(model.runs[r], k);
+        releaseNeighbourTies(model.runs[r], k);
         const double value = criterion(model, scope, 10) + priorOf(model, r, k);
-        // What is there stays unless something is clearly better: no flipping between equals.
+        // The present kind stays unless another is better by a margin, to avoid alternating between equals.
         if (!(value < best.value - 0.5) || model.runs[r].violation > 1) return;
         best = {model.runs[r], value};
         changed = true;
@@ -100,7 +100,7 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     return changed;
 }
 
-/// Puts the better of the elements in at `at`, when one gains more than its price and the margin.
+/// Inserts the better of the elements at `at` when its gain exceeds its price plus the margin.
 bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<Element>& elements, double reach_mm)
 {
     const Run before = model.runs[r];
@@ -118,7 +118,7 @@ bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<El
         Run& run = model.runs[r];
         run.elements.insert(run.elements.begin() + static_cast<std::ptrdiff_t>(at), element);
         run.nodes_mm.insert(run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(at), node);
-        // Nodes on both sides of what is put in, so that junctions are looked for there.
+        // Starting values of the nodes on both sides of the inserted element.
         const double half = 0.3 * (element.arc ? element.radius_mm() : 0.5);
         if (at > 0) run.nodes_mm[at] = node - half;
         if (at + 1 < run.nodes_mm.size() - 1) run.nodes_mm[at + 1] = node + half;
@@ -134,7 +134,7 @@ bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<El
     return found;
 }
 
-bool dropIsCheap(Model& model, std::size_t r, std::size_t k)
+bool isDropCheap(Model& model, std::size_t r, std::size_t k)
 {
     const Run before = model.runs[r];
     if (before.elements.size() < 2) return false;
@@ -167,13 +167,13 @@ bool dropIsCheap(Model& model, std::size_t r, std::size_t k)
     return false;
 }
 
-bool mergeIsCheap(Model& model, std::size_t r, std::size_t k)
+bool isMergeCheap(Model& model, std::size_t r, std::size_t k)
 {
     const Run before = model.runs[r];
     const Element& a = before.elements[k];
     const Element& b = before.elements[k + 1];
     if (a.arc || b.arc || a.rough || b.rough) return false;
-    if (std::abs(std::atan(a.slope) - std::atan(b.slope)) > kBend) return false;
+    if (std::abs(std::atan(a.slope) - std::atan(b.slope)) > mergedBend_rad) return false;
     const double from = before.nodes_mm[k], to = before.nodes_mm[k + 2];
     const double with = fitWindow(model, {r, k, k + 1}, from, to, 6);
     const std::size_t parameters = slotsOf(model, r, k, k + 1).size();
@@ -243,8 +243,9 @@ std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<cons
 
 namespace {
 
-/// A cone from which a thread or a knurl begins: between its grooves too little of it is seen to tell it from an arc.
-bool leadsIntoRough(const Model& model, std::size_t r, std::size_t k)
+/// A cone at the start of a thread or a knurl: too little of it is seen between the grooves to distinguish it from an
+/// arc.
+bool isLeadIntoRough(const Model& model, std::size_t r, std::size_t k)
 {
     const Run& run = model.runs[r];
     const bool before =
@@ -264,8 +265,8 @@ int selectKinds(Model& model, const Progress& progress)
             progress.check();
             const Element& e = model.runs[r].elements[k];
             const double length = model.runs[r].nodes_mm[k + 1] - model.runs[r].nodes_mm[k];
-            if (e.rough || (!e.arc && (e.cylinder || length > kShortCone_mm))) continue;
-            if (!e.arc && leadsIntoRough(model, r, k)) continue;
+            if (e.rough || (!e.arc && (e.cylinder || length > longestDoubtfulCone_mm))) continue;
+            if (!e.arc && isLeadIntoRough(model, r, k)) continue;
             changed += selectKind(model, r, k) ? 1 : 0;
         }
     return changed;
@@ -328,8 +329,8 @@ int simplify(Model& model, const Progress& progress)
             progress.check();
             const Run& run = model.runs[r];
             const double length = run.nodes_mm[k + 1] - run.nodes_mm[k];
-            const double limit = model.corner_mm > 0 ? 0.7 : kShort_mm;
-            if (!run.elements[k].rough && length < limit && dropIsCheap(model, r, k)) {
+            const double limit = model.corner_mm > 0 ? 0.7 : shortElement_mm;
+            if (!run.elements[k].rough && length < limit && isDropCheap(model, r, k)) {
                 ++gone;
                 k = k > 0 ? k - 1 : 0;
             } else {
@@ -338,7 +339,7 @@ int simplify(Model& model, const Progress& progress)
         }
         for (std::size_t k = 0; k + 1 < model.runs[r].elements.size();) {
             progress.check();
-            if (mergeIsCheap(model, r, k))
+            if (isMergeCheap(model, r, k))
                 ++gone;
             else
                 ++k;

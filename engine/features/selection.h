@@ -1,4 +1,4 @@
-// What each small piece of the meridian is: cylinder, cone or arc with its ties, by Schwarz's criterion.
+// Kind of each small piece of the meridian by Schwarz's criterion: cylinder, cone or arc with its ties.
 #pragma once
 
 #include "engine/core/progress.h"
@@ -14,14 +14,14 @@ std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<cons
 Element arcOverChord(double z0, double r0, double z1, double r1, double radius_mm, bool convex);
 
 /// For every arc and every cone shorter than 4 mm: the best of cylinder, cone, arcs with all ties that are possible;
-/// misfit plus 2.5 ln n for each parameter. One sweep over all runs. Gives how many elements changed.
+/// misfit plus 2.5 ln n for each parameter. One sweep over all runs. Returns the number of changed elements.
 int selectKinds(Model& model, const Progress& progress = {});
 
-/// Tries a fillet, or at planes a chamfer or round too, at every sharp corner. Gives how many were put in.
+/// Tries a fillet, or at planes a chamfer or round too, at every sharp corner. Returns the number inserted.
 int tryCorners(Model& model, const Progress& progress = {});
 
-/// Drops elements too short to be told from blur and merges lines that bend by less than 3.4°, while the misfit grows
-/// by no more than their price. Gives how many went.
+/// Drops elements shorter than the blur and merges lines that bend by less than 3.4°, while the misfit grows
+/// by no more than their price. Returns the number removed.
 int simplify(Model& model, const Progress& progress = {});
 
 }  // namespace lathelier::features

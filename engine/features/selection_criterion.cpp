@@ -6,8 +6,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kShortNeighbour_mm = 5;
-constexpr double kAround_mm = 1.5;  // of the neighbours are looked at
+constexpr double shortNeighbour_mm = 5;
+constexpr double neighbourMargin_mm = 1.5;  // length of the neighbours included in the misfit
 
 }  // namespace
 
@@ -26,15 +26,15 @@ Scope scopeOf(const Run& run, std::size_t r, std::size_t first, std::size_t last
     scope.from_mm = run.nodes_mm[first];
     scope.to_mm = run.nodes_mm[last + 1];
     if (first > 0) {
-        const bool free = length(first - 1) < kShortNeighbour_mm;
+        const bool free = length(first - 1) < shortNeighbour_mm;
         scope.from_mm =
-            std::max(run.nodes_mm[first - 1], run.nodes_mm[first] - (free ? kShortNeighbour_mm : kAround_mm));
+            std::max(run.nodes_mm[first - 1], run.nodes_mm[first] - (free ? shortNeighbour_mm : neighbourMargin_mm));
         if (free) scope.window.first = first - 1;
     }
     if (last + 1 < run.elements.size()) {
-        const bool free = length(last + 1) < kShortNeighbour_mm;
+        const bool free = length(last + 1) < shortNeighbour_mm;
         scope.to_mm =
-            std::min(run.nodes_mm[last + 2], run.nodes_mm[last + 1] + (free ? kShortNeighbour_mm : kAround_mm));
+            std::min(run.nodes_mm[last + 2], run.nodes_mm[last + 1] + (free ? shortNeighbour_mm : neighbourMargin_mm));
         if (free) scope.window.last = last + 1;
     }
     return scope;

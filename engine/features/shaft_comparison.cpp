@@ -26,7 +26,7 @@ void addNew(const Notes& more, Notes& notes)
     notes.insert(notes.end(), fresh.begin(), fresh.end());
 }
 
-/// Without what was recognised every size with a limit is undecided.
+/// Without a recognition every size with a limit is undecided.
 std::vector<ComparedRow> comparedRowsOf(const Shaft& nominal, const Scan& copy, registration::CompareResult& surface,
                                         const Progress& progress)
 {
@@ -45,7 +45,7 @@ std::vector<ComparedRow> comparedRowsOf(const Shaft& nominal, const Scan& copy, 
                        surface.alignment.reference_T_copy * measured.part_T_scan.inverse());
 }
 
-Value verdictWord(const std::optional<Verdict>& verdict)
+Value verdictText(const std::optional<Verdict>& verdict)
 {
     return verdict ? Value(name(*verdict)) : Value();
 }
@@ -97,7 +97,7 @@ std::vector<const ComparedRow*> notWithin(const std::vector<ComparedRow>& rows)
 /// The verdict of both where it is not the surface's, and the sizes that are not within.
 void addSizes(const ShaftComparison& result, report::Answer& answer)
 {
-    constexpr std::size_t most_findings = 3;
+    constexpr std::size_t mostListedSizes = 3;
     const std::optional<Verdict> sizes = worstVerdict(result.rows);
     if (!sizes) return;
     if (result.verdict != result.surface.verdict) {
@@ -111,7 +111,7 @@ void addSizes(const ShaftComparison& result, report::Answer& answer)
     std::vector<report::Finding> findings;
     for (const ComparedRow* row : notWithin(result.rows)) findings.push_back(findingOf(result, *row));
     findings.insert(findings.end(), answer.findings.begin(), answer.findings.end());
-    if (findings.size() > most_findings) findings.resize(most_findings);
+    if (findings.size() > mostListedSizes) findings.resize(mostListedSizes);
     answer.findings = std::move(findings);
 }
 
@@ -172,7 +172,7 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress,
                                  registration::CompareDetail detail)
 {
-    ShaftMesh mesh = shaftMesh(nominal, kFinestSagitta_mm, progress.part(0, 0.05));
+    ShaftMesh mesh = shaftMesh(nominal, finestSagitta_mm, progress.part(0, 0.05));
     const registration::DrawnReference reference{std::move(mesh.scan), closedContour(nominal)};
     ShaftComparison result;
     result.nominal = nominal;
@@ -210,9 +210,9 @@ report::Table sizesTable(const ShaftComparison& result)
 report::Section sizesSection(const ShaftComparison& result)
 {
     report::QuantityTable verdicts{LT_TEXT("Engine", "Verdicts"), {}};
-    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), verdictWord(result.surface.verdict), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), verdictWord(worstVerdict(result.rows)), {}});
-    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), verdictWord(result.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Surface"), verdictText(result.surface.verdict), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Sizes"), verdictText(worstVerdict(result.rows)), {}});
+    verdicts.rows.push_back({LT_TEXT("Engine", "Together"), verdictText(result.verdict), {}});
     return {LT_TEXT("Engine", "Sizes against the drawing"), {verdicts, sizesTable(result)}};
 }
 

@@ -20,9 +20,9 @@ struct ShaftComparison {
 };
 
 /// Aligns the copy with the shaft's mesh (shaft_mesh.h), measures its deviations from the shaft's meridian, recognises
-/// it and sets its rows against the drawing's. Errors of compare(). Where the copy cannot be recognised, the rows say
-/// so with the note sizesNotRecognized. Notes: those of both. Precondition: the shaft passes checkShaft(). Throws
-/// Cancelled.
+/// it and sets its rows against the drawing's. Errors of compare(). A copy that cannot be recognised gives rows without
+/// measured values and the note sizesNotRecognized. Notes: those of both. Precondition: the shaft passes checkShaft().
+/// Throws Cancelled.
 ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress = {},
                                  registration::CompareDetail detail = registration::CompareDetail::Full);
@@ -30,8 +30,8 @@ ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
 /// Where the size lies along the axis, as the surface's views count z.
 Interval placeOf(const ShaftComparison& result, const ComparedRow& row);
 
-/// Judges the surface anew with the limits of `parameters` (registration::judge()), and both together. Precondition:
-/// decision and scanner accuracy, which the rows were judged by, are the same as before.
+/// Recomputes the verdict of the surface with the limits of `parameters` (registration::judge()) and the verdict of
+/// both. Precondition: decision and scanner accuracy, which the rows were judged by, are the same as before.
 void judgeSurface(ShaftComparison& result, const registration::CompareParameters& parameters,
                   const Progress& progress = {});
 

@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double noRadius_mm = 1e-9;  // a radius no larger than this is none
-constexpr int kLeastSides = 12;
-constexpr int kLeastChords = 3;  // of an arc: with two the point between them would lie beyond the sagitta
-constexpr double kCoarser = 1.5;
+constexpr double noRadius_mm = 1e-9;  // smaller radii are on the axis
+constexpr int leastSides = 12;
+constexpr int leastChords = 3;  // of an arc: with two, the point between them would exceed the sagitta
+constexpr double coarseningFactor = 1.5;
 
 /// Radius for the inner points of an arc's chords, so that they enclose its area; the ends stay where they are.
 double innerRadius_mm(double radius_mm, double step, int chords)
@@ -42,7 +42,7 @@ std::vector<Vector2d> polygonOf(const Contour& contour, double sagitta_mm)
         const Vector2d centre = piece.centre_mm();
         const auto [start, end] = piece.arcAngles();
         const double radius = std::abs(piece.arc_radius_mm);
-        const int chords = std::max(kLeastChords, chordsOf(end - start, radius, sagitta_mm));
+        const int chords = std::max(leastChords, chordsOf(end - start, radius, sagitta_mm));
         const double inner = innerRadius_mm(radius, std::abs(end - start) / chords, chords);
         for (int i = 1; i < chords; ++i) {
             const double angle = start + (end - start) * i / chords;
@@ -56,7 +56,7 @@ int sidesFor(const std::vector<Vector2d>& polygon, double sagitta_mm)
 {
     double largest = 0;
     for (const Vector2d& point : polygon) largest = std::max(largest, point.y());
-    return largest > 0 ? std::max(kLeastSides, chordsOf(2 * std::numbers::pi, largest, sagitta_mm)) : kLeastSides;
+    return largest > 0 ? std::max(leastSides, chordsOf(2 * std::numbers::pi, largest, sagitta_mm)) : leastSides;
 }
 
 /// The vertices of one point of the meridian: a ring, or a single one on the axis.
@@ -78,8 +78,8 @@ ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm, const Progress& progr
     const Contour contour = closedContour(shaft);
     std::vector<Vector2d> polygon = polygonOf(contour, sagitta_mm);
     int sides = sidesFor(polygon, sagitta_mm);
-    while (2 * polygon.size() * static_cast<std::size_t>(sides) > kMostTriangles && sides > kLeastSides) {
-        made.sagitta_mm *= kCoarser;
+    while (2 * polygon.size() * static_cast<std::size_t>(sides) > mostTriangles && sides > leastSides) {
+        made.sagitta_mm *= coarseningFactor;
         polygon = polygonOf(contour, made.sagitta_mm);
         sides = sidesFor(polygon, made.sagitta_mm);
     }

@@ -15,16 +15,16 @@
 
 namespace lathelier::features {
 
-constexpr double kFinestSagitta_mm = 2e-4;
-constexpr std::size_t kMostTriangles = 2000000;
+constexpr double finestSagitta_mm = 2e-4;
+constexpr std::size_t mostTriangles = 2000000;
 
 struct ShaftMesh {
     Scan scan;  ///< closed, its vertices shared; z along the axis from the free end; no normals
     double sagitta_mm =
-        0;  ///< chords of circles and of arcs stay below; more than asked for where kMostTriangles rules
+        0;  ///< chords of circles and of arcs stay below; more than requested where mostTriangles limits the mesh
 };
 
 /// Marks are left out. Preconditions: the shaft passes checkShaft(), sagitta_mm > 0. Throws Cancelled.
-ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm = kFinestSagitta_mm, const Progress& progress = {});
+ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm = finestSagitta_mm, const Progress& progress = {});
 
 }  // namespace lathelier::features

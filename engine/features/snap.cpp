@@ -11,7 +11,7 @@ namespace {
 
 using Flags = std::vector<bool>;
 
-constexpr double kChanged_mm = 1e-9;
+constexpr double changedSize_mm = 1e-9;
 
 MeasuredSize measuredOf(const RecognizedRow& row)
 {
@@ -21,7 +21,7 @@ MeasuredSize measuredOf(const RecognizedRow& row)
 
 bool isChanged(const ShaftSegment& now, const RecognizedRow& row)
 {
-    const auto differs = [](double a, double b) { return std::abs(a - b) > kChanged_mm; };
+    const auto differs = [](double a, double b) { return std::abs(a - b) > changedSize_mm; };
     return differs(now.length_mm, row.z_end_mm - row.z_start_mm) ||
            differs(now.start_diameter_mm, row.start_diameter_mm) || differs(now.end_diameter_mm, row.end_diameter_mm) ||
            differs(now.arc_radius_mm.value_or(0), row.arc_radius_mm.value_or(0));
@@ -70,7 +70,7 @@ void addPlacedBores(Shaft& shaft, const Recognition& recognition, bool in_place)
     }
 }
 
-/// Rows of the recognition that a refusal is about, and their neighbours; all of them when it names none.
+/// Rows of the recognition that an error of checkShaft() names, and their neighbours; all rows when it names none.
 void leaveOut(const Error& error, const Made& made, Flags& in_place)
 {
     const Flags before = in_place;
@@ -78,7 +78,7 @@ void leaveOut(const Error& error, const Made& made, Flags& in_place)
         const Value* value = find(error.values(), name);
         const auto* number = value ? std::get_if<std::int64_t>(value) : nullptr;
         if (!number || *number < 1 || *number > static_cast<std::int64_t>(made.source.size())) continue;
-        // The row itself may be one that no recognised row stands for: the one before it does.
+        // For a row without a recognised counterpart the one before it.
         auto place = static_cast<std::size_t>(*number - 1);
         while (place > 0 && made.source[place] == PlacedRow::none) --place;
         const auto row = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, made.source[place]));

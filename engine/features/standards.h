@@ -1,4 +1,4 @@
-// Tables of standards that a turned part's sizes are compared with: facts, each with its source.
+// Tables of standards that a turned part's sizes are compared with: with their sources.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Undercut {
     double over_mm, to_mm;        ///< shaft diameters that it is meant for: ]over, to]
     bool for_alternating_stress;  ///< the series with increased fatigue strength
 };
-constexpr double kUndercutRunOut_deg = 15, kUndercutFace_deg = 8;
+constexpr double undercutRunOut_deg = 15, undercutFace_deg = 8;
 std::span<const Undercut> undercuts();
 
 /// "DIN 509 - E 0.6×0.2".

@@ -1,4 +1,4 @@
-// The part of a shaft that stands out of the chuck: what a stock file describes.
+// The part of a shaft outside the chuck, for a stock file.
 #pragma once
 
 #include "engine/core/shaft.h"

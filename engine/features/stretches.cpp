@@ -12,32 +12,34 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double dataGap_mm = 1.2;  // a longer stretch without data is no edge
-constexpr double kRoughLeast_mm = 2.5;
-constexpr double kRough = 1.3;              // times the scatter that noise and slope explain, beyond chance
-constexpr double kLongestLead_mm = 4;       // of the cone that leads into a rough zone
-constexpr double kLeastScatter_mm = 0.001;  // of exact data: what is smoother is no thread or knurl
-constexpr std::size_t kSmear = 3;           // walls at a chain's end that blur may have made
+constexpr double dataGap_mm = 1.2;  // a longer stretch without data is a gap, not an edge
+constexpr double shortestRoughZone_mm = 2.5;
+constexpr double roughScatterRatio =
+    1.3;  // ratio of a wall's scatter to that expected from noise and slope: above it the wall is rough
+constexpr double longestLead_mm = 4;        // length of the cone that leads into a rough zone
+constexpr double leastScatter_mm = 0.001;   // least scatter of a thread or knurl in data without noise
+constexpr std::size_t blurredEndWalls = 3;  // walls at a chain's end that may be artefacts of blur
 
-/// Walls that scatter more than noise and slope explain, over 2.5 mm or more, with those beside them that scatter more
-/// than chance makes them: where grooves run out into a cone.
+/// Walls with more scatter than noise and slope explain, over at least 2.5 mm, extended by neighbours with
+/// significantly increased scatter, where grooves run out into a cone.
 struct RoughWalls {
-    std::size_t from = 0, to = 0;            ///< the rough ones
-    std::size_t wide_from = 0, wide_to = 0;  ///< with those that a groove may reach
+    std::size_t from = 0, to = 0;            ///< indices of the rough walls, `to` excluded
+    std::size_t wide_from = 0, wide_to = 0;  ///< extended to walls that a groove may reach
 };
 
 std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm, bool radial)
 {
-    constexpr std::size_t kMostCalm = 2, kBeyond = 3;
+    constexpr std::size_t mostSmoothWalls = 2, wallsBeyond = 3;
     std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
-        // Noise along the normal of a slope is more along the radius; that of rays across the axis is along it.
+        // Noise along the normal of a slope is larger along the radius; that of rays across the axis acts along the
+        // radius.
         const double slope = slopeAt(walls, i), square = slope * slope,
                      spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
         const double explained =
-            std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + kLeastScatter_mm * kLeastScatter_mm + spread);
+            std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + leastScatter_mm * leastScatter_mm + spread);
         const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
-        rough[i] = walls[i].sigma_mm > (kRough + 3 * chance) * explained;
+        rough[i] = walls[i].sigma_mm > (roughScatterRatio + 3 * chance) * explained;
         uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
     }
     std::vector<RoughWalls> stretches;
@@ -52,23 +54,23 @@ std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double si
             if (rough[j]) last = j;
         }
         const std::size_t next = last + 1;
-        if (walls[last].z_mm - walls[i].z_mm >= kRoughLeast_mm) {
+        if (walls[last].z_mm - walls[i].z_mm >= shortestRoughZone_mm) {
             std::size_t from = i, to = next;
             const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
-            const double reach = std::min(kLongestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
-            for (std::size_t j = i; j-- > least && i - j <= kMostCalm + (i - from);)
+            const double reach = std::min(longestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
+            for (std::size_t j = i; j-- > least && i - j <= mostSmoothWalls + (i - from);)
                 if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
-            for (std::size_t j = next; j < walls.size() && j - to <= kMostCalm; ++j)
+            for (std::size_t j = next; j < walls.size() && j - to <= mostSmoothWalls; ++j)
                 if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
-            from = std::max(least, from - std::min(from, kBeyond));
-            stretches.push_back({i, next, from, std::min(walls.size(), to + kBeyond)});
+            from = std::max(least, from - std::min(from, wallsBeyond));
+            stretches.push_back({i, next, from, std::min(walls.size(), to + wallsBeyond)});
         }
         i = next;
     }
     return stretches;
 }
 
-/// Two levels that meet in no corner: a step of the radius.
+/// Two lines without a common corner: a step of the radius.
 bool isStep(const Element& a, const Element& b, double z, double error_mm)
 {
     if (a.arc || b.arc) return false;
@@ -84,9 +86,9 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
-    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= kSmear)
+    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= blurredEndWalls)
         pieces.erase(pieces.begin());
-    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= kSmear) pieces.pop_back();
+    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= blurredEndWalls) pieces.pop_back();
     std::vector<Wear> worn;
     mergeWear(pieces, walls, form_mm, merged, worn);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
@@ -135,7 +137,7 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 /// First harmonic of the points' radii between two heights: mean, and how far off the axis their circle is.
 struct Circle {
     double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
-    double root_mm = 0;  ///< radius that one in fifty lies below
+    double root_mm = 0;  ///< 2 % quantile of the radius
     std::optional<Crest> crest;
 };
 
@@ -164,7 +166,7 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
             right += row * r;
         }
         found = normal.ldlt().solve(right);
-        circle.sigma_mm = mad_to_sigma * upperMedianInPlace(offs);
+        circle.sigma_mm = madToSigma * upperMedianInPlace(offs);
         limit = 4 * circle.sigma_mm;
     }
     circle.radius_mm = found[0];
@@ -206,7 +208,7 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
     cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
     if (eccentric) rough.eccentric_mm = circle.offset_mm;
     if (circle.crest && !eccentric) {
-        const double longest = std::min(kLongestLead_mm, (stretch.to_mm - stretch.from_mm) / 3);
+        const double longest = std::min(longestLead_mm, (stretch.to_mm - stretch.from_mm) / 3);
         const auto lead = [&](double border, bool toward_end) {
             return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
         };

@@ -8,22 +8,22 @@
 
 namespace lathelier::features {
 
-/// What ends a stretch. Step: of the radius, too small for a shoulder. Rough: a thread or knurl begins or ends; Lead:
-/// so it does on a cone.
+/// Kind of a stretch's end. Step: of the radius, too small for a shoulder. Rough: start or end of a thread or knurl;
+/// Lead: the same on a cone.
 enum class Border { Shoulder, Step, Gap, Rough, Lead, End };
 
 /// Elements between two borders, before planes are made of these.
 struct Stretch {
     std::vector<Element> elements;  ///< in order of z
-    std::vector<double> nodes_mm;   ///< guesses
+    std::vector<double> nodes_mm;   ///< z of the junctions, starting values: one more than elements
     double from_mm = 0, to_mm = 0;  ///< of its walls
     Border after = Border::End;     ///< toward larger z
     std::vector<Wall> coarse;       ///< walls that it was made from
     std::vector<Wall> crests;       ///< of these, those over the crests of a rough zone
-    std::vector<Wear> worn;         ///< what rows of its elements do not describe
+    std::vector<Wear> worn;         ///< wear subtracted from its walls
 };
 
-/// Chains of one side, those dropped that lie beside a longer one.
+/// Chains of one side, without those that lie beside a longer one.
 std::vector<const Chain*> chainsOf(const Walls& walls, bool bore);
 
 /// Slope of the walls about one of them.

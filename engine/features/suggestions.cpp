@@ -6,11 +6,11 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kLeastCoverage_deg = 180;
+constexpr double leastSuggestionCoverage_deg = 180;
 
 bool isCovered(const RecognizedRow& row)
 {
-    return row.coverage_deg >= kLeastCoverage_deg;
+    return row.coverage_deg >= leastSuggestionCoverage_deg;
 }
 
 Surface surfaceOf(const RowChain& chain)
@@ -43,7 +43,7 @@ void suggestTaper(const RowChain& chain, std::size_t i, std::vector<Suggestion>&
     for (Suggestion& one : suggestTapers(
              {chain.angle_deg(i), row.uncertainty.angle_deg.value_or(0), small, large, std::abs(chain.length_mm(i))}))
         list.push_back(std::move(one));
-    // Where the large end meets a cylinder, that has the diameter.
+    // Where the large end meets a cylinder, the diameter is that of the cylinder.
     const Joint joint = chain.joint(grows ? i + 1 : i);
     const auto& U_um = grows ? row.uncertainty.end_diameter_um : row.uncertainty.start_diameter_um;
     if (joint == Joint::Plane || joint == Joint::End)
@@ -54,9 +54,9 @@ void suggestTaper(const RowChain& chain, std::size_t i, std::vector<Suggestion>&
 
 bool isEdgeBreak(const RowChain& chain, std::size_t i)
 {
-    constexpr double kLeast_mm = 0.45;
+    constexpr double smallestShapedEdge_mm = 0.45;
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2;
-    return std::max(std::abs(chain.length_mm(i)), radial) < kLeast_mm;
+    return std::max(std::abs(chain.length_mm(i)), radial) < smallestShapedEdge_mm;
 }
 
 std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const Patterns& patterns,

@@ -17,7 +17,7 @@ struct Patterns {
 std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const Patterns& patterns,
                                                     const std::vector<const ShaftMark*>& thread_of);
 
-/// Is this chamfer or round too small to say what form it has?
+/// Is this chamfer or round too small to determine its form?
 bool isEdgeBreak(const RowChain& chain, std::size_t i);
 
 }  // namespace lathelier::features

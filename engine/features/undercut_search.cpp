@@ -12,10 +12,10 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double kLongest_mm = 8;  // of an undercut (DIN 509: 7 mm and its run-out)
-constexpr double kLeastDepth_mm = 0.05;
-constexpr std::size_t kMostRows = 3;  // that it may stand in place of
-const double kRunOut = std::tan(15 * std::numbers::pi / 180);
+constexpr double longestUndercut_mm = 8;  // longest of DIN 509: 7 mm, and its run-out
+constexpr double shallowestUndercut_mm = 0.05;
+constexpr std::size_t mostReplacedRows = 3;  // rows that an undercut may replace
+const double runOutSlope = std::tan(15 * std::numbers::pi / 180);
 
 /// Least mean of three neighbouring walls between two places; the level where there are none.
 double deepest(const Run& run, double from_mm, double to_mm, double level_mm)
@@ -48,12 +48,12 @@ std::optional<FoundUndercut> fittedUndercut(double from_mm, double plane_mm, dou
                                             double radius_mm)
 {
     const double sense = plane_mm > from_mm ? 1 : -1, length = std::abs(plane_mm - from_mm);
-    const double run_out = depth_mm / kRunOut;
+    const double run_out = depth_mm / runOutSlope;
     if (!(run_out + radius_mm < 0.95 * length)) return std::nullopt;
     const double bottom = level_mm - depth_mm, tangent = plane_mm - sense * radius_mm;
     FoundUndercut made;
     made.from_mm = {from_mm, from_mm + sense * run_out, tangent};
-    made.elements[0] = line(from_mm, level_mm, -sense * kRunOut);
+    made.elements[0] = line(from_mm, level_mm, -sense * runOutSlope);
     made.elements[1] = line((made.from_mm[1] + tangent) / 2, bottom, 0);
     made.elements[2] =
         arcOverChord(std::min(tangent, plane_mm), sense > 0 ? bottom : bottom + radius_mm, std::max(tangent, plane_mm),
@@ -105,23 +105,23 @@ bool tryUndercut(Model& model, std::size_t r, bool start)
     const double plane = start ? before.nodes_mm.front() : before.nodes_mm.back();
     Run chosen = before;
     bool found = false;
-    for (std::size_t rows = 1; rows <= std::min(kMostRows, n - 1); ++rows) {
+    for (std::size_t rows = 1; rows <= std::min(mostReplacedRows, n - 1); ++rows) {
         const std::size_t first = start ? 0 : n - rows, last = start ? rows - 1 : n - 1;
         const Element& base = before.elements[start ? rows : n - rows - 1];
         const double from = start ? before.nodes_mm[rows] : before.nodes_mm[n - rows];
         const bool possible = !base.arc && !base.rough && std::abs(base.slope) < 0.1 &&
-                              std::abs(plane - from) < kLongest_mm &&
+                              std::abs(plane - from) < longestUndercut_mm &&
                               std::none_of(before.elements.begin() + static_cast<std::ptrdiff_t>(first),
                                            before.elements.begin() + static_cast<std::ptrdiff_t>(last) + 1,
                                            [](const Element& e) { return e.rough; });
         if (!possible) continue;
         const double level = base.radiusAt_mm(from);
         const double depth = level - deepest(before, std::min(from, plane), std::max(from, plane), level);
-        if (depth < std::max(kLeastDepth_mm, model.sigma_mm)) continue;
+        if (depth < std::max(shallowestUndercut_mm, model.sigma_mm)) continue;
         const Scope scope = scopeOf(before, r, first, last);
         model.runs[r] = before;
         double best = criterion(model, scope, 8) - leastGain;
-        if (found) {  // what was found with fewer rows is judged over the same stretch
+        if (found) {  // an undercut found with fewer rows is compared over the same stretch
             model.runs[r] = chosen;
             Scope wider = scope;
             wider.window.last = std::min(chosen.elements.size() - 1, scope.window.last + chosen.elements.size() - n);

@@ -55,8 +55,8 @@ Binned binned(const MeridianCloud& cloud, double bin_mm)
     return result;
 }
 
-/// Where a flat or a slot cuts into the wall its points lie low, those near its rim by less than noise shows: sectors
-/// whose median is not that of the most are left out, with the sectors beside them. Nothing when less than half agree.
+/// Points on a flat or in a slot lie below the wall, near its rim by less than the noise: sectors whose median differs
+/// from the modal one are left out, with their neighbours. Nothing when less than half of the sectors agree.
 std::vector<std::uint32_t> withoutMarks(const MeridianCloud& cloud, const std::vector<std::uint32_t>& points,
                                         double sigma_mm)
 {
@@ -76,7 +76,7 @@ std::vector<std::uint32_t> withoutMarks(const MeridianCloud& cloud, const std::v
         const double error = 1.25 * sigma_mm / std::sqrt(static_cast<double>(radii[s].size()));
         return std::abs(static_cast<double>(medians[s]) - level) < 3 * error;
     };
-    // The level that most sectors agree with: that of the wall, though a mark may take nearly half of them.
+    // The level with which most sectors agree: that of the wall, even if a mark covers nearly half of them.
     std::sort(there.begin(), there.end());
     std::size_t agreed = 0;
     double level = 0;
@@ -117,7 +117,7 @@ Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points,
         median = takeRadii();
     }
     for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
-    const double sigma = std::max(mad_to_sigma * medianOf(offs), 0.3 * sigma_mm);
+    const double sigma = std::max(madToSigma * medianOf(offs), 0.3 * sigma_mm);
     Cluster cluster;
     cluster.wall.compact = at(0.92) - at(0.08) <= 4.2 * sigma_mm + 1.2 * bin_mm + 0.15;
     double n = 0, sz = 0, szz = 0, sr = 0, srr = 0;
@@ -170,14 +170,14 @@ std::vector<Cluster> clustersOf(const MeridianCloud& cloud, const std::uint32_t*
     return clusters;
 }
 
-/// A chain that goes on behind a short hole ends there when other walls fill the hole: those of a narrow groove.
+/// A chain that continues behind a short gap ends there when other walls lie in the gap: those of a narrow groove.
 void splitAtGrooves(std::vector<Chain>& chains, double bin_mm)
 {
-    constexpr double kFilled = 0.4;
-    const double blur = 1.5 * bin_mm;  // both levels are seen in the bins at an edge
+    constexpr double longerChainShare = 0.4;
+    const double blur = 1.5 * bin_mm;  // the bins at an edge show both levels
     const auto fills = [&](const Chain& chain, double from, double to) {
         return chain.zFirst_mm() > from - blur && chain.zLast_mm() < to + blur &&
-               chain.zLast_mm() - chain.zFirst_mm() + bin_mm > kFilled * (to - from);
+               chain.zLast_mm() - chain.zFirst_mm() + bin_mm > longerChainShare * (to - from);
     };
     std::vector<Chain> split;
     for (const Chain& chain : chains) {
@@ -220,7 +220,7 @@ MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points, const Pr
         }
     });
     if (n == 0) return cloud;
-    // Stray points beyond the ends: millimetres that hold less than a tenth of the median.
+    // Stray points beyond the ends: millimetres with less than a tenth of the median number of points.
     const auto [low, high] = std::minmax_element(cloud.z_mm.begin(), cloud.z_mm.end());
     const double first = static_cast<double>(*low), last = static_cast<double>(*high);
     const auto count = static_cast<std::size_t>((last - first) / 0.25) + 1;
@@ -271,7 +271,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
     for (std::size_t b = 0; b < count; ++b) {
         progress.check();
         std::vector<Cluster>& clusters = found[b];
-        // What stands mostly in sectors that the main wall leaves free is no wall of its own.
+        // A cluster mostly in sectors without points of the main wall is no separate wall.
         if (clusters.size() > 1) {
             const auto main =
                 std::max_element(clusters.begin(), clusters.end(),
@@ -314,7 +314,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
             }
     }
     for (Chain& one : open) closed.push_back(std::move(one));
-    // Points of a face are no wall, wherever they are found together; a rough zone is longer than that.
+    // Clusters of points of a face are no wall; a rough zone is longer.
     for (Chain& chain : closed) {
         const auto is_face = [&](std::size_t from, std::size_t to) {
             return chain.walls[to - 1].z_mm - chain.walls[from].z_mm < 1.5;
@@ -350,7 +350,7 @@ Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, cons
     std::stable_sort(closed.begin(), closed.end(), [](const Chain& a, const Chain& b) {
         return a.bore != b.bore ? b.bore : a.zFirst_mm() + a.zLast_mm() < b.zFirst_mm() + b.zLast_mm();
     });
-    // Noise of single points: where the walls are quiet. Rough zones do not set it.
+    // Noise of single points, from the smooth walls without rough zones.
     std::vector<float> scatter;
     for (const Chain& chain : closed)
         for (const Wall& wall : chain.walls) scatter.push_back(static_cast<float>(wall.sigma_mm));

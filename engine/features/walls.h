@@ -1,4 +1,4 @@
-// The meridian of a scan in bins: in each bin along the axis the walls that the points show, and chains of walls.
+// The meridian of a scan in bins: in each bin along the axis the walls found in the points, and chains of walls.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@ namespace lathelier::features {
 struct MeridianCloud {
     std::vector<float> z_mm, r_mm;         ///< along the axis, distance from it
     std::vector<float> turn;               ///< direction about the axis as a share of a turn, 0…1
-    double z_first_mm = 0, z_last_mm = 0;  ///< of the data, less what is sparse beyond them
+    double z_first_mm = 0, z_last_mm = 0;  ///< of the data without sparse millimetres beyond the ends
     double points_per_mm = 0;              ///< median over the length
 };
 
@@ -26,15 +26,15 @@ struct Wall {
     double sigma_mm = 0;  ///< robust scatter of its points along r
     double width_mm = 0;  ///< of an even spread of z with the same variance as its points have
     double points = 0;    ///< number of points
-    double coverage = 0;  ///< share of the circle that its points see, 0…1
+    double coverage = 0;  ///< share of the circle covered by its points, 0…1
     bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
-    double form_mm = 0;   ///< of a worn seat: what was taken off r_mm, the wear that its row does not describe
+    double form_mm = 0;   ///< of a worn seat: wear that was subtracted from r_mm because its row does not describe it
 };
 
 /// Walls that follow each other along z.
 struct Chain {
     std::vector<Wall> walls;  ///< in order of z
-    bool bore = false;        ///< on the inside
+    bool bore = false;        ///< walls of a bore, else of the outside
 
     double zFirst_mm() const { return walls.front().z_mm; }
     double zLast_mm() const { return walls.back().z_mm; }
@@ -42,11 +42,11 @@ struct Chain {
 
 struct Walls {
     double bin_mm = 0;
-    double sigma_mm = 0;        ///< noise of single points, from the quiet bins
+    double sigma_mm = 0;        ///< noise of single points, from the smooth bins
     std::vector<Chain> chains;  ///< by the z of their first wall, outside before bores
 };
 
-/// Bins of `bin_mm`. `sigma_mm`: noise of single points, as the axis fit has it.
+/// Bins of `bin_mm`. `sigma_mm`: noise of single points, from the axis fit.
 Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, const Progress& progress = {});
 
 }  // namespace lathelier::features

@@ -11,7 +11,7 @@ namespace {
 /// those before.
 double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
 {
-    constexpr std::size_t kMean = 5;
+    constexpr std::size_t meanWalls = 5;
     std::vector<double> offs;
     for (const Wall& wall : run.walls)
         if (wall.z_mm >= from_mm + 0.1 && wall.z_mm <= to_mm - 0.1)
@@ -19,11 +19,11 @@ double deviationFrom(const Run& run, double from_mm, double to_mm, double level,
     double largest = 0;
     const auto mean = [&](std::size_t first) {
         double sum = 0;
-        for (std::size_t i = first; i < first + kMean; ++i) sum += offs[i];
-        largest = std::max(largest, std::abs(sum / kMean));
+        for (std::size_t i = first; i < first + meanWalls; ++i) sum += offs[i];
+        largest = std::max(largest, std::abs(sum / meanWalls));
     };
-    for (std::size_t first = 0; first + kMean <= offs.size(); first += kMean) mean(first);
-    if (offs.size() >= kMean) mean(offs.size() - kMean);
+    for (std::size_t first = 0; first + meanWalls <= offs.size(); first += meanWalls) mean(first);
+    if (offs.size() >= meanWalls) mean(offs.size() - meanWalls);
     return largest;
 }
 
@@ -33,8 +33,8 @@ double turnOf(const Element& element, double from_mm, double to_mm)
     return element.arc ? std::abs(std::atan(element.slopeAt(to_mm)) - std::atan(element.slopeAt(from_mm))) : 0;
 }
 
-/// Is the jump between two pieces a step of the part, and not wear? A jump within the form tolerance is one only
-/// between pieces that are level as far as their walls tell.
+/// Is the jump between two pieces a step of the part, and not wear? Within the form tolerance only between pieces whose
+/// slopes do not differ significantly from 0.
 bool isGenuine(const Piece& a, const Piece& b, double jump_mm, double form_mm)
 {
     if (std::abs(jump_mm) > form_mm) return true;
@@ -63,7 +63,7 @@ double Wear::at_mm(double z_mm) const
     return radiusOf(was, z_mm) - radiusOf(now, z_mm);
 }
 
-void takeOff(const std::vector<Wear>& worn, Wall& wall)
+void subtractWear(const std::vector<Wear>& worn, Wall& wall)
 {
     for (const Wear& wear : worn) {
         if (wall.z_mm < wear.from_mm || wall.z_mm > wear.to_mm) continue;
@@ -89,12 +89,12 @@ void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, doubl
             bool possible = true;
             for (std::size_t k = i; k <= j && possible; ++k) {
                 const double chord = walls[pieces[k].end - 1].z_mm - walls[pieces[k].begin].z_mm;
-                possible = !pieces[k].arc || chord < kWearBend * pieces[k].radius_mm;
+                possible = !pieces[k].arc || chord < largestWearBend_rad * pieces[k].radius_mm;
             }
             for (std::size_t k = i; k < j && possible; ++k) {
                 const MergedJunction join = joins(k);
-                const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump at all
-                possible = std::abs(join.angle_deg) < kWearBend * 180 / std::numbers::pi &&
+                const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump
+                possible = std::abs(join.angle_deg) < largestWearBend_rad * 180 / std::numbers::pi &&
                            (std::abs(join.step_um) < small ||
                             !isGenuine(pieces[k], pieces[k + 1], 1e-3 * join.step_um, form_mm));
             }
@@ -150,14 +150,14 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
                                 [](const Element& e) { return e.rough; }))
                     continue;
                 const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
-                // What bends is designed, whatever its size: a corner, or a fillet that joins without one.
+                // A bend is a designed feature for any size: a corner, or a fillet that joins without one.
                 bool bends = false;
                 for (std::size_t k = i; k <= j; ++k)
-                    bends |= turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > kWearBend;
+                    bends |= turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > largestWearBend_rad;
                 for (std::size_t k = i; k < j; ++k) {
                     const double z = run.nodes_mm[k + 1];
                     bends |= std::abs(std::atan(run.elements[k + 1].slopeAt(z)) -
-                                      std::atan(run.elements[k].slopeAt(z))) > kWearBend;
+                                      std::atan(run.elements[k].slopeAt(z))) > largestWearBend_rad;
                 }
                 if (bends) continue;
                 // Weighted least squares of a cylinder and a cone over the seat.

@@ -1,4 +1,4 @@
-// Worn seats: what lies within the form tolerance of one element is one row.
+// Worn seats: pieces within the form tolerance of one element become one row.
 #pragma once
 
 #include <numbers>
@@ -11,9 +11,9 @@
 namespace lathelier::features {
 
 /// A junction between neighbours that bend by less than this may be wear.
-inline constexpr double kWearBend = 3.4 * std::numbers::pi / 180;
+inline constexpr double largestWearBend_rad = 3.4 * std::numbers::pi / 180;
 
-/// What a part of a worn seat was before it became one with its neighbours, and what it is now.
+/// A part of a worn seat: its piece before merging and the merged one.
 struct Wear {
     double from_mm = 0, to_mm = 0;  ///< along the axis
     Piece was, now;                 ///< over that stretch
@@ -21,16 +21,16 @@ struct Wear {
     double at_mm(double z_mm) const;  ///< how much the wall lies outside its row
 };
 
-/// Takes the wear off the wall.
-void takeOff(const std::vector<Wear>& worn, Wall& wall);
+/// Subtracts the wear from the wall.
+void subtractWear(const std::vector<Wear>& worn, Wall& wall);
 
 /// Pieces of a worn seat as one: neighbours that a cylinder or a cone describes within the form tolerance, without
-/// bends and genuine steps between them. A step within the tolerance is genuine between pieces that are level as far as
-/// their walls tell. What was taken away is added to `merged`, the shape that the row does not have to `worn`.
+/// bends and genuine steps between them. A step within the tolerance is genuine between pieces whose slopes are not
+/// significant. Removed junctions are appended to `merged`, the form deviation of the seat to `worn`.
 void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, double form_mm,
                std::vector<MergedJunction>& merged, std::vector<Wear>& worn);
 
-/// The same with the elements of a settled model: what was taken away. Its walls lose their wear.
+/// The same for the elements of a fitted model; returns the removed junctions. The wear is subtracted from its walls.
 std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm);
 
 }  // namespace lathelier::features

@@ -1,9 +1,9 @@
-// The coordinates that a fit takes.
+// Limit on the coordinates that a fit accepts.
 #pragma once
 
 namespace lathelier::form {
 
-/// Points further out are refused.
+/// Points with a larger coordinate are rejected.
 inline constexpr double largestCoordinate_mm = 1e12;
 
 }  // namespace lathelier::form

@@ -6,8 +6,8 @@
 namespace lathelier::form {
 namespace {
 
-/// normal · (step / half, value) ≥ bound. Steps are counted in halves of the cube, so that all normals are of like
-/// size however small it is.
+/// normal · (step / half, value) ≥ bound. Steps are scaled by half the side of the cube, so that the normals have
+/// comparable length for any cube.
 template <int N>
 struct Constraint {
     Eigen::Vector<double, N + 1> normal = Eigen::Vector<double, N + 1>::Zero();
@@ -26,7 +26,7 @@ public:
     {
     }
 
-    /// The piece of the goal that is largest at `step`: value ≥ piece.
+    /// The linear piece of the objective that is largest at `step`: value ≥ piece.
     Constraint<N> largestPiece(const Step& step) const
     {
         const Step s = half_ * step;
@@ -114,7 +114,7 @@ struct Basis {
         for (int k = 0; k <= N; ++k) bounds[k] = at(k).bound;
         return inverse * bounds;
     }
-    /// How `normal` is made of those of the constraints.
+    /// Coefficients of `normal` as a combination of the normals of the active constraints.
     Vector weightsOf(const Vector& normal) const { return inverse.transpose() * normal; }
     Vector weights() const { return weightsOf(Vector::Unit(N)).cwiseMax(0); }
 
@@ -173,7 +173,7 @@ MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, do
     const Program<N> program(distances, goal, half, limits);
     MinimaxStep<N> result;
     Basis<N> basis;
-    // Start in the corner of the cube to which the largest piece falls.
+    // Start at the corner of the cube where the largest piece is smallest.
     basis.at(0) = program.largestPiece(Step::Zero());
     for (int axis = 0; axis < N; ++axis) {
         Constraint<N>& side = basis.at(axis + 1);
@@ -199,7 +199,8 @@ MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, do
         }
         const int leaving = leavingFor<N>(basis, entering.normal);
         if (leaving < 0) {
-            result.feasible = entering.normal[N] != 0;  // a piece can always be met by a larger value
+            result.feasible = entering.normal[N] != 0;  // a piece of the objective can always be satisfied by a larger
+                                                        // value
             break;
         }
         const Constraint<N> left = basis.at(leaving);

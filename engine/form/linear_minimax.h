@@ -1,5 +1,5 @@
-// The smallest largest value of linear functions over a cube of N dimensions: one step of a minimax fit.
-// Source: exchange of Stiefel, Numer. Math. 1 (1959) 1-28, as a dual method.
+// Minimises the maximum of linear functions over an N-dimensional cube: one step of a minimax fit. Source: exchange of
+// Stiefel, Numer. Math. 1 (1959) 1-28, as a dual method.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,9 @@ namespace lathelier::form {
 /// normal · step ≤ offset, the normal of length one.
 template <int N>
 struct Limit {
-    Eigen::Vector<double, N> normal = Eigen::Vector<double, N>::Zero();  ///< unit vector out of what is allowed
-    double offset = 0;  ///< room from the step 0 to the limit; < 0: that step is beyond it
+    Eigen::Vector<double, N> normal = Eigen::Vector<double, N>::Zero();  ///< unit vector pointing out of the feasible
+                                                                         ///< half space
+    double offset = 0;  ///< distance from the step 0 to the limit; < 0: the step 0 violates it
 };
 using HalfPlane = Limit<2>;
 
@@ -22,7 +23,7 @@ template <int N>
 struct LinearDistances {
     std::vector<double> a;  ///< distance of each point at the step 0
     std::array<std::vector<double>, static_cast<std::size_t>(N)>
-        u;  ///< by coordinate, then by point: how fast the distance falls
+        u;  ///< [coordinate][point]: negative gradient of the distance
 
     std::size_t size() const { return a.size(); }
     void clear();
@@ -39,25 +40,26 @@ enum class MinimaxGoal {
 template <int N>
 struct MinimaxStep {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-    /// A constraint that holds the solution, with its multiplier: the largest and the smallest distance or one of them,
-    /// as the goal has it; a limit; or none of these: a side of the cube.
+    /// A constraint active at the solution, with its multiplier: the largest or the smallest distance or both, as the
+    /// objective requires; a limit; otherwise a side of the cube.
     struct Active {
         std::size_t outer = none, inner = none;  ///< indices of the points of this piece; `none`: no such point
         bool limit = false;                      ///< true: one of the limits
-        double weight = 0;                       ///< its multiplier
+        double weight = 0;                       ///< Lagrange multiplier, ≥ 0
 
         bool isPiece() const { return outer != none || inner != none; }
     };
 
     Eigen::Vector<double, N> step = Eigen::Vector<double, N>::Zero();  ///< the best step, or where the search stopped
-    double value = 0;      ///< of the goal at the step; if not `solved`, a lower bound of it
-    bool solved = false;   ///< false: stopped above `enough`, or lost in rounding
-    bool feasible = true;  ///< false: the limits leave nothing of the cube
-    std::array<Active, static_cast<std::size_t>(N + 1)> active;  ///< constraints that hold the solution
+    double value = 0;      ///< objective at the step; if not `solved`, a lower bound of the minimum
+    bool solved = false;   ///< false: stopped above `enough`, or no further progress within rounding
+    bool feasible = true;  ///< false: no point of the cube satisfies the limits
+    std::array<Active, static_cast<std::size_t>(N + 1)> active;  ///< constraints active at the solution
 };
 
-/// Minimises the goal over |step| ≤ half in every coordinate and within the limits, by a dual exchange of N + 1
-/// active constraints whose value only grows: it may stop as soon as it is above `enough`. For N = 2 and 4.
+/// Minimises the objective over |step| ≤ half in every coordinate and within the limits, by a dual exchange of N + 1
+/// active constraints. The dual value increases monotonically, so the search may stop once it exceeds `enough`. For N =
+/// 2 and 4.
 template <int N>
 MinimaxStep<N> minimax(const LinearDistances<N>& distances, MinimaxGoal goal, double half,
                        const std::vector<Limit<N>>& limits = {},

@@ -1,6 +1,5 @@
-// The minimax exchange: steps of the linear problem until nothing is left to gain.
-// Source: Osborne and Watson, "An algorithm for minimax approximation in the nonlinear case", Comput. J. 12 (1969)
-// 63-68.
+// The minimax exchange: steps of the linear problem until the objective no longer decreases. Source: Osborne and
+// Watson, "An algorithm for minimax approximation in the nonlinear case", Comput. J. 12 (1969) 63-68.
 #pragma once
 
 #include <algorithm>
@@ -11,18 +10,16 @@ namespace lathelier::form {
 
 template <int N>
 struct ExchangeResult {
-    Eigen::Vector<double, N> place;  ///< where the goal has its local minimum
-    double value = 0;                ///< of the goal there, as measure() gives it
-    MinimaxStep<N> plan;             ///< of the linear problem there: what holds the optimum
+    Eigen::Vector<double, N> place;  ///< local minimiser of the objective
+    double value = 0;                ///< objective at `place`, as measure() returns it
+    MinimaxStep<N> plan;             ///< linear problem at `place`: the active constraints
 };
 
-/// The local minimum of a goal over N coordinates, from `start`, to rounding. `Problem` offers
-/// - measure(place): {value on all points, grew: the working set gained a point};
-/// - linearise(place): the working set's distances as LinearDistances<N>;
-/// - limitsNear(place, reach): the limits of the place, relative to it;
-/// - goal(), and noise(place): the rounding of a value.
-/// Only values measured on all points are believed; a step that does not improve makes the working set grow, or else
-/// the next step shorter.
+/// Local minimum of an objective over N coordinates, started at `start`, to rounding accuracy. `Problem` offers -
+/// measure(place): {value on all points, grew: the working set gained a point}; - linearise(place): the working set's
+/// distances as LinearDistances<N>; - limitsNear(place, reach): the limits of the place, relative to it; - goal(), and
+/// noise(place): the rounding error of a value. Only values measured on all points are accepted; a step without
+/// improvement enlarges the working set, or else shortens the next step.
 template <int N, class Problem>
 ExchangeResult<N> exchange(Problem& problem, const Eigen::Vector<double, N>& start, double half)
 {
@@ -45,7 +42,8 @@ ExchangeResult<N> exchange(Problem& problem, const Eigen::Vector<double, N>& sta
             result.place = trial;
             result.value = next.value;
         } else if (!next.grew) {
-            // All that matters is in the working set: the tangents reached too far, or nothing is left to gain.
+            // The working set holds all relevant points: either the step left the range of the linearisation, or the
+            // optimum is reached.
             if (result.value - plan.value <= noise) ++idle;
             half = std::min(half, length) / 4;
             if (half < 1e-16) break;

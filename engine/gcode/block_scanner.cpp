@@ -159,7 +159,7 @@ void BlockScanner::scanWord()
     }
 }
 
-/// Behind one value: a number, a bracket, a variable, a function of a bracket.
+/// Offset behind one value: a number, a bracket, a variable, a function of a bracket.
 std::size_t BlockScanner::afterValue(std::size_t at) const
 {
     at = skipBlanks(at);
@@ -189,7 +189,7 @@ std::size_t BlockScanner::afterValue(std::size_t at) const
     return at;
 }
 
-/// Behind a Sinumerik expression: as far as brackets are balanced, to the next blank that no operator stands beside.
+/// Behind a Sinumerik expression: up to the next blank outside brackets that is not adjacent to an operator.
 std::size_t BlockScanner::afterExpression(std::size_t at) const
 {
     constexpr std::string_view operators = "+-*/=<>,(";

@@ -5,8 +5,8 @@
 
 namespace lathelier::gcode {
 
-/// Appends the words of blocks to a program, which has to outlive the scanner. What is no word becomes a diagnostic
-/// (nc_character_unexpected, nc_number_missing, nc_comment_not_closed), and the block is malformed.
+/// Appends the words of blocks to a program, which has to outlive the scanner. Text that is not a word becomes a
+/// diagnostic (nc_character_unexpected, nc_number_missing, nc_comment_not_closed), and the block is malformed.
 class BlockScanner {
 public:
     explicit BlockScanner(Program& program);

@@ -7,7 +7,7 @@
 namespace lathelier::gcode {
 namespace {
 
-/// In millimetres: how far above the last depth a drill comes back at rapid (LinuxCNC: 0.01 in).
+/// Height above the previous depth to which a drill returns at rapid (LinuxCNC: 0.01 in).
 constexpr double peckClearance_mm = 0.254;
 
 CycleMove moveTo(MoveKind kind, const Point& point)
@@ -85,7 +85,7 @@ CycleMoves driveThread(const Point& start, const DriveThread& thread)
     const double full = peak + thread.height_mm;
     const double taper = thread.taper_length_mm;
     const bool hasEntry = taper > 0 && (thread.tapers & 1) != 0, hasExit = taper > 0 && (thread.tapers & 2) != 0;
-    // The infeed shifts each pass; the last one ends where it would without a compound angle, K·tan Q before the end.
+    // The compound angle shifts each pass along Z; the last one ends K·tan Q before the end, as without it.
     const double lean = std::tan(thread.compound_rad);
     CycleMoves moves;
     const auto pass = [&](double depth) {
@@ -143,7 +143,7 @@ CycleMoves drilling(const Point& start, const Drilling& hole)
 
 CycleMoves pecking(const Point& start, const Pecking& groove)
 {
-    // a: the axis of the pecks, b: that of the steps.
+    // a: peck axis, b: step axis.
     const auto point = [&groove](double a, double b) { return groove.along_x ? Point{a, b} : Point{b, a}; };
     const double a0 = groove.along_x ? start.x_mm : start.z_mm, b0 = groove.along_x ? start.z_mm : start.x_mm;
     const double a1 = groove.along_x ? groove.end.x_mm : groove.end.z_mm;
@@ -197,7 +197,7 @@ CycleMoves pattern(const Point& start, const std::vector<ContourPiece>& contour,
         }
     }
     if (!contour.empty()) {
-        // Out along X before back along Z, where the start lies further out.
+        // Out along X before back along Z, if the start has the larger radius.
         const Point last = moves.back().to;
         CycleMove out = moveTo(MoveKind::Rapid, {start.x_mm, last.z_mm});
         out.line = contour.back().line;

@@ -9,7 +9,7 @@
 
 namespace lathelier::gcode {
 
-/// A move of a cycle; feed, speed and tool are those of the state.
+/// A move of a cycle; feed, speed and tool are those of the modal state.
 struct CycleMove {
     MoveKind kind = MoveKind::Rapid;
     Point to;
@@ -28,23 +28,23 @@ CycleMoves facingCycle(const Point& start, const Point& end, double taper_mm);
 /// G92: as G90 with a thread.
 CycleMoves threadCycle(const Point& start, const Point& end, double taper_mm);
 
-/// G76 of Fanuc: pass n at depth first·√n, never deeper by less than `least`; then height - finish, then `last_passes`
+/// G76 of Fanuc: pass n at depth first·√n, with steps of at least `least`; then height - finish, then `last_passes`
 /// times the full height. No infeed along the flank: every pass starts and ends at the programmed Z.
 struct MultiThread {
-    Point end;               ///< root of the thread at its end
-    double height_mm = 0;    ///< of the thread
+    Point end;  ///< root of the thread at its end
+    double height_mm = 0;
     double first_mm = 0;     ///< depth of the first pass
     double least_mm = 0;     ///< of a step
-    double finish_mm = 0;    ///< left for the last pass
+    double finish_mm = 0;    ///< finishing allowance of the last pass
     double taper_mm = 0;     ///< X at the start less that at the end
     double run_out_mm = 0;   ///< length of the run-out at 45°; 0: none
     int last_passes = 1;     ///< at full height
-    bool has_finish = true;  ///< two-block form: a pass at height - finish stands before the last
+    bool has_finish = true;  ///< two-block form: a pass at height - finish precedes the last
 };
 CycleMoves multiThread(const Point& start, const MultiThread& thread);
 
-/// G76 of LinuxCNC: pass n at depth |peak| + first·n^(1/degression) from the drive line, full depth, springs. The tool
-/// ends on the drive line, at its end.
+/// G76 of LinuxCNC: pass n at depth |peak| + first·n^(1/degression) from the drive line, full depth, spring passes. The
+/// tool ends at the end of the drive line.
 struct DriveThread {
     double end_z_mm = 0;         ///< of the drive line
     double peak_mm = 0;          ///< I: from the drive line to the peak; negative: external
@@ -52,7 +52,7 @@ struct DriveThread {
     double height_mm = 0;        ///< K: full depth beyond the peak
     double degression = 1;       ///< R
     double compound_rad = 0;     ///< Q: angle of the infeed
-    int springs = 0;             ///< H: further passes at full depth
+    int springs = 0;             ///< H: spring passes at full depth
     double taper_length_mm = 0;  ///< E, along the drive line
     int tapers = 0;              ///< L: 1 entry, 2 exit, 3 both
 };
@@ -64,10 +64,10 @@ struct Drilling {
     double bottom_z_mm = 0;   ///< Z
     double peck_mm = 0;       ///< Q; 0: in one go
     double dwell_s = 0;       ///< at the bottom
-    bool chip_break = false;  ///< retreats a little instead of all the way (G73 of LinuxCNC)
+    bool chip_break = false;  ///< retracts by peckClearance instead of to the R level (G73 of LinuxCNC)
     bool is_tap = false;      ///< a thread in and out (G84)
     bool feeds_out = false;   ///< G85, G86, G89
-    bool to_level = false;    ///< ends at the R level (G99 of LinuxCNC), else at the start
+    bool to_level = false;    ///< ends at the R level (G99 of LinuxCNC); false: at the start
 };
 CycleMoves drilling(const Point& start, const Drilling& hole);
 
@@ -82,7 +82,7 @@ struct Pecking {
 };
 CycleMoves pecking(const Point& start, const Pecking& groove);
 
-/// A piece of a contour with the block that programmed it.
+/// A contour piece and the block that programs it.
 struct ContourPiece {
     Piece piece;
     bool is_rapid = false;
@@ -91,7 +91,7 @@ struct ContourPiece {
 
 /// G71 (depth along X) and G72 (`is_face`: depth along Z): passes of `depth_mm` down to the contour shifted by the
 /// allowance, each ending with a retreat of `retreat_mm` at 45° (along the feed axis and the depth axis) and a return
-/// through what was just cut; then once along the shifted contour, and back to the start. Pockets are cut along their
+/// through the cut just made; then once along the shifted contour, and back to the start. Pockets are cut along their
 /// falling flank.
 struct Roughing {
     bool is_face = false;
@@ -112,7 +112,7 @@ struct Pattern {
 };
 CycleMoves pattern(const Point& start, const std::vector<ContourPiece>& contour, const Pattern& pattern);
 
-/// A cycle that would make more moves than this is cut off; the caller reports it.
+/// Cycles are truncated at this number of moves; the caller reports it.
 inline constexpr std::size_t mostCycleMoves = 1000000;
 
 }  // namespace lathelier::gcode

@@ -20,8 +20,8 @@ std::string sentence(const Diagnostic& diagnostic)
 
 bool Diagnostics::isNew(const char* code, std::uint64_t place)
 {
-    const auto found = seen_.find(std::string_view(code));
-    Seen& seen = found != seen_.end() ? found->second : seen_[code];
+    const auto found = places_by_code_.find(std::string_view(code));
+    CodePlaces& seen = found != places_by_code_.end() ? found->second : places_by_code_[code];
     if (seen.places.contains(place)) return false;
     if (seen.places.size() >= mostOfOneCode) {
         ++seen.left_out;
@@ -37,9 +37,9 @@ std::vector<Diagnostic> Diagnostics::sorted() const
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
-    for (const auto& place : seen_) {
+    for (const auto& place : places_by_code_) {
         const std::string& code = place.first;
-        const Seen& seen = place.second;
+        const CodePlaces& seen = place.second;
         if (seen.left_out == 0) continue;
         Diagnostic more;
         const auto last = std::find_if(all.rbegin(), all.rend(), [&](const Diagnostic& d) { return d.code == code; });

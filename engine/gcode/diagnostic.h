@@ -1,4 +1,4 @@
-// What is wrong or not understood in an NC program, each with its place.
+// Errors and unsupported words of an NC program with their positions.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@
 
 namespace lathelier::gcode {
 
-/// One remark about one place of a program.
+/// One error or warning at one position of a program.
 struct Diagnostic {
     std::int64_t line = 0;    ///< from 1
     std::int64_t column = 0;  ///< in characters, from 1
-    bool is_error = false;    ///< severity error: the moves of the program are not to be trusted; else warning
+    bool is_error = false;    ///< severity error: the moves of the program are invalid; false: warning
     std::string code;         ///< stable key, "nose_radius_unknown"
     Text pattern;             ///< English; {name} is replaced by the named value
     Values values;            ///< fill in the pattern
     std::string block;        ///< text of the block, without control characters, at most 40 characters
-    /// The error as it is thrown where the first one has to stand alone: `code` with line, column and block.
+    /// The error as thrown if a caller reports the first one alone: `code` with line, column and block.
     std::optional<Error> error;
 };
 
@@ -31,27 +31,28 @@ const char* severityKey(const Diagnostic& diagnostic);
 /// The sentence in English.
 std::string sentence(const Diagnostic& diagnostic);
 
-/// Collects them: each code once for each place, at most mostOfOneCode of a code; the rest is counted.
+/// Collection of diagnostics: each code once per position, at most mostOfOneCode of a code; further ones are only
+/// counted.
 class Diagnostics {
 public:
     static constexpr std::size_t mostOfOneCode = 1000;
 
-    /// True when it is new. `place` tells places apart (the offset in the text).
+    /// True if the code was not yet reported at this position. `place`: offset in the text.
     bool isNew(const char* code, std::uint64_t place);
     void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
 
-    /// By line and column, with one more for each code of which places were left out.
+    /// By line and column, with a summary for each code with omitted positions.
     std::vector<Diagnostic> sorted() const;
     bool hasErrors() const;
     std::size_t size() const { return list_.size(); }
 
 private:
-    struct Seen {
+    struct CodePlaces {
         std::set<std::uint64_t> places;
         std::int64_t left_out = 0;
     };
     std::vector<Diagnostic> list_;
-    std::map<std::string, Seen, std::less<>> seen_;
+    std::map<std::string, CodePlaces, std::less<>> places_by_code_;
 };
 
 }  // namespace lathelier::gcode

@@ -13,14 +13,14 @@ namespace {
 
 constexpr long mostLines = 2000;
 
-/// A letter with its number, as far as a first look goes.
-struct Sign {
+/// A letter with its number, parsed without the full grammar.
+struct LetterNumber {
     char letter = 0;
     double value = 0;
     std::size_t digits = 0;  ///< before the point
 };
 
-/// The text of a line without comments, in capitals, and what of it was a comment in brackets.
+/// The text of a line in capitals without comments in brackets.
 std::string codeOf(std::string_view line)
 {
     std::string code;
@@ -39,8 +39,8 @@ bool isNumberPart(char c)
     return std::isdigit(static_cast<unsigned char>(c)) || c == '.' || c == '+' || c == '-';
 }
 
-/// The words of a block; false where the line is none.
-bool signsOf(std::string_view code, std::vector<Sign>& signs)
+/// Parses the words of a block; false if the line is not a block.
+bool letterNumbersOf(std::string_view code, std::vector<LetterNumber>& signs)
 {
     signs.clear();
     for (std::size_t i = 0; i < code.size();) {
@@ -51,7 +51,7 @@ bool signsOf(std::string_view code, std::vector<Sign>& signs)
         }
         if (c == '#' || c == '[') return !signs.empty() || c == '#';
         if (!std::isalpha(static_cast<unsigned char>(c))) return false;
-        Sign sign{c, 0, 0};
+        LetterNumber sign{c, 0, 0};
         ++i;
         while (i < code.size() && code[i] == ' ') ++i;
         if (i < code.size() && (code[i] == '#' || code[i] == '[' || code[i] == '=')) {
@@ -71,7 +71,7 @@ bool signsOf(std::string_view code, std::vector<Sign>& signs)
     return !signs.empty();
 }
 
-/// Points for each control, and the first line that speaks for one that is not read.
+/// Score of each dialect, and the first line that indicates an unsupported control.
 struct Scores {
     std::array<int, 5> of{};  ///< by Dialect
     int fanuc_b = 0;
@@ -80,7 +80,7 @@ struct Scores {
     int heidenhain = 0;
     int mazatrol = 0;
     int fagor = 0;
-    std::array<long, 6> line{};  ///< of the first sign of the six above
+    std::array<long, 6> line{};  ///< first line with one of the six indications above
 };
 
 bool has(std::string_view text, std::string_view part)
@@ -94,7 +94,7 @@ void addPoints(int& score, int points, Scores& scores, std::size_t which, long l
     if (scores.line[which] == 0) scores.line[which] = line;
 }
 
-/// What whole words say, where a line is no plain block too.
+/// Scores by whole words; also applied to lines that are not plain blocks.
 void scoreNames(std::string_view code, long line, Scores& scores)
 {
     if (code.empty()) return;
@@ -144,13 +144,13 @@ void scoreFanucB(const Words& words, long line, Scores& scores)
         addPoints(scores.fanuc_c, 5, scores, 1, line);
 }
 
-void scoreWords(const std::vector<Sign>& signs, long line, Scores& scores)
+void scoreWords(const std::vector<LetterNumber>& signs, long line, Scores& scores)
 {
     Words words;
     auto& linuxcnc = scores.of[static_cast<std::size_t>(Dialect::LinuxCnc)];
     auto& fanuc = scores.of[static_cast<std::size_t>(Dialect::Fanuc)];
     auto& haas = scores.of[static_cast<std::size_t>(Dialect::Haas)];
-    for (const Sign& sign : signs) {
+    for (const LetterNumber& sign : signs) {
         if (sign.letter == 'G' && sign.value >= 0 && sign.value < 200) {
             const double whole = std::floor(sign.value);
             words.g[static_cast<int>(whole)] = true;
@@ -251,7 +251,7 @@ DialectFound detectDialect(std::string_view text)
 {
     DialectFound found;
     Scores scores;
-    std::vector<Sign> signs;
+    std::vector<LetterNumber> signs;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     bool isFirst = true;
     std::size_t at = 0;
@@ -265,7 +265,7 @@ DialectFound detectDialect(std::string_view text)
             if (whole.find(';') != std::string_view::npos) ++scores.of[static_cast<std::size_t>(Dialect::LinuxCnc)];
             continue;
         }
-        // Small letters and remarks behind a semicolon are no Fanuc's.
+        // Fanuc programs have no lower case letters and no comments after a semicolon.
         const std::size_t letter = whole.find_first_not_of(" \t");
         const bool isSmall = whole[letter] >= 'a' && whole[letter] <= 'z';
         if (isSmall || (whole.find(';') != std::string_view::npos && whole.find('(') == std::string_view::npos))
@@ -276,9 +276,9 @@ DialectFound detectDialect(std::string_view text)
         if (isFirst && isHead) found.has_head = true;
         isFirst = false;
         if (code.front() == '%') continue;
-        if (signsOf(code, signs)) {
+        if (letterNumbersOf(code, signs)) {
             ++found.nc_lines;
-            for (const Sign& sign : signs)
+            for (const LetterNumber& sign : signs)
                 found.has_codes = found.has_codes || sign.letter == 'G' || sign.letter == 'M';
             scoreWords(signs, line, scores);
         } else {

@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// Is the right side given? Whether the numbers are the same stands in same_.
+    /// True if the right operand has a value; stores the equality of both in same_.
     bool isGiven(const Number& left, const Number& right)
     {
         same_ = plain(left) == plain(right);

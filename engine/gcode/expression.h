@@ -1,4 +1,4 @@
-// Macro variables and what is computed from them: #101=[50.+2.*2.], X[#1*SIN[30]], R1=R2+2*(R3-1), IF [#1 GT 5].
+// Macro variables and expressions: #101=[50.+2.*2.], X[#1*SIN[30]], R1=R2+2*(R3-1), IF [#1 GT 5].
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace lathelier::gcode {
 
-/// Values of variables. Numbers are global but those that belong to a call (#1…#33 of Fanuc, #1…#30 of LinuxCNC, named
-/// ones of LinuxCNC without a leading underscore).
+/// Values of variables. Numbered variables are global except those local to a call (#1…#33 of Fanuc, #1…#30 of
+/// LinuxCNC, named ones of LinuxCNC without a leading underscore).
 class Variables {
 public:
     explicit Variables(Dialect dialect) : dialect_(dialect) { calls_.emplace_back(); }
@@ -44,12 +44,12 @@ struct ExpressionFailure {
     std::size_t at = 0;  ///< byte in the expression
 };
 
-/// What an expression gives. `value` is empty where it is a vacant variable alone (#0 of Fanuc).
+/// Result of an expression. `value` is empty for a single vacant variable (#0 of Fanuc).
 struct Computed {
     std::optional<double> value;
     bool is_incremental = false;  ///< IC(…) of Sinumerik
     bool is_absolute = false;     ///< AC(…)
-    std::size_t end = 0;          ///< bytes that were used
+    std::size_t end = 0;          ///< number of bytes parsed
 };
 
 /// The value of the expression that `text` begins with. Brackets [ ] (Sinumerik: ( )), at most 100 deep;
@@ -57,7 +57,7 @@ struct Computed {
 /// POT ABS ROUND FIX FUP LN EXP TRUNC in degrees. Truth is 1 or 0. Throws ExpressionFailure.
 Computed compute(std::string_view text, const Variables& variables, Dialect dialect);
 
-/// The number or the name of the variable that `text` begins with (#101, #[#1+2], #<name>, R5), and where it ends.
+/// The number or the name of the variable that `text` begins with (#101, #[#1+2], #<name>, R5), and its end.
 struct VariableName {
     long number = -1;
     std::string name;

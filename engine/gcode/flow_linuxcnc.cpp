@@ -57,7 +57,7 @@ void Interpreter::controlLinuxCnc(const Control& at)
         if (isTrue()) return;
         const Control* other = find({"ELSEIF", "ELSE", "ENDIF"}, true);
         if (!other) return unmatched();
-        // The condition of ELSEIF is looked at where it stands; ELSE and ENDIF are passed.
+        // The condition of ELSEIF is evaluated at its block; ELSE and ENDIF have no effect.
         const Control* here = other;
         while (here && here->keyword == "ELSEIF") {
             const Block& place = program_.blocks[here->block];

@@ -111,9 +111,9 @@ void Interpreter::controlSinumerik(const Control& at)
             variables_.set(name.number, value);
         else
             variables_.set(name.name, value);
-        const bool goesOn = value <= compute(text.substr(last + 4), variables_, dialect_).value.value_or(0);
-        if (word == "ENDFOR") return goesOn ? jump(start.block + 1) : void();
-        if (!goesOn) to(matching(index, "FOR", "ENDFOR", 1), 1);
+        const bool isRepeated = value <= compute(text.substr(last + 4), variables_, dialect_).value.value_or(0);
+        if (word == "ENDFOR") return isRepeated ? jump(start.block + 1) : void();
+        if (!isRepeated) to(matching(index, "FOR", "ENDFOR", 1), 1);
         return;
     }
     if (word == "RET") {

@@ -1,4 +1,4 @@
-// Small parts of text that words of control are made of. Internal to the room.
+// Parsing helpers for control statements. Internal to the room.
 #pragma once
 
 #include <cctype>

@@ -1,6 +1,6 @@
-// What the reading of NC programs refuses or remarks: codes with their English patterns. Those of a program itself are
-// diagnostics (diagnostic.h): an ErrorCode is one of severity error, a NoteCode one of severity warning. {name} is
-// replaced by the named value; text() puts path, line and column in front, so patterns do not repeat them.
+// Errors and notes of reading NC programs: codes with their English patterns. Those of a program itself are diagnostics
+// (diagnostic.h): an ErrorCode is one of severity error, a NoteCode one of severity warning. {name} is replaced by the
+// named value; text() puts path, line and column in front, so patterns do not repeat them.
 #pragma once
 
 #include "engine/core/error.h"

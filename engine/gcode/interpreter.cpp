@@ -24,7 +24,7 @@ Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters,
     if (dialect_ == Dialect::LinuxCnc) {
         modal_.is_diameter = false;
         modal_.per_revolution = false;
-        modal_.at = {0, 0};  // where the interpreter itself starts
+        modal_.at = {0, 0};  // start position of the LinuxCNC interpreter
         modal_.motion = G::Unknown;
     }
     result_.blocks.resize(program.blocks.size());
@@ -55,7 +55,7 @@ std::uint32_t Interpreter::placeOf(const Word* word) const
 
 void Interpreter::error(const ErrorCode& code, const Word* word, Values values)
 {
-    // A loop over a wrong block tells nothing new, and its program is refused anyway.
+    // Repeated errors of a block in a loop add nothing; the program is refused anyway.
     constexpr int mostRepeated = 1000;
     const std::size_t before = diagnostics_.size();
     report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values));
@@ -164,7 +164,7 @@ void Interpreter::takeName(const Word& word, BlockWords& words)
     }
 }
 
-/// The words of the block by letter. False where it cannot be run.
+/// The words of the block by letter. False if the block cannot be executed.
 bool Interpreter::gather(BlockWords& words)
 {
     const Block& block = program_.blocks[pc_];
@@ -198,7 +198,7 @@ bool Interpreter::gather(BlockWords& words)
             value = valueOf(word, &computed);
             if (!value) {
                 isWhole = isWhole && before == diagnostics_.hasErrors();
-                continue;  // a vacant variable: as if the word were not there
+                continue;  // a vacant variable: the word is ignored
             }
         }
         if (word.letter == 'G') {

@@ -1,5 +1,5 @@
-// The control as a machine with a state: runs the blocks of a program one after the other. Internal to the room; the
-// door is findToolpath().
+// Interpreter of NC programs as a state machine over the blocks. Internal to the room; the public function is
+// findToolpath().
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace lathelier::gcode {
 
-/// What stays in force from block to block.
+/// Modal state.
 struct Modal {
     bool is_inch = false;
     bool inch_feed = false;
@@ -183,11 +183,11 @@ private:
     Variables variables_;
     Modal modal_;
     PathBuilder path_;
-    std::size_t pc_ = 0;    ///< block that is run
-    std::size_t next_ = 0;  ///< block that comes then
+    std::size_t pc_ = 0;    ///< block being executed
+    std::size_t next_ = 0;  ///< next block
     bool stopped_ = false;
-    int repeatedErrors_ = 0;  ///< errors that were reported before
-    bool inContour_ = false;  ///< the contour of a cycle is collected
+    int repeatedErrors_ = 0;  ///< suppressed repetitions of errors
+    bool inContour_ = false;  ///< true while the contour of a cycle is collected
     bool inFinish_ = false;   ///< G70 runs it
     bool statedDiameter_ = false;
     bool statedFeedMode_ = false;
@@ -200,7 +200,7 @@ private:
     std::vector<CallFrame> calls_;
     std::vector<Loop> open_;
 
-    // what modal cycles and two-block cycles remember
+    // state of modal and two-block cycles
     std::optional<Point> cycleStart_;
     double cycleX_ = notANumber, cycleZ_ = notANumber, cycleR_ = 0;
     Drilling drilling_;

@@ -1,4 +1,4 @@
-// From the words of cycles to the cycles.
+// Evaluation of cycle words.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace lathelier::gcode {
 
-/// True when the block was a cycle, or belongs to a modal one.
+/// True if the block is a cycle or belongs to a modal one.
 bool Interpreter::cycle(BlockWords& words)
 {
     for (const G which : {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern})
@@ -102,7 +102,7 @@ void Interpreter::drill(BlockWords& words)
     if (words.has('R')) {
         const double r = length_mm(words, 'R');
         double level = modal_.is_incremental && !isFanuc_ ? modal_.at.z_mm + r : r;
-        if (dialect_ == Dialect::Fanuc) {  // from the start; a plane where that would lead away from the hole
+        if (dialect_ == Dialect::Fanuc) {  // incremental from the start; absolute if that would lead away from the hole
             const double from = modal_.at.z_mm + r;
             const bool isAway = hasZ && (from - modal_.at.z_mm) * (given.z_mm - modal_.at.z_mm) < 0;
             level = isAway ? r : from;
@@ -301,7 +301,7 @@ void Interpreter::contourCycle(BlockWords& words, G which)
     emitCycle(moves);
 }
 
-/// The moves of the contour, as programmed; nothing of the state stays.
+/// The moves of the contour as programmed; the modal state is restored.
 std::vector<ContourPiece> Interpreter::collect(std::size_t first, std::size_t last)
 {
     const Modal kept = modal_;
@@ -312,7 +312,7 @@ std::vector<ContourPiece> Interpreter::collect(std::size_t first, std::size_t la
     result_.moves.clear();
     path_ = PathBuilder(moves);
     inContour_ = true;
-    if (!(modal_.feed > 0)) modal_.feed = 1;  // that of the cycle is used
+    if (!(modal_.feed > 0)) modal_.feed = 1;  // placeholder: the feed of the cycle applies
     for (std::size_t b = first; b <= last && !stopped_; ++b) {
         execute(b);
         result_.blocks[b].is_contour = true;
@@ -340,7 +340,7 @@ std::vector<ContourPiece> Interpreter::collect(std::size_t first, std::size_t la
     return contour;
 }
 
-/// G70: the contour as it is programmed, then back to where it began.
+/// G70: the contour as it is programmed, then back to its start.
 void Interpreter::finishContour(std::size_t first, std::size_t last)
 {
     const Point start = modal_.at;

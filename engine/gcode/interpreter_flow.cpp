@@ -9,7 +9,7 @@
 
 namespace lathelier::gcode {
 
-/// Where programs begin, which block has which number, and all words of control: made once, when first needed.
+/// Index of program starts, block numbers and control statements; built on first use.
 void Interpreter::indexFlow()
 {
     if (isIndexed_) return;
@@ -125,7 +125,7 @@ void Interpreter::callProgram(BlockWords& words, bool isMacro)
         const Word* const head = program_.wordOf(program_.blocks[section], 'O');
         std::size_t first = section;
         bool isIt = head && std::lround(head->value) == number;
-        if (section == 0 && !isIt)  // the number of the first program may stand behind comments
+        if (section == 0 && !isIt)  // the number of the first program may follow comments
             for (std::size_t b = 0; b < program_.blocks.size() && b < 50 && !isIt; ++b)
                 if (const Word* o = program_.wordOf(program_.blocks[b], 'O'); o && std::lround(o->value) == number) {
                     isIt = true;
@@ -164,7 +164,7 @@ void Interpreter::runAll()
                             std::binary_search(sections_.begin() + 1, sections_.end(), pc) && next_ == pc_ + 1;
         if (isEnd || (isNext && !(calls_.size() && calls_.back().first == pc))) {
             if (calls_.empty()) break;
-            returnFromCall();  // a subprogram without its end
+            returnFromCall();  // a subprogram without end statement
             pc = next_;
             pc_ = pc > 0 ? pc - 1 : 0;
             next_ = pc_;
@@ -204,7 +204,7 @@ void Interpreter::control(const Word& word)
     }
 }
 
-/// The control in front of or behind controls_[index] that closes or opens it, with nesting.
+/// The control statement that closes or opens controls_[index], respecting nesting.
 std::size_t Interpreter::matching(std::size_t index, const char* open, const char* close, int step) const
 {
     int depth = 0;

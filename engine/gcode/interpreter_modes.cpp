@@ -1,4 +1,4 @@
-// Units, feeds, speeds, sides of the nose: what a block changes for those behind it.
+// Modal changes by a block: units, feeds, speeds, nose radius compensation.
 #include <algorithm>
 #include <cmath>
 
@@ -27,7 +27,7 @@ void Interpreter::takeSpindle(BlockWords& words)
     if (words.hasG(G::CssOff)) {
         modal_.is_css = false;
         if (dialect_ == Dialect::LinuxCnc) modal_.limit_rpm = notANumber;
-        if (wasCss && !words.has('S')) {  // the speed of the moment stays
+        if (wasCss && !words.has('S')) {  // the current spindle speed is kept
             const double diameter_m = isKnown(modal_.at.x_mm) ? 2e-3 * std::abs(modal_.at.x_mm) : notANumber;
             double rpm = modal_.speed / (std::acos(-1.0) * diameter_m);
             if (isKnown(modal_.limit_rpm) && !(rpm < modal_.limit_rpm)) rpm = modal_.limit_rpm;

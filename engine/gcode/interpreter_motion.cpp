@@ -9,10 +9,10 @@
 namespace lathelier::gcode {
 namespace {
 
-constexpr double tightEnd_mm = 0.0127;  ///< LinuxCNC's limits for the end of an arc off its circle
+constexpr double tightEnd_mm = 0.0127;  ///< limits of LinuxCNC for the radius error at the end of an arc
 constexpr double looseEnd_mm = 0.127;
 constexpr double relativeEnd = 0.001;
-constexpr double remarkedEnd_mm = 0.003;  ///< more than rounding to three decimals explains
+constexpr double remarkedEnd_mm = 0.003;  ///< exceeds the rounding error of three decimals
 
 }  // namespace
 
@@ -25,7 +25,8 @@ double Interpreter::plain(BlockWords& words, char letter, double otherwise)
     return words.value[static_cast<std::size_t>(slot)];
 }
 
-/// The number of a letter as a length; a bare integer of Fanuc by the setting, with a warning.
+/// The number of a letter as a length; integers without decimal point follow ToolpathParameters::integer_words, with a
+/// warning.
 double Interpreter::length_mm(BlockWords& words, char letter)
 {
     const double value = plain(words, letter);
@@ -140,7 +141,7 @@ void Interpreter::emit(MoveKind kind, const Point& to, const Corner& corner, con
 void Interpreter::emitCycle(const CycleMoves& moves, double lead)
 {
     const std::size_t here = pc_;
-    if (moves.size() >= mostCycleMoves)  // it was cut off there
+    if (moves.size() >= mostCycleMoves)  // the cycle was truncated
         error(errors::ncMoves, nullptr, {{"most", static_cast<std::int64_t>(mostCycleMoves)}});
     result_.blocks[here].is_cycle = true;
     for (const CycleMove& part : moves) {
@@ -157,7 +158,7 @@ void Interpreter::emitCycle(const CycleMoves& moves, double lead)
     }
 }
 
-/// Tells the path on which side the nose is, and how large.
+/// Passes side and radius of the nose to the path builder.
 void Interpreter::updateNose()
 {
     if (modal_.side == NoseSide::Off || inContour_) {
@@ -311,7 +312,7 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     emit(MoveKind::Arc, end, corner, centre, clockwise);
 }
 
-/// Everything of a block that moves the tool.
+/// Executes all motion of a block.
 void Interpreter::move(BlockWords& words)
 {
     const Word* blocker = nullptr;
@@ -351,7 +352,7 @@ void Interpreter::move(BlockWords& words)
     if (words.hasG(G::Home) || words.hasG(G::FixedPoint) || words.is_machine || (words.hasG(G::MachineMove)))
         return reference(words);
     if (words.hasG(G::SpeedLimit)) {
-        if (hasAxes(words)) modal_.at = target(words);  // the position gets these coordinates
+        if (hasAxes(words)) modal_.at = target(words);  // the coordinates redefine the current position
         return;
     }
     if (words.hasG(G::Shift)) {

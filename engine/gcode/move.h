@@ -1,4 +1,4 @@
-// One canonical move of the tool: what every control means by its blocks, in millimetres and radii.
+// One canonical move of the tool, independent of the control, in millimetres and radii.
 #pragma once
 
 #include <cmath>
@@ -14,14 +14,14 @@ enum class MoveKind : std::uint8_t { Rapid, Feed, Arc, Thread, Dwell };
 /// "rapid", "feed", "arc", "thread", "dwell".
 const char* key(MoveKind kind);
 
-/// End of a move in program coordinates. What does not exist is NaN: coordinates of a reference point, the centre of a
+/// End of a move in program coordinates. Missing values are NaN: coordinates of a reference point, the centre of a
 /// straight line, the feed of a rapid move.
 struct Move {
     std::int64_t line = 0;                    ///< of the block that caused it, from 1
     MoveKind kind = MoveKind::Rapid;          ///< how the tool moves
     bool clockwise = false;                   ///< of an arc: G2, seen with Z to the right and X upward
     double x_mm = notANumber;                 ///< radius
-    double z_mm = notANumber;                 ///< as programmed
+    double z_mm = notANumber;                 ///< program coordinate
     double centre_x_mm = notANumber;          ///< of an arc, radius
     double centre_z_mm = notANumber;          ///< of an arc
     double feed_mm_rev = notANumber;          ///< feed or lead of a thread
@@ -31,7 +31,7 @@ struct Move {
     double speed_limit_rpm = notANumber;      ///< of G96: G50 S, LIMS=, D
     double dwell_s = notANumber;              ///< of a dwell
     int tool = 0;                             ///< number of the tool; 0: none yet
-    bool passes_point = false;                ///< the intermediate point of G28
+    bool passes_point = false;                ///< true: it leads to the intermediate point of G28
 };
 
 inline bool isKnown(double value)

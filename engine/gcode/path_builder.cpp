@@ -8,8 +8,8 @@
 namespace lathelier::gcode {
 namespace {
 
-constexpr double leastTurn_rad = 0.05;     ///< below it an outside corner gets no arc
-constexpr double leastInside_rad = 0.001;  ///< below it pieces are tangent
+constexpr double leastTurn_rad = 0.05;     ///< no arc at outside corners with smaller turn
+constexpr double leastInside_rad = 0.001;  ///< pieces with smaller turn are tangent
 
 /// Angle by which the path turns, + to the left.
 double turnAngle(const Direction& a, const Direction& b)
@@ -33,7 +33,7 @@ Move moved(const Move& move, const Piece& piece)
     return result;
 }
 
-/// Does the point lie between the ends of a line, or in front of its start by rounding only? Arcs: on the same side.
+/// True if the point lies between the ends of a line (within rounding before its start); for arcs, on the same side.
 bool isWithin(const Piece& piece, const Point& point)
 {
     if (piece.isArc())
@@ -87,7 +87,7 @@ void PathBuilder::add(const Move& move, const Point& from, const Corner& corner)
         hand(next.move, next.programmed);
 }
 
-/// Puts the corner between the waiting move and the next.
+/// Inserts the corner between the pending move and the next.
 void PathBuilder::join(Waiting& next)
 {
     Waiting first = *waiting_;
@@ -165,7 +165,7 @@ void PathBuilder::hand(const Move& move, const Piece& piece)
             out_->push_back(move);
         return;
     }
-    if (!isKnown(piece.to)) {  // a reference point: what comes then starts anew
+    if (!isKnown(piece.to)) {  // a reference point: the following path is independent
         flushNose();
         out_->push_back(move);
         isStarted_ = false;

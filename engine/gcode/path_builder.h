@@ -2,10 +2,10 @@
 // then nose radius compensation (G41, G42).
 //
 // Compensation follows LinuxCNC's interpreter, for every dialect: at the end of the block that starts it up the nose
-// centre stands perpendicular to that block; outside corners are rounded about the corner (not where they turn by less
-// than 0.05 rad, nor between rapid moves); at inside corners the shifted pieces are cut off where they meet; the last
-// block ends perpendicular to itself. The surface is the same as that of controls that prolong the pieces instead. From
-// a position that is not known it starts perpendicular to the next block.
+// centre is perpendicular to that block; outside corners are rounded about the corner (not where they turn by less than
+// 0.05 rad, nor between rapid moves); at inside corners the shifted pieces are cut off where they meet; the last block
+// ends perpendicular to itself. The machined surface equals that of controls that extend the pieces instead. From a
+// position that is not known it starts perpendicular to the next block.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ namespace lathelier::gcode {
 
 enum class CornerKind : std::uint8_t { None, Legs, Chord, Round };
 
-/// What is put between a move and the next one.
+/// Corner element between a move and the next one.
 struct Corner {
     CornerKind kind = CornerKind::None;  ///< Legs: distance from the corner along both; Chord: length of the chamfer
     double size_mm = 0;                  ///< of legs, chord or radius
@@ -28,7 +28,7 @@ struct Corner {
 
 enum class NoseSide : std::uint8_t { Off, Left, Right };
 
-/// What could not be made, to be reported at the block.
+/// A corner or offset that is impossible, reported at its block.
 struct PathProblem {
     std::int64_t line = 0;
     const ErrorCode* code = nullptr;
@@ -41,12 +41,12 @@ public:
 
     /// A move from the programmed point `from` (coordinates may be unknown).
     void add(const Move& move, const Point& from, const Corner& corner = {});
-    /// From the next move on. A radius of 0 leaves the path as programmed.
+    /// Takes effect with the next move. A radius of 0 leaves the path as programmed.
     void setNose(NoseSide side, const Nose& nose);
-    /// Hands on what waits for a next move.
+    /// Emits the pending moves.
     void finish();
 
-    std::vector<PathProblem> problems;  ///< found since they were cleared
+    std::vector<PathProblem> problems;  ///< problems since the list was last cleared
 
 private:
     struct Waiting {
@@ -58,7 +58,7 @@ private:
         Move move;
         Piece programmed;
         Piece tip;                  ///< of the nose centre
-        bool ends_by_next = false;  ///< its end follows from the next move
+        bool ends_by_next = false;  ///< its end depends on the next move
         bool is_start_up = false;
         std::vector<Move> after;  ///< dwells behind it
     };

@@ -32,7 +32,7 @@ void refuseUnreadable(const std::string& text)
         throw Error(errors::ncTooLong, {{"found_MiB", static_cast<std::int64_t>(text.size() >> 20)},
                                         {"most_MiB", static_cast<std::int64_t>(largestProgram_bytes >> 20)}});
     const std::size_t nul = text.find('\0');
-    // Punched tape begins and ends with NULs; anywhere else they mean UTF-16 or no text at all.
+    // Punched tape begins and ends with NULs; elsewhere they indicate UTF-16 or binary data.
     const std::size_t from = text.find_first_not_of('\0');
     if (nul == std::string::npos) return;
     const std::size_t last = text.find_last_not_of('\0');
@@ -120,7 +120,7 @@ Program readProgram(std::string text, Dialect dialect, const Progress& progress)
         block.length = static_cast<std::uint32_t>(end - at);
         program.blocks.push_back(block);
         scanner.scan(program.blocks.back());
-        judgeWords(program, program.blocks.back());
+        classifyWords(program, program.blocks.back());
         at = end < all.size() && all[end] == '\r' && end + 1 < all.size() && all[end + 1] == '\n' ? end + 2 : end + 1;
         if (program.blocks.size() % 4096 == 0)
             progress.report(static_cast<double>(at) / static_cast<double>(all.size()));
@@ -136,7 +136,7 @@ std::vector<Word> wordsOfLine(std::string line, Dialect dialect)
     Block& block = program.blocks.emplace_back();
     block.length = static_cast<std::uint32_t>(program.text.size());
     BlockScanner(program).scan(block);
-    judgeWords(program, block);
+    classifyWords(program, block);
     return std::move(program.words);
 }
 

@@ -1,6 +1,6 @@
-// An NC program as its text with the words found in it. Nothing of the text is changed, dropped or normalised: blocks
-// and words are ranges of bytes, so the program written back is the program read, byte for byte (mixed line ends, byte
-// order mark, Latin-1, missing last line end, digit style).
+// An NC program as text with its words. The text is neither changed nor normalised: blocks and words are ranges of
+// bytes, so the program written back is the program read, byte for byte (mixed line ends, byte order mark, Latin-1,
+// missing last line end, digit style).
 #pragma once
 
 #include <cstdint>
@@ -17,31 +17,31 @@ namespace lathelier::gcode {
 /// A program larger than this is refused (nc_program_too_long).
 inline constexpr std::size_t largestProgram_bytes = std::size_t{1} << 30;
 
-/// Number: letter and number (X28.). Expression: letter and something to compute (X[#1+2.], X=R1, CR=5).
-/// Assignment: #1=…, R1=…. Control: the rest of a block that steers the program (IF, WHILE, GOTO, o100 sub).
-/// Name: a word of its own (DIAMON, a label). Call: a name with arguments (MSG("…"), CYCLE95(…)). Bad: none of these.
+/// Number: letter and number (X28.). Expression: letter and expression (X[#1+2.], X=R1, CR=5). Assignment: #1=…, R1=….
+/// Control: the rest of a block with a control statement (IF, WHILE, GOTO, o100 sub). Name: a word of its own (DIAMON,
+/// a label). Call: a name with arguments (MSG("…"), CYCLE95(…)). Bad: none of these.
 enum class WordKind : std::uint8_t { Number, Expression, Assignment, Control, Name, Call, Comment, Bad };
 
-/// A range of the text. Comments are in the list, but no words in the sense of counts.
+/// A range of the text. Comments are in the list, but not counted as words.
 struct Word {
-    std::uint32_t begin = 0;        ///< first byte, in Program::text
-    std::uint32_t length = 0;       ///< bytes
+    std::uint32_t begin = 0;  ///< first byte, in Program::text
+    std::uint32_t length = 0;
     std::uint32_t value_begin = 0;  ///< first byte of the number or expression
-    WordKind kind = WordKind::Bad;  ///< how it was written
+    WordKind kind = WordKind::Bad;  ///< syntactic form
     char letter = 0;                ///< capital address; small for ",C" and ",R"; 0: a name of several letters
     bool has_point = false;         ///< the number has a decimal point
-    bool is_understood = true;      ///< false: unknown, or known and not modelled
+    bool is_understood = true;      ///< false: unknown or not modelled
     double value = 0;               ///< of a Number, as written
 };
 
 /// One line of the text.
 struct Block {
-    std::uint32_t begin = 0;       ///< first byte
+    std::uint32_t begin = 0;
     std::uint32_t length = 0;      ///< bytes without the line end
     std::uint32_t first_word = 0;  ///< in Program::words
     std::uint32_t word_count = 0;  ///< comments included
     bool has_skip = false;         ///< begins with “/”
-    bool is_malformed = false;     ///< holds something that is no word: not executed
+    bool is_malformed = false;     ///< contains text that is not a word: not executed
 };
 
 struct Program {
@@ -50,7 +50,7 @@ struct Program {
     bool is_utf8 = true;               ///< columns count characters of UTF-8; else bytes
     std::vector<Block> blocks;         ///< lines, from the first to the last
     std::vector<Word> words;           ///< of all blocks, in order
-    Diagnostics diagnostics;           ///< of the reading alone
+    Diagnostics diagnostics;           ///< of parsing alone
 
     std::string_view textOf(const Block& block) const
     {
@@ -65,24 +65,24 @@ struct Program {
     std::int64_t lineOf(const Block& block) const { return &block - blocks.data() + 1; }
     /// Characters from the beginning of the block, from 1.
     std::int64_t columnOf(const Block& block, std::uint32_t offset) const;
-    /// The word with this letter in a block, nullptr where there is none. The last of several, as controls take it.
+    /// The last word with this letter in a block, as controls use it; nullptr: none.
     const Word* wordOf(const Block& block, char letter) const;
 };
 
 /// At most 40 characters of a part of the text as UTF-8, for messages.
 std::string shown(const Program& program, std::string_view part);
 
-/// Words in the sense of “n of N understood”: everything but comments.
+/// Number of words without comments.
 std::int64_t countWords(const Program& program);
 std::int64_t countUnderstood(const Program& program);
 
-/// Splits a program into blocks and words and judges each word by the tables of its dialect. Auto: detectDialect().
-/// Throws Error ncDialectNotRead (line, found), ncTooLong, formatUnknown (UTF-16, binary), fileEmpty; everything
-/// else is a diagnostic. Cost: one pass, about 0.3 µs a word; 24 bytes for each word and 20 for each block.
+/// Splits a program into blocks and words and classifies each word by the tables of its dialect. Auto: detectDialect().
+/// Throws Error ncDialectNotRead (line, found), ncTooLong, formatUnknown (UTF-16, binary), fileEmpty; all other
+/// problems are diagnostics. Cost: one pass, about 0.3 µs a word; 24 bytes for each word and 20 for each block.
 Program readProgram(std::string text, Dialect dialect = Dialect::Auto, const Progress& progress = {});
 
-/// The words of one line alone, judged as readProgram() does: for an editor, which shows few lines of many. Offsets are
-/// those in `line`.
+/// The words of one line alone, classified as in readProgram(): for an editor that shows few lines. Offsets are those
+/// in `line`.
 std::vector<Word> wordsOfLine(std::string line, Dialect dialect);
 
 /// Adds a diagnostic at a byte of a block: line, column and the text of the block are filled in.

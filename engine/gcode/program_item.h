@@ -1,4 +1,4 @@
-// An NC program as an item of the project: one panel writes it, others predict what it cuts, correct it, check it.
+// An NC program as an item of the project, exchanged between the panels that plan, predict, correct and check it.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@ namespace lathelier::gcode {
 inline constexpr const char* programItem = "program";              ///< kind: as it was planned
 inline constexpr const char* correctedItem = "corrected_program";  ///< kind: corrected, to be checked
 
-/// A program with what goes with it.
+/// A program with the data needed to evaluate it.
 struct ProgramItem {
     std::string text;                     ///< the whole program, UTF-8
     int clamping = 1;                     ///< 1 or 2: which one of the part's clampings
     double z_zero_mm = 0;                 ///< z of the program's Z0 from the raw end of `stock`
-    std::optional<Shaft> stock;           ///< before the first cut, up to the chuck; none: not known
-    std::string corrected_from;           ///< SHA-256 of the program that was corrected; empty: this is none
+    std::optional<Shaft> stock;           ///< body before the first cut, up to the chuck; none: unknown
+    std::string corrected_from;           ///< SHA-256 of the original program; empty: not corrected
     std::vector<double> correction_z_mm;  ///< places of the correction, from the free end of the clamping, ascending
-    std::vector<double> correction_radius_mm;  ///< what is added to the radius there, one for each place
+    std::vector<double> correction_radius_mm;  ///< added to the radius, one value per z
     friend bool operator==(const ProgramItem&, const ProgramItem&) = default;
 };
 
 /// Values of the item.
 Values toValues(const ProgramItem& program);
 
-/// The program again; nothing when the values are not those of a program.
+/// Inverse of toValues(); none if the values do not describe a program.
 std::optional<ProgramItem> programOf(const Values& values);
 
 }  // namespace lathelier::gcode

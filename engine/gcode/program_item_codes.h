@@ -1,5 +1,4 @@
-// What taking a program from the project remarks: codes with their English patterns. {name} is replaced by the named
-// value.
+// Notes on using a program of the project: codes with their English patterns. {name} is replaced by the named value.
 #pragma once
 
 #include "engine/core/error.h"

@@ -5,9 +5,9 @@
 
 namespace lathelier::gcode {
 
-/// Programs of the dialects that are read; also of those that are refused by name, so that they are named. facts:
-/// format "nc_program", details "dialect", "blocks", "words", "words_understood", "diagnostics" [line, column,
-/// severity, code, text, block]. A program with errors has facts all the same.
+/// Programs of the dialects that are read; also of unsupported dialects that are named in the error. facts: format
+/// "nc_program", details "dialect", "blocks", "words", "words_understood", "diagnostics" [line, column, severity, code,
+/// text, block]. Programs with errors have facts as well.
 const io::FileKind& programFiles();
 
 }  // namespace lathelier::gcode

@@ -14,17 +14,17 @@ constexpr double chord_rad = 3 * std::numbers::pi / 180;
 constexpr double mm_per_m = 1000;
 constexpr double s_per_min = 60;
 
-/// Mean of max(linear from a to b, floor) over the way.
+/// Mean of max(linear from a to b, floor) over the path.
 double meanAbove(double a, double b, double floor)
 {
     if (a > b) std::swap(a, b);
     if (b <= floor) return floor;
     if (a >= floor || a == b) return std::max((a + b) / 2, floor);
-    const double share = (floor - a) / (b - a);  // of the way that lies below
+    const double share = (floor - a) / (b - a);  // share of the path below the floor
     return share * floor + (1 - share) * (floor + b) / 2;
 }
 
-/// Minutes of a revolution in the mean of a straight way between two radii; NaN: no speed is stated.
+/// Mean duration of a revolution in minutes along a straight path between two radii; NaN: no speed is stated.
 double meanTurnMinutes(const Move& move, double from_x_mm, double to_x_mm)
 {
     if (!isKnown(move.cutting_speed_m_min)) return 1 / move.speed_rpm;
@@ -59,7 +59,8 @@ void addArcTime(const Move& move, const Point& from, double& length_mm, double& 
     if (move.clockwise && sweep >= 0) sweep -= 2 * std::numbers::pi;
     if (!move.clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
     const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / chord_rad)));
-    const double stretch = std::abs(sweep / chords) / (2 * std::sin(std::abs(sweep / chords) / 2));  // arc by chord
+    const double stretch =
+        std::abs(sweep / chords) / (2 * std::sin(std::abs(sweep / chords) / 2));  // ratio of arc to chord length
     Point at = from;
     double along_mm = 0, taken_s = 0;
     for (int i = 1; i <= chords; ++i) {

@@ -121,7 +121,7 @@ void Rewriter::split(std::size_t block, std::vector<Point> points)
     if (!points.empty()) plans_[block] = {std::move(points)};
 }
 
-/// A coordinate as the program writes it; as many digits as the grid has, fewer where the word itself has fewer.
+/// A coordinate in the format of the program, with the digits of the grid, or fewer as in the original word.
 std::string Rewriter::number(std::size_t block, double value_mm, bool isX, const Word* like) const
 {
     const BlockState& state = path_.blocks[block];
@@ -197,9 +197,9 @@ RewrittenProgram Rewriter::write() const
     result.text.reserve(program_.text.size() + 1024);
     const std::string& all = program_.text;
     std::size_t copied = 0;
-    // The position after the last block that moves X, as it was and as it is now.
+    // Original and new position after the last block that moves X.
     double change_mm = 0;
-    bool isAfterArc = false;  // an arc was made straight: a modal one behind it would be straight too
+    bool isAfterArc = false;  // an arc was replaced by lines: a following modal arc would become a line
     std::string lineEnd = "\n";
     for (std::size_t b = 0; b < program_.blocks.size(); ++b) {
         const Block& block = program_.blocks[b];
@@ -227,20 +227,20 @@ RewrittenProgram Rewriter::write() const
             isAfterArc = isSplit && state.kind == MoveKind::Arc;
         } else if (state.runs > 0) {
             const bool isChanged = std::abs(change_mm) > 1e-9;
-            const bool goesOn = program_.wordOf(block, 'X') || program_.wordOf(block, 'Z') ||
-                                program_.wordOf(block, 'U') || program_.wordOf(block, 'W');
-            if (isAfterArc && goesOn && state.kind == MoveKind::Arc && !motionWord(program_, block))
+            const bool hasMotion = program_.wordOf(block, 'X') || program_.wordOf(block, 'Z') ||
+                                   program_.wordOf(block, 'U') || program_.wordOf(block, 'W');
+            if (isAfterArc && hasMotion && state.kind == MoveKind::Arc && !motionWord(program_, block))
                 refuse(b, LT_TEXT("Engine", "it is an arc without its own G word, behind one that became straight"));
-            if (goesOn && motionWord(program_, block)) isAfterArc = false;
-            if (isChanged && state.kind == MoveKind::Arc && goesOn)
+            if (hasMotion && motionWord(program_, block)) isAfterArc = false;
+            if (isChanged && state.kind == MoveKind::Arc && hasMotion)
                 refuse(b, LT_TEXT("Engine", "it is an arc that begins at a changed X"));
             const bool counts = (isFanucLike(program_.dialect) && program_.wordOf(block, 'U')) ||
                                 (state.is_incremental && program_.wordOf(block, 'X'));
-            if (isChanged && counts && goesOn && isKnown(state.end)) {
+            if (isChanged && counts && hasMotion && isKnown(state.end)) {
                 if (auto error = refusal(b)) throw Error(*error);
                 texts.push_back(firstText(b, {state.start.x_mm + change_mm, state.start.z_mm}, state.end, false));
                 change_mm = 0;
-            } else if (isMove || (state.is_cycle && goesOn)) {
+            } else if (isMove || (state.is_cycle && hasMotion)) {
                 change_mm = 0;
             }
         }

@@ -1,4 +1,4 @@
-// G71, G72: passes at levels, by the places where a level crosses the contour.
+// G71, G72: passes at levels, bounded by the crossings of level and contour.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ struct Place {
     double q = 0;
 };
 
-/// A part of the contour along which p only rises or only falls.
+/// A part of the contour along which p is monotonic.
 struct Stretch {
     Place from;
     Place to;
@@ -87,7 +87,7 @@ private:
         }
     }
 
-    /// Cuts an arc where p is largest or smallest: above or below its centre, seen with q to the right.
+    /// Splits an arc where p is largest or smallest: above or below its centre, seen with q to the right.
     void addArc(const Stretch& arc, bool clockwise)
     {
         const double pi = std::acos(-1.0);

@@ -8,7 +8,7 @@
 
 namespace lathelier::gcode {
 
-/// Errors toolTableMalformed (line, column), fileEmpty. Tools without D have no nose and are left out.
+/// Errors toolTableMalformed (line, column), fileEmpty. Tools without D have no nose and are omitted.
 Noses readToolTable(std::string_view text);
 
 }  // namespace lathelier::gcode

@@ -20,10 +20,10 @@ Rows diagnosticRows(const std::vector<Diagnostic>& diagnostics);
 Json toJson(const Toolpath& path);
 
 /// Columns line,kind,x_mm,z_mm,centre_x_mm,centre_z_mm,clockwise,feed_mm_rev,feed_mm_min,speed_rpm,cutting_speed_m_min,
-/// speed_limit_rpm,dwell_s,tool; what does not exist is empty. Decimal point in every locale; handed on in steps.
+/// speed_limit_rpm,dwell_s,tool; missing values are empty. Decimal point in every locale; passed to `append` in chunks.
 void writeMoves(const Toolpath& path, const std::function<void(std::string_view)>& append);
 
-inline constexpr std::size_t mostTabled = 200;  ///< remarks in a table on paper
+inline constexpr std::size_t mostTabled = 200;  ///< largest number of rows in a printed table
 
 /// Line, Column, Severity, Remark, Block.
 report::Table diagnosticTable(const std::vector<Diagnostic>& diagnostics, const Language& language = {});

@@ -178,8 +178,8 @@ bool isKnownName(std::string_view name)
     return false;
 }
 
-/// Words with nothing but digits behind G and M are judged here; computed ones when they are run.
-void judgeNumber(Program& program, const Block& block, Word& word)
+/// Classifies G and M words with literal numbers; computed ones are classified at run time.
+void classifyNumber(Program& program, const Block& block, Word& word)
 {
     const Dialect dialect = program.dialect;
     if (word.letter == 'G') {
@@ -224,18 +224,17 @@ bool isKnownM(Dialect dialect, int number)
             if (m == number) return true;
         return number >= 100 && number <= 199;
     }
-    return number <= 99 ||
-           (isFanucLike(dialect) && number <= 299);  // the machine's builder gives most of them a meaning
+    return number <= 99 || (isFanucLike(dialect) && number <= 299);  // most are assigned by the machine builder
 }
 
-void judgeWords(Program& program, Block& block)
+void classifyWords(Program& program, Block& block)
 {
     for (std::uint32_t i = 0; i < block.word_count; ++i) {
         Word& word = program.words[block.first_word + i];
         switch (word.kind) {
             case WordKind::Number:
                 if (word.letter != 0)
-                    judgeNumber(program, block, word);
+                    classifyNumber(program, block, word);
                 else if (!isKnownName(program.textOf(word)))
                     mark(program, block, word, notes::ncWordUnknown);
                 break;

@@ -1,4 +1,4 @@
-// Which words a dialect has, and what of them is modelled.
+// Words of the dialects, and which of them are modelled.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace lathelier::gcode {
 
-/// What a G word does, whatever its number in the dialect.
+/// Function of a G word, independent of its number in the dialect.
 enum class G : std::uint8_t {
     Unknown,
-    NotModelled,  ///< known; its block has no moves of ours
-    NoEffect,     ///< known; changes no path
+    NotModelled,  ///< known; its block yields no moves
+    NoEffect,     ///< known; no effect on the path
     Rapid,
     Line,
     ArcCw,
@@ -66,7 +66,7 @@ G meaningOf(Dialect dialect, int code10);
 /// M words known to the dialect.
 bool isKnownM(Dialect dialect, int number);
 
-/// Marks words of a block that are not known or not modelled, with a diagnostic each.
-void judgeWords(Program& program, Block& block);
+/// Marks unknown and unmodelled words of a block and adds a diagnostic for each.
+void classifyWords(Program& program, Block& block);
 
 }  // namespace lathelier::gcode

@@ -1,4 +1,4 @@
-// What was understood of a file, as the command line's `inspect` writes it.
+// Facts of a file as JSON, for the command `inspect`.
 #pragma once
 
 #include "engine/core/json.h"
@@ -7,7 +7,7 @@
 namespace lathelier::io {
 
 /// path, format, encoding, delimiter, decimal, unit, unit_source, rows, columns, skipped [{line, reason}], details;
-/// what does not apply is null.
+/// inapplicable entries are null.
 Json toJson(const FileFacts& facts);
 
 }  // namespace lathelier::io

@@ -47,10 +47,10 @@ bool isSameTime(const timespec& a, const timespec& b)
     return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
 }
 
-/// A regular file, opened to be read from its start to its end.
+/// A regular file, opened for sequential reading.
 class OpenFile {
 public:
-    /// Errors: fileNotFound, notAFile, fileNotReadable. A pipe is opened only where it is allowed.
+    /// Errors: fileNotFound, notAFile, fileNotReadable. A pipe is accepted only where allowed.
     OpenFile(const std::string& path, bool pipesToo) : path_(path), file_(opened(path))
     {
         if (!file_.isOpen()) refuse(errno);
@@ -64,7 +64,7 @@ public:
     bool isPipe() const { return S_ISFIFO(status_.st_mode); }
     std::size_t size() const { return static_cast<std::size_t>(std::max<off_t>(status_.st_size, 0)); }
 
-    /// Reads up to `count` bytes at the place reached; fewer only at the end.
+    /// Reads up to `count` bytes at the current position; fewer only at the end.
     std::size_t read(char* to, std::size_t count)
     {
         std::size_t done = 0;
@@ -78,7 +78,7 @@ public:
         return done;
     }
 
-    /// Error fileChanged when anybody has written since the file was opened.
+    /// Error fileChanged when the file was written since it was opened.
     void checkUnchanged() const
     {
         struct stat now {};
@@ -88,7 +88,8 @@ public:
             throwChanged();
     }
 
-    /// Whether a write that began before the file was opened may still be under way: its time is that of its beginning.
+    /// Whether a write that began before the file was opened may still be in progress: the modification time is that of
+    /// its start.
     bool mayBeWritten() const
     {
         constexpr std::int64_t longestWrite_s = 2;
@@ -118,8 +119,8 @@ private:
         throwNotReadable(path_, systemReason(reason));
     }
 
-    /// The times of files go in ticks of the kernel's coarse clock. A change in the same tick as the last one would not
-    /// be seen, so reading begins in the next one: at most 10 ms, and only right after a change.
+    /// File times have the resolution of the kernel's coarse clock. A change within the same tick would not be
+    /// detected, so reading starts in the next tick: at most 10 ms later, and only right after a change.
     void waitForNewTick() const
     {
         for (int tries = 0; tries < 12; ++tries) {
@@ -134,7 +135,7 @@ private:
     struct stat status_ {};
 };
 
-/// Reads the file once more. Error fileChanged when it is not what was read before.
+/// Reads the file once more. Error fileChanged when the content differs from the first reading.
 void compare(OpenFile& file, std::string_view before, const Progress& progress)
 {
     file.rewind();
@@ -157,8 +158,8 @@ void refuseTooLarge(const std::string& path, std::uint64_t size)
                                            {"maximum_MiB", static_cast<std::int64_t>(maximum / mebibyte)}});
 }
 
-/// Reads to the end of something whose length is not known beforehand. A non-blocking pipe tells "nobody writes"
-/// (read gives 0) from "the writer is still busy" (EAGAIN): only the first may time out.
+/// Reads to the end of something whose length is not known beforehand. On a non-blocking pipe read returns 0 without a
+/// writer and EAGAIN while a writer exists: only the first may time out.
 std::string readToEnd(int descriptor, bool isPipe, const std::string& path, const Progress& progress)
 {
     std::string content;
@@ -182,7 +183,7 @@ std::string readToEnd(int descriptor, bool isPipe, const std::string& path, cons
         pollfd wait{descriptor, POLLIN, 0};
         ::poll(&wait, 1, 50);
         if (!writerSeen) {
-            // A writer that came and went without a byte hangs up.
+            // A writer that closed without writing is reported as hang-up.
             if ((wait.revents & POLLHUP) != 0 && (wait.revents & POLLIN) == 0) return content;
             if (std::chrono::steady_clock::now() - start > longestWaitForWriter)
                 throwNotReadable(path, LT_TEXT("Engine", "nobody writes into this pipe"));
@@ -198,15 +199,15 @@ std::uint64_t largestFile_bytes()
 }
 
 struct FileBytes::Content {
-    std::string text;      ///< of a pipe
-    char* room = nullptr;  ///< of a file: pages of its own
+    std::string text;      ///< content of a pipe
+    char* room = nullptr;  ///< content of a file: own memory pages
     std::size_t size = 0;
 
     void allocate(std::size_t bytes)
     {
         void* pages = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
         if (pages == MAP_FAILED) throw std::bad_alloc();
-        ::madvise(pages, bytes, MADV_HUGEPAGE);  // fewer page faults; where it is not known, small pages do
+        ::madvise(pages, bytes, MADV_HUGEPAGE);  // fewer page faults; optional
         room = static_cast<char*>(pages);
         size = bytes;
     }
@@ -220,7 +221,7 @@ struct FileBytes::Content {
 FileBytes::FileBytes(const std::string& path, const Progress& progress) : content_(std::make_unique<Content>())
 {
     OpenFile file(path, true);
-    if (file.isPipe() || file.size() == 0) {  // files of the system itself have a size of 0
+    if (file.isPipe() || file.size() == 0) {  // files of /proc and /sys report a size of 0
         content_->text = readToEnd(file.number(), file.isPipe(), path, progress);
     } else {
         refuseTooLarge(path, file.size());
@@ -231,7 +232,7 @@ FileBytes::FileBytes(const std::string& path, const Progress& progress) : conten
             if (file.read(content_->room + at, count) != count) file.throwChanged();
         }
         if (file.mayBeWritten()) {
-            // Time for a writer that is waiting for a processor in the middle of its work.
+            // Delay for a writer that is preempted during its write.
             std::this_thread::sleep_for(writersTurn);
             compare(file, view(), progress);
         }
@@ -274,7 +275,7 @@ std::string fileStamp(const std::string& path)
 
 namespace {
 
-/// A SHA-256 that grows by pieces.
+/// Incremental SHA-256.
 class Digest {
 public:
     Digest() : context_(EVP_MD_CTX_new(), &EVP_MD_CTX_free)
@@ -301,13 +302,13 @@ public:
 private:
     static void require(bool sound)
     {
-        if (!sound) throw std::bad_alloc();  // SHA-256 itself cannot fail; only its context can be missing
+        if (!sound) throw std::bad_alloc();  // only the allocation of the context can fail
     }
 
     std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
 
-constexpr std::size_t digestStep = std::size_t{4} << 20;  ///< a few milliseconds each
+constexpr std::size_t digestStep = std::size_t{4} << 20;  ///< bytes per progress check, a few milliseconds each
 
 }  // namespace
 

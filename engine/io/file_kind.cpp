@@ -24,7 +24,7 @@ FileFacts factsOf(const File& file, Notes& notes)
     return file.facts;
 }
 
-/// A table whose headings say nothing else may hold points.
+/// A table without headings of another quantity may contain points.
 Likeness likeScan(const std::string& path, std::string_view head, const Values&)
 {
     if (hasScanFormat(head)) return Likeness::Certain;
@@ -48,7 +48,7 @@ Likeness likeProfile(const std::string& path, std::string_view head, const Value
     return fits ? Likeness::Likely : Likeness::No;
 }
 
-/// An L-Graph pair that is whole is certain; a lone .dat of bytes may be one.
+/// An L-Graph pair that is whole is certain; a single binary .dat may be one.
 Likeness likeProbeRecord(const std::string& path, std::string_view head, const Values& reading)
 {
     const RecordFiles files = findRecordFiles(path, head);

@@ -1,4 +1,4 @@
-// What the reading and the writing of files share: descriptors that close themselves, and the system's reasons.
+// Common to reading and writing of files: RAII descriptors and system error messages.
 #pragma once
 
 #include <unistd.h>
@@ -18,7 +18,7 @@ public:
     int number() const { return number_; }
     bool isOpen() const { return number_ >= 0; }
 
-    /// Closes now; false when the system reports a failure (a late write error).
+    /// Closes the descriptor; false when the system reports a failure (delayed write error).
     bool close()
     {
         const int number = number_;
@@ -30,7 +30,7 @@ private:
     int number_;
 };
 
-/// The reason behind `errno`: a translatable phrase for the common ones, else the system's own words.
+/// Message of `errno`: a translatable phrase for the common ones, else the system's message.
 Value systemReason(int error);
 
 }  // namespace lathelier::io

@@ -1,4 +1,4 @@
-// writeFile: beside, then rename.
+// writeFile(): temporary file, then rename.
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -29,7 +29,7 @@ constexpr std::size_t bufferSize = std::size_t{1} << 18;
     throw Error(errors::fileNotWritable, {{"path", path}, {"reason", systemReason(error)}});
 }
 
-/// Gathers small chunks and writes them out.
+/// Buffered writing.
 class Output {
 public:
     Output(int descriptor, const std::string& path) : descriptor_(descriptor), path_(path) {}
@@ -58,7 +58,7 @@ private:
     std::string buffer_;
 };
 
-/// Removes the file beside unless the rename succeeded.
+/// Removes the temporary file unless the rename succeeded.
 struct RemoveOnFailure {
     std::string path;
     bool done = false;
@@ -68,7 +68,7 @@ struct RemoveOnFailure {
     }
 };
 
-/// Where a link points to in the end, also when that file is still to be made.
+/// Final target of a link, also when it does not exist yet.
 std::string followLinks(const std::string& path)
 {
     std::error_code failure;
@@ -92,7 +92,7 @@ fs::path folderOf(const std::string& path)
     return folder.empty() ? fs::path(".") : folder;
 }
 
-/// The process that a file beside belongs to, by its name; 0: it is none of ours.
+/// Process number encoded in the name of a temporary file; 0: not one of ours.
 pid_t ownerOf(const std::string& name)
 {
     if (!name.starts_with(partHead) || !name.ends_with(partTail)) return 0;
@@ -103,8 +103,8 @@ pid_t ownerOf(const std::string& name)
     return problem == std::errc() && end != to && *end == '-' && number > 0 ? static_cast<pid_t>(number) : 0;
 }
 
-/// Removes what processes that ended in the middle of their work have left in `folder`: once for each folder, and only
-/// what nobody has written to for an hour, for the process may live on another machine.
+/// Removes temporary files of terminated processes from `folder`: once per folder, and only those unchanged for an
+/// hour, since the process may run on another machine.
 void sweep(const fs::path& folder)
 {
     static std::mutex mutex;
@@ -123,7 +123,7 @@ void sweep(const fs::path& folder)
     }
 }
 
-/// A rename is safe from a power cut once its folder is written. File systems that know no such thing are left alone.
+/// A rename is durable only after its folder is synchronised. Unsupported file systems are ignored.
 void syncFolder(const fs::path& folder)
 {
     const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -139,7 +139,7 @@ void writeFile(const std::string& path, const std::function<void(const Append& a
     const bool exists = ::stat(target.c_str(), &status) == 0;
     if (target.empty()) throwNotWritable(path, ENOENT);
     if (exists && S_ISDIR(status.st_mode)) throwNotWritable(path, EISDIR);
-    // The rename needs no permission on the file it replaces; a write-protected file must stay all the same.
+    // A rename needs no permission on the replaced file; write-protected files are kept by this check.
     if (exists && ::access(target.c_str(), W_OK) != 0) throwNotWritable(path, errno);
 
     const auto fill = [&](int descriptor) {
@@ -158,7 +158,7 @@ void writeFile(const std::string& path, const std::function<void(const Append& a
     sweep(folderOf(target));
     std::string beside = nameBeside(target);
     int number = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    while (number < 0 && errno == EEXIST) {  // left by a crashed program of the same process number
+    while (number < 0 && errno == EEXIST) {  // left by a crashed process of the same number
         beside = nameBeside(target);
         number = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     }

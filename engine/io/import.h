@@ -1,4 +1,4 @@
-// What every reader shares: the settings a person may have to give, and "what I understood of this file".
+// Common to all readers: import options and the facts found about a file.
 #pragma once
 
 #include <array>
@@ -17,26 +17,27 @@ enum class Delimiter { Auto, Space, Comma, Semicolon, Tab, Pipe };
 enum class Encoding { Auto, Utf8, Utf16le, Utf16be, Latin1 };
 enum class LengthUnit { Auto, Millimetre, Metre, Inch, Micrometre };
 
-/// What a text file may leave open. Auto: found out from the file, refused when an answer would change numbers.
+/// Properties that a text file may not state. Auto: determined from the file, rejected when ambiguous with an effect on
+/// the numbers.
 struct ImportOptions {
     Decimal decimal = Decimal::Auto;        ///< decimal mark of the numbers
     Delimiter delimiter = Delimiter::Auto;  ///< separator of the cells
-    Encoding encoding = Encoding::Auto;     ///< of the bytes of a text
-    LengthUnit unit = LengthUnit::Auto;     ///< of lengths that state none
+    Encoding encoding = Encoding::Auto;     ///< character encoding of a text
+    LengthUnit unit = LengthUnit::Auto;     ///< unit of lengths without a stated one
 };
 
 const std::vector<Field<ImportOptions>>& fieldsOf(const ImportOptions*);
 
-/// A row that was passed over. `line` counts from 1; in a binary file it is the number of the point.
+/// A skipped row. `line` counts from 1; in a binary file it is the number of the point.
 struct SkippedRow {
-    std::int64_t line = 0;  ///< counted from 1
-    Text reason;            ///< why it was passed over
+    std::int64_t line = 0;  ///< line number, from 1
+    Text reason;            ///< reason
 };
 
-/// What was understood of a file; the command line's `inspect` and the import line of the panels show it.
-/// What does not apply (the delimiter of a binary file) is empty or 0, null in JSON.
+/// Facts of a file, shown by the command `inspect` and in the import line of the panels. Inapplicable entries (the
+/// delimiter of a binary file) are empty or 0, null in JSON.
 struct FileFacts {
-    std::string path;                 ///< as the reader was given it
+    std::string path;                 ///< as given to the reader
     std::string format;               ///< "ply_binary_little_endian", "xyz_text", "stl_ascii", "pcd_binary", "obj"…
     std::string encoding;             ///< "utf-8", "utf-16le", "latin-1"…
     std::string delimiter;            ///< "comma", "space"…

@@ -8,7 +8,7 @@
 namespace lathelier::io {
 namespace {
 
-/// Tells how far a digest is; at its end, all.
+/// Reports the progress of a digest; complete at its end.
 struct Passed {
     std::atomic<std::size_t>& hashed;
 
@@ -40,17 +40,17 @@ std::string_view InputFiles::open(const std::string& path, const Progress& progr
     auto bytes = std::make_shared<FileBytes>(path, progress);
     const std::string_view view = bytes->view();
     auto hashed = std::make_shared<std::atomic<std::size_t>>(0);
-    // Its own copy of the pointer ends with the digest, not with the future.
+    // The lambda's copy of the pointer is released with the digest, not with the future.
     auto digest = [bytes, hashed, stop = progress.quiet()]() mutable {
         const std::shared_ptr<FileBytes> held = std::exchange(bytes, nullptr);
-        const Passed passed{*hashed};  // also when it is stopped: nobody may wait for ever
+        const Passed passed{*hashed};  // also when cancelled, so that no one waits for ever
         return io::sha256(held->view(), stop, [&passed](std::size_t count) { passed.tell(count); });
     };
     std::shared_future<std::string> sha256;
     if (beside_) {
         try {
             sha256 = std::async(std::launch::async, digest).share();
-        } catch (const std::system_error&) {  // no memory for another thread: later, then
+        } catch (const std::system_error&) {  // no further thread available: the digest is deferred
         }
     }
     if (!sha256.valid()) sha256 = std::async(std::launch::deferred, std::move(digest)).share();

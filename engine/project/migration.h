@@ -7,7 +7,8 @@
 
 namespace lathelier::project {
 
-/// The format version this program writes. Raise it, and add a step, whenever an older program would misread the file.
+/// The format version this program writes. Increment it and add a step whenever an older program would misread the
+/// file.
 inline constexpr int projectVersion = 4;
 
 /// Turns one format version into the next.

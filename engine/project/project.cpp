@@ -91,7 +91,7 @@ Notes checkSources(const Project& project, const Progress& progress)
         for (const auto& [role, source] : panel.inputs) {
             progress.check();
             if (source.path.empty() || !done.insert(source.path + "\n" + source.sha256).second) continue;
-            // Only regular files are opened: a pipe would wait.
+            // Only regular files are opened: a pipe would block.
             std::error_code unknown;
             if (!fs::is_regular_file(source.path, unknown)) {
                 notes.push_back({notes::sourceMissing, {{"path", source.path}}});
@@ -101,7 +101,7 @@ Notes checkSources(const Project& project, const Progress& progress)
             try {
                 if (io::fileSha256(source.path, progress) != source.sha256)
                     notes.push_back({notes::sourceChanged, {{"path", source.path}}});
-            } catch (const Error&) {  // gone, locked or written to in this moment; opening it will say why
+            } catch (const Error&) {  // missing, locked or being written: reported when it is opened
                 notes.push_back({notes::sourceMissing, {{"path", source.path}}});
             }
         }

@@ -14,17 +14,17 @@ namespace lathelier::project {
 /// An input file of a panel, with the decisions made at import.
 struct Source {
     std::string path;        ///< absolute in memory, relative to the project file on disk; empty: an item
-    Values import;           ///< ImportOptions as values
+    Values import;           ///< ImportOptions as values by key
     std::string sha256;      ///< of the content last read; empty: not read yet
     bool synthetic = false;  ///< marked as made by a program, not measured
     std::string item = {};   ///< name of an item of the project, in place of a file; empty: a file
     friend bool operator==(const Source&, const Source&) = default;
 };
 
-/// Where an item came from: the panel that made it, and what it was made of.
+/// Origin of an item: the panel that made it, and its inputs.
 struct Origin {
-    std::string panel;                ///< its id; empty: not made by a panel (typed, from a library)
-    std::string version;              ///< of the program
+    std::string panel;                ///< panel id; empty: not made by a panel (typed, from a library)
+    std::string version;              ///< version of the program
     std::string state_sha256;         ///< of the panel's state at that time: stateDigest()
     std::vector<std::string> inputs;  ///< SHA-256 of its input files
     friend bool operator==(const Origin&, const Origin&) = default;
@@ -32,13 +32,13 @@ struct Origin {
 
 /// A shaft, an FRF, a machine, a material… made in one panel and used in others, by its description (toValues()).
 struct Item {
-    std::string kind;  ///< "shaft"
+    std::string kind;  ///< item kind, such as "shaft"
     Values values;     ///< its description by key, as toValues() gives it
-    Origin origin;     ///< what made it
+    Origin origin;
     friend bool operator==(const Item&, const Item&) = default;
 };
 
-/// What a panel works on. Its parameters are those of its fields<P>().
+/// State of a panel: inputs and parameters by its fields<P>().
 struct PanelState {
     std::map<std::string, Source> inputs;    ///< by role: "reference", "copy"
     Values parameters;                       ///< by key, as in fields<P>()
@@ -47,33 +47,33 @@ struct PanelState {
 };
 
 struct Project {
-    std::string title;                         ///< of the project, for people; may be empty
+    std::string title;                         ///< title of the project; may be empty
     std::string workspace = "inspection";      ///< key of the workspace that is shown
     std::map<std::string, PanelState> panels;  ///< by panel id: "compare"
     std::vector<std::string> report;           ///< ids of the panels in the report, in order
-    std::map<std::string, Item> items;         ///< by name
+    std::map<std::string, Item> items;         ///< items by name
     Values title_block;                        ///< of its reports, by key (report::TitleBlock)
     bool recipe = false;                       ///< opened, it begins a new project (recipe.h)
-    std::map<std::string, Values> views;       ///< by panel id: what is looked at, and how; computes nothing
+    std::map<std::string, Values> views;       ///< by panel id: view settings by panel id; without effect on results
     friend bool operator==(const Project&, const Project&) = default;
 };
 
-/// The state of panel `id` with the items that its inputs name; empty when the project has none. An item that is not
-/// there leaves its input without a value.
+/// The state of panel `id` with the items that its inputs name; empty when the project has none. The input of a missing
+/// item has no value.
 PanelState resolved(const Project& project, const std::string& id);
 
-/// Tells states apart: SHA-256 over inputs (their content where it is known) and parameters.
+/// Digest of the state: SHA-256 over inputs (their content where it is known) and parameters.
 std::string stateDigest(const PanelState& state);
 
-/// The origin of what panel `id` makes now.
+/// Origin of an item made by panel `id` now.
 Origin originOf(const Project& project, const std::string& id, const std::string& version);
 
-/// Has the panel that made the item another state by now? False for an item that no panel made.
+/// Whether the state of the panel that made the item has changed since. False for an item not made by a panel.
 bool isOutdated(const Project& project, const Item& item);
 
-/// Reads a project file (JSON, see project_json.h). Older format versions are migrated, newer ones refused.
-/// Source paths come out absolute; the sources themselves are not looked at. Errors: those of FileBytes, fileEmpty,
-/// malformed (line, column; also more than 1000 panels or items, 1000 inputs of a panel or a list of more than 10 000),
+/// Reads a project file (JSON, see project_json.h). Older format versions are migrated, newer ones refused. Source
+/// paths come out absolute; the sources themselves are not opened. Errors: those of FileBytes, fileEmpty, malformed
+/// (line, column; also more than 1000 panels or items, 1000 inputs of a panel or a list of more than 10 000),
 /// versionTooNew.
 struct ProjectFile {
     Project project;     ///< as read, migrated to this version
@@ -81,12 +81,12 @@ struct ProjectFile {
 };
 ProjectFile readProject(const std::string& path);
 
-/// What became of the sources since the project was saved: sourceChanged where the content no longer has the stored
+/// Changes of the sources since the project was saved: sourceChanged where the content no longer has the stored
 /// SHA-256, sourceMissing where there is no file. Files too large to be read are left out. Reads all of them: not for
 /// the GUI thread. Throws Cancelled.
 Notes checkSources(const Project& project, const Progress& progress = {});
 
-/// Writes beside and renames: the old file stays whole if anything fails. Gives the SHA-256 of what was written. Error
+/// Writes a temporary file and renames it: on failure the old file is unchanged. Returns the SHA-256 of the file. Error
 /// fileNotWritable.
 std::string writeProject(const std::string& path, const Project& project);
 

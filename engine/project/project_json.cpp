@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* formatName = "lathelier-project";
 
-// More than any project of ours has by a factor of ten: beyond, the file is damaged or made to harm.
+// Ten times more than any known project: beyond, the file is damaged or malicious.
 constexpr std::size_t mostPanels = 1000;
 constexpr std::size_t mostInputs = 1000;
 constexpr std::size_t mostParameters = 1000;
@@ -24,7 +24,7 @@ Value oneOf(const char* names)
     return std::string(names);
 }
 
-/// An empty path means "no file yet" and stays empty.
+/// An empty path means that no file is chosen, and is kept.
 std::string absolutePath(const std::string& stored, const fs::path& folder)
 {
     return stored.empty() ? stored : (folder / stored).lexically_normal().string();

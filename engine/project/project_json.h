@@ -3,8 +3,8 @@
 //    "panels": {id: {"inputs": {role: {"path" | "item", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
 //    "items": {name: {"kind", "values": {…}, "origin": {…}}}, "views": {id: {…}}, "title_block": {…}, "recipe": true,
 //    "report": [id…]}
-// Everything but format and version may be missing. A key that is not known is refused, so that a slip of the pen in a
-// file written by hand does not go unnoticed; names inside "import" and "parameters" belong to the panels and are kept.
+// Everything but format and version may be missing. A key that is not known is refused, so that a misspelt key in a
+// hand-written file is found; names inside "import" and "parameters" belong to the panels and are kept.
 #pragma once
 
 #include <filesystem>

@@ -10,7 +10,7 @@
 namespace lathelier::project {
 
 /// Roles of inputs that change from part to part, by the panels' keys in the project: {"compare": {"copy"}}. The
-/// further files of a role ("record.2"…) go with it.
+/// further files of a role ("record.2"…) are included.
 using PartInputs = std::map<std::string, std::vector<std::string>>;
 
 /// The project without those inputs, without the serial number in its title block, and marked as a recipe: opened, it

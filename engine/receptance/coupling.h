@@ -1,4 +1,4 @@
-// Receptance coupling: a shaft whose free receptances are known, joined to a machine whose receptances are known.
+// Receptance coupling of a free shaft to a machine, both with known receptances.
 //
 // Rigid joint j between beam b and spindle s (T. L. Schmitz and R. R. Donaldson, CIRP Annals 49 (2000) 303):
 //   G_ac = Hb_ac - Hb_aj (Hb_jj + Hs)⁻¹ Hb_jc
@@ -15,7 +15,7 @@
 
 namespace lathelier::receptance {
 
-/// The free shaft's receptances that a coupling at one joint needs.
+/// Receptances of the free shaft required for coupling at one joint.
 struct FreeReceptances {
     ReceptanceMatrix ac;  ///< response place by excitation place
     ReceptanceMatrix aj;  ///< response place by joint
@@ -26,11 +26,11 @@ struct FreeReceptances {
 /// Rigid coupling at one joint to a part of receptance `spindle`.
 ReceptanceMatrix coupled(const FreeReceptances& beam, const ReceptanceMatrix& spindle);
 
-/// One of several joints, such as chuck and tailstock.
+/// A joint of several, such as chuck and tailstock.
 struct Joint {
     ReceptanceMatrix aj;     ///< of the free shaft: response place by this joint
     ReceptanceMatrix jc;     ///< of the free shaft: this joint by excitation place
-    ReceptanceMatrix other;  ///< of what the shaft is joined to here
+    ReceptanceMatrix other;  ///< of the part joined here
 };
 
 /// Rigid coupling at several joints. `beam_jj`: the free shaft's receptance of joint i by joint k at [i * n + k].
@@ -40,8 +40,8 @@ ReceptanceMatrix coupled(const ReceptanceMatrix& beam_ac, std::span<const Joint>
 /// A spindle behind an elastic joint: Hs + K⁻¹.
 ReceptanceMatrix behindJoint(const ReceptanceMatrix& spindle, const SpindleSprings& joint);
 
-/// A driving-point receptance with a mass added there: G/(1 - ω² m G). A negative mass takes it away, such as that of
-/// an accelerometer.
+/// A driving-point receptance with an added mass: G/(1 - ω² m G). A negative mass removes one, such as that of an
+/// accelerometer.
 Complex withMass(const Complex& receptance_mm_N, double mass_kg, double frequency_hz);
 
 }  // namespace lathelier::receptance

@@ -8,16 +8,17 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double standsOut = 2.5;       ///< a resonance, above the lowest lines on both sides
-constexpr double belowResonance = 0.4;  ///< of its frequency, where its own rise is small
+constexpr double standsOut = 2.5;       ///< least ratio of a resonance peak to the lowest lines on both sides
+constexpr double belowResonance = 0.4;  ///< share of the resonance frequency below which its dynamic amplification is
+                                        ///< small
 constexpr std::size_t fewestSlopeLines = 6;
-constexpr double leastSpan = 2;         ///< last over first frequency
-constexpr double mostUncertain = 0.15;  ///< of the power, standard
-constexpr double nearPower = 0.35;      ///< a slope belongs to a whole power so near
+constexpr double leastSpan = 2;         ///< least ratio of last to first frequency
+constexpr double mostUncertain = 0.15;  ///< largest standard uncertainty of the power
+constexpr double nearPower = 0.35;      ///< largest distance of a slope from an integer power
 constexpr double mostActive_percent = 50;
-constexpr int smoothing = 2;  ///< lines to either side
+constexpr int smoothing = 2;  ///< lines averaged on either side
 
-/// Logarithms of the magnitude above 0 Hz, averaged over some lines.
+/// Logarithms of the magnitude above 0 Hz, smoothed.
 struct LogLines {
     std::vector<double> frequency_hz, raw, smooth;
 };
@@ -41,7 +42,7 @@ LogLines logLines(const Frf& frf)
     return lines;
 }
 
-/// The first peak that stands out of what comes before and after it.
+/// The first significant peak.
 std::optional<std::size_t> firstResonance(const std::vector<double>& log_size)
 {
     const double rise = std::log(standsOut);
@@ -74,7 +75,7 @@ Text nameOf(int power)
                         : LT_TEXT("Engine", "an accelerance");
 }
 
-/// Does a response of this power, of a structure held or free, have such a slope?
+/// Whether a response of this power, of a constrained or free structure, has this slope.
 bool allows(int power, double slope)
 {
     return std::abs(slope - power) < nearPower || std::abs(slope - (power - 2)) < nearPower;

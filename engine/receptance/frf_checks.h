@@ -1,9 +1,9 @@
-// What physics says of a measured response, whatever its file says.
+// Plausibility of a measured response by physics, independent of its label.
 //
-// Below its first resonance a receptance is constant where the structure is held, and falls as 1/f² where it is free;
-// mobility and accelerance rise faster by f and f² (Ewins, "Modal Testing", 2nd ed., section 2.4). A response whose
-// slope there is none of the two that its label allows is something else than its label says. At a driving point a
-// passive structure takes up power, so that Im of its receptance is not positive.
+// Below the first resonance a receptance is constant for a constrained structure and decreases as 1/f² for a free one;
+// mobility and accelerance have additional factors f and f² (Ewins, "Modal Testing", 2nd ed., section 2.4). A response
+// whose slope matches neither is mislabelled. At a driving point a passive structure absorbs power, so that Im of its
+// receptance is not positive.
 #pragma once
 
 #include <optional>
@@ -18,16 +18,16 @@ namespace lathelier::receptance {
 /// Power of the frequency with which the magnitude grows below the first resonance, by least squares over its
 /// logarithms.
 struct LowSlope {
-    double power = 0;   ///< 0 constant, 2 as an accelerance that is held
-    Interval range_hz;  ///< of the lines it is taken from
+    double power = 0;   ///< exponent of f: 0 constant, 2 as for the accelerance of a constrained structure
+    Interval range_hz;  ///< frequency range of the lines used
 };
 
-/// Nothing where the lines below the first resonance are too few, span less than an octave, or are too noisy to tell
-/// neighbouring powers apart.
+/// None where the lines below the first resonance are too few, span less than an octave, or are too noisy to separate
+/// neighbouring powers.
 std::optional<LowSlope> lowSlope(const Frf& frf);
 
-/// Notes frfSlopeContradictsLabel; frfPowerGivenAway for responses whose places the file does not state (a reader
-/// checks stated driving points itself). `path` is named in them.
+/// Notes frfSlopeContradictsLabel; frfPowerGivenAway for responses whose points the file does not state (the reader
+/// checks stated driving points). The notes contain `path`.
 Notes checkResponse(const io::MeasuredFrf& measured, const std::string& path);
 
 }  // namespace lathelier::receptance

@@ -1,5 +1,5 @@
-// Libraries of materials and of machines to begin with: values that are assumed until those at hand are stated.
-// Files as io::readLibrary(): "materials" with the fields of Material, "machines" with those of SpindleSprings.
+// Built-in libraries of materials and machines: default values until measured ones are stated. Files as
+// io::readLibrary(): "materials" with the fields of Material, "machines" with those of SpindleSprings.
 #pragma once
 
 #include <string>

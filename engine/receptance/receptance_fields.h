@@ -1,4 +1,4 @@
-// Parameters that several capabilities of this room have, described in one place.
+// Field descriptions of parameters shared by several capabilities of this room.
 #pragma once
 
 #include "engine/beam/beam_section.h"

@@ -1,4 +1,5 @@
-// Results of shaftReceptance() and identifySpindle() described: keys, names, units and decimals for JSON and tables.
+// Description of the results of shaftReceptance() and identifySpindle(): keys, names, units and decimals for JSON and
+// tables.
 #pragma once
 
 #include "engine/core/quantities.h"

@@ -10,7 +10,7 @@ namespace lathelier::receptance {
 report::Answer answer(const ShaftReceptanceResult& result, const Language& language = {});
 report::Answer answer(const SpindleIdentification& result, const Language& language = {});
 
-/// What the command line prints.
+/// Plain text for the command line.
 report::Section frfSummary(const ShaftReceptanceResult& result, const Language& language = {});
 report::Section spindleSummary(const SpindleIdentification& result, const Language& language = {});
 

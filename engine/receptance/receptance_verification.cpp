@@ -18,7 +18,7 @@ using beam::BeamParameters;
 using beam::ShearModel;
 
 constexpr double rigid = std::numeric_limits<double>::infinity();
-constexpr double mm_N = 1e-3;  ///< in m/N
+constexpr double mm_N = 1e-3;  ///< 1 mm/N in m/N
 
 Shaft steppedShaft(const std::vector<std::pair<double, double>>& length_and_diameter_mm)
 {
@@ -55,7 +55,7 @@ VerifyKind quick(const Progress&)
     return check();
 }
 
-/// A machine with a mode and a cross receptance.
+/// A machine with one mode and a cross receptance.
 SpindleTable machine()
 {
     SpindleTable table;
@@ -86,7 +86,7 @@ VerifyKind verifyNaturalFrequencies()
     };
     compare(steppedShaft({{250, 40}}), cowper(), {2768.36, 6937.89, 12207.47});
     compare(steppedShaft({{98, 30}, {10, 37}, {75, 33.8}}), cowper(), {3998.26, 10105.76, 17399.64});
-    // So slender that Euler's beam holds: β² √(EI/ρA) / (2π L²).
+    // Slender enough for Euler's beam: β² √(EI/ρA) / (2π L²).
     const double length_mm = 4000, diameter_mm = 2;
     const double speed = std::sqrt(210000 / 7.85e-9) * diameter_mm / 4;
     const auto euler = [&](const std::vector<double>& beta) {
@@ -113,11 +113,11 @@ VerifyKind verifyBeamReceptances()
     compare(stepped, 0, 0, -8.721604e-8);
     compare(stepped, 183, 183, -7.422992e-8);
     compare(stepped, 0, 183, 4.770384e-8);
-    // At rest and clamped: P L³/3EI + P L/κGA.
+    // Static and clamped: P L³/3EI + P L/κGA.
     Shaft rod = steppedShaft({{250, 40}});
     rod.material->loss_factor = 0;
     const ReceptanceMatrix g = at(rod, cowper({{250, rigid, rigid, 0}}), {0}, 0).front();
-    const double bending = 210000 * std::numbers::pi * std::pow(40, 4) / 64;  // EI
+    const double bending = 210000 * std::numbers::pi * std::pow(40, 4) / 64;  // bending stiffness EI
     const double shear = beam::shearCoefficient(ShearModel::Cowper, 0, 0.3) * 210000 / 2.6 * std::numbers::pi * 400;
     tally.nextSet();
     tally.compare(g(0, 0).real() / (std::pow(250, 3) / (3 * bending) + 250 / shear), 1);

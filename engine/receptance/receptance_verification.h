@@ -1,13 +1,13 @@
-// What can be verified of shafts on machines: beams, coupling, inverse coupling.
+// Verification of shafts on machines: beams, coupling, inverse coupling.
 #pragma once
 
 #include "engine/core/verification.h"
 
 namespace lathelier::receptance {
 
-/// Natural frequencies of a rod and of a slender beam, free and clamped; receptances of the papers' shaft and the
-/// static bending of a clamped rod; two halves that are the whole, and a rod on springs; a spindle found again from
-/// responses without noise.
+/// Natural frequencies of a rod and of a slender beam, free and clamped; receptances of the papers' shaft and static
+/// bending of a clamped rod; two coupled halves equal to the whole, and a rod on springs; a spindle identified from
+/// noise-free responses.
 const VerifyPart& receptanceVerification();
 
 VerifyKind verifyNaturalFrequencies();

@@ -10,15 +10,16 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t mostDimensioned = 12;  ///< segments; more would stand in each other's way
+constexpr std::size_t mostDimensioned = 12;  ///< largest number of segments with dimensions, so that labels do not
+                                             ///< overlap
 constexpr int piecesOfArc = 40;
-constexpr double step_mm = 0.1;  ///< of a drag
+constexpr double step_mm = 0.1;  ///< step of a dragged dimension
 constexpr char handleStart[] = "end of segment ";
 
-/// Upper contour from the free end to the chuck, and the bore likewise.
+/// Upper contours of the outside and of the bore, from the free end to the chuck.
 struct Contour {
     std::vector<double> z_mm, radius_mm, bore_mm;
-    double largest_mm = 0;  ///< radius
+    double largest_mm = 0;  ///< largest radius
 };
 
 Contour contourOf(const Shaft& shaft)
@@ -60,7 +61,7 @@ report::Region wall(const Contour& contour, double sign)
 report::Curve line(std::vector<double> x, std::vector<double> y, report::Caption name = {})
 {
     report::Curve curve{std::move(name), std::move(x), std::move(y)};
-    curve.spoken = false;
+    curve.has_readout = false;
     curve.colour = report::ColourRole::Original;
     for (std::size_t i = 0; i < curve.x.size(); ++i) curve.along.push_back(static_cast<double>(i));
     return curve;

@@ -29,11 +29,11 @@ ReceptanceMatrix onSpindle(beam::BeamReceptance& shaft, const ReceptanceMatrix& 
         shaft.at(frequency_hz, spindle.inverse(), g);
         return g[1];
     }
-    shaft.at(frequency_hz, g);  // a motion of the chuck face that nothing excites has no stiffness
+    shaft.at(frequency_hz, g);  // a chuck face without any stiffness has no inverse
     return coupled({g[1], g[2], g[8], g[7]}, spindle);
 }
 
-/// Refuses frequencies the spindle does not reach before anything is computed.
+/// Rejects frequencies outside the spindle's table before computation.
 void checkReach(const SpindleReceptance& spindle, const std::vector<double>& frequency_hz)
 {
     spindle.at(frequency_hz.front());

@@ -16,14 +16,14 @@
 
 namespace lathelier::receptance {
 
-/// What is asked of a shaft. z is measured from the free end toward the chuck.
+/// Parameters of the response of a shaft. z is measured from the free end toward the chuck.
 struct ReceptanceParameters {
-    double respond_z_mm = 0;                                ///< place of the deflection
-    double excite_z_mm = 0;                                 ///< place of the force
-    double from_hz = 50;                                    ///< first line
-    double to_hz = 5000;                                    ///< last line, if a step ends there
-    double step_hz = 1;                                     ///< from line to line
-    beam::ShearModel shear = beam::ShearModel::Hutchinson;  ///< shear coefficient
+    double respond_z_mm = 0;                                ///< z of the deflection
+    double excite_z_mm = 0;                                 ///< z of the force
+    double from_hz = 50;                                    ///< first frequency
+    double to_hz = 5000;                                    ///< upper limit of the frequency
+    double step_hz = 1;                                     ///< frequency step
+    beam::ShearModel shear = beam::ShearModel::Hutchinson;  ///< formula of the shear coefficient κ
     beam::BeamMethod method = beam::BeamMethod::Exact;      ///< motion within a uniform piece
     bool step_correction = false;                           ///< limit the stiffness beside steps to a 45° cone
     friend bool operator==(const ReceptanceParameters&, const ReceptanceParameters&) = default;
@@ -32,25 +32,25 @@ struct ReceptanceParameters {
 const std::vector<Field<ReceptanceParameters>>& fieldsOf(const ReceptanceParameters*);
 
 struct ShaftReceptanceResult {
-    ReceptanceParameters parameters;  ///< as asked
-    double length_mm = 0;             ///< of the shaft; the chuck face is at this z
-    Frf frf;                          ///< receptance, mm/N; NaN where there is none: a free shaft at 0 Hz
+    ReceptanceParameters parameters;
+    double length_mm = 0;  ///< length of the shaft; the chuck face is at this z
+    Frf frf;               ///< receptance, mm/N; NaN where undefined: a free shaft at 0 Hz
     std::optional<std::vector<double>> natural_frequencies_hz;  ///< undamped, up to the last frequency; with a spindle
-                                                                ///< those on its springs; none with a table
-    UsedValues used;                                            ///< the material, and who stated it
-    Notes notes;                                                ///< materialAssumed, spindleHasNoModes
+                                                                ///< those on its springs; none for a spindle table
+    UsedValues used;                                            ///< the material with its origin
+    Notes notes;                                                ///< codes materialAssumed, spindleHasNoModes
 };
 
-/// The lines that the parameters ask for. Error valueNotUnderstood for more than a million, or a range reversed.
+/// The frequency lines of the parameters. Error valueNotUnderstood for more than a million, or a range reversed.
 std::vector<double> linesOf(const ReceptanceParameters& parameters);
 
-/// What holds a shaft.
+/// Supports of a shaft.
 struct ShaftHolding {
-    std::optional<SpindleReceptance> spindle;  ///< at the chuck face, z = length; none: nothing
-    std::vector<beam::Support> supports;       ///< besides: tailstock, steady rests, a rigid chuck
+    std::optional<SpindleReceptance> spindle;  ///< at the chuck face, z = length; none: free
+    std::vector<beam::Support> supports;       ///< additional supports: tailstock, steady rests, a rigid chuck
 };
 
-/// How the beam is modelled; `springs`: the spindle, where it is springs, becomes one of its supports.
+/// Parameters of the beam model; `springs`: the spindle, where it is springs, becomes one of its supports.
 beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
                                       double length_mm, bool springs);
 
@@ -65,11 +65,11 @@ ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParame
                                       const std::optional<SpindleReceptance>& spindle = {},
                                       const Progress& progress = {});
 
-/// The same with further supports.
+/// The same with additional supports.
 ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
                                           const ShaftHolding& holding, const Progress& progress = {});
 
-/// The material of a shaft, or steel; with its values written down, and the note materialAssumed.
+/// The material of a shaft, or steel with the note materialAssumed; its values enter `used`.
 Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes);
 
 }  // namespace lathelier::receptance

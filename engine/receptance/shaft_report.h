@@ -1,4 +1,4 @@
-// A shaft that was studied, as an answer and as a report.
+// A shaft study as an answer and as a report.
 #pragma once
 
 #include "engine/receptance/shaft_study.h"

@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t placesOfShape = 121;
 constexpr double kilogramsOfTonne = 1000;
-constexpr double beyond = 1e-6;  ///< relative, so that the last mode asked for is among those found
+constexpr double beyond = 1e-6;  ///< relative margin, so that a mode at the upper limit is included
 
-/// At rest nothing is lost.
+/// Static: without damping.
 std::optional<double> staticCompliance(beam::BeamModel model)
 {
     model.loss_factor = 0;

@@ -1,4 +1,4 @@
-// All that is asked of a shaft at once: response, natural frequencies and shapes, mass, static compliance.
+// Complete study of a shaft: response, natural frequencies and shapes, mass, static compliance.
 #pragma once
 
 #include "engine/beam/natural_frequencies.h"
@@ -7,15 +7,15 @@
 namespace lathelier::receptance {
 
 struct ShaftStudy {
-    ShaftReceptanceResult response;      ///< as heldShaftReceptance() gives it
-    double mass_kg = 0;                  ///< of the whole shaft
-    std::optional<double> static_mm_N;   ///< deflection per force at rest between the two places asked for; none: the
-                                         ///< shaft can move without bending, or its machine is not known at rest
-    std::vector<double> places_z_mm;     ///< along the shaft, of the shapes
-    std::vector<beam::ModeShape> modes;  ///< the first ones, at most mostShapes; none with a table of receptances
+    ShaftReceptanceResult response;     ///< as heldShaftReceptance() gives it
+    double mass_kg = 0;                 ///< of the whole shaft
+    std::optional<double> static_mm_N;  ///< static deflection per force between the two places; none: rigid-body motion
+                                        ///< is possible, or the machine is unknown at 0 Hz
+    std::vector<double> places_z_mm;    ///< z of the mode shape values
+    std::vector<beam::ModeShape> modes;  ///< the first modes, at most mostShapes; empty with a table of receptances
 };
 
-inline constexpr std::size_t mostShapes = 4;  ///< whose shapes are found
+inline constexpr std::size_t mostShapes = 4;  ///< largest number of mode shapes computed
 
 /// Errors of heldShaftReceptance(). Throws Cancelled.
 ShaftStudy studyShaft(const Shaft& shaft, const ReceptanceParameters& parameters, const ShaftHolding& holding,

@@ -14,7 +14,7 @@ namespace lathelier::receptance {
 /// frequencies that do not ascend), keyMissing, keyOutOfRange. Note unknownKey.
 SpindleReceptance readSpindle(const std::string& text, Notes& notes);
 
-/// The text of a file that readSpindle() reads to the same bits.
+/// Writes the text such that readSpindle() restores the same bits.
 std::string spindleText(const SpindleReceptance& spindle);
 
 }  // namespace lathelier::receptance

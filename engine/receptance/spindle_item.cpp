@@ -12,9 +12,9 @@ namespace {
 
 /// An entry of the receptance matrix as two lists.
 struct Entry {
-    const char* real;                            ///< key
-    const char* imaginary;                       ///< key
-    std::vector<Complex> SpindleTable::*values;  ///< of a table
+    const char* real;                            ///< key of the real parts
+    const char* imaginary;                       ///< key of the imaginary parts
+    std::vector<Complex> SpindleTable::*values;  ///< member of SpindleTable
 };
 constexpr Entry entries[] = {{"H_real_mm_N", "H_imag_mm_N", &SpindleTable::H_mm_N},
                              {"L_real_mm_Nmm", "L_imag_mm_Nmm", &SpindleTable::L_mm_Nmm},
@@ -72,7 +72,7 @@ std::optional<SpindleReceptance> spindleOf(const Values& values)
         if (!find(values, info.key)) return std::nullopt;
     try {
         return SpindleReceptance{fromValues<SpindleSprings>(values)};
-    } catch (const Error&) {  // a value that springs cannot have
+    } catch (const Error&) {  // a value outside the range of SpindleSprings
         return std::nullopt;
     }
 }

@@ -1,4 +1,4 @@
-// The chuck face of a machine as an item of the project: identified or typed in one panel, used in others.
+// The chuck face of a machine as an item of the project: made in one panel, used in others.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ inline constexpr const char* spindleItem = "spindle";  ///< kind of the item
 /// L_imag_mm_Nmm, P_real_rad_Nmm, P_imag_rad_Nmm. Error linesTooMany for more lines than a project file holds.
 Values toValues(const SpindleReceptance& spindle);
 
-/// The same back; nothing when the values are not those of a spindle.
+/// The inverse; none when the values are not those of a spindle.
 std::optional<SpindleReceptance> spindleOf(const Values& values);
 
 }  // namespace lathelier::receptance

@@ -10,7 +10,7 @@
 namespace lathelier::receptance {
 namespace {
 
-/// Results of the command line have keys of the same names.
+/// Result files of the command line contain the same keys.
 bool isResult(const std::vector<std::string>& keys)
 {
     return io::hasKey(keys, "command");
@@ -21,7 +21,8 @@ io::Likeness likeSpindle(const std::string&, std::string_view head, const Values
     const std::vector<std::string> keys = io::keysOfHead(head);
     if (isResult(keys)) return io::Likeness::No;
     if (io::hasKey(keys, "springs") || io::hasKey(keys, "H_mm_N")) return io::Likeness::Certain;
-    return io::hasKey(keys, "frequency_hz") ? io::Likeness::Likely : io::Likeness::No;  // long: the rest is cut off
+    // long table: the head of the file is truncated
+    return io::hasKey(keys, "frequency_hz") ? io::Likeness::Likely : io::Likeness::No;
 }
 
 io::Likeness likeMeasurements(const std::string&, std::string_view head, const Values&)
@@ -30,7 +31,7 @@ io::Likeness likeMeasurements(const std::string&, std::string_view head, const V
     return io::hasKey(keys, "rods") && !isResult(keys) ? io::Likeness::Certain : io::Likeness::No;
 }
 
-/// Calls `read`; its errors and notes get the path.
+/// Calls `read` and adds the path to its errors and notes.
 template <class Read>
 auto named(const io::FileToRead& file, Notes& notes, Read read)
 {

@@ -7,11 +7,11 @@
 
 namespace lathelier::receptance {
 
-/// A spindle with what was understood of its file.
+/// A spindle with the facts of its file.
 struct SpindleFile {
-    SpindleReceptance spindle;  ///< as read
-    io::FileFacts facts;        ///< as spindleFiles() has them
-    Notes notes;                ///< of the reading, with the path
+    SpindleReceptance spindle;
+    io::FileFacts facts;  ///< see spindleFiles()
+    Notes notes;          ///< notes of the reader, with the path
 };
 
 /// Errors of readSpindle(), with the path.
@@ -19,9 +19,9 @@ SpindleFile loadSpindle(const io::FileToRead& file);
 
 /// Rods and responses of MEASUREMENTS.json and of the file of frequency responses that it names.
 struct TapTests {
-    SpindleMeasurements measurements;  ///< put together
-    io::FileFacts facts;               ///< as measurementFiles() has them
-    Notes notes;                       ///< of both readings
+    SpindleMeasurements measurements;  ///< rods and responses combined
+    io::FileFacts facts;               ///< see measurementFiles()
+    Notes notes;                       ///< of both files
 };
 
 /// Errors of readMeasurements() with the path, readFrf(), measurementsOf().

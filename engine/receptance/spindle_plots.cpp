@@ -11,7 +11,7 @@
 namespace lathelier::receptance {
 namespace {
 
-/// Receptances of one size, so that one axis shows all three.
+/// Scaled receptances of equal unit, so that one axis shows all three.
 struct ScaledTable {
     std::vector<double> frequency_hz;
     std::vector<Complex> entries[3];
@@ -119,7 +119,7 @@ report::Plot heldOutPlot(const SpindleCheck& check, const Language& language)
                            response.predicted));
         predicted.back().colour = static_cast<int>(predicted.size()) - 1;
     }
-    for (report::Curve& curve : predicted) plot.curves.push_back(std::move(curve));  // drawn on top
+    for (report::Curve& curve : predicted) plot.curves.push_back(std::move(curve));  // drawn last, on top
     return plot;
 }
 

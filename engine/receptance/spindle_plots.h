@@ -1,4 +1,4 @@
-// The chuck face of a machine as charts, and how well it was identified.
+// Charts of the receptance of a chuck face and of the quality of its identification.
 #pragma once
 
 #include <vector>
@@ -14,13 +14,13 @@ namespace lathelier::receptance {
 report::Plot spindleMagnitudePlot(const SpindleReceptance& spindle);
 report::Plot spindlePhasePlot(const SpindleReceptance& spindle);
 
-/// How well the lines tell the three receptances apart.
+/// Condition number of the identification by line.
 report::Plot conditionPlot(const SpindleIdentification& found);
 
 /// Residual of each line, in percent.
 report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck& check);
 
-/// Magnitude of the responses of the rod that was held out, measured and predicted. No curves where none was.
+/// Magnitude of the responses of the rod that was held out, measured and predicted. No curves without a held-out rod.
 report::Plot heldOutPlot(const SpindleCheck& check, const Language& language = {});
 
 /// One row for each response: rod, points, residual.

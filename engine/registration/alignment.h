@@ -1,4 +1,4 @@
-// Where the copy lies in the reference's frame, which motions the data determine, and how well.
+// Pose of the copy in the reference's frame, the motions that the data determine, and their uncertainty.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -30,11 +30,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kMeshSamples = 300000;
-constexpr double kLeastOverlap = 50;  // percent of the copy's points near the reference
-constexpr double kCoarse = 2e-5;      // facets this share of the part's size off the round surface are worth a note
+constexpr std::size_t meshSamples = 300000;
+constexpr double leastOverlap_percent = 50;  // percent of the copy's points near the reference
+constexpr double coarseSagittaShare = 2e-5;  // of the part's size: with a larger sagitta of the facets there is a note
 
-/// Points that stand for the surface: the cloud itself, or samples of the mesh.
+/// Points of the surface: the cloud itself, or samples of the mesh.
 struct SurfacePoints {
     const std::vector<Vector3d>* points = nullptr;
     Scan samples;
@@ -45,14 +45,14 @@ SurfacePoints surfaceOf(const Scan& scan, const char* role, const Progress& prog
     SurfacePoints surface;
     surface.points = &scan.points_mm;
     if (scan.isMesh()) {
-        surface.samples = sampleSurface(scan, kMeshSamples, 0, progress);
+        surface.samples = sampleSurface(scan, meshSamples, 0, progress);
         surface.points = &surface.samples.points_mm;
     }
     checkPoints(*surface.points, role, progress);
     return surface;
 }
 
-/// What the two parts turned out to be, and what follows for the method.
+/// Axis fits of the two parts and the method that follows.
 struct Plan {
     CompareMethod method = CompareMethod::Plane;
     TurnedPart reference;
@@ -71,7 +71,7 @@ Note methodNote(const char* method, Text reason, const Plan& plan)
     return note;
 }
 
-/// Fits axes where they matter and decides. Error notABodyOfRevolution when one was asked for.
+/// Fits axes where needed and chooses the method. Error notABodyOfRevolution when the parameters require one.
 Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy, const CompareParameters& asked,
               Notes& notes, const Progress& progress)
 {
@@ -84,7 +84,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
         if (is_auto) notes.push_back(methodNote("plane", LT_TEXT("Engine", "symmetry is not to be used"), plan));
         return plan;
     }
-    // Side by side: each has stretches that only one core can work on. The copy's may turn out not to be needed.
+    // In parallel: each has serial sections. The copy's fit may turn out not to be needed.
     const bool bothWanted = forced || is_auto;
     parallelFor(bothWanted ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -97,7 +97,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
     remarkRevolution(plan.reference.fit, "reference", notes);
     if (forced && !plan.reference_turned) refuseRevolution(plan.reference.fit, "reference");
-    if (plan.reference_turned) faceForward(plan.reference.fit);
+    if (plan.reference_turned) orientAxis(plan.reference.fit);
     if (!forced && (!is_auto || !plan.reference_turned)) {
         plan.copy = {};
         if (is_auto)
@@ -107,7 +107,7 @@ Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d
     const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
     remarkRevolution(plan.copy.fit, "copy", notes);
     if (forced && !copy_turned) refuseRevolution(plan.copy.fit, "copy");
-    if (copy_turned) faceForward(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
+    if (copy_turned) orientAxis(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
     plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;
     if (is_auto)
         notes.push_back(copy_turned
@@ -146,7 +146,7 @@ void measureDeviations(const Scan& reference, const GeneralReference* prepared, 
     result.deviation_mm = std::move(surface.deviation_mm);
     direction = std::move(surface.direction);
     if (surface.has_sign || !line) return;
-    // Facets of contradicting senses: the distance to them stands, the meridian tells the side.
+    // Facets with contradicting orientation: the distance is to the facets, the sign from the meridian.
     const std::vector<float> sides = toMeridian();
     for (std::size_t i = 0; i < sides.size(); ++i)
         result.deviation_mm[i] = std::isnan(sides[i]) ? sides[i] : std::copysign(result.deviation_mm[i], sides[i]);
@@ -176,17 +176,17 @@ void measureDrawn(const Contour& meridian, const std::vector<Vector3d>& moved_co
     });
 }
 
-/// Facets of a coarse mesh are no form of the part: they are named, with what they amount to.
+/// The facets of a coarse mesh are no form error of the part: a note gives their sagitta.
 void noteCoarseFacets(const Scan& scan, const char* role, const RevolutionFit& fit, double size_mm, Notes& notes,
                       const Progress& progress)
 {
     if (!scan.isMesh()) return;
     const double sagitta = facetSagitta_mm(scan, fit.axis_T_scan, progress);
-    if (sagitta > kCoarse * size_mm)
+    if (sagitta > coarseSagittaShare * size_mm)
         notes.push_back({notes::facetsCoarse, {{"role", std::string(role)}, {"sagitta_mm", sagitta}}});
 }
 
-/// Without an axis nothing can be said along it.
+/// Without an axis there are no zones along it.
 void refuseAlongAxis(const CompareParameters& asked)
 {
     const auto refuse = [](const char* parameter, Value found) {
@@ -226,7 +226,7 @@ void summariseDeviations(CompareResult& result, const LeftOut& left_out, double 
     const auto count = static_cast<double>(result.used.size());
     const auto in_question = count - static_cast<double>(left_out.zones);
     const double near_percent = in_question > 0 ? 100 * static_cast<double>(deviations.size()) / in_question : 0;
-    if (near_percent < kLeastOverlap) throw Error(errors::partsDoNotMatch, {{"overlap_percent", near_percent}});
+    if (near_percent < leastOverlap_percent) throw Error(errors::partsDoNotMatch, {{"overlap_percent", near_percent}});
     result.statistics = summarise(deviations, progress);
     result.statistics.points_excluded = static_cast<std::int64_t>(result.used.size() - deviations.size());
     result.statistics.overlap_percent = 100 * static_cast<double>(deviations.size()) / count;
@@ -293,7 +293,7 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
                           reach_mm, result, direction, own);
     };
     remeasure(measuring.part(0, 0.8));
-    // The scatter of a part of any shape is known only now, and what was out of reach adds to it.
+    // The scatter of a general part is known only after the first deviations; the reach is adapted to it.
     for (int i = 0; i < 3 && plan.method != CompareMethod::Revolution && !parameters.max_distance_mm; ++i) {
         const double reach = defaultReach_mm(size_mm, noise_mm, scatterOf(finiteOf(result.deviation_mm)));
         if (reach < 1.05 * reach_mm) break;
@@ -315,7 +315,7 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
         left_out.far += result.used[i] ? 0 : 1;
     }
     if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
-    // The noise of a scan is no deviation of its surface from itself: single points keep theirs, local means are 0.
+    // A scan compared with itself: single points keep their deviation, local means are 0.
     const bool is_same = reference_scan.points_mm == copy_scan.points_mm;
     std::vector<float> own_noise;
     if (is_same) {
@@ -343,7 +343,7 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
         result.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
         result.sampling_floor_mm = clouds.sampling_floor_mm;
     };
-    // Side by side: each has stretches that only one core can work on, and neither needs the other.
+    // In parallel: each has serial sections, and they are independent.
     parallelFor(in_full ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             if (i == 0)

@@ -15,7 +15,7 @@ namespace {
 const report::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), unit::mm};
 const report::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), unit::mm};
 
-/// The share of the largest values that may run over the edge of a plot: single bins at shoulders.
+/// Share of the values that may exceed the range of a plot: single bins at shoulders.
 constexpr double ordinaryShare = 0.98;
 
 /// The value below which `share` of the finite |values| lie; 0 when there are none.
@@ -42,7 +42,7 @@ std::string signedNumber(double value_mm, const Language& language)
     return (value_mm < 0 ? "−" : "+") + text(shownValue(std::abs(value_mm), millimetre, language), language);
 }
 
-/// Zones with their names and their own limits, and what is left out.
+/// Zones with their names and limits, and excluded zones.
 void addZones(report::Plot& plot, const CompareParameters& parameters)
 {
     for (const Interval& left_out : parameters.exclude_z_mm)
@@ -59,7 +59,7 @@ void addZones(report::Plot& plot, const CompareParameters& parameters)
             report::Curve line{{}, {zone.z_start_mm, zone.z_end_mm}, {limit_mm, limit_mm}};
             line.style = report::Curve::Style::Dashed;
             line.colour = report::ColourRole::Limit;
-            line.spoken = false;
+            line.has_readout = false;
             plot.curves.push_back(std::move(line));
         }
         plot.marks.push_back({middle, *zone.upper_mm, zone.name});
@@ -70,7 +70,7 @@ void addZones(report::Plot& plot, const CompareParameters& parameters)
 
 double colourLimit_mm(const CompareResult& result, bool with_tolerance)
 {
-    double wanted = result.windows ? formReach_mm(*result.windows, ordinaryShare) : 0;
+    double wanted = result.windows ? formLimit_mm(*result.windows, ordinaryShare) : 0;
     if (!(wanted > 0))
         wanted =
             result.unrolled ? quantileOfSize(result.unrolled->mean_mm, ordinaryShare) : result.statistics.p95_abs_mm;
@@ -80,15 +80,15 @@ double colourLimit_mm(const CompareResult& result, bool with_tolerance)
     return report::niceLimit(std::isfinite(wanted) && wanted > 0 ? wanted : 0.01);
 }
 
-double sureOfColours_mm(const CompareResult& result)
+double colourSigmaLimit_mm(const CompareResult& result)
 {
-    return kSureShareOfScale * colourLimit_mm(result, false);
+    return uncertaintyShareOfScale * colourLimit_mm(result, false);
 }
 
 std::vector<float> localMeansOfMap(const CompareResult& result, const Progress& progress)
 {
     if (!result.windows || result.windows->windows.empty()) return result.unrolled->mean_mm;
-    return meansOf(*result.windows, windowsOfMap(result, progress), sureOfColours_mm(result));
+    return meansOf(*result.windows, windowsOfMap(result, progress), colourSigmaLimit_mm(result));
 }
 
 report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, std::span<const float> form_mm)
@@ -116,7 +116,7 @@ report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, 
     if (with_tolerance)
         map.tolerance = result.parameters.tolerance_mm;
     else {
-        map.steps = kContourSteps;
+        map.steps = contourSteps;
         map.marked = result.parameters.tolerance_mm;
     }
     return map;
@@ -165,7 +165,7 @@ double magnification(const CompareResult& result)
         }
     const double typical_mm = quantileOfSize(meridian.deviation_mm, 0.95);
     if (!(high >= low) || !(typical_mm > 0)) return 1;
-    // Large enough to be seen beside the radii, small enough not to hide the shape.
+    // Visible beside the radii without distorting the shape.
     const double room_mm = 0.35 * std::max(high - low, 0.1 * high);
     double most = room_mm / typical_mm;
     // A face moves along the axis: not further than a tenth of the part.
@@ -193,13 +193,13 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
     plot.x = zAxis;
     plot.x.range = axisRange(result);
     plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};
-    /// The original's radius with something of each place, magnified, on it.
+    /// The original's radius plus a magnified quantity of each place.
     const auto curve = [&](const report::Caption& name, report::Curve::Style style, report::ChartColour colour,
                            const auto& added_mm) {
         report::Curve drawn{name, meridian.z_mm, radius_mm, style, {}, colour};
         for (std::size_t i = 0; i < radius_mm.size(); ++i) drawn.y[i] += factor * added_mm(i);
         if (style == report::Curve::Style::Band) drawn.y_low = radius_mm;
-        drawn.spoken = style == report::Curve::Style::Line;
+        drawn.has_readout = style == report::Curve::Style::Line;
         return drawn;
     };
     const auto deviation = [&](std::size_t i) { return meridian.deviation_mm[i]; };
@@ -210,8 +210,8 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
                    curve(LT_TEXT("Engine", "original"), report::Curve::Style::Line, report::ColourRole::Original,
                          [](std::size_t) { return 0; }),
                    curve(LT_TEXT("Engine", "copy"), report::Curve::Style::Line, report::ColourRole::Copy, deviation)};
-    plot.curves.back().said = meridian.deviation_mm;
-    plot.curves.back().said_unit = unit::mm;
+    plot.curves.back().readout_y = meridian.deviation_mm;
+    plot.curves.back().readout_unit = unit::mm;
     if (tolerance_mm)
         for (const double sign : {1.0, -1.0})
             plot.curves.push_back(curve(sign > 0 ? "± " + text(Value(*tolerance_mm), language) + " mm" : std::string(),
@@ -221,9 +221,9 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
         plot.regions.push_back(report::stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone,
                                                report::ColourRole::Neutral));
 
-    // Single bins at shoulders may run over the edge: they would press everything else flat.
+    // Single bins at shoulders may exceed the range: they would compress all other values.
     double ordinary_mm = 1.3 * quantileOfSize(meridian.deviation_mm, ordinaryShare);
-    if (tolerance_mm)  // the band is seen, unless it dwarfs the error
+    if (tolerance_mm)  // the band is shown unless it is much larger than the error
         ordinary_mm = std::max(ordinary_mm, std::min(1.1 * *tolerance_mm, 4 * ordinary_mm));
     Interval shown{HUGE_VAL, -HUGE_VAL};
     for (const double radius : radius_mm)

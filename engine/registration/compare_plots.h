@@ -9,19 +9,19 @@
 
 namespace lathelier::registration {
 
-/// Deviations over length and angle, as local means that are sure (surface_form.h): with the tolerance band in green,
-/// or plain, which shows the form of the error also within the band. result.unrolled has to be there. `form_mm`:
-/// localMeansOfMap(result), where they are known already.
+/// Deviations over length and angle, as local means of sufficient certainty (surface_form.h): with the tolerance band
+/// in green, or plain, which shows the form of the error also within the band. result.unrolled has to be there.
+/// `form_mm`: localMeansOfMap(result), where they are known already.
 report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, std::span<const float> form_mm = {});
 
-/// What the map shows in its cells, z slow; NaN where it has no colour. result.unrolled has to be there.
+/// Values of the map's cells, row-major, z slow; NaN: no colour. result.unrolled has to be there.
 std::vector<float> localMeansOfMap(const CompareResult& result, const Progress& progress = {});
 
 /// Mean deviation along the axis with its scatter and the tolerance. result.meridian has to be there.
 report::Plot deviationAlongAxis(const CompareResult& result, const Language& language = {});
 
 /// Half section of the original and of the copy, whose deviation is drawn `factor` times larger (default:
-/// magnification()), with what is in excess and what is missing shaded, the tolerance and the zones left out.
+/// magnification()), with excess and missing material shaded, the tolerance and the zones left out.
 /// result.meridian has to be there. The curves are excess, missing, original, copy, then the tolerance.
 report::Plot magnifiedMeridian(const CompareResult& result, const Language& language = {},
                                std::optional<double> factor = {});
@@ -36,12 +36,12 @@ report::Plot histogramPlot(const CompareResult& result, const Language& language
                            std::optional<double> limit_mm = {});
 
 /// Contours of the form on each side of 0.
-inline constexpr int kContourSteps = 6;
+inline constexpr int contourSteps = 6;
 
-/// The limit of the colour scale: readable, most local means within it, and room beyond the tolerance band.
+/// The limit of the colour scale: a round number, with most local means and the tolerance band within it.
 double colourLimit_mm(const CompareResult& result, bool with_tolerance = true);
 
 /// Standard uncertainty up to which a local mean has a colour: small against the scale without tolerance.
-double sureOfColours_mm(const CompareResult& result);
+double colourSigmaLimit_mm(const CompareResult& result);
 
 }  // namespace lathelier::registration

@@ -25,7 +25,7 @@ std::vector<double> transformOf(const Alignment& alignment)
     return {matrix.data(), matrix.data() + matrix.size()};
 }
 
-/// The statistics within the result: what needs a sign is not given where the deviations have none.
+/// The statistics within the result: signed quantities are not given for unsigned deviations.
 std::vector<QuantityOf<CompareResult>> statisticsWithin()
 {
     std::vector<QuantityOf<CompareResult>> result = included(&CompareResult::statistics);

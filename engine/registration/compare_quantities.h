@@ -1,4 +1,4 @@
-// What a comparison found, described once: JSON of the command line, tables of report and screen.
+// Description of the results of a comparison, for JSON, report and tables.
 #pragma once
 
 #include "engine/core/quantities.h"
@@ -20,7 +20,7 @@ const std::vector<QuantityOf<Histogram>>& quantitiesOf(const Histogram*);
 const std::vector<QuantityOf<CompareResult>>& quantitiesOf(const CompareResult*);
 
 /// All numbers of the result but the deviations of single points. `notes` and `parameters` are not included: the
-/// command adds them for every verb alike. Numbers that do not exist are null.
+/// command line adds them for every verb. Numbers that do not exist are null.
 Json toJson(const CompareResult& result);
 
 }  // namespace lathelier::registration

@@ -285,7 +285,7 @@ report::Section compareSummary(const CompareResult& result, const Language& lang
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
     if (!result.findings.empty()) section.blocks.push_back(findingsTable(result));
-    section.blocks.push_back(verdictTable(result));  // beside the next one on paper
+    section.blocks.push_back(verdictTable(result));  // printed beside the next one
     section.blocks.push_back(statisticsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
@@ -300,7 +300,7 @@ report::Document compareReport(const CompareResult& result, const std::vector<In
     document.inputs = inputs;
     document.synthetic = contains(result.notes, notes::syntheticData);
     report::Section summary = compareSummary(result, language);
-    if (result.meridian)  // what the answer is about, seen at once
+    if (result.meridian)  // the picture beside the answer
         summary.blocks.insert(summary.blocks.begin() + 1, deviationAlongAxis(result, language));
     document.sections = {std::move(summary),
                          whereSection(result, language, std::move(pictures)),

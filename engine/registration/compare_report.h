@@ -8,19 +8,19 @@
 
 namespace lathelier::registration {
 
-/// The worst place with its uncertainty against the limit and what differs most, by the rule of the surface; else the
+/// By the rule surface the worst place with its uncertainty against the limit and the largest finding; else the
 /// RMS deviation: the same on the command line, in the panel and in the report.
 report::Answer answer(const CompareResult& result, const Language& language = {});
 
-/// Answer, verdict with the worst place, what differs, statistics and notes: the first section of the report, and what
+/// Answer, verdict with the worst place, findings, statistics and notes: the first section of the report, and what
 /// the command line prints.
 report::Section compareSummary(const CompareResult& result, const Language& language = {});
 
 /// One row for each zone, with name, limits and verdict where there are any.
 report::Table zonesTable(const CompareResult& result);
 
-/// Everything the result holds, the most wanted first: answer, verdict, what differs, statistics, notes; where
-/// (pictures, unrolled map, deviation along the axis, meridian, zones); distribution; how sure; method and parameters.
+/// The complete result, the most important first: answer, verdict, findings, statistics, notes; location (pictures,
+/// unrolled map, deviation along the axis, meridian, zones); distribution; uncertainty; method and parameters.
 report::Document compareReport(const CompareResult& result, const std::vector<InputFile>& inputs,
                                const Language& language = {}, std::vector<report::Picture> pictures = {});
 

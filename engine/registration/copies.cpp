@@ -58,7 +58,7 @@ report::Plot copiesTrend(const std::vector<CopySummary>& copies, const ComparePa
     report::Curve reach{LT_TEXT("Engine", "± U (k = 2)"), {}, {}};
     worst.colour = reach.colour = report::ColourRole::Copy;
     mean.colour = report::ColourRole::Original;
-    reach.spoken = false;
+    reach.has_readout = false;
     for (std::size_t i = 0; i < copies.size(); ++i) {
         const auto number = static_cast<double>(i + 1);
         const CopySummary& copy = copies[i];

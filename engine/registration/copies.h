@@ -1,4 +1,4 @@
-// Several copies held against one original: a line for each, and the trend from one to the next.
+// Several copies compared with one original: a table row for each, and the trend over the copies.
 #pragma once
 
 #include <limits>
@@ -15,7 +15,7 @@ namespace lathelier::registration {
 
 /// What is kept of one copy's comparison.
 struct CopySummary {
-    std::string name;                ///< what people call it: its file
+    std::string name;                ///< display name: that of its file
     std::optional<Verdict> verdict;  ///< none: nothing was judged
     std::optional<WorstPlace> worst;
     double mean_mm = std::numeric_limits<double>::quiet_NaN();     ///< of the signed deviations
@@ -27,7 +27,7 @@ struct CopySummary {
 
 CopySummary summaryOf(std::string name, const CompareResult& result);
 
-/// One row for each copy, in the order of `copies`; what could not be compared says why.
+/// One row for each copy, in the order of `copies`; a failed comparison gives its error.
 report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language = {});
 
 /// The worst local deviation with its expanded uncertainty, and the mean, over the number of the copy, with the

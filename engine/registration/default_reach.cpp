@@ -10,7 +10,7 @@ namespace {
 
 constexpr double leastReachShare = 0.006;
 constexpr double farthest = 0.02;
-constexpr double no_surface = 0.01;
+constexpr double largestNoiseShare = 0.01;
 
 }  // namespace
 
@@ -29,7 +29,7 @@ double robustSize_mm(const std::vector<Eigen::Vector3d>& points_mm)
 
 double defaultReach_mm(double size_mm, double noise_mm, double scatter_mm)
 {
-    const double noise = noise_mm <= no_surface * size_mm ? noise_mm : 0;
+    const double noise = noise_mm <= largestNoiseShare * size_mm ? noise_mm : 0;
     return std::max({leastReachShare * size_mm, 10 * noise, std::min(10 * scatter_mm, farthest * size_mm)});
 }
 

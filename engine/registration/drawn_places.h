@@ -1,4 +1,4 @@
-// A stratified sample: places spread evenly over a sequence, none of them in step with it.
+// A stratified sample: places spread evenly over a sequence, not periodic.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace lathelier::registration {
 
-/// One place among 0…size-1 from each of `count` equal stretches, drawn within it, so that no grid of a scanner is met
-/// in step. `count` is at most `size`.
+/// One place among 0…size-1 from each of `count` equal stretches, drawn at random within it, so that there is no
+/// aliasing with the grid of a scanner. `count` is at most `size`.
 inline std::vector<std::size_t> drawnPlaces(std::size_t size, std::size_t count, std::uint64_t seed)
 {
     std::vector<std::size_t> places(count);

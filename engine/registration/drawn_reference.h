@@ -6,10 +6,10 @@
 
 namespace lathelier::registration {
 
-/// A reference that is known by its drawing.
+/// A reference given by its drawing.
 struct DrawnReference {
-    Scan mesh;         ///< closed, z along the axis: what the copy is aligned with
-    Contour meridian;  ///< as closedContour() gives it, in the frame of the mesh: what deviations are measured from
+    Scan mesh;         ///< closed, z along the axis: target of the alignment
+    Contour meridian;  ///< as closedContour() gives it, in the frame of the mesh: reference of the deviations
 };
 
 /// The same against a drawing: deviations are exact distances to its meridian (core/contour_distance.h).

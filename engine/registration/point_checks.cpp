@@ -8,7 +8,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kLargest_mm = 1e7;  // beyond ten kilometres, squares of differences lose micrometres
+constexpr double largestCoordinate_mm = 1e7;  // beyond ten kilometres, squares of differences lose micrometres
 
 }  // namespace
 
@@ -16,8 +16,8 @@ void checkPoints(const std::vector<Eigen::Vector3d>& points, const char* role, c
                  std::size_t least)
 {
     try {
-        const PointSpread spread = spreadOf(points, least, kLargest_mm, progress);
-        // Rounding of the coordinates themselves must not look like a shape.
+        const PointSpread spread = spreadOf(points, least, largestCoordinate_mm, progress);
+        // An extent within the rounding of the coordinates counts as none.
         const double rounding = 1e-7 * spread.largest_mm;
         refuseDegenerate(spread, rounding, std::max(1e-6 * spread.extent_mm[2], rounding));
     } catch (const Error& error) {

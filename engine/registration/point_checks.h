@@ -1,4 +1,4 @@
-// What has to be refused before any alignment is tried.
+// Checks of the points before an alignment.
 #pragma once
 
 #include <Eigen/Core>

@@ -92,7 +92,7 @@ Scan refined(const Scan& mesh)
     return result;
 }
 
-/// As far as a scan that was laid on roughly may lie; a search over all poses would take seconds.
+/// A small initial offset; a search over all poses would take seconds.
 Eigen::Isometry3d nearPose(int set)
 {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -101,7 +101,7 @@ Eigen::Isometry3d nearPose(int set)
     return pose;
 }
 
-/// A closed L with unequal legs: turned in no way does it fit itself.
+/// A closed L with unequal legs: it has no rotational symmetry.
 Scan angleSection()
 {
     Scan mesh;

@@ -1,4 +1,4 @@
-// What can be verified of the comparison of scans: made parts with a known pose and known deviations.
+// Verification of the comparison of scans with synthetic parts of known pose and known deviations.
 #pragma once
 
 #include "engine/core/verification.h"

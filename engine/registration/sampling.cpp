@@ -16,23 +16,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kPlaces = 12;
-constexpr std::size_t kPatch = 1200;  // samples around each place
-constexpr std::size_t kNearest = 32;  // samples whose circle gives the area of one
+constexpr std::size_t placeCount = 12;
+constexpr std::size_t patchSamples = 1200;  // samples around each place
+constexpr std::size_t areaNeighbours = 32;  // neighbours whose circle gives the area per sample
 
 }  // namespace
 
 std::vector<Vector3d> samplingPlaces(const std::vector<Vector3d>& points_mm)
 {
     std::vector<Vector3d> places;
-    for (std::size_t k = 0; k < kPlaces && !points_mm.empty(); ++k)
-        places.push_back(points_mm[(2 * k + 1) * points_mm.size() / (2 * kPlaces)]);
+    for (std::size_t k = 0; k < placeCount && !points_mm.empty(); ++k)
+        places.push_back(points_mm[(2 * k + 1) * points_mm.size() / (2 * placeCount)]);
     return places;
 }
 
 std::size_t samplingNeighbours(std::size_t points)
 {
-    return std::min(kPatch, points / 4);
+    return std::min(patchSamples, points / 4);
 }
 
 SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighbours& index, const Progress& progress)
@@ -54,7 +54,7 @@ SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighb
 
     std::vector<double> nearest, area;
     for (const std::vector<Vector3d>& patch : patches) {
-        if (patch.size() < 2 * kNearest) continue;
+        if (patch.size() < 2 * areaNeighbours) continue;
         Vector3d mean = Vector3d::Zero();
         for (const Vector3d& p : patch) mean += p / static_cast<double>(patch.size());
         Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -71,9 +71,9 @@ SamplingFloor samplingFloor(const std::vector<Vector3d>& points_mm, const Neighb
                 const Vector3d off = p - centre;
                 distances.push_back((off - normal * normal.dot(off)).squaredNorm());
             }
-            std::nth_element(distances.begin(), distances.begin() + kNearest, distances.end());
-            area.push_back(std::numbers::pi * distances[kNearest] / (kNearest + 0.5));
-            std::partial_sort(distances.begin(), distances.begin() + 2, distances.begin() + kNearest);
+            std::nth_element(distances.begin(), distances.begin() + areaNeighbours, distances.end());
+            area.push_back(std::numbers::pi * distances[areaNeighbours] / (areaNeighbours + 0.5));
+            std::partial_sort(distances.begin(), distances.begin() + 2, distances.begin() + areaNeighbours);
             nearest.push_back(std::sqrt(distances[1]));
         }
     }

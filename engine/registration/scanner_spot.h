@@ -1,9 +1,9 @@
-// What the spot of an optical scanner does to a surface.
+// Effect of the spot of an optical scanner near edges.
 #pragma once
 
 namespace lathelier::registration {
 
-/// The scanner's spot smears what lies nearer to an edge.
+/// Distance from an edge within which the scanner's spot smears the surface.
 inline constexpr double smearedEdge_mm = 0.5;
 
 }  // namespace lathelier::registration

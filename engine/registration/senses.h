@@ -1,4 +1,4 @@
-// Which of many pieces of surface agree in their sense, as far as that is known.
+// Relative orientation of pieces of surface (union-find with parity).
 #pragma once
 
 #include <algorithm>

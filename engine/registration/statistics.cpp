@@ -105,7 +105,7 @@ DeviationStatistics summarise(std::span<const float> values, const Progress& pro
             s.p2_5_mm = own[0];
             s.median_mm = own[1];
             s.p97_5_mm = own[2];
-            s.mad_sigma_mm = mad_to_sigma * offFrom(s.median_mm, 0.5);
+            s.mad_sigma_mm = madToSigma * offFrom(s.median_mm, 0.5);
         } else {
             s.p95_abs_mm = offFrom(0, 0.95);
         }
@@ -120,9 +120,10 @@ Histogram histogramOf(std::span<const float> values, const Progress& progress)
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const std::vector<double> middle = quantiles(values, {0.25, 0.75});
     const double range = static_cast<double>(*high) - *low;
-    // Freedman and Diaconis would give thousands of bins for a scan; a sixteenth of the middle half shows its shape.
+    // The rule of Freedman and Diaconis would give thousands of bins for a scan; a sixteenth of the interquartile range
+    // is used instead.
     const double fine = (middle[1] - middle[0]) / 16;
-    // Bins narrower than the distance of two floats cannot tell values apart, and their edges would be rounded.
+    // Bins narrower than the spacing of floats are useless, and their edges would be rounded.
     const double resolution = std::numeric_limits<float>::epsilon() * std::max(std::abs(*low), std::abs(*high));
     const double width = roundUp(std::max({fine, range / 498, resolution, 1e-9}));
     const double first = std::floor(*low / width);

@@ -14,12 +14,13 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kOutside_mm = 1;  // a place so far outside a window is still coloured by it
-constexpr double kForm = 4;        // standard uncertainties: more between a window and the next is form
-constexpr std::uint32_t kReachPlaces = 4096;
+constexpr double windowMargin_mm = 1;  // largest distance of a place from the window that colours it
+constexpr double formSigmas =
+    4;  // a larger difference between a window and the next wider one is form, in standard uncertainties
+constexpr std::uint32_t reachSamples = 4096;
 constexpr std::size_t windowsPerTask = 16384;
-constexpr std::size_t kRun = 256;  // queries that are asked together: neighbours in the file mostly are in space
-constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t queryBatch = 256;  // queries per batch: neighbours in the file are mostly neighbours in space
+constexpr float noMean = std::numeric_limits<float>::quiet_NaN();
 
 /// Radius of the reference's meridian; NaN where it has no single one.
 double radiusAt_mm(const Meridian& meridian, double z_mm)
@@ -29,7 +30,7 @@ double radiusAt_mm(const Meridian& meridian, double z_mm)
     return meridian.reference_radius_mm[static_cast<std::size_t>(after - meridian.z_mm.begin())];
 }
 
-/// The smallest windows by their places, found again from any place of the surface.
+/// An index of the smallest windows by their places on the surface.
 class SmallestWindows {
 public:
     /// result.windows has to be there, with windows in it.
@@ -42,13 +43,13 @@ public:
     {
     }
 
-    /// The windows about places on the reference's surface, in its frame; kNoWindow where none is near.
+    /// The windows about places on the reference's surface, in its frame; noWindow where none is near.
     void find(std::span<const Eigen::Vector3d> places_mm, std::span<std::uint32_t> windows) const
     {
         std::vector<Neighbours::Found> found(places_mm.size());
         index_.nearest(places_mm, std::numeric_limits<double>::infinity(), found);
         for (std::size_t i = 0; i < places_mm.size(); ++i) {
-            windows[i] = kNoWindow;
+            windows[i] = noWindow;
             if (found[i].place == Neighbours::Found::none) continue;
             const std::uint32_t window = numbers_[index_.input(found[i].place)];
             if (isNear(all_.windows[window], places_mm[i], std::sqrt(found[i].squared_mm2))) windows[i] = window;
@@ -78,19 +79,20 @@ private:
     bool isNear(const SurfaceWindow& window, const Eigen::Vector3d& place_mm, double distance_mm) const
     {
         if (!all_.axis_T_reference || window.stretch < 0)
-            return distance_mm <= kOutside_mm + static_cast<double>(window.size_mm);
+            return distance_mm <= windowMargin_mm + static_cast<double>(window.size_mm);
         const Eigen::Vector3d along = *all_.axis_T_reference * place_mm;
         const MeridianStretch& stretch = all_.stretches[static_cast<std::size_t>(window.stretch)];
         const double radius = along.head<2>().norm();
         if (stretch.isFace())
-            return std::abs(along.z() - stretch.start_mm) <= kOutside_mm && radius >= stretch.inner_mm - kOutside_mm &&
-                   radius <= stretch.outer_mm + kOutside_mm;
+            return std::abs(along.z() - stretch.start_mm) <= windowMargin_mm &&
+                   radius >= stretch.inner_mm - windowMargin_mm && radius <= stretch.outer_mm + windowMargin_mm;
         const double beyond = std::max(stretch.start_mm - along.z(), along.z() - stretch.end_mm);
         const double off_mm = std::abs(radius - surfaceRadius_mm(stretch, along.z()));
-        return beyond <= kOutside_mm && off_mm <= kOutside_mm &&
+        return beyond <= windowMargin_mm && off_mm <= windowMargin_mm &&
                static_cast<double>(window.z_start_mm) - along.z() <=
-                   kOutside_mm + static_cast<double>(window.size_mm) &&
-               along.z() - static_cast<double>(window.z_end_mm) <= kOutside_mm + static_cast<double>(window.size_mm);
+                   windowMargin_mm + static_cast<double>(window.size_mm) &&
+               along.z() - static_cast<double>(window.z_end_mm) <=
+                   windowMargin_mm + static_cast<double>(window.size_mm);
     }
 
     /// Of the reference's surface: that of its meridian, or where there is none, as in a bore, of the stretch as a
@@ -118,7 +120,7 @@ bool hasSmallest(const SurfaceWindows& all)
 std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult& result, const Progress& progress)
 {
     const SurfaceWindows& all = *result.windows;
-    std::vector<std::uint32_t> windows(copy.points_mm.size(), kNoWindow);
+    std::vector<std::uint32_t> windows(copy.points_mm.size(), noWindow);
     if (!hasSmallest(all)) return windows;
     const SmallestWindows smallest(result, true, progress);
     const Eigen::Isometry3d& reference_T_copy = result.alignment.reference_T_copy;
@@ -136,7 +138,7 @@ std::vector<std::uint32_t> windowsOfPoints(const Scan& copy, const CompareResult
             if (!result.used[i]) continue;
             places.emplace_back(reference_T_copy * copy.points_mm[i]);
             numbers.push_back(static_cast<std::uint32_t>(i));
-            if (places.size() == kRun) flush();
+            if (places.size() == queryBatch) flush();
         }
         flush();
     });
@@ -147,7 +149,7 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
 {
     const UnrolledMap& map = *result.unrolled;
     const auto angles = static_cast<std::size_t>(map.angle_count);
-    std::vector<std::uint32_t> windows(static_cast<std::size_t>(map.z_count) * angles, kNoWindow);
+    std::vector<std::uint32_t> windows(static_cast<std::size_t>(map.z_count) * angles, noWindow);
     if (!result.windows || !hasSmallest(*result.windows) || !result.meridian || !result.axis_T_reference)
         return windows;
     // The map is unrolled from the sides: no face has a place on it.
@@ -166,63 +168,63 @@ std::vector<std::uint32_t> windowsOfMap(const CompareResult& result, const Progr
                     reference_T_axis * Eigen::Vector3d(radius_mm * std::cos(angle), radius_mm * std::sin(angle), z);
             }
             smallest.find(places, std::span(windows).subspan(row * angles, angles));
-            // Where the copy has no points the map has no colour, however near the next window is.
+            // Cells without points of the copy stay empty, even near a window.
             for (std::size_t a = 0; a < angles; ++a)
-                if (std::isnan(map.mean_mm[row * angles + a])) windows[row * angles + a] = kNoWindow;
+                if (std::isnan(map.mean_mm[row * angles + a])) windows[row * angles + a] = noWindow;
         }
     });
     return windows;
 }
 
-float meanOf(const SurfaceWindows& all, std::uint32_t place, double sure_mm)
+float meanOf(const SurfaceWindows& all, std::uint32_t place, double sigma_limit_mm)
 {
-    while (place != SurfaceWindow::kNone) {
+    while (place != SurfaceWindow::noWiderWindow) {
         const SurfaceWindow& window = all.windows[place];
-        if (static_cast<double>(window.sigma_mm) <= sure_mm) return window.mean_mm;
-        if (window.wider == SurfaceWindow::kNone) break;
+        if (static_cast<double>(window.sigma_mm) <= sigma_limit_mm) return window.mean_mm;
+        if (window.wider == SurfaceWindow::noWiderWindow) break;
         const SurfaceWindow& wider = all.windows[window.wider];
-        // The wider window holds the other: the variance of their difference is that of the means' difference.
+        // The wider window contains the other: the variance of the difference is the difference of the variances.
         const double variance = std::max(
             0.0, std::pow(static_cast<double>(window.sigma_mm), 2) - std::pow(static_cast<double>(wider.sigma_mm), 2));
         const double apart = std::abs(static_cast<double>(wider.mean_mm) - static_cast<double>(window.mean_mm));
-        if (apart > kForm * std::sqrt(variance) && apart > sure_mm) return window.mean_mm;
+        if (apart > formSigmas * std::sqrt(variance) && apart > sigma_limit_mm) return window.mean_mm;
         place = window.wider;
     }
-    return kNothing;
+    return noMean;
 }
 
-std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uint32_t>& places, double sure_mm)
+std::vector<float> meansOf(const SurfaceWindows& all, const std::vector<std::uint32_t>& places, double sigma_limit_mm)
 {
     // Each of the smallest windows once, though many places lie in it.
-    std::vector<float> mean(all.windows.size(), kNothing);
+    std::vector<float> mean(all.windows.size(), noMean);
     for (std::uint32_t i = 0; i < all.windows.size() && all.windows[i].smallest; i += all.about)
-        mean[i] = meanOf(all, i, sure_mm);
+        mean[i] = meanOf(all, i, sigma_limit_mm);
     std::vector<float> means(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) means[i] = places[i] == kNoWindow ? kNothing : mean[places[i]];
+    for (std::size_t i = 0; i < places.size(); ++i) means[i] = places[i] == noWindow ? noMean : mean[places[i]];
     return means;
 }
 
-double formReach_mm(const SurfaceWindows& all, double share)
+double formLimit_mm(const SurfaceWindows& all, double share)
 {
     std::uint32_t smallest = 0;
     while (smallest < all.windows.size() && all.windows[smallest].smallest) smallest += all.about;
-    // Some thousands of places tell a quantile, and this is asked for at every drag of a limit.
-    const std::uint32_t step = all.about * std::max(1U, smallest / all.about / kReachPlaces);
-    // From coarse to fine, until the means are sure against what they reach themselves.
+    // A sample of some thousand places suffices for a quantile; this is called during every drag of a limit.
+    const std::uint32_t step = all.about * std::max(1U, smallest / all.about / reachSamples);
+    // From coarse to fine, until the uncertainty of the means is small against their own range.
     double reach_mm = 0;
     std::vector<float> sizes;
-    for (double sure_mm = std::max(all.scatter_mm, 1e-6); sure_mm > 1e-7; sure_mm /= 2) {
+    for (double sigma_limit_mm = std::max(all.scatter_mm, 1e-6); sigma_limit_mm > 1e-7; sigma_limit_mm /= 2) {
         sizes.clear();
         std::size_t places = 0;
         for (std::uint32_t i = 0; i < smallest; i += step) {
             ++places;
-            const float mean = meanOf(all, i, sure_mm);
+            const float mean = meanOf(all, i, sigma_limit_mm);
             if (!std::isnan(mean)) sizes.push_back(std::abs(mean));
         }
-        if (sizes.empty() || sizes.size() * 10 < places * 9) break;  // finer than the data carry
+        if (sizes.empty() || sizes.size() * 10 < places * 9) break;  // finer than the uncertainty of the data allows
         const auto size = static_cast<double>(lowerQuantileInPlace(sizes, share));
-        if (sure_mm <= kSureShareOfScale * size) return size;
-        reach_mm = sure_mm / kSureShareOfScale;
+        if (sigma_limit_mm <= uncertaintyShareOfScale * size) return size;
+        reach_mm = sigma_limit_mm / uncertaintyShareOfScale;
     }
     return reach_mm;
 }

@@ -48,14 +48,14 @@ void Surroundings::improve(const Eigen::Vector3d& query_mm, Neighbours::Found& b
 
 bool Surroundings::nearest(const Eigen::Vector3d& query_mm, std::size_t count, std::vector<Neighbours::Found>& found)
 {
-    constexpr std::size_t leaf_size = Neighbours::leaf_size;
-    inside_.resize(leaves_.size() * leaf_size + 1);
+    constexpr std::size_t leafSize = Neighbours::leafSize;
+    inside_.resize(leaves_.size() * leafSize + 1);
     std::size_t inside = 0;
     for (const std::uint32_t leaf : leaves_) {
-        alignas(64) double squared[leaf_size];
+        alignas(64) double squared[leafSize];
         index_->leafDistances(leaf, query_mm, squared);
-        for (std::uint32_t i = 0; i < leaf_size; ++i) {
-            inside_[inside] = {leaf * Neighbours::leaf_size + i, squared[i]};
+        for (std::uint32_t i = 0; i < leafSize; ++i) {
+            inside_[inside] = {leaf * Neighbours::leafSize + i, squared[i]};
             inside += squared[i] < reach_mm2_ ? 1 : 0;
         }
     }
@@ -64,7 +64,7 @@ bool Surroundings::nearest(const Eigen::Vector3d& query_mm, std::size_t count, s
     for (std::size_t k = 0; k < inside; ++k) sorted_mm2_.push_back(inside_[k].squared_mm2);
     const auto last = sorted_mm2_.begin() + static_cast<std::ptrdiff_t>(count - 1);
     std::nth_element(sorted_mm2_.begin(), last, sorted_mm2_.end());
-    // As many of those that are equally far as there is room for.
+    // Of equally distant points as many as `count` leaves room for.
     auto equal = static_cast<std::ptrdiff_t>(count) -
                  std::count_if(sorted_mm2_.begin(), last, [&](double squared) { return squared < *last; });
     found.clear();

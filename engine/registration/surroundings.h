@@ -1,4 +1,4 @@
-// The points of an index near some place, side by side: many questions about that place are answered from them.
+// The points of an index near a box, copied for many queries within that box.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +34,7 @@ private:
     Eigen::ArrayXd squared_mm2_;
     std::vector<double> sorted_mm2_;
     std::vector<Neighbours::Found> inside_;
-    std::size_t before_ = 0;  ///< where the query before found its nearest point
+    std::size_t before_ = 0;  ///< leaf in which the query before found its nearest point
 };
 
 }  // namespace lathelier::registration

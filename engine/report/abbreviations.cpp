@@ -27,7 +27,7 @@ const std::vector<Abbreviation>& known()
     return all;
 }
 
-/// Bytes of UTF-8 beyond ASCII are none: units are tied to their numbers by no-break spaces.
+/// Non-ASCII bytes are not letters: no-break spaces separate numbers from units.
 bool isLetter(char c)
 {
     const auto byte = static_cast<unsigned char>(c);

@@ -1,4 +1,4 @@
-// What the abbreviations in headlines and tables stand for: said in tooltips, on screen and in the HTML report.
+// Expansions of the abbreviations in headlines and tables, for tooltips on screen and in the HTML report.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 namespace lathelier::report {
 
 struct Abbreviation {
-    std::string letters;  ///< "RONt"
-    Text meaning;         ///< "peak-to-valley roundness deviation"
+    std::string letters;  ///< abbreviation, "RONt"
+    Text meaning;         ///< expansion, "peak-to-valley roundness deviation"
 };
 
-/// Those that stand in `text` as whole words, each once, in the order of the list. Names after ISO 12181-1, 12180-1.
+/// The abbreviations that occur in `text` as whole words, each once, in the order of the list. Names after ISO 12181-1,
+/// 12180-1.
 std::vector<Abbreviation> abbreviationsIn(const std::string& text);
 
 /// One line for each abbreviation in `text`: "RMS: root mean square"; empty when there is none.

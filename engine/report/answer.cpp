@@ -19,7 +19,7 @@ std::string unitText(const Answer& answer, const Language& language)
                                : fmt::format(" {}", text(shownUnit(answer.unit, language).unit, language));
 }
 
-/// A limit has the digits that it was given with.
+/// A limit is shown with the digits it was stated with.
 std::string limitNumber(double value, const Answer& answer, const Language& language)
 {
     return text(shownValue(value, answer.unit, language), language);

@@ -1,5 +1,5 @@
-// The answer of a panel as a value: the verdict, the number with its uncertainty against its limits, one sentence,
-// where and how much. Screen, report and command line all say it from here. Source: ISO 14253-1 (conformity), JCGM 100
+// The answer of a panel as a value: the verdict, the number with its uncertainty against its limits, one sentence, and
+// findings with their places. Screen, report and command line share it. Source: ISO 14253-1 (conformity), JCGM 100
 // (expanded uncertainty, k = 2).
 #pragma once
 
@@ -16,42 +16,42 @@
 
 namespace lathelier::report {
 
-/// A place of the part, as far as it is known; views mark it.
+/// A place of the part, as far as known; views mark it.
 struct Place {
-    std::optional<Interval> z_mm;           ///< along the axis, as the views of the panel count it
+    std::optional<Interval> z_mm;           ///< along the axis, in the coordinate of the panel's views
     std::optional<double> angle_deg;        ///< about the axis, 0…360
     std::optional<int> upr;                 ///< undulations per revolution
-    std::optional<std::int64_t> line = {};  ///< of a program, from 1
+    std::optional<std::int64_t> line = {};  ///< line of a program, from 1
 
-    bool isAny() const { return z_mm || angle_deg || upr || line; }  ///< there is something to mark
+    bool isAny() const { return z_mm || angle_deg || upr || line; }  ///< at least one coordinate is known
     friend bool operator==(const Place&, const Place&) = default;
 };
 
-/// What stands out: where and how much. A pattern with named values, as in notes.
+/// A notable result with its place. A pattern with named values, as in notes.
 struct Finding {
     Text pattern;                    ///< "Step {value} mm ± {uncertainty}, limit {limit} · z {from}-{to}"
-    Values values;                   ///< that the braces of the pattern name
-    std::optional<Verdict> verdict;  ///< against its limit; nullopt: there is none
-    Place place;                     ///< for the views
-    Values offer{};                  ///< parameters that it proposes, by key; empty: it proposes nothing
+    Values values;                   ///< values named in braces in the pattern
+    std::optional<Verdict> verdict;  ///< against its limit; none: no limit
+    Place place;                     ///< marked in the views
+    Values offer{};                  ///< proposed parameters by key; empty: no proposal
 };
 
 struct Answer {
-    Caption quantity;                            ///< what is asked: "RONt(MZCI)"
-    std::string subject;                         ///< of which part of the data: "section 7 of 20"; empty: of all
-    std::optional<double> value;                 ///< in `unit`; none: there is no single number
+    Caption quantity;                            ///< evaluated quantity: "RONt(MZCI)"
+    std::string subject;                         ///< part of the data: "section 7 of 20"; empty: all
+    std::optional<double> value;                 ///< in `unit`; none: no single number
     std::optional<double> expanded_uncertainty;  ///< k = 2 or 95 %, in `unit`; none: not known
     Text unit;                                   ///< of value, uncertainty and limits
-    bool is_signed = false;                      ///< a deviation: "+" is written
+    bool is_signed = false;                      ///< true for a deviation: "+" is written
     int decimals = 3;                            ///< of value and uncertainty
     std::optional<double> lower_limit;           ///< none: only one side is limited
     std::optional<double> upper_limit;           ///< none: no limit was given
     std::optional<Verdict> verdict;              ///< nullopt: no limit was given
-    Text verdict_words;                          ///< in place of "within tolerance" and its kin; empty: those
-    Text sentence;                               ///< one sentence, a pattern; empty: the number says it all
-    Values values;                               ///< that the braces of the sentence name
-    std::vector<Finding> findings;               ///< the three most important at most
-    UsedValues used;                             ///< what may be left open, and who said it
+    Text verdict_words;             ///< replaces the standard wording of the verdict; empty: standard wording
+    Text sentence;                  ///< one sentence, as a pattern; empty: none
+    Values values;                  ///< values named in braces in the sentence
+    std::vector<Finding> findings;  ///< at most three, the most important first
+    UsedValues used;                ///< values of optional parameters with their origin
 };
 
 /// "RONt(MZCI) 15.30 ± 0.21 µm"; without a value the quantity alone.
@@ -70,9 +70,10 @@ std::string verdictText(const Answer& answer, const Language& language = {});
 std::string assumedText(const Answer& answer, const Language& language = {});
 
 std::string sentenceText(const Answer& answer, const Language& language = {});
-std::string findingText(const Finding& finding, const Language& language = {});  ///< without its verdict
+std::string findingText(const Finding& finding, const Language& language = {});  ///< the finding as text, without its
+                                                                                 ///< verdict
 
-/// Everything in lines of plain text: value and verdict, the sentence, a line for each finding, what is assumed.
+/// The answer as plain text: value and verdict, the sentence, a line for each finding, assumed values.
 std::string plainText(const Answer& answer, const Language& language = {});
 
 }  // namespace lathelier::report

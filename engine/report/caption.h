@@ -1,4 +1,4 @@
-// The words of a report and of its charts.
+// Labels of a report and of its charts.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace lathelier::report {
 struct Labelled {
     Text label;
     Text unit;              ///< in brackets behind it; empty: none
-    std::string name = {};  ///< in place of the label, when it is the same in every language
+    std::string name = {};  ///< replaces the label when it is the same in every language
     friend bool operator==(const Labelled&, const Labelled&) = default;
 };
 

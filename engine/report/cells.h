@@ -9,16 +9,16 @@
 namespace lathelier::report {
 
 /// Numbers in the unit that `unit` is shown in, with `decimals` of the engine's unit, whole numbers in groups of three
-/// (narrow no-break space), "–" for what does not exist.
+/// (narrow no-break space), "–" for missing values.
 std::string cellText(const Value& value, Text unit, int decimals, const Language& language);
 
-/// A cell of CSV: decimal point, full precision, empty for what does not exist; quoted where a comma or quote asks it.
+/// A CSV cell: decimal point, full precision, empty for missing values; quoted where it contains a comma or quote.
 std::string csvCell(const Value& value);
 
-/// Numbers are set to the right.
+/// Whether the cell is right-aligned (numbers).
 bool isNumeric(const Value& value);
 
-/// A line break must not part a number from its unit: no-break spaces between them.
+/// Replaces the space between number and unit by a no-break space.
 std::string keptTogether(std::string line);
 
 }  // namespace lathelier::report

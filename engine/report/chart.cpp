@@ -8,10 +8,10 @@ namespace lathelier::report {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double xAir = 0.02, yAir = 0.06;  ///< beside the data, of their extent
-constexpr double namesAir = 3;              ///< so many times that above, where upright lines carry their names
+constexpr double xAir = 0.02, yAir = 0.06;  ///< margins beside the data, as shares of their extent
+constexpr double namesAir = 3;              ///< factor of the upper margin where vertical lines are labelled
 
-/// The range of what is seen on one axis.
+/// Range of the visible data on one axis.
 class Extent {
 public:
     explicit Extent(const Axis& axis) : logarithmic_(axis.scale == Axis::Scale::Logarithmic) {}
@@ -27,7 +27,7 @@ public:
         for (const double value : values) add(value);
     }
 
-    /// With air beside the data; `grounded` data start at their zero.
+    /// With margins; `grounded` data start at zero.
     Interval interval(double below, double above, bool grounded = false) const
     {
         if (!(from_ <= to_)) return logarithmic_ ? Interval{1, 10} : Interval{0, 1};
@@ -35,7 +35,7 @@ public:
             const double span = std::max(std::log(to_ / from_), 0.1);
             return {from_ * std::exp(-below * span), to_ * std::exp(above * span)};
         }
-        // Less than this cannot be told apart on the sheet, or in double precision.
+        // Smaller ranges are not resolved on the sheet or in double precision.
         const double least = std::max(1e-9 * std::max(std::abs(from_), std::abs(to_)), 1e-12);
         if (to_ - from_ < least) {
             const double half = from_ == 0 ? 0.5 : 0.05 * std::abs(from_);
@@ -49,7 +49,7 @@ private:
     double from_ = infinity, to_ = -infinity;
 };
 
-/// The range that the axis asks for, if it can be drawn.
+/// The range stated for the axis, if it can be drawn.
 std::optional<Interval> asked(const Axis& axis)
 {
     if (!axis.range || !(axis.range->from < axis.range->to)) return std::nullopt;

@@ -65,7 +65,7 @@ std::string toCsv(const Plot& plot, const Language& of_screen)
         const std::string head = name.empty() ? axisLabel(plot.y, language) : labelled(name, plot.y.unit);
         columns.push_back({head, &curve.y});
         if (curve.style == Curve::Style::Band) columns.push_back({head + " (low)", &curve.y_low});
-        if (!curve.said.empty()) columns.push_back({labelled(name, curve.said_unit), &curve.said});
+        if (!curve.readout_y.empty()) columns.push_back({labelled(name, curve.readout_unit), &curve.readout_y});
     }
     std::string out;
     std::size_t rows = 0;

@@ -7,8 +7,8 @@
 
 namespace lathelier::report {
 
-/// Curves side by side, those that share x share its column. A plot whose curves are paths (`along`) has a line for
-/// each sample instead: curve, along, x, y.
+/// Curves in columns; curves of equal x share the x column. A plot whose curves are paths (`along`) has a line for each
+/// sample instead: curve, along, x, y.
 std::string toCsv(const Plot& plot, const Language& language = {});
 
 /// One line for each cell with data: x, y, value.

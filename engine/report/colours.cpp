@@ -18,9 +18,9 @@ constexpr Oklab middleColour{0.905, 0, 0};
 constexpr Oklab redEnd{0.46, 0.165, 0.080};
 
 constexpr Oklab insideMiddle{0.83, -0.095, 0.040};
-constexpr double insideBlueYellow = 0.060;  ///< from the middle to either end
+constexpr double insideBlueYellow = 0.060;  ///< Oklab a/b offset from the middle to either end of the band
 
-/// Where the scale starts just outside a tolerance band (share of the plain scale).
+/// Position in the plain scale of values just outside a tolerance band.
 constexpr double outsideStart = 0.6;
 
 std::uint8_t encode(double linear)
@@ -48,7 +48,7 @@ constexpr std::array<Rgb, 7> series{{{0x00, 0x72, 0xb2},
                                      {0xe6, 0x9f, 0x00},
                                      {0x78, 0x78, 0x78}}};
 
-/// Seen on a dark ground.
+/// Variant for a dark background.
 Rgb lightened(const Rgb& c)
 {
     const auto part = [](int value) { return static_cast<std::uint8_t>(std::lround(value + 0.3 * (255 - value))); };

@@ -1,8 +1,8 @@
-// One palette for the screen and for paper: what a colour says, and the colours of signed deviations.
-// Deviations: one rule for the 3-D view, the unrolled map and the report. Blue - light grey - red, evenly spaced in
-// Oklab (B. Ottosson, "A perceptual color space for image processing", 2020), so that equal steps of the value look
-// equally large, also to most colour-blind people. Inside a tolerance band the colours are light greens that are told
-// from blue and red by lightness as well as by hue.
+// Common palette of screen and paper: colour roles, and the colour scale of signed deviations. Deviations: one rule for
+// the 3-D view, the unrolled map and the report. Blue - light grey - red, evenly spaced in Oklab (B. Ottosson, "A
+// perceptual color space for image processing", 2020), so that equal steps of the value are perceived as equal, also
+// with most colour vision deficiencies. Inside a tolerance band light greens are used, which differ from blue and red
+// in lightness as well as hue.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ struct Rgb {
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-/// What a line or an area of a chart stands for.
+/// Role of a line or an area of a chart.
 enum class ColourRole : std::uint8_t {
-    Series,    ///< one of several: a row that colour-blind eyes can tell apart (Okabe and Ito), by number
+    Series,    ///< one of several: a series distinguishable with colour vision deficiencies (Okabe and Ito), by number
     Original,  ///< compared parts
     Copy,
     Excess,  ///< deviations: material in excess, missing, within the tolerance
@@ -34,15 +34,15 @@ enum class ColourRole : std::uint8_t {
 };
 
 struct ChartColour {
-    ColourRole role = ColourRole::Series;  ///< what the colour stands for
-    int number = -1;                       ///< of a series; -1: by its position in the chart
+    ColourRole role = ColourRole::Series;
+    int number = -1;  ///< of a series; -1: by its position in the chart
 
     ChartColour() = default;
     ChartColour(ColourRole meaning) : role(meaning) {}
     ChartColour(int series) : number(series) {}
 };
 
-enum class Ground : std::uint8_t { Light, Dark };  ///< that is drawn on; paper is light
+enum class Ground : std::uint8_t { Light, Dark };  ///< background; paper is light
 
 Rgb colourOf(const ChartColour& colour, std::size_t position = 0, Ground ground = Ground::Light);
 
@@ -51,19 +51,18 @@ Rgb colourOf(const ChartColour& colour, std::size_t position = 0, Ground ground 
 Rgb divergingColour(double share);
 
 /// Inside the tolerance: green of one lightness, from bluish (share -1) to yellowish (+1), so that the form of the
-/// error stays visible where all is well.
+/// error stays visible within tolerance.
 Rgb insideColour(double share);
 
-/// What is drawn from least() to limit, and green where |value| <= tolerance, if there is one.
-/// Outside the band the colours start at a clear blue and red, so that "just outside" does not look like "just inside".
+/// Colour scale from least() to limit, green where |value| <= tolerance, if there is one. Outside the band the colours
+/// start at a saturated blue and red, to distinguish just outside from just inside.
 struct DeviationColours {
     double limit = 1;                   ///< upper end of the scale, > 0
-    std::optional<double> tolerance{};  ///< >= 0
-    /// Contours without a tolerance: so many steps on each side of a middle one about 0. 0: the colours run into each
-    /// other.
+    std::optional<double> tolerance{};  ///< half width of the green band, >= 0
+    /// Contours without a tolerance: number of steps on each side of a middle one about 0. 0: continuous colours.
     int steps = 0;
-    std::optional<double> marked{};  ///< a limit that the scale shows as lines at both signs, and that colours nothing
-    std::optional<double> lower{};   ///< how far the scale goes below 0, > 0; none: as far as above
+    std::optional<double> marked{};  ///< limit marked in the scale at both signs, without effect on the colours
+    std::optional<double> lower{};   ///< extent of the scale below 0, > 0; none: as above 0
 
     double least() const { return -lower.value_or(limit); }                    ///< lower end of the scale
     double endOf(double value) const { return value < 0 ? -least() : limit; }  ///< distance of that side's end from 0

@@ -1,4 +1,4 @@
-// A report as data: what is to be said, without how it looks. HTML and PDF are made from the same document.
+// A report as data: content without layout. HTML and PDF are made from the same document.
 #pragma once
 
 #include <cstdint>
@@ -25,23 +25,23 @@ namespace lathelier::report {
 struct Quantity {
     Caption name;
     Value value;       ///< not given: shown as a dash
-    Text unit;         ///< empty: none
-    int decimals = 3;  ///< for numbers
+    Text unit;         ///< empty: no unit
+    int decimals = 3;  ///< decimals of numbers
 };
 
 struct QuantityTable {
-    Caption title;               ///< above the table
-    std::vector<Quantity> rows;  ///< from top to bottom
+    Caption title;  ///< above the table
+    std::vector<Quantity> rows;
 };
 
 struct Table {
     Caption title;                         ///< above the table
-    std::vector<Caption> columns;          ///< with units
+    std::vector<Caption> columns;          ///< headings with units
     std::vector<std::vector<Value>> rows;  ///< each with a cell for each column
-    std::vector<int> decimals;             ///< of the numbers, by column; 3 where not given
+    std::vector<int> decimals;             ///< decimals by column; 3 where not given
 
     int decimalsOf(std::size_t column) const { return column < decimals.size() ? decimals[column] : 3; }
-    /// Of the numbers of a column, as its heading says; empty: none.
+    /// Unit of the numbers of a column, from its heading; empty: none.
     Text unitOf(std::size_t column) const
     {
         const Labelled* heading = column < columns.size() ? std::get_if<Labelled>(&columns[column]) : nullptr;
@@ -52,10 +52,10 @@ struct Table {
 /// A sentence of explanation: a pattern with named values, as in errors and notes.
 struct Paragraph {
     Text pattern;
-    Values values;  ///< that the braces of the pattern name
+    Values values;  ///< values named in braces in the pattern
 };
 
-/// A ready picture (PNG bytes), such as a 3-D view.
+/// An image, such as a 3-D view.
 struct Picture {
     Caption title;
     std::string png;  ///< content of the file; or an SVG, which begins with "<svg" and takes the width of the page
@@ -65,19 +65,19 @@ using Block = std::variant<Answer, Paragraph, QuantityTable, Table, Plot, PolarP
 
 struct Section {
     Caption title;              ///< heading
-    std::vector<Block> blocks;  ///< in reading order
+    std::vector<Block> blocks;  ///< in order of appearance
 };
 
 struct Document {
     Caption title;                                ///< on the first page
     std::vector<Quantity> title_block;            ///< part, drawing, instrument… (title_block.h); empty: none
     std::string logo_png_base64;                  ///< on the first page; empty: none
-    std::vector<const VerifyPart*> verification;  ///< of its capabilities: quoted as the last section
-    bool verified = false;                        ///< holds what "Verify installation" found
-    std::vector<Section> sections;                ///< in reading order
+    std::vector<const VerifyPart*> verification;  ///< verification of the capabilities used, quoted as the last section
+    bool verified = false;                        ///< the verification section has been added
+    std::vector<Section> sections;                ///< in order of appearance
     std::vector<InputFile> inputs;                ///< files, each with its SHA-256
-    std::vector<std::string> results;  ///< what it reports, each as JSON (result_json.h); written beside the report
-    bool synthetic = false;            ///< the data are synthetic: marked on the first page
+    std::vector<std::string> results;  ///< reported results, each as JSON (result_json.h); written beside the report
+    bool synthetic = false;            ///< synthetic data: marked on the first page
     std::string created;               ///< ISO 8601, empty leaves it out (golden tests)
 };
 

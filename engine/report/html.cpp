@@ -15,7 +15,7 @@
 namespace lathelier::report {
 namespace {
 
-constexpr std::size_t longTable = 24;  ///< rows; longer tables of few columns stand in several columns
+constexpr std::size_t longTable = 24;  ///< rows; longer tables of few columns are set in several columns
 constexpr std::size_t narrowTable = 5;
 
 std::string element(const std::string& tag, const std::string& content)
@@ -41,9 +41,9 @@ public:
             body += element("p", escaped(sentence));
         std::string findings;
         for (const Finding& finding : answer.findings) {
-            std::string said = escaped(findingText(finding, language_));
-            if (finding.verdict) said += " <b>" + escaped(text(shortName(*finding.verdict), language_)) + "</b>";
-            findings += element("li", said);
+            std::string findingHtml = escaped(findingText(finding, language_));
+            if (finding.verdict) findingHtml += " <b>" + escaped(text(shortName(*finding.verdict), language_)) + "</b>";
+            findings += element("li", findingHtml);
         }
         if (!findings.empty()) body += element("ul", findings);
         if (const std::string assumed = assumedText(answer, language_); !assumed.empty())
@@ -77,7 +77,7 @@ public:
         }
         head = "<thead><tr>" + head + "</tr></thead>\n";
         const bool split = table.rows.size() > longTable && table.columns.size() <= narrowTable;
-        const bool wide = !split && table.columns.size() >= narrowTable;  // takes the sheet's whole width
+        const bool wide = !split && table.columns.size() >= narrowTable;  // spans the full width of the page
         const std::size_t parts = split ? 2 : 1;
         std::string pieces;
         for (std::size_t part = 0; part < parts; ++part) {
@@ -118,7 +118,7 @@ public:
         return items.empty() ? items : "<ul class=\"notes\">\n" + items + "</ul>\n";
     }
 
-    /// The blocks in order; tables of quantities that follow each other stand side by side.
+    /// The blocks in order; consecutive tables of quantities are set side by side.
     std::string blocks(const std::vector<Block>& all) const
     {
         std::string result;
@@ -152,7 +152,7 @@ public:
                "</th><th>SHA-256</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n</section>\n";
     }
 
-    /// Names and values, and a place to sign.
+    /// Title block: names, values and a signature field.
     std::string titleBlock(const std::vector<Quantity>& rows) const
     {
         if (rows.empty()) return {};
@@ -186,7 +186,7 @@ private:
     const Language& language_;
 };
 
-/// "2026-11-21T03:05:09+0000" as people write it: date and time to the minute.
+/// "2026-11-21T03:05:09+0000" in readable form: date and time to the minute.
 std::string readable(const std::string& created)
 {
     if (created.size() < 16 || created[10] != 'T') return created;

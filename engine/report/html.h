@@ -7,7 +7,7 @@
 
 namespace lathelier::report {
 
-/// The same document gives the same bytes.
+/// Deterministic: the same document gives the same bytes.
 std::string toHtml(const Document& document, const Language& language = {});
 
 }  // namespace lathelier::report

@@ -21,7 +21,7 @@ std::uint8_t indexOf(const ColourMap& map, double value)
     if (!std::isfinite(value)) return nothingIndex;
     const double share = std::clamp(0.5 * (value / map.limit + 1), 0.0, 1.0);
     int level = static_cast<int>(std::lround(share * (mapLevels - 1)));
-    // Rounding to a level must turn neither "just outside" into the colour of "inside" nor the other way round.
+    // Rounding to a level must not move values across the edge of the tolerance band.
     const auto isInside = [&](double v) { return map.tolerance && std::abs(v) <= *map.tolerance; };
     const int outward = value > 0 ? 1 : -1;
     while (!isInside(value) && isInside(levelValue(map, level)) && level > 0 && level < mapLevels - 1) level += outward;
@@ -29,7 +29,7 @@ std::uint8_t indexOf(const ColourMap& map, double value)
     return static_cast<std::uint8_t>(level);
 }
 
-/// The mean of the cells there are in one block of the grid; NaN when there are none.
+/// Mean of the finite cells in one block of the grid; NaN when there are none.
 double blockMean(const ColourMap& map, int column0, int column1, int row0, int row1)
 {
     double sum = 0;
@@ -71,7 +71,7 @@ IndexedImage imageOf(const ColourMap& map)
     image.palette = paletteOf(map);
     image.transparent = nothingIndex;
     const auto edge = [](int i, int cells, int pixels) { return static_cast<int>(std::int64_t{i} * cells / pixels); };
-    for (int row = image.height - 1; row >= 0; --row)  // y grows upward
+    for (int row = image.height - 1; row >= 0; --row)  // y increases upwards
         for (int column = 0; column < image.width; ++column)
             image.pixels.push_back(indexOf(
                 map, blockMean(map, edge(column, map.columns, image.width), edge(column + 1, map.columns, image.width),

@@ -12,7 +12,7 @@ inline constexpr int mapLevels = 255;
 /// The colours of the levels, and white for places without data.
 std::vector<Rgb> paletteOf(const ColourMap& map);
 
-/// The map has cells, a scale and an extent.
+/// Whether the map has cells, a scale and an extent.
 bool isDrawable(const ColourMap& map);
 
 /// The highest row at the top; of a large grid the means of blocks. Precondition: isDrawable(map).

@@ -4,7 +4,7 @@ namespace lathelier::report {
 
 namespace {
 
-/// A number as it was typed, in the unit that is shown.
+/// A number with the digits as entered, in the displayed unit.
 Value asTyped(const Value& value, Text unit, const Language& language)
 {
     if (!std::holds_alternative<double>(value)) return value;

@@ -8,7 +8,8 @@
 
 namespace lathelier::report {
 
-/// `values` by key, as toValues() makes them; what was left open is shown as it was used, with who said it.
+/// `values` by key, as toValues() makes them; optional parameters that were not given are shown with the value used and
+/// its origin.
 QuantityTable parametersTable(const std::vector<FieldInfo>& infos, const Values& values, const Language& language,
                               const UsedValues& used = {});
 

@@ -6,7 +6,7 @@ namespace lathelier::report {
 namespace {
 
 constexpr std::string_view frameColour = "#7b8794";
-constexpr double boldFactor = 1.1;  ///< how much wider bold type runs
+constexpr double boldFactor = 1.1;  ///< width of bold type relative to regular type
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What every drawn plot has: a frame with axes, ticks, titles, and the way from values to the sheet.
+// Frame of a drawn plot: axes, ticks, titles, and the mapping from values to the sheet.
 #pragma once
 
 #include <cmath>
@@ -11,11 +11,11 @@
 
 namespace lathelier::report {
 
-inline constexpr double sheetWidth = 960;  ///< of every plot, so that plots below each other line up
+inline constexpr double sheetWidth = 960;  ///< px; equal for all plots, so that plots below each other are aligned
 inline constexpr double frameLeft = 78;
-inline constexpr double frameRight = 840;  ///< the room beyond is for colour scales
+inline constexpr double frameRight = 840;  ///< px; the space to the right is for colour scales
 inline constexpr double frameTop = 44;
-inline constexpr double frameBottomRoom = 52;  ///< below the frame, for ticks and the title of the axis
+inline constexpr double frameBottomRoom = 52;  ///< px below the frame, for ticks and the title of the axis
 inline constexpr double titleSize = 16;
 inline constexpr double textSize = 13;
 inline constexpr double tickSize = 12;
@@ -24,20 +24,20 @@ inline constexpr std::string_view gridColour = "#e3e7eb";
 /// The plotting rectangle and the ranges shown in it.
 struct PlotFrame {
     double left = frameLeft;
-    double right = frameRight;                  ///< in px of the sheet
-    double top = frameTop;                      ///< in px, downwards
-    double bottom = 0;                          ///< in px, downwards
-    Interval x;                                 ///< values at left and right edge
-    Interval y;                                 ///< values at bottom and top edge
-    Axis::Scale x_scale = Axis::Scale::Linear;  ///< of x
-    Axis::Scale y_scale = Axis::Scale::Linear;  ///< of y
-    double x_factor = 1;                        ///< numbers at the x axis = values × factor
-    double y_factor = 1;                        ///< the same of y
+    double right = frameRight;  ///< in px
+    double top = frameTop;      ///< in px, downwards
+    double bottom = 0;          ///< in px, downwards
+    Interval x;                 ///< values at left and right edge
+    Interval y;                 ///< values at bottom and top edge
+    Axis::Scale x_scale = Axis::Scale::Linear;
+    Axis::Scale y_scale = Axis::Scale::Linear;
+    double x_factor = 1;  ///< tick label = value × factor
+    double y_factor = 1;  ///< tick label = value × factor
 
     double toX(double value) const { return left + share(x_scale, x, value) * (right - left); }
     double toY(double value) const { return bottom - share(y_scale, y, value) * (bottom - top); }
 
-    /// Where a value lies between the ends; on a logarithmic axis what is not above zero lies infinitely far below.
+    /// Position of a value between the ends; -∞ for values ≤ 0 on a logarithmic axis.
     static double share(Axis::Scale scale, const Interval& range, double value)
     {
         if (scale != Axis::Scale::Logarithmic) return (value - range.from) / (range.to - range.from);
@@ -45,7 +45,7 @@ struct PlotFrame {
     }
 };
 
-/// What stands in and at the frame.
+/// Texts at the frame.
 struct FrameWords {
     std::string title;
     std::string remark;  ///< beside the title

@@ -9,14 +9,14 @@
 namespace lathelier::report {
 namespace {
 
-constexpr double farAway = 1e5;  ///< px: beyond every frame, near enough for differences
+constexpr double farAway = 1e5;  ///< px: beyond every frame, small enough for exact differences
 
 struct SheetPoint {
     double x;
     double y;
 };
 
-/// One unbroken stretch of a curve.
+/// A contiguous section of a curve.
 using Stretch = std::vector<SheetPoint>;
 
 /// The line through the points, cut at the left and right edge of the frame.
@@ -31,7 +31,7 @@ std::vector<Stretch> stretches(const PlotFrame& frame, const std::vector<double>
         open = true;
         result.back().push_back({p.x, std::clamp(p.y, frame.top, frame.bottom)});
     };
-    const auto atEdge = [&](const SheetPoint& p, const SheetPoint& q) {  // p lies outside
+    const auto atEdge = [&](const SheetPoint& p, const SheetPoint& q) {  // intersection with the edge; p lies outside
         const double edge = p.x < frame.left ? frame.left : frame.right;
         return SheetPoint{edge, p.y + (edge - p.x) / (q.x - p.x) * (q.y - p.y)};
     };
@@ -57,7 +57,7 @@ std::vector<Stretch> stretches(const PlotFrame& frame, const std::vector<double>
     return result;
 }
 
-/// Keeps the first, lowest, highest and last of the points that follow each other in one column of pixels.
+/// Decimation: first, lowest, highest and last of consecutive points in one pixel column.
 Stretch thinned(const Stretch& points)
 {
     Stretch result;
@@ -141,7 +141,7 @@ std::string pointsPath(const PlotFrame& frame, const Curve& curve, double radius
 
 std::string bandPath(const PlotFrame& frame, const Curve& curve)
 {
-    // Both edges break together, so that they pair up again after a gap.
+    // Both edges are broken at the same samples, so that they correspond after a gap.
     std::vector<double> high = curve.y;
     std::vector<double> low = curve.y_low;
     for (std::size_t i = 0; i < std::min(high.size(), low.size()); ++i)

@@ -1,4 +1,5 @@
-// Curves and regions as SVG paths: cut at the frame, broken where there are no data, thinned to what a sheet can show.
+// Curves and regions as SVG paths: clipped at the frame, broken at missing data, decimated to the resolution of a
+// sheet.
 #pragma once
 
 #include <string>
@@ -7,10 +8,10 @@
 
 namespace lathelier::report {
 
-/// The points a curve can be drawn from.
+/// The finite points of a curve.
 std::size_t lengthOf(const Curve& curve);
 
-/// The line of a curve; a lone point shows as a dot. Beyond the frame's height it runs along the edge.
+/// The line of a curve; an isolated point is a dot. Outside the frame's height the line follows the edge.
 std::string linePath(const PlotFrame& frame, const Curve& curve);
 
 /// A disc for each sample inside the frame.

@@ -38,7 +38,7 @@ PlotFrame frameOf(const Plot& plot, const Language& language)
     frame.x_factor = shownUnit(plot.x.unit, language).factor;
     frame.y_factor = shownUnit(plot.y.unit, language).factor;
     if (!plot.equal_scales) return frame;
-    // The axis with room to spare shows more.
+    // Extends the range of the axis with spare space, for equal scales.
     const auto widen = [](Interval& range, double length) {
         const double middle = (range.from + range.to) / 2;
         range = {middle - length / 2, middle + length / 2};
@@ -52,7 +52,7 @@ PlotFrame frameOf(const Plot& plot, const Language& language)
     return frame;
 }
 
-/// The part of the ground that the frame shows, paler than a map of its own.
+/// The visible part of the background map, paler than a separate map.
 void drawGround(Svg& svg, const PlotFrame& frame, const ColourMap& ground)
 {
     ColourMap part = ground;
@@ -94,10 +94,10 @@ void drawCurve(Svg& svg, const PlotFrame& frame, const Curve& curve, const std::
     }
 }
 
-/// The names drawn so far, by the left end, the right end and the base line of each.
+/// Labels drawn so far: left end, right end and baseline of each.
 using Names = std::vector<std::array<double, 3>>;
 
-/// A name at its place, on the side of it where there is room, below those that it would cover.
+/// A label beside its point, on the side with space, below labels it would overlap.
 void drawName(Svg& svg, const PlotFrame& frame, double x, double y, const std::string& name, Names& names)
 {
     if (name.empty()) return;
@@ -147,7 +147,7 @@ class PlotLegend {
 public:
     PlotLegend(Svg& svg, const PlotFrame& frame) : svg_(svg), right_(frame.right), y_(frame.top - 13) {}
 
-    /// Makes room for `name`; draws it and hands out where its sample starts.
+    /// Reserves space for `name`, draws it and returns the start of its sample line.
     double place(const std::string& name)
     {
         const double start = right_ - textWidth(name, tickSize) - sampleWidth - 6;

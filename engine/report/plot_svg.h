@@ -7,7 +7,7 @@
 
 namespace lathelier::report {
 
-/// Curves are thinned to what a sheet can show: first, lowest, highest and last value in each column of pixels.
+/// Curves are decimated: first, lowest, highest and last value in each pixel column.
 std::string toSvg(const Plot& plot, const Language& language = {});
 
 /// The cells as one embedded picture, at most 900 × 450 of them (larger grids are averaged), with axes and scale.

@@ -27,7 +27,7 @@ std::string compressed(const std::string& raw, int level)
     std::string result(size, '\0');
     if (compress2(reinterpret_cast<Bytef*>(result.data()), &size, reinterpret_cast<const Bytef*>(raw.data()),
                   static_cast<uLong>(raw.size()), level) != Z_OK)
-        throw std::bad_alloc();  // the only failure left: the room is always large enough
+        throw std::bad_alloc();  // only possible failure: the buffer is always large enough
     result.resize(size);
     return result;
 }
@@ -48,7 +48,7 @@ std::string encodePng(const IndexedImage& image)
     std::string rows;
     const auto width = static_cast<std::size_t>(image.width);
     for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
-        rows += '\0';  // filter "none": right for palettes
+        rows += '\0';  // row filter "none": right for palettes
         rows.append(reinterpret_cast<const char*>(image.pixels.data()) + row * width, width);
     }
 
@@ -76,7 +76,7 @@ std::string encodePng(const GreyImage& image)
     std::string rows;
     const auto width = static_cast<std::size_t>(image.width);
     for (std::size_t i = 0; i < image.samples.size(); ++i) {
-        if (i % width == 0) rows += '\0';  // filter "none"
+        if (i % width == 0) rows += '\0';  // row filter "none"
         if (image.bits == 16) rows += static_cast<char>(image.samples[i] >> 8);
         rows += static_cast<char>(image.samples[i] & 0xFF);
     }

@@ -11,19 +11,19 @@
 namespace lathelier::report {
 
 struct IndexedImage {
-    int width = 0;                     ///< in pixels
-    int height = 0;                    ///< in pixels
+    int width = 0;                     ///< in px
+    int height = 0;                    ///< in px
     std::vector<std::uint8_t> pixels;  ///< row-major from the top, indices into palette
     std::vector<Rgb> palette;          ///< 1 to 256 colours
-    int transparent = -1;              ///< the index that lets the ground show through; -1: none
+    int transparent = -1;              ///< index of the transparent colour; -1: none
 };
 
 std::string encodePng(const IndexedImage& image);
 
-/// Brightness without a palette.
+/// Greyscale image.
 struct GreyImage {
-    int width = 0;                       ///< in pixels
-    int height = 0;                      ///< in pixels
+    int width = 0;                       ///< in px
+    int height = 0;                      ///< in px
     int bits = 8;                        ///< of a sample: 8 or 16
     std::vector<std::uint16_t> samples;  ///< row-major from the top, 0 black to 2^bits - 1
     std::string comment;                 ///< Latin-1, in the file; empty: none

@@ -18,8 +18,8 @@ namespace {
 constexpr double sheetHeight = 640;
 constexpr double centreX = 330;
 constexpr double centreY = 340;
-constexpr double rimPx = 270;  ///< nothing is drawn beyond
-constexpr double corePx = 75;  ///< nor inside
+constexpr double rimPx = 270;  ///< outer radius of the drawing
+constexpr double corePx = 75;  ///< inner radius of the drawing
 constexpr double legendX = 650;
 
 constexpr std::string_view baseColour = "#9aa5b1";
@@ -32,13 +32,13 @@ std::string strokeOf(const ChartColour& colour, std::size_t position)
     return hex(colourOf(colour, position));
 }
 
-/// Where a reference line lies, seen from the base circle's centre.
+/// Reference circle as deviation from the base circle's centre.
 double deviationAt(const PolarPlot::ReferenceLine& circle, double angle_rad)
 {
     return circle.deviation_um + circle.x_um * std::cos(angle_rad) + circle.y_um * std::sin(angle_rad);
 }
 
-/// Largest deviations outward and inward of all that is drawn.
+/// Largest outward and inward deviations of the plot.
 Interval reachOf(const PolarPlot& plot)
 {
     Interval reach{0, 0};
@@ -59,7 +59,7 @@ Interval reachOf(const PolarPlot& plot)
     return reach;
 }
 
-/// Radius of the base circle on the sheet: deviations that go one way only get the room of the other.
+/// Radius of the base circle on the sheet; one-sided deviations use the space of both sides.
 double basePx(const PolarPlot& plot)
 {
     const Interval reach = reachOf(plot);
@@ -67,7 +67,7 @@ double basePx(const PolarPlot& plot)
     return -reach.from > 2 * reach.to ? 225 : 195;
 }
 
-/// The way from deviations to the sheet.
+/// Mapping from deviations to the sheet.
 class Polar {
 public:
     Polar(double base_px, double px_per_um) : base_px_(base_px), px_per_um_(px_per_um) {}
@@ -98,7 +98,7 @@ std::string circlePath(double radius)
                        coordinate(centreY), coordinate(radius), coordinate(2 * radius));
 }
 
-/// Thinned: of each quarter degree the first, smallest, largest and last value.
+/// Decimated: of each quarter degree the first, smallest, largest and last value.
 std::string tracePath(const Polar& polar, const PolarPlot::Trace& trace)
 {
     const std::size_t count = std::min(trace.angle_deg.size(), trace.deviation_um.size());
@@ -137,7 +137,7 @@ std::string referencePath(const Polar& polar, const PolarPlot::ReferenceLine& ci
     return data + "Z";
 }
 
-/// What lies between the two circles of a ring, for filling.
+/// Closed path between the two circles of a ring, for filling.
 std::string ringPath(const Polar& polar, const PolarPlot::Ring& ring)
 {
     const auto way = [&](double deviation_um, bool back) {
@@ -150,10 +150,10 @@ std::string ringPath(const Polar& polar, const PolarPlot::Ring& ring)
         }
         return data + "Z";
     };
-    return way(ring.outer_um, false) + way(ring.inner_um, true);  // against each other: the middle stays clear
+    return way(ring.outer_um, false) + way(ring.inner_um, true);  // opposite senses: the middle is not filled
 }
 
-/// The words at a contact: outside the profile at an outer one, else inside.
+/// The label of a contact: outside the profile at an outer one, else inside.
 void nameContact(Svg& svg, const Polar& polar, const PolarPlot::Mark& mark, const std::string& words)
 {
     if (words.empty()) return;
@@ -189,7 +189,7 @@ void drawGrid(Svg& svg, const Polar& polar, const Ticks& divisions, const Langua
     }
 }
 
-/// Everything that the numbers of the scale should not stand on.
+/// Drawn elements that the labels of the scale should avoid.
 std::vector<PolarPlace> drawnPlaces(const Polar& polar, const PolarPlot& plot)
 {
     std::vector<PolarPlace> places;
@@ -209,13 +209,13 @@ std::vector<PolarPlace> drawnPlaces(const Polar& polar, const PolarPlot& plot)
     return places;
 }
 
-/// Beneath the data: a number may be crossed by a curve, never the other way round.
+/// Drawn below the data, so that a label never covers a curve.
 void drawRingScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ticks& divisions,
                    const Language& language)
 {
     std::vector<RingLabel> labels;
     std::vector<std::string> words;
-    std::vector<double> values = divisions.values;  // 0 first: it gets the best place
+    std::vector<double> values = divisions.values;  // 0 first, so that it gets the best position
     std::stable_partition(values.begin(), values.end(), [](double value) { return value == 0; });
     for (const double value : values) {
         const double radius = polar.radius(value);
@@ -234,7 +234,7 @@ void drawRingScale(Svg& svg, const Polar& polar, const PolarPlot& plot, const Ti
     }
 }
 
-/// The column at the right: one line for each thing drawn, then the scale in words.
+/// Legend at the right: one line for each element, then the scale as text.
 class PolarLegend {
 public:
     explicit PolarLegend(Svg& svg) : svg_(svg) {}

@@ -12,7 +12,7 @@
 
 namespace lathelier::report {
 
-/// Name, value, unit of the quantities `keys` of one result. A key that R has not is std::logic_error.
+/// Name, value, unit of the quantities `keys` of one result. A key unknown to R is std::logic_error.
 template <class R>
 std::vector<Quantity> quantityRows(const R& result, std::initializer_list<const char*> keys)
 {
@@ -30,7 +30,7 @@ QuantityTable quantityTable(Caption title, const R& result, std::initializer_lis
     return {std::move(title), quantityRows(result, keys)};
 }
 
-/// One row for each of `items`, one column for each key, with the unit in its heading. A key that R has not is
+/// One row for each of `items`, one column for each key, with the unit in its heading. A key unknown to R is
 /// std::logic_error.
 template <class R>
 Table listTable(Caption title, std::span<const R> items, const std::vector<const char*>& keys)
@@ -50,7 +50,7 @@ Table listTable(Caption title, std::span<const R> items, const std::vector<const
     return table;
 }
 
-/// A column of CSV: the key, and its heading where that is another.
+/// A column of CSV: the key, and its heading where it differs.
 struct CsvColumn {
     const char* key;
     const char* heading;  ///< first line of the file
@@ -58,7 +58,7 @@ struct CsvColumn {
     CsvColumn(const char* of, const char* named) : key(of), heading(named) {}
 };
 
-/// The same table as CSV: decimal point, comma, full precision; what does not exist is left empty.
+/// The same table as CSV: decimal point, comma, full precision; missing values are empty.
 template <class R>
 std::string csvOf(std::span<const R> items, std::initializer_list<CsvColumn> columns)
 {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t stepSize = std::size_t{1} << 16;
 
-/// Gathers text and hands it on in steps.
+/// Buffers text and passes it on in chunks.
 class Sink {
 public:
     explicit Sink(const std::function<void(std::string_view)>& append) : append_(append) {}
@@ -35,7 +35,7 @@ private:
     std::string buffer_;
 };
 
-/// Characters that turn round or hide text on a terminal are escaped, which JSON reads as the same text.
+/// Bidirectional and invisible control characters are escaped, which leaves the JSON value unchanged.
 std::string scalar(const Json& json)
 {
     const auto dumped = [&json](bool asciiOnly) {
@@ -50,7 +50,7 @@ bool isFlat(const Json& array)
     return std::none_of(array.begin(), array.end(), [](const Json& item) { return item.is_structured(); });
 }
 
-/// Numbers in pairs and the like also stay on one line.
+/// Short nested arrays of numbers also stay on one line.
 bool isShort(const Json& array)
 {
     return std::all_of(array.begin(), array.end(), [](const Json& item) { return item.is_array() && isFlat(item); });

@@ -11,7 +11,7 @@
 
 namespace lathelier::report {
 
-/// What every object begins with: command, version, inputs (path, bytes, sha256), parameters (all of them).
+/// Head of every object: command, version, inputs (path, bytes, sha256), parameters (all of them).
 Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters);
 
 /// A whole object: head, the keys of `result`, notes.
@@ -21,7 +21,7 @@ Json wholeResult(const std::string& command, const std::vector<InputFile>& input
 /// Indented by two spaces, arrays of numbers on one line; ends with a line feed.
 std::string toText(const Json& json);
 
-/// The same text, handed on in steps as it is made: for large objects, and for callers that may be stopped.
+/// The same text, passed on in chunks as it is generated: for large objects and for cancellation.
 void writeText(const Json& json, const std::function<void(std::string_view)>& append);
 
 /// The results of a report (Document::results) as one text: a single one as it is, several as {"results": [...]}; empty

@@ -15,11 +15,12 @@ bool overlap(const PolarPlace& a, const PolarPlace& b, double width_px, double h
     return std::abs(a.x_px - b.x_px) < width_px && std::abs(a.y_px - b.y_px) < height_px;
 }
 
-/// How badly the labels would stand at this angle; places them there.
+/// Cost of the labels at this angle; places them there.
 double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double angle_rad, double rim_px)
 {
     constexpr double air_px = 2;
-    constexpr double aside = 0.1;  // standing beside its ring is worse than on it, but better than on a curve
+    constexpr double aside = 0.1;  // cost of a position beside the ring, between that of a free position and of one on
+                                   // a curve
     constexpr double crossed = 0.3, few = 100, dropped = 2;
     const PolarPlace along{std::cos(angle_rad), std::sin(angle_rad)};
     double widest = 0, apart_px = rim_px;
@@ -40,7 +41,7 @@ double placeOnRay(std::vector<RingLabel>& labels, const std::vector<PolarPlace>&
         label.place.reset();
         for (const double shift : {0.0, -0.6, 0.6, -0.9, 0.9, -1.2, 1.2}) {
             const double away_px = shift * label.height_px;
-            if (std::abs(away_px) > apart_px / 2) break;  // it would stand at another ring
+            if (std::abs(away_px) > apart_px / 2) break;  // it would be closer to another ring
             const double radius = label.radius_px + away_px;
             if (shift > 0 && radius + halfHeight > rim_px) continue;
             const PolarPlace middle{radius * along.x_px, radius * along.y_px};
@@ -67,7 +68,7 @@ void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlac
 {
     double least = std::numeric_limits<double>::infinity();
     std::vector<RingLabel> best = labels;
-    // From the usual place on: three rays between any two spokes.
+    // Starting at the preferred angle: three rays between any two spokes.
     for (const int spoke : {60, 90, 240, 270, 30, 120, 210, 300, 0, 150, 180, 330})
         for (const int beside : {15, 9, 21}) {
             const double cost = placeOnRay(labels, drawn, (spoke + beside) * rad_per_deg, rim_px);

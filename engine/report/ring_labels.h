@@ -1,4 +1,4 @@
-// Where the numbers of a polar plot's rings stand, on the screen and on paper alike.
+// Placement of the ring labels of a polar plot, common to screen and paper.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@ struct PolarPlace {
     double x_px = 0, y_px = 0;
 };
 
-/// The number of a ring, and where its middle stands; nowhere when it has no room beside the numbers before it.
+/// The label of a ring and its centre; none when there is no space beside the earlier labels.
 struct RingLabel {
     double radius_px = 0;
     double width_px = 0, height_px = 0;
     std::optional<PolarPlace> place{};
 };
 
-/// Places the labels on one ray between two of degrees: where least of what is drawn lies on them, and beside their
-/// ring rather than on a curve that runs along it.
+/// Places the labels on one ray between two of degrees: where they overlap the drawing least, and beside their ring
+/// rather than on a curve along it.
 void placeRingLabels(std::vector<RingLabel>& labels, const std::vector<PolarPlace>& drawn, double rim_px);
 
 }  // namespace lathelier::report

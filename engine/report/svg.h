@@ -9,7 +9,7 @@
 
 namespace lathelier::report {
 
-/// Text for HTML and XML: &, <, >, quotes escaped; what would hide or turn text round made visible() with its lines
+/// Text for HTML and XML: &, <, >, quotes escaped; invisible and bidirectional characters made visible(), line breaks
 /// kept.
 std::string escaped(std::string_view text);
 
@@ -18,7 +18,7 @@ std::string hex(const Rgb& colour);
 
 class Svg {
 public:
-    /// `label` is what a screen reader says.
+    /// `label` is the accessible name.
     Svg(double width, double height, const std::string& label);
 
     enum class Anchor { Start, Middle, End };
@@ -29,7 +29,8 @@ public:
     void path(std::string_view data, std::string_view stroke, double width, std::string_view fill = "none",
               double opacity = 1, std::string_view dashes = {});
     void text(double x, double y, Anchor anchor, double size, std::string_view content, bool bold = false);
-    void verticalText(double x, double y, double size, std::string_view content);  ///< reads upward, centred
+    void verticalText(double x, double y, double size, std::string_view content);  ///< text rotated to read upwards,
+                                                                                   ///< centred
     void png(double x, double y, double width, double height, std::string_view bytes);
 
     std::string finish();
@@ -41,7 +42,7 @@ private:
 /// A coordinate: at most two decimals, decimal point.
 std::string coordinate(double value);
 
-/// About how wide `text` is when set in `size`; for laying out only.
+/// Approximate width of `text` in `size`, for layout only.
 double textWidth(std::string_view text, double size);
 
 }  // namespace lathelier::report

@@ -6,7 +6,7 @@
 namespace lathelier::report {
 namespace {
 
-constexpr double longestFixed = 1e7;  ///< longer numbers are written with an exponent
+constexpr double longestFixed = 1e7;  ///< larger numbers are written with an exponent
 constexpr int mostDecimals = 7;
 
 }  // namespace
@@ -16,7 +16,7 @@ Ticks niceTicks(double from, double to, int wanted)
     const double rough = (to - from) / wanted;
     const double power = std::pow(10.0, std::floor(std::log10(rough)));
     double step = 10 * power;
-    int parts = 5;  ///< of a step, so that minor ticks lie at readable places too
+    int parts = 5;  ///< subdivisions of a step, so that minor ticks have round values
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power >= rough * (1 - 1e-9)) {
             step = factor * power;
@@ -27,7 +27,7 @@ Ticks niceTicks(double from, double to, int wanted)
     ticks.decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
     const double first = std::ceil(from / step - 1e-9);
     const double last = std::floor(to / step + 1e-9);
-    // Counted, not stepped until the end: a step may be too small to change a large number.
+    // By index and not by accumulation: a step may be below the resolution of a large number.
     const int count = static_cast<int>(std::clamp(last - first + 1, 0.0, 4.0 * wanted));
     for (int i = 0; i < count; ++i) ticks.values.push_back((first + i) * step);
     for (int i = -1; i < count; ++i)

@@ -1,4 +1,4 @@
-// Readable places for the ticks of an axis.
+// Round values for the ticks of an axis.
 #pragma once
 
 #include <string>
@@ -10,21 +10,21 @@
 namespace lathelier::report {
 
 struct Ticks {
-    std::vector<double> values;  ///< ascending
-    std::vector<double> minor;   ///< between them, without numbers
-    int decimals = 0;            ///< enough to tell neighbours apart; -1: each as short as it can be written
-    double factor = 1;           ///< number at a tick = its place × factor
+    std::vector<double> values;  ///< tick values, ascending
+    std::vector<double> minor;   ///< minor ticks, without labels
+    int decimals = 0;            ///< enough to distinguish neighbours; -1: shortest representation of each
+    double factor = 1;           ///< tick label = value × factor
 };
 
 /// Ticks at multiples of 1, 2 or 5 × 10^n inside [from, to], about `wanted` of them. from < to, both finite, wanted
 /// >= 1.
 Ticks niceTicks(double from, double to, int wanted);
 
-/// Ticks of a logarithmic axis at 1, 2 and 5 × 10^n where there is room, else at powers of ten, with minor ticks
+/// Ticks of a logarithmic axis at 1, 2 and 5 × 10^n where there is space, else at powers of ten, with minor ticks
 /// between; over less than half a decade as niceTicks(). 0 < from < to.
 Ticks logTicks(double from, double to, int wanted);
 
-/// As the scale asks; those of a Whole one are at least 1 apart. With a `factor` (ShownUnit) the numbers are readable
+/// According to the scale; for Scale::Whole at least 1 apart. With a `factor` (ShownUnit) the numbers are readable
 /// after they are multiplied by it.
 Ticks axisTicks(Axis::Scale scale, const Interval& range, int wanted, double factor = 1);
 

@@ -68,7 +68,7 @@ std::string reportFileName(const TitleBlock& block, const std::string& otherwise
                    std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
         },
         '_');
-    const std::size_t first = name.find_first_not_of(" .");  // a leading dot hides the file
+    const std::size_t first = name.find_first_not_of(" .");  // a leading dot would hide the file
     name = first == std::string::npos ? std::string() : name.substr(first);
     if (name.empty()) name = "report";
     return name.append("_").append(date);

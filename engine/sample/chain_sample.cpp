@@ -86,8 +86,8 @@ deflection::TurningSetup setup()
     return made;
 }
 
-/// Radii that the tools leave by prediction, as straight errors along each piece.
-void bend(ShaftModel& shaft, const Shaft& part, const Progress& progress)
+/// Adds the predicted deflection errors, linear along each piece.
+void addDeflectionErrors(ShaftModel& shaft, const Shaft& part, const Progress& progress)
 {
     const cam::Job planned = job();
     cam::TurningInputs inputs;
@@ -112,13 +112,13 @@ void bend(ShaftModel& shaft, const Shaft& part, const Progress& progress)
                            (contour.z_mm[i + 1] - contour.z_mm[i]);
         return 0.0;
     };
-    double behind_um = 0;  // at the end of the last cylinder: a chamfer goes on there
+    double behind_um = 0;  // error at the end of the last cylinder, continued by a chamfer
     for (ShaftPiece& piece : shaft) {
         if (piece.radius_start_mm != piece.radius_end_mm) {
             piece.oversize_um = behind_um;
             continue;
         }
-        // A parabola through three places within the piece: at shoulders the contour steps.
+        // A parabola through three points within the piece, as the contour jumps at shoulders.
         const double length_mm = piece.z_end_mm - piece.z_start_mm, inset_mm = 0.1 * length_mm;
         const double start_um = error_um(piece.z_start_mm + inset_mm) / 2;
         const double middle_um = error_um(piece.z_start_mm + length_mm / 2) / 2;
@@ -146,9 +146,8 @@ SampleContent makeChain(std::uint64_t seed, const Progress& progress)
     ShaftModel worn = nominalShaft(), copy = nominalShaft();
     worn.front().barrel_um = longSeatBarrel_um;
     worn[2].taper_end_um = secondSeatTaper_um;
-    for (std::size_t i = 3; i < worn.size(); ++i)
-        worn[i].oversize_um = secondSeatTaper_um;  // the chamfer goes on there
-    bend(copy, part, progress.part(0, 0.2));
+    for (std::size_t i = 3; i < worn.size(); ++i) worn[i].oversize_um = secondSeatTaper_um;  // continued by the chamfer
+    addDeflectionErrors(copy, part, progress.part(0, 0.2));
     SampleContent content;
     content.texts = {scanPly(scanShaft(worn, scanner(2000 + seed), progress.part(0.2, 0.6))), io::shaftText(part),
                      cam::jobText(job()), deflection::setupText(setup()),

@@ -1,4 +1,4 @@
-// The paper's shaft, worn, with what the chain from its scan to the proof of its copy needs.
+// The paper's shaft, worn, with the inputs of the chain from its scan to the proof of its copy.
 #pragma once
 
 #include "engine/core/sample_part.h"

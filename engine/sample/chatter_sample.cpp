@@ -15,7 +15,7 @@ constexpr char syntheticComputed[] = "synthetic: computed by Lathelier, not meas
 constexpr double tapNoise = 0.01;  ///< of the tap tests, relative
 constexpr double tapStep_hz = 5;   ///< of the tap tests
 
-/// Springs with which both papers' numbers come out (Jasiewicz and Miądlicki; Miądlicki et al.).
+/// Springs that reproduce the results of both papers (Jasiewicz and Miądlicki; Miądlicki et al.).
 receptance::SpindleReceptance machine()
 {
     receptance::SpindleReceptance spindle;

@@ -23,7 +23,7 @@ Json wavesOf(const std::vector<MotionWave>& waves)
     return json;
 }
 
-/// What has to come out of the probe record.
+/// Expected results of the probe record.
 Json truthOf(const SpindleModel& model)
 {
     Json sections = Json::array();

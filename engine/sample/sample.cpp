@@ -13,7 +13,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Streams of random numbers, so that switching one effect on leaves the others as they are.
+/// Streams of random numbers, so that the effects are independent of each other.
 enum ScanStream : std::uint64_t { Phase, Noise, Spot, Dropout, Patch, Spurious };
 
 double pieceRadius_mm(const ShaftPiece& piece, double z_mm)
@@ -200,7 +200,7 @@ Scan scanShaft(const ShaftModel& shaft, const ScannerModel& scanner, const Progr
     const double from = std::max(caster.line().front().x(), scanner.part_z_from_mm);
     const double to = std::min(caster.line().back().x(), scanner.part_z_to_mm);
 
-    // Heights in the scanner's frame that cover the wanted stretch of the leaning part.
+    // Heights in the scanner's frame that cover the selected stretch of the tilted part.
     const Eigen::Vector3d axis = scanner.scan_T_part.linear().col(2);
     const double margin = caster.largest_mm() * std::hypot(axis.x(), axis.y()) + scanner.spot_mm;
     const double end1 = (scanner.scan_T_part * Eigen::Vector3d(0, 0, from)).z();

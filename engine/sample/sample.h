@@ -19,7 +19,7 @@ struct ShaftPiece {
     double z_end_mm = 0;                            ///< from the free end, beyond z_start
     double radius_start_mm = 0;                     ///< nominal, at z_start
     double radius_end_mm = 0;                       ///< nominal, at z_end
-    double oversize_um = 0;                         ///< everywhere
+    double oversize_um = 0;                         ///< constant over the piece
     double taper_start_um = 0;                      ///< linear from the piece's start…
     double taper_end_um = 0;                        ///< …to its end
     double barrel_um = 0;                           ///< parabola: this much at mid length, 0 at the barrel's ends
@@ -43,13 +43,13 @@ struct ScannerModel {
     double sigma_mm = 0.05;        ///< standard deviation of the range
     double dropout_share = 0;      ///< half of them in patches, half single
     double spurious_share = 0;     ///< of the remaining points, added evenly in a box around the part
-    double part_z_from_mm = -1e9;  ///< only this stretch of the part is scanned
+    double part_z_from_mm = -1e9;  ///< start of the scanned stretch, z from the free end
     double part_z_to_mm = 1e9;     ///< end of that stretch, z from the free end
-    double scan_z_from_mm = -1e9;  ///< only rows at these heights of the scanner are taken: what stands beyond is lost
-    double scan_z_to_mm = 1e9;     ///< highest of these rows
-    Eigen::Isometry3d scan_T_part = Eigen::Isometry3d::Identity();   ///< how the part stands; near the scanner's axis
+    double scan_z_from_mm = -1e9;  ///< lowest scanned row in scanner coordinates
+    double scan_z_to_mm = 1e9;     ///< highest scanned row
+    Eigen::Isometry3d scan_T_part = Eigen::Isometry3d::Identity();   ///< pose of the part near the axis of the scanner
     Eigen::Isometry3d frame_T_scan = Eigen::Isometry3d::Identity();  ///< moves the finished cloud
-    std::uint64_t seed = 1;                                          ///< of all that is random
+    std::uint64_t seed = 1;                                          ///< of all random numbers
 };
 
 /// Ray-cast scan of the shaft; 732 000 points for the nominal shaft. The same bits for any number of threads.

@@ -16,7 +16,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSides = 256;  // of a hole
+constexpr int holeSides = 256;  // of a hole
 
 struct Hole {
     double u_mm, v_mm, radius_mm;
@@ -34,18 +34,18 @@ public:
             mesh.triangles.push_back({corners[0], corners[2], corners[3]});
             return;
         }
-        // Fans from each corner to its quarter of the rim; corner k stands at angle 225° + 90° k.
+        // Fans from each corner to its quarter of the rim; corner k is at angle 225° + 90° k.
         const Vector3d eu = u.normalized();
         const Vector3d ev = v.normalized();
         const auto rim = [&](int i) {
-            const double angle = std::numbers::pi + 2 * std::numbers::pi * (i % kSides) / kSides;
+            const double angle = std::numbers::pi + 2 * std::numbers::pi * (i % holeSides) / holeSides;
             return vertex(corner + (hole->u_mm + hole->radius_mm * std::cos(angle)) * eu +
                           (hole->v_mm + hole->radius_mm * std::sin(angle)) * ev);
         };
         for (int k = 0; k < 4; ++k) {
-            for (int i = k * kSides / 4; i < (k + 1) * kSides / 4; ++i)
+            for (int i = k * holeSides / 4; i < (k + 1) * holeSides / 4; ++i)
                 mesh.triangles.push_back({corners[k], rim(i + 1), rim(i)});
-            mesh.triangles.push_back({corners[k], corners[(k + 1) % 4], rim((k + 1) * kSides / 4)});
+            mesh.triangles.push_back({corners[k], corners[(k + 1) % 4], rim((k + 1) * holeSides / 4)});
         }
     }
 
@@ -53,10 +53,10 @@ public:
     void wall(const Vector3d& centre, const Vector3d& eu, const Vector3d& ev, const Vector3d& depth, double radius)
     {
         const auto rim = [&](int i, double t) {
-            const double angle = 2 * std::numbers::pi * (i % kSides) / kSides;
+            const double angle = 2 * std::numbers::pi * (i % holeSides) / holeSides;
             return vertex(centre + t * depth + radius * std::cos(angle) * eu + radius * std::sin(angle) * ev);
         };
-        for (int i = 0; i < kSides; ++i) {
+        for (int i = 0; i < holeSides; ++i) {
             mesh.triangles.push_back({rim(i, 0), rim(i + 1, 0), rim(i + 1, 1)});
             mesh.triangles.push_back({rim(i, 0), rim(i + 1, 1), rim(i, 1)});
         }

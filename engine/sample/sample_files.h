@@ -1,4 +1,4 @@
-// The sample project: what each room shows of itself, written into one folder. All of it is marked synthetic.
+// The sample project: example data of each room, written into one folder and marked synthetic.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ const std::vector<const SamplePart*>& sampleParts();
 /// The names of the files that writeSample() writes, the project last.
 std::vector<std::string> sampleFileNames();
 
-/// Writes the parts' files, truth.json (what has to come out of them) and sample.lathelier into the folder `directory`
-/// (made when missing). Gives the paths in the order of sampleFileNames(). Error fileNotWritable.
+/// Writes the parts' files, truth.json (their expected results) and sample.lathelier into the folder `directory` (made
+/// when missing). Gives the paths in the order of sampleFileNames(). Error fileNotWritable.
 std::vector<std::string> writeSample(const std::string& directory, std::uint64_t seed = 1,
                                      const Progress& progress = {});
 

@@ -20,7 +20,7 @@ constexpr double markerHigh_V = 3.5;
 constexpr double pulseTurns = 0.05;  ///< length of the marker's pulse
 constexpr double whirlRatio = 0.43;  ///< of an oil film, about
 
-/// Streams of random numbers, so that switching one effect on leaves the others as they are.
+/// Streams of random numbers, so that the effects are independent of each other.
 enum RecordStream : std::uint64_t { MarkerNoise, AxisNoise, ToolNoise = AxisNoise + 2, Averages = ToolNoise + 2 };
 
 struct Displacements {
@@ -35,7 +35,7 @@ void add(const std::vector<MotionWave>& waves, double turn, double& x, double& y
     }
 }
 
-/// What the radius has in excess at z: its parabola over the sections' middles.
+/// Deviation of the radius at z: a parabola over the middles of the sections.
 double radius_um(const SpindleModel& model, double z_mm)
 {
     const double first = sectionMiddle_mm(model, 0);
@@ -82,7 +82,7 @@ double rounded(double value, double resolution)
     return resolution > 0 ? std::round(value / resolution) * resolution : value;
 }
 
-/// As a file states it: everything as text.
+/// Header as in a file: all values as text.
 Values headerOf(const SpindleModel& model)
 {
     const auto number = [](double value) { return fmt::format("{}", value); };

@@ -23,7 +23,7 @@ std::string toCsv(const io::ProbeRecord& record)
     Values header{{"unit_time", "s"}, {"unit_disp", "um"}};
     header.insert(header.end(), record.header.begin(), record.header.end());
     std::string out = remarks("Probe record", header);
-    if (record.channel_skew_s)  // more digits than a sentence needs
+    if (record.channel_skew_s)  // more digits than in sentences
         out += fmt::format("# channel_skew_s={:.9e}\n", *record.channel_skew_s);
     out += "t_s";
     for (const io::ProbeChannel& channel : record.channels)

@@ -1,4 +1,4 @@
-// Scans of the sample as PLY files that say what they are.
+// Scans of the sample as PLY files marked as synthetic.
 #pragma once
 
 #include <string>

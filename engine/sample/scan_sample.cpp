@@ -33,7 +33,7 @@ Json piecesOf(const ShaftModel& shaft)
 
 SampleContent makeScans(std::uint64_t seed, const Progress& progress)
 {
-    // Both parts stand a little askew on the turntable, the copy also turned.
+    // Both parts are slightly tilted on the turntable; the copy is also rotated.
     const auto pose = [](double x, double y, double z, double lean_x, double lean_y, double turn) {
         return Eigen::Isometry3d(Eigen::Translation3d(x, y, z) * Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()) *
                                  Eigen::AngleAxisd(lean_x, Eigen::Vector3d::UnitX()) *

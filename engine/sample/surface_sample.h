@@ -1,4 +1,4 @@
-// Photographs of one surface before and after the speed was corrected: pictures made from physics, not photographs.
+// Photographs of one surface before and after the speed was corrected: synthetic pictures from a physical model.
 #pragma once
 
 #include "engine/core/sample_part.h"

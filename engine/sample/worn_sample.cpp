@@ -31,7 +31,7 @@ ShaftModel wornShaft()
     }
     shaft[1].barrel_um = firstBearingBarrel_um;
     shaft[6].taper_end_um = secondBearingTaper_um;
-    // The chamfer goes on where the worn seat ends.
+    // The chamfer starts at the radius of the worn seat.
     shaft[7].oversize_um = secondBearingTaper_um;
     return shaft;
 }

@@ -1,4 +1,4 @@
-// The scan of a worn shaft that is to be made anew.
+// The scan of a worn shaft to be remanufactured.
 #pragma once
 
 #include "engine/core/sample_part.h"

@@ -14,12 +14,13 @@
 namespace lathelier::signal {
 namespace {
 
-constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the weights bound the condition
+constexpr double shareOfSpacing = 0.9;  ///< order × spacing / π: below 1 the adaptive weights bound the condition
+                                        ///< number
 constexpr double mostLeakage = 0.1;
 
 using Placed = std::pair<double, std::size_t>;
 
-/// Sorts by insertion; false, and still unsorted, when that takes more steps than a few for each value.
+/// Sorts by insertion; false, with the order incomplete, when more than a few steps per value are needed.
 bool sortNearlySorted(std::vector<Placed>& pairs)
 {
     std::size_t left = 4 * pairs.size();
@@ -33,20 +34,20 @@ bool sortNearlySorted(std::vector<Placed>& pairs)
     return true;
 }
 
-/// Places of the values in ascending order; equal values keep the order given.
+/// Indices of the values in ascending order; equal values keep the order given.
 std::vector<std::size_t> ascending(const std::vector<double>& values)
 {
     std::vector<std::size_t> order(values.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (values.empty()) return order;
-    // One turn in the order measured begins anywhere and is in order from there.
+    // One revolution in measured order is sorted up to a rotation.
     const auto turned = std::is_sorted_until(values.begin(), values.end());
     if (turned == values.end()) return order;
     if (values.back() < values.front() && std::is_sorted(turned, values.end())) {
         std::rotate(order.begin(), order.begin() + (turned - values.begin()), order.end());
         return order;
     }
-    // Noise makes neighbours of such a turn change places.
+    // Noise may exchange neighbours.
     std::vector<Placed> pairs(values.size());
     const auto first = static_cast<std::size_t>(std::min_element(values.begin(), values.end()) - values.begin());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -58,7 +59,7 @@ std::vector<std::size_t> ascending(const std::vector<double>& values)
     return order;
 }
 
-/// Whether angles so far apart count as two among n.
+/// Whether two angles at this distance are distinct among n.
 bool areTwo(double spacing, std::size_t n)
 {
     return !(spacing <= 1e-9 * turn_rad / static_cast<double>(n));
@@ -78,13 +79,13 @@ double displacementOf(const AngularSampling& sampling)
         most = std::max(most, off);
         ++place;
     };
-    std::size_t last = n;  // the last of the different ones
+    std::size_t last = n;  // index of the last distinct angle
     double spacing = 0;
     while (last-- > 0) {
         spacing = (last + 1 < n ? angle[last + 1] : angle[0] + turn_rad) - angle[last];
         if (areTwo(spacing, n)) break;
     }
-    // A point near 2π that belongs before the first would spoil the comparison with even steps.
+    // A point near 2π that precedes the first is moved, for the comparison with even steps.
     const bool before = sampling.different > 1 && spacing < 0.5 * step;
     if (before) count(angle[last] - turn_rad);
     for (std::size_t i = 0; i < last; ++i)
@@ -148,7 +149,7 @@ CarriedOrders carriedOrders(const AngularSampling& sampling)
     };
     result.determined = sampling.displacement <= AngularSampling::nearlyEven ? std::max(0, (different - 1) / 2)
                                                                              : below(sampling.largest_gap_rad);
-    // Nearly even samples tell of their last order what they see of it.
+    // For nearly even samples the order n/2 is estimated as far as it is observable.
     result.estimated = sampling.displacement <= AngularSampling::nearlyEven ? different / 2 : result.determined;
     result.leakage = sampling.missing_rad / (turn_rad - sampling.missing_rad);
     if (sampling.gaps > 0 && result.leakage <= mostLeakage)

@@ -15,9 +15,9 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Below this transmission a wave is gone: 2^-36 of it passes six cut-offs.
+/// Transmission treated as zero: 2^-36 at six cut-offs.
 constexpr double gone = 6;
-/// Orders that a series has to hold, in cut-offs, for its end not to show: 2^-9 passes there.
+/// Orders required in a series, in cut-offs, for negligible truncation: 2^-9 passes there.
 constexpr double neededOrders = 3;
 
 double meanOf(const std::vector<double>& values)
@@ -56,15 +56,14 @@ std::vector<double> regressed(const AngularSampling& sampling, const std::vector
     const std::vector<double> v0 = moment(sums, 0), v1 = moment(sums, 1);
     std::vector<double> result(values.size());
     for (std::size_t j = 0; j < values.size(); ++j) {
-        // A point alone between two gaps has no slope: the small addition makes it its own mean.
+        // An isolated point between two gaps has no slope: regularised, so that the result is its value.
         const double spread = s2[j] + 1e-6 * a * s0[j];
         result[j] = (spread * v0[j] - s1[j] * v1[j]) / (spread * s0[j] - s1[j] * s1[j]);
     }
     return result;
 }
 
-/// Takes the band out of the whole profile by regression: what the long-wave pass lets through, without its longer
-/// waves.
+/// Band-pass by regression: the output of the long-wave pass minus its longer waves.
 std::vector<double> bandByRegression(const AngularSampling& sampling, std::vector<double> values,
                                      const TransmissionBand& band, const Progress& progress)
 {
@@ -118,8 +117,8 @@ FilteredValues ClosedFilter::operator()(const TransmissionBand& band, const Prog
         result.method = series ? FilterMethod::Series : FilterMethod::Regression;
         if (!series) result.values = bandByRegression(sampling_, values_, band, progress);
         if (!band.low_upr) {
-            // A long-wave pass is a mean of neighbours: where a fit beside a gap or a corner goes beyond them all, it
-            // ends.
+            // A long-wave pass is a mean of neighbours: where the fit beside a gap or corner exceeds their range, it is
+            // clamped.
             const auto [least, greatest] = std::minmax_element(values_.begin(), values_.end());
             for (double& value : result.values) value = std::clamp(value, *least, *greatest);
         }
@@ -128,12 +127,12 @@ FilteredValues ClosedFilter::operator()(const TransmissionBand& band, const Prog
     return result;
 }
 
-/// What the band lets through of the series that fits the values; empty when the spacing does not carry the orders
-/// that it needs. Of a short-wave pass: what it takes away.
+/// Band-filtered series fitted to the values; empty when the spacing does not determine the required orders. For a
+/// short-wave pass: the removed part.
 std::vector<Complex> ClosedFilter::passed(const TransmissionBand& band, const Progress& progress)
 {
     if (sampling_.gaps > 0) return {};
-    const int most = static_cast<int>(sampling_.different - 1) / 2;  // what even spacing would carry
+    const int most = static_cast<int>(sampling_.different - 1) / 2;  // orders determined by even spacing
     const auto limitFor = [most](double cutoff_upr) {
         return std::min(most, static_cast<int>(std::ceil(gone * cutoff_upr)));
     };
@@ -152,13 +151,14 @@ std::vector<Complex> ClosedFilter::passed(const TransmissionBand& band, const Pr
     return series;
 }
 
-/// By the series that fits the values; false when it does not serve.
+/// Filters the fitted series; false when it is not applicable.
 bool ClosedFilter::bySeries(const TransmissionBand& band, const Progress& progress, std::vector<double>& result)
 {
     const std::vector<Complex> series = passed(band, progress);
     if (series.empty()) return false;
     result = fourierSeries(series, sampling_.angle_rad, progress);
-    // A short-wave pass takes the longer waves away from the values themselves: the series need not hold the rest.
+    // A short-wave pass subtracts the longer waves from the values, so that the series need not contain the shorter
+    // ones.
     if (!band.high_upr)
         for (std::size_t j = 0; j < result.size(); ++j) result[j] = values_[j] - result[j] + series[0].real();
     return true;

@@ -1,4 +1,4 @@
-// Several filters of the same closed profile: what they share is computed once.
+// Several filters of the same closed profile with a shared series.
 #pragma once
 
 #include <complex>
@@ -9,18 +9,18 @@
 
 namespace lathelier::signal {
 
-/// filterClosedAt() for the same values and several bands. The trigonometric polynomial that fits the values is made
-/// once, with the orders that the largest cut-off needs.
+/// filterClosedAt() for the same values and several bands. The trigonometric polynomial that fits the values is
+/// computed once, with the orders required by the largest cut-off.
 class ClosedFilter {
 public:
-    /// `values` in the order of the sampling, which has to stay.
+    /// `values` in the order of the sampling, which must outlive this object.
     ClosedFilter(const AngularSampling& sampling, std::vector<double> values, double largest_cutoff_upr);
 
-    /// The answer in the order of the sampling. Throws Cancelled.
+    /// The filtered values in the order of the sampling. Throws Cancelled.
     FilteredValues operator()(const TransmissionBand& band, const Progress& progress = {});
 
-    /// The answer at `count` even angles from 0, where the series serves and holds no shorter waves than they carry;
-    /// else nothing.
+    /// The filtered values at `count` even angles from 0; none when the series is not applicable or contains waves too
+    /// short for this spacing.
     std::optional<std::vector<double>> even(const TransmissionBand& band, std::size_t count,
                                             const Progress& progress = {});
 
@@ -29,10 +29,10 @@ private:
     std::vector<std::complex<double>> passed(const TransmissionBand& band, const Progress& progress);
 
     const AngularSampling& sampling_;
-    std::vector<double> values_;  ///< without their mean where angles are uneven
+    std::vector<double> values_;  ///< minus their mean where angles are uneven
     double mean_ = 0;
     double largest_cutoff_upr_;
-    std::vector<std::complex<double>> fit_;  ///< empty: not made yet
+    std::vector<std::complex<double>> fit_;  ///< empty: not computed yet
 };
 
 }  // namespace lathelier::signal

@@ -10,7 +10,7 @@
 namespace lathelier::signal {
 namespace {
 
-constexpr double evenEnough = 2;  ///< largest over smallest spacing that a cubic through four points takes
+constexpr double evenEnough = 2;  ///< largest ratio of spacings for the cubic through four points
 
 }  // namespace
 
@@ -21,7 +21,7 @@ ClosedInterpolation::ClosedInterpolation(const AngularSampling& sampling, const 
 
 double ClosedInterpolation::operator()(double angle_rad) const
 {
-    // Begun where even spacing would have the place.
+    // Search started at the index expected for even spacing.
     const double turns = (angle_rad - angle_.front()) / turn_rad;
     auto place = static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(angle_.size()));
     return (*this)(angle_rad, place);
@@ -45,7 +45,7 @@ double ClosedInterpolation::operator()(double angle_rad, std::size_t& place) con
     return broadest <= evenEnough * narrowest ? p.throughFour(angle) : p.monotone(angle);
 }
 
-/// std::upper_bound, begun at `place`.
+/// std::upper_bound, started at `place`.
 std::size_t ClosedInterpolation::firstBeyond(double angle, std::size_t place) const
 {
     const std::size_t n = angle_.size();
@@ -88,7 +88,7 @@ double ClosedInterpolation::Neighbours::throughFour(double at) const
 double ClosedInterpolation::Neighbours::slope(std::size_t i) const
 {
     const double before = spacing(i - 1), after = spacing(i);
-    if (!(before > 0) || !(after > 0)) return 0;  // two points at one angle
+    if (!(before > 0) || !(after > 0)) return 0;  // two points at the same angle
     const double rise = (value[i] - value[i - 1]) / before, next = (value[i + 1] - value[i]) / after;
     if (rise * next <= 0) return 0;
     const double w = 2 * after + before, v = after + 2 * before;

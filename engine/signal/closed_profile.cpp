@@ -25,7 +25,7 @@ std::vector<double> filterClosed(std::span<const double> values, const Transmiss
 {
     if (values.empty() || band.isAll()) return {values.begin(), values.end()};
     const auto n = static_cast<double>(values.size());
-    // Without the mean, the rounding is that of the form instead of that of the radius.
+    // The mean is subtracted so that rounding is relative to the form, not to the radius.
     double mean = 0;
     for (const double value : values) mean += value / n;
     std::vector<double> result(values.begin(), values.end());

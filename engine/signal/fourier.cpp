@@ -19,13 +19,13 @@ std::size_t largestPrimeFactor(std::size_t n)
     return std::max(largest, n);
 }
 
-/// Without the tests for infinity that * makes.
+/// Complex product without the checks for infinity of operator*.
 Complex times(const Complex& a, const Complex& b)
 {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-/// Above this factor a direct transform of the factor costs more than Bluestein's three.
+/// Largest prime factor for which a direct transform is cheaper than Bluestein's three transforms.
 constexpr std::size_t largestDirectFactor = 60;
 
 }  // namespace
@@ -80,10 +80,10 @@ private:
     std::size_t padded_ = 0;          ///< Bluestein's length, 0 when not needed
     std::vector<Complex> chirp_;      ///< e^{-πi j²/n}
     std::vector<Complex> spectrum_;   ///< of the conjugate chirp, at the padded length
-    mutable Eigen::FFT<double> fft_;  // holds scratch space
+    mutable Eigen::FFT<double> fft_;  // mutable: scratch memory
 };
 
-/// e^{-2πik/n} as the product of two out of short tables.
+/// e^{-2πik/n} as a product of entries of two short tables.
 class Turns {
 public:
     explicit Turns(std::size_t n)
@@ -144,7 +144,7 @@ std::vector<Complex> FourierTransform::forward(std::span<const double> values) c
     for (std::size_t j = 0; j < half; ++j) pairs[j] = {values[2 * j], values[2 * j + 1]};
     std::vector<Complex> both = plan_->transform(pairs);
     both.push_back(both[0]);
-    // From both ends inward, in place: k and half - k come of the same two.
+    // In place from both ends inward: k and half - k depend on the same two values.
     for (std::size_t k = 0; k <= half / 2; ++k) {
         const Complex a = both[k], b = std::conj(both[half - k]);
         const Complex even = (a + b) / 2.0, difference = (a - b) / 2.0;

@@ -9,7 +9,7 @@
 
 namespace lathelier::signal {
 
-/// Transforms of one length, prepared once. Not to be used by two threads at a time.
+/// Transforms of one length, prepared once. Not thread-safe.
 class FourierTransform {
 public:
     explicit FourierTransform(std::size_t length);  ///< at least 1
@@ -31,7 +31,7 @@ private:
     std::unique_ptr<Plan> plan_;
 };
 
-/// The least length of at least `minimum` that has no prime factor above 5, and is even: quick to transform.
+/// The least even length ≥ `minimum` without a prime factor above 5, which is fast to transform.
 std::size_t quickTransformLength(std::size_t minimum);
 
 }  // namespace lathelier::signal

@@ -14,10 +14,10 @@ namespace {
 using Complex = std::complex<double>;
 using Coefficients = std::vector<Complex>;
 
-constexpr int mostIterations = 80;     ///< more says that the orders are not determined
-constexpr double goal = 1e-13;         ///< of the right-hand side
-constexpr double sufficient = 1e-10;   ///< where rounding stops it
-constexpr double worstCondition = 30;  ///< largest over smallest eigenvalue; noise grows by no more than its root
+constexpr int mostIterations = 80;     ///< more iterations indicate undetermined orders
+constexpr double goal = 1e-13;         ///< relative residual to reach
+constexpr double sufficient = 1e-10;   ///< relative residual accepted when rounding prevents further progress
+constexpr double worstCondition = 30;  ///< largest ratio of eigenvalues; noise is amplified by at most its square root
 
 /// The inner product of two real functions given by their coefficients.
 double dot(const Coefficients& a, const Coefficients& b)
@@ -59,7 +59,7 @@ private:
     std::vector<double> weight_;
 };
 
-/// Condition of the normal matrix as the conjugate gradients have met it: their steps and turns are the entries of
+/// Condition of the normal matrix estimated from the conjugate gradients: their coefficients are the entries of
 /// Lanczos' tridiagonal matrix, whose extreme eigenvalues are those of the normal matrix.
 double conditionOf(const std::vector<double>& step, const std::vector<double>& turn)
 {
@@ -75,7 +75,7 @@ double conditionOf(const std::vector<double>& step, const std::vector<double>& t
     return solver.eigenvalues()[n - 1] / std::max(solver.eigenvalues()[0], 1e-300);
 }
 
-/// Nothing when the orders are not determined.
+/// None when the orders are not determined.
 std::optional<Coefficients> solve(const NormalMatrix& matrix, const Coefficients& right, const Progress& progress)
 {
     Coefficients solution(right.size()), residual = right, direction = right;

@@ -13,8 +13,8 @@
 namespace lathelier::signal {
 
 /// Coefficients c_0…c_K of value(θ) = c_0 + 2 Re Σ_{k>0} c_k e^{ikθ} that fit best, `values` being in the sampling's
-/// order. K is `limit`, or less where the sampling does not carry it (carriedOrders()) or where the normal equations
-/// are worse conditioned than 30; at least 0.
+/// order. K is `limit`, or less where the sampling does not determine it (carriedOrders()) or where the normal
+/// equations are worse conditioned than 30; at least 0.
 std::vector<std::complex<double>> fitFourier(const AngularSampling& sampling, std::span<const double> values, int limit,
                                              const Progress& progress = {});
 

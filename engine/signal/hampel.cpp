@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t valuesPerTask = 8192;
 
-/// The finite values about a place that moves along, in ascending order.
+/// Sorted sliding window of the finite values.
 class MovingWindow {
 public:
     MovingWindow(std::span<const double> values, const HampelOptions& options, std::size_t place)
@@ -46,10 +46,10 @@ public:
         return n % 2 == 1 ? sorted_[n / 2] : (sorted_[n / 2] + sorted_[n / 2 - 1]) / 2;
     }
 
-    /// Median of the distances from `middle`, which lies among the values: from it outwards they ascend on either side.
+    /// Median of the distances from `middle`: they ascend outwards from it on either side.
     double medianDistance(double middle) const
     {
-        std::size_t right = sorted_.size() / 2, left = right;  // left: of the value after the next one on that side
+        std::size_t right = sorted_.size() / 2, left = right;  // left: one past the next value on that side
         double before = 0, last = 0;
         for (std::size_t taken = 0; taken <= sorted_.size() / 2; ++taken) {
             before = last;
@@ -64,7 +64,7 @@ public:
 private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-    /// NaN where there is none.
+    /// Median; NaN for an empty window.
     double at(std::ptrdiff_t j) const
     {
         const std::ptrdiff_t n = std::ssize(values_);
@@ -79,7 +79,7 @@ private:
     {
         if (std::isfinite(value)) sorted_.erase(std::lower_bound(sorted_.begin(), sorted_.end(), value));
     }
-    /// Only the values between the two move.
+    /// Only the values between old and new position move.
     void replace(double old, double fresh)
     {
         const std::size_t n = sorted_.size();
@@ -109,7 +109,7 @@ double robustSpread(const std::vector<double>& values, double centre)
     std::vector<double> distances;
     distances.reserve(values.size());
     for (const double value : values) distances.push_back(std::abs(value - centre));
-    return mad_to_sigma * median(std::move(distances));
+    return madToSigma * median(std::move(distances));
 }
 
 std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options,
@@ -135,17 +135,17 @@ std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const H
     finite.reserve(distance.size());
     for (const double d : distance)
         if (std::isfinite(d)) finite.push_back(d);
-    const double overall = std::max(mad_to_sigma * median(std::move(finite)), options.least_spread);
+    const double overall = std::max(madToSigma * median(std::move(finite)), options.least_spread);
     parallelFor(values.size(), valuesPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            // The last bits of equal values are no outliers.
+            // Differences in the last bits are not outliers.
             const double rounding = 1e-12 * std::abs(values[i]);
             if (distance[i] <= options.threshold * overall + rounding) continue;
-            // Few come this far, so that only these need the spread of their window.
+            // Few values reach this test, so that the spread of the window is computed for these only.
             double spread = 0;
             if (moving && std::isfinite(values[i])) {
                 const MovingWindow window(values, options, i);
-                spread = mad_to_sigma * window.medianDistance(window.median());
+                spread = madToSigma * window.medianDistance(window.median());
             }
             result[i] = !(distance[i] <= options.threshold * std::max(spread, overall) + rounding);
         }

@@ -10,15 +10,15 @@
 namespace lathelier::signal {
 
 struct HampelOptions {
-    int half_window = 5;      ///< neighbours on each side; 0: all values against one median
-    double threshold = 5;     ///< in standard deviations; the textbook's 3 would take honest peaks of long records
-    bool closed = true;       ///< the last value is the first one's neighbour
-    double least_spread = 0;  ///< standard deviation below which nothing is told apart: resolution of the values
+    int half_window = 5;      ///< neighbours on each side; 0: one median of all values
+    double threshold = 5;     ///< in robust standard deviations; the usual 3 would reject regular peaks of long records
+    bool closed = true;       ///< the sequence is periodic
+    double least_spread = 0;  ///< lower bound of the standard deviation, such as the resolution of the values
 };
 
 /// 1 where a value lies further from the median of its window than `threshold` robust standard deviations (1.4826 ×
 /// median of the absolute deviations; the larger of the window's and of the whole record's). Values that are not finite
-/// are outliers, and are not looked at otherwise.
+/// are outliers and excluded from the statistics.
 std::vector<std::uint8_t> hampelOutliers(std::span<const double> values, const HampelOptions& options = {},
                                          const Progress& progress = {});
 

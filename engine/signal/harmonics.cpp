@@ -22,7 +22,8 @@ Harmonic harmonic(int upr, Complex coefficient)
     return {upr, 2 * std::abs(coefficient), -std::arg(coefficient)};
 }
 
-/// The order n/2 of n values: cosine and sine look alike there, so the smallest amplitude that explains them.
+/// The order n/2 of n values: cosine and sine are not separable there, so the smallest amplitude that explains the
+/// values is taken.
 Harmonic alternating(int upr, const AngularSampling& sampling, const std::vector<double>& values)
 {
     double cc = 0, cs = 0, ss = 0, c = 0, s = 0;
@@ -35,7 +36,7 @@ Harmonic alternating(int upr, const AngularSampling& sampling, const std::vector
         c += w * x * values[j];
         s += w * y * values[j];
     }
-    // Pseudo-inverse along the direction that the samples see.
+    // Pseudo-inverse along the observable direction.
     const double direction = std::atan2(2 * cs, cc - ss) / 2;
     const double ux = std::cos(direction), uy = std::sin(direction);
     const double strength = ux * ux * cc + 2 * ux * uy * cs + uy * uy * ss;

@@ -12,18 +12,18 @@ namespace lathelier::signal {
 
 /// One harmonic; r contains amplitude · cos(upr · θ - phase).
 struct Harmonic {
-    int upr = 0;           ///< undulations per revolution
+    int upr = 0;           ///< order, undulations per revolution
     double amplitude = 0;  ///< zero to peak, in the unit of the values
     double phase_rad = 0;  ///< the first crest lies at phase / upr
 };
 
-/// Harmonics k = 1…limit of values at uniform angles θ_j = 2πj/n, limit ≤ n/2. At k = n/2 the samples tell only the
-/// part that they see.
+/// Harmonics k = 1…limit of values at uniform angles θ_j = 2πj/n, limit ≤ n/2. At k = n/2 only the observable part is
+/// determined.
 std::vector<Harmonic> harmonicsUniform(std::span<const double> values, int limit);
 
-/// The same for any angles (with gaps, duplicates, any order), by least squares, up to what the sampling carries
-/// (carriedOrders()). Orders that small gaps leave undetermined are estimated from what the lower ones do not explain,
-/// those of an uneven or interrupted sampling left out; with a third of the turn missing there are none.
+/// The same for any angles (with gaps, duplicates, any order), by least squares, up to the order that the sampling
+/// determines (carriedOrders()). Orders undetermined because of small gaps are estimated from the residual of the lower
+/// ones, those of an uneven or interrupted sampling omitted; with a third of the revolution missing there are none.
 std::vector<Harmonic> harmonicsAt(std::span<const double> angle_rad, std::span<const double> values, int limit);
 
 /// The same for values in the order of a sampling.

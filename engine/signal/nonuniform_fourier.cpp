@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 constexpr std::size_t anglesPerTask = 1 << 15;
 
-/// std::floor() without a call, of what an integer holds.
+/// Inline floor for values within the range of an integer.
 double wholeBelow(double x)
 {
     const auto whole = static_cast<double>(static_cast<std::int64_t>(x));
@@ -26,8 +26,8 @@ double wholeBelow(double x)
 
 constexpr int reach = 14;  ///< grid points on each side that a value is spread over: 1e-13
 
-/// The oversampled grid of the paper: every value is spread over 2·reach points by a Gaussian, which the transform
-/// takes back exactly.
+/// The oversampled grid of the paper: every value is spread over 2·reach points by a Gaussian, which is inverted
+/// exactly after the transform.
 class Grid {
 public:
     explicit Grid(int limit)
@@ -69,7 +69,7 @@ public:
         }
     }
 
-    /// What takes the Gaussian back at order k.
+    /// Deconvolution factor of the Gaussian at order k.
     double sharpen(int k) const
     {
         return std::sqrt(pi / tau_) * std::exp(static_cast<double>(k) * k * tau_) / static_cast<double>(size_);
@@ -89,14 +89,14 @@ private:
 /// distance. One transform of each power: (kx)^p/p! of the largest order k and distance x falls to 2e-14 at the last.
 class Expansion {
 public:
-    static constexpr std::size_t powers = 10;  // even
+    static constexpr std::size_t powers = 10;  // number of powers, even
 
     explicit Expansion(int limit)
         : limit_(limit), size_(quickTransformLength(16 * static_cast<std::size_t>(limit))), transform_(size_)
     {
     }
 
-    /// Whether the transforms cost less than what they save.
+    /// Whether this method is cheaper.
     static bool pays(std::size_t values, int limit)
     {
         return limit > 0 && values > 100 * static_cast<std::size_t>(limit);
@@ -174,7 +174,7 @@ std::vector<Complex> expandedSums(std::span<const double> angle_rad, std::span<c
         values.size(), std::max(anglesPerTask, size), progress, std::vector<double>(size, 0.0),
         [&](std::size_t begin, std::size_t end) {
             std::vector<double> moments(size, 0.0);
-            // Neighbours mostly belong to one node: its sums are added up before they are laid down.
+            // Neighbours mostly belong to one node: its sums are accumulated before they are stored.
             std::array<double, powers> sum{};
             std::size_t node = 0;
             const auto lay = [&] {
@@ -228,7 +228,7 @@ std::vector<Complex> fourierSums(std::span<const double> angle_rad, std::span<co
 {
     if (Expansion::pays(values.size(), limit)) return expandedSums(angle_rad, values, limit, progress);
     const Grid grid(limit);
-    // A grid for each chunk: no more grids than there is room for as many numbers as values.
+    // A grid for each chunk: as many grids as fit into the memory of the values.
     const std::vector<double> spread = parallelReduce(
         values.size(), std::max(anglesPerTask, grid.size()), progress, std::vector<double>(grid.size(), 0.0),
         [&](std::size_t begin, std::size_t end) {

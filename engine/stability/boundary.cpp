@@ -11,10 +11,10 @@ namespace lathelier::stability {
 namespace {
 
 constexpr std::size_t fewestLines = 4;
-constexpr double straightDepth = 2e-5;   ///< of the depth
-constexpr double straightTurns = 1e-6;   ///< of the phase, in turns
-constexpr double straightSpeed = 1e-6;   ///< of the speed
-constexpr std::size_t mostLeftOut = 64;  ///< of points in a row, and one more
+constexpr double straightDepth = 2e-5;   ///< relative tolerance of the depth
+constexpr double straightTurns = 1e-6;   ///< tolerance of the phase, in turns
+constexpr double straightSpeed = 1e-6;   ///< relative tolerance of the speed
+constexpr std::size_t mostLeftOut = 64;  ///< largest number of consecutive omitted points
 
 void checkReceptance(const Frf& frf)
 {
@@ -38,13 +38,13 @@ std::complex<double> cubic(const Frf& frf, std::size_t i, double f)
     return sum;
 }
 
-/// Is the response between line i and the next one straight, as far as a limiting depth tells?
+/// True if the response is linear between line i and the next within the tolerance of the depth.
 bool isStraight(const Frf& frf, std::size_t i)
 {
     const std::complex<double> a = frf.value[i], b = frf.value[i + 1];
     const std::complex<double> bend =
         cubic(frf, i, (frf.frequency_hz[i] + frf.frequency_hz[i + 1]) / 2) - (a + b) / 2.0;
-    // A line is straight in G, depth and phase are not: their own bend goes with the square of the change.
+    // If G is linear, depth and phase are not: their curvature grows with the square of the change of G.
     const double least = std::min(std::abs(a.real()), std::abs(b.real()));
     return std::abs(bend) < straightDepth * least && std::norm(b - a) < straightDepth * least * least;
 }
@@ -98,7 +98,7 @@ std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch)
         const BoundaryPoint& a = stretch[from];
         const BoundaryPoint& b = stretch[to];
         const double depth_a = 1 / a.compliance_mm_N, depth_b = 1 / b.compliance_mm_N;
-        // Speeds are f/(k + turns): straight only where one of the two hardly changes. k = 0 is the worst.
+        // Speeds are f/(k + turns): nearly linear only if f or the turns hardly change. k = 0 is the worst case.
         const double bend = std::abs(b.phase_turns - a.phase_turns) / std::min(a.phase_turns, b.phase_turns) *
                             (b.frequency_hz / a.frequency_hz - 1) / 4;
         if (!(bend < straightSpeed)) return false;
@@ -136,7 +136,7 @@ LeastRealPart leastRealPart(const Frf& frf, double factor)
     // Golden section on either side of the line.
     const double shrink = (std::sqrt(5.0) - 1) / 2;
     for (const std::size_t i : {least - 1, least}) {
-        if (i >= frf.frequency_hz.size() - 1) continue;  // least - 1 of the first line wraps round
+        if (i >= frf.frequency_hz.size() - 1) continue;  // index -1 wraps for the first line
         double from = frf.frequency_hz[i], to = frf.frequency_hz[i + 1];
         const auto real = [&](double f) { return factor * cubic(frf, i, f).real(); };
         for (int step = 0; step < 60; ++step) {

@@ -10,7 +10,7 @@
 
 namespace lathelier::stability {
 
-/// Where the real part is negative, the cut may chatter with this frequency.
+/// A point with negative real part, where the cut may chatter at this frequency.
 struct BoundaryPoint {
     double frequency_hz = 0;     ///< of the chatter
     double compliance_mm_N = 0;  ///< -2 Re G > 0: the limiting depth is 1/(K_r compliance)
@@ -20,23 +20,23 @@ struct BoundaryPoint {
 /// Unbroken stretches of the frequency axis with Re G < 0, each of at least two points, ascending.
 using Boundary = std::vector<std::vector<BoundaryPoint>>;
 
-/// Between the lines of `frf` real and imaginary part are interpolated by cubics (Lagrange, four lines), so many steps
-/// from line to line where the response is not straight between them (2e-5 of the depth); the values are multiplied by
-/// `factor` (of the direction). Errors: notAReceptance, tooFewLines.
+/// Between the lines of `frf` real and imaginary part are interpolated by cubics (Lagrange, four lines) with `steps`
+/// points per interval where the response is not linear within 2e-5 of the depth; the values are multiplied by `factor`
+/// (of the direction). Errors: notAReceptance, tooFewLines.
 Boundary boundaryOf(const Frf& frf, double factor, int steps);
 
-/// Without the points that a straight line over the frequency gives, the depth to 2e-5 of it, the phase to 1e-6 turns,
-/// the speed of every lobe to 1e-6 of it.
+/// Omits points that linear interpolation over the frequency reproduces: depth to 2e-5, phase to 1e-6 turns, speed of
+/// every lobe to 1e-6.
 std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch);
 
 /// The value of the receptance at `frequency_hz` by that interpolation; the nearest line's outside.
 std::complex<double> interpolated(const Frf& frf, double frequency_hz);
 
-/// The line of the smallest real part, refined between lines by the same cubic.
+/// The minimum of the real part, refined between lines by the same cubic.
 struct LeastRealPart {
-    double frequency_hz = 0;  ///< where
-    double real_mm_N = 0;     ///< how small; not negative: nothing chatters
-    bool at_edge = false;     ///< it is the first or last line
+    double frequency_hz = 0;
+    double real_mm_N = 0;  ///< the minimum; ≥ 0: no chatter
+    bool at_edge = false;  ///< it is the first or last line
 };
 LeastRealPart leastRealPart(const Frf& frf, double factor = 1);
 

@@ -18,7 +18,7 @@ double speedOf(const BoundaryPoint& point, int k, SpeedRelation relation)
     return 60 * point.frequency_hz / (relation == SpeedRelation::Published ? k : k + point.phase_turns);
 }
 
-/// The limit at evenly spaced speeds, as it comes down segment by segment.
+/// Lower envelope at evenly spaced speeds, updated segment by segment.
 class LowerEnvelope {
 public:
     LowerEnvelope(const Interval& speed_rpm, int points)
@@ -141,7 +141,7 @@ LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Inter
     return limit.take();
 }
 
-/// Linear between the evenly spaced speeds of the limit; NaN where one of the neighbours is.
+/// Linear interpolation between the speeds of the limit; NaN if a neighbour is NaN.
 double depthAt(const LobeLimit& limit, double speed_rpm)
 {
     const std::size_t count = limit.speed_rpm.size();

@@ -7,9 +7,9 @@
 
 namespace lathelier::stability {
 
-/// Where one lobe passes.
+/// A point of a lobe.
 struct CurvePoint {
-    double speed_rpm = 0;     ///< of the spindle
+    double speed_rpm = 0;
     double depth_N_mm = 0;    ///< K_r a: the depth in N/mm
     double frequency_hz = 0;  ///< of the chatter
 };
@@ -20,7 +20,7 @@ struct LobeCurve {
     std::vector<std::vector<CurvePoint>> stretches;  ///< each of at least one point
 };
 
-/// The lobes of a stretch that may reach the speeds: from first to last, none where last < first.
+/// Range of lobe numbers of a stretch that may reach the speeds; empty if last < first.
 struct LobeRange {
     int first = 0;
     int last = -1;
@@ -31,13 +31,13 @@ LobeRange lobesWithin(const Boundary& boundary, SpeedRelation relation, const In
 /// Lobe k without process damping.
 LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation);
 
-/// The part of it that may reach the speeds, with a point more at either end.
+/// The part of it that may reach the speeds, with one additional point at either end.
 LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation, const Interval& speed_rpm);
 
-/// The least of all curves at evenly spaced speeds, as envelope() has it.
+/// Minimum of all curves at evenly spaced speeds, as envelope().
 LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points);
 
-/// Linear between the evenly spaced speeds of the limit; NaN outside, and where one of the neighbours is.
+/// Linear interpolation between the speeds of the limit; NaN outside, and if a neighbour is NaN.
 double depthAt(const LobeLimit& limit, double speed_rpm);
 
 }  // namespace lathelier::stability

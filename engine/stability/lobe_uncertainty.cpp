@@ -12,9 +12,9 @@ namespace lathelier::stability {
 namespace {
 
 constexpr std::uint64_t draws = 1000;
-constexpr double widest = 1.5;  ///< a drawn natural frequency differs by less than this factor
+constexpr double widest = 1.5;  ///< bound of the sampled frequency factor
 
-/// A drawn machine: its frequencies are those of the boundary times `frequency`, its limits times `depth`.
+/// A Monte Carlo sample: scales the frequencies of the boundary by `frequency` and the limits by `depth`.
 struct Draw {
     double frequency = 1;
     double depth = 1;
@@ -63,9 +63,9 @@ LobeBand bandOf(const LobeParameters& p, const LobeLimit& limit, const LimitOver
     return band;
 }
 
-PointOfWork pointOfWork(const LobeResult& result, double speed_rpm, double depth_mm)
+PointStability pointStabilityAt(const LobeResult& result, double speed_rpm, double depth_mm)
 {
-    PointOfWork point;
+    PointStability point;
     const LobeLimit& limit = result.limit;
     point.limit_mm = depthAt(limit, speed_rpm);
     point.stable = !(depth_mm >= point.limit_mm);

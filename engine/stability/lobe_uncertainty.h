@@ -1,4 +1,4 @@
-// What the stated uncertainties of frequencies, compliance and coefficient make of the limit: 1000 drawn machines.
+// Uncertainty of the limit from those of frequencies, compliance and coefficient, by 1000 Monte Carlo samples.
 #pragma once
 
 #include <functional>
@@ -7,13 +7,13 @@
 
 namespace lathelier::stability {
 
-/// Is any uncertainty stated that changes the limit?
+/// True if an uncertainty that affects the limit is stated.
 bool isUncertain(const LobeParameters& parameters);
 
 /// The limit in mm over other speeds than those of a result.
 using LimitOver = std::function<LobeLimit(const Interval& speed_rpm, int points)>;
 
-/// The band at the speeds of `limit`. With process damping its coefficient is taken to scale with K_r. Throws
+/// The band at the speeds of `limit`. With process damping its coefficient is assumed proportional to K_r. Throws
 /// Cancelled.
 LobeBand bandOf(const LobeParameters& parameters, const LobeLimit& limit, const LimitOver& limitOver,
                 const Progress& progress);

@@ -14,8 +14,8 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr int stepsOfMeasured = 8;          ///< between lines
-constexpr std::size_t denseEnough = 20000;  ///< lines that need no steps between them
+constexpr int stepsOfMeasured = 8;          ///< interpolated points per line interval
+constexpr std::size_t denseEnough = 20000;  ///< number of lines above which no points are interpolated
 
 Interval speedsOf(const LobeParameters& parameters, double frequency_hz)
 {
@@ -27,7 +27,7 @@ Interval speedsOf(const LobeParameters& parameters, double frequency_hz)
     return {60 * frequency_hz / 8, 60 * frequency_hz * 1.2};  // lobes 1 to 7 and the pocket above
 }
 
-/// The part of a lobe within the speeds.
+/// The part of a lobe within the speed range.
 Lobe shownPart(const LobeCurve& curve, const Interval& speed_rpm, double per_N_mm)
 {
     Lobe lobe;
@@ -48,7 +48,7 @@ Lobe shownPart(const LobeCurve& curve, const Interval& speed_rpm, double per_N_m
     return lobe;
 }
 
-/// β of the process damping that is asked for; 0: none.
+/// β of the requested process damping; 0: none.
 double dampingOf(const LobeParameters& p)
 {
     if (!p.process_damping_N_mm) return 0;
@@ -84,7 +84,7 @@ LobeLimit scaled(LobeLimit limit, double factor)
     return limit;
 }
 
-/// With points between the lines of a response where they are few, without those that say nothing.
+/// Boundary with interpolated points for coarse responses, without redundant points.
 Boundary denseBoundary(const Frf& frf, double factor)
 {
     Boundary boundary = boundaryOf(frf, factor, frf.frequency_hz.size() > denseEnough ? 1 : stepsOfMeasured);
@@ -99,8 +99,8 @@ LobeLimit limitIn(const Boundary& boundary, const LobeParameters& p, double beta
     return scaled(envelopeOf(curvesOf(boundary, p.relation, speed_rpm, beta, progress), speed_rpm, points), per_N_mm);
 }
 
-/// With process damping the least limit is that of the speeds shown: slower cuts bear more.
-void takeLeast(LobeResult& result)
+/// With process damping the minimum is taken over the shown speeds, as the limit rises at low speeds.
+void setMinimumOverShownSpeeds(LobeResult& result)
 {
     const LobeLimit& limit = result.limit;
     for (std::size_t i = 0; i < limit.depth_mm.size(); ++i)
@@ -187,7 +187,7 @@ LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Pro
     result.speed_rpm = speedsOf(parameters, least.frequency_hz);
     const bool chatters = least.real_mm_N < 0;
     const Boundary boundary = denseBoundary(frf, parameters.direction_factor);
-    // The depth over N/mm: 1/K_r, or such that the least depth is 1.
+    // The depth over N/mm: 1/K_r, or normalised to a least depth of 1.
     const double per_N_mm = result.isRelative() ? -2 * least.real_mm_N : 1 / *parameters.cutting_coefficient_N_mm2;
     const std::vector<LobeCurve> curves = curvesOf(boundary, parameters.relation, result.speed_rpm, beta, progress);
     result.limit = scaled(envelopeOf(curves, result.speed_rpm, parameters.points), per_N_mm);
@@ -199,7 +199,7 @@ LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Pro
     if (least.at_edge) result.notes.push_back({notes::minimumAtEdge, {{"frequency_hz", least.frequency_hz}}});
     if (result.isRelative()) result.notes.push_back({notes::coefficientUnknown, {}});
     if (beta > 0) {
-        takeLeast(result);
+        setMinimumOverShownSpeeds(result);
     } else {
         result.minimum_depth_mm = per_N_mm / (-2 * least.real_mm_N);
         result.frequency_of_minimum_hz = least.frequency_hz;

@@ -20,8 +20,8 @@ enum class SpeedRelation { Exact, Published };  ///< Published: N = 60 f/k, the 
 
 struct LobeParameters {
     std::optional<double> cutting_coefficient_N_mm2;  ///< K_r; none: depths are multiples of the least one
-    SpeedRelation relation = SpeedRelation::Exact;    ///< which speed belongs to a chatter frequency
-    std::vector<Interval> speed_rpm;                  ///< at most one; none: about the first lobes
+    SpeedRelation relation = SpeedRelation::Exact;    ///< relation of speed and chatter frequency
+    std::vector<Interval> speed_rpm;                  ///< at most one range; empty: range of the first lobes
     int points = 2000;                                ///< of the envelope, evenly over the speeds
     double direction_factor = 1;                      ///< D: the oriented receptance is D·G
     std::optional<double> process_damping_N_mm;       ///< C of a force C (a/v) ẋ; none: no process damping
@@ -33,19 +33,19 @@ struct LobeParameters {
 
 const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*);
 
-/// One lobe within the range of speeds, by ascending chatter frequency. NaN in all three parts its stretches.
+/// One lobe within the range of speeds, by ascending chatter frequency. NaN in all three lists separates stretches.
 struct Lobe {
-    int k = 0;                         ///< whole waves between two revolutions
-    std::vector<double> speed_rpm;     ///< of the spindle
+    int k = 0;  ///< whole waves between two revolutions
+    std::vector<double> speed_rpm;
     std::vector<double> depth_mm;      ///< limiting depth; without K_r a multiple of the least one
     std::vector<double> frequency_hz;  ///< of the chatter
 };
 
-/// The lower envelope of all lobes.
+/// The lower envelope of all lobes at evenly spaced speeds.
 struct LobeLimit {
-    std::vector<double> speed_rpm;     ///< evenly spaced
+    std::vector<double> speed_rpm;
     std::vector<double> depth_mm;      ///< NaN where no lobe limits; without K_r a multiple of the least one
-    std::vector<double> frequency_hz;  ///< of the chatter at the limit; NaN likewise
+    std::vector<double> frequency_hz;  ///< of the chatter at the limit; NaN where no lobe limits
     std::vector<int> k;                ///< of the lobe that limits; -1 where none does
 };
 
@@ -53,13 +53,13 @@ struct LobeLimit {
 struct LobeBand {
     std::vector<double> low_mm;   ///< 2.5 % quantile at each speed of the limit; NaN where no lobe limits
     std::vector<double> high_mm;  ///< 97.5 % quantile
-    LobeLimit whole;              ///< the limit over a wider range, from which machines are drawn
+    LobeLimit whole;              ///< the limit over a wider range, used by the samples
 };
 
 struct LobeResult {
-    LobeParameters parameters;  ///< as asked
-    Interval speed_rpm;         ///< range that is shown
-    /// Limit at every speed, with process damping at every speed shown; 1 without K_r; none: nothing chatters.
+    LobeParameters parameters;
+    Interval speed_rpm;  ///< shown range
+    /// Limit over all speeds, with process damping over the shown speeds; 1 without K_r; none: no chatter.
     std::optional<double> minimum_depth_mm;
     std::optional<double> frequency_of_minimum_hz;  ///< of the chatter there
     LobeLimit limit;                                ///< lower envelope
@@ -82,14 +82,14 @@ LobeLimit limitOf(const Frf& frf, const LobeParameters& parameters, const Progre
 /// The limit at evenly spaced speeds from `from_rpm` to `to_rpm`, in 1/compliance (N/mm): divided by K_r it is a depth.
 LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, int points);
 
-/// What is known of a point of the chart.
-struct PointOfWork {
+/// Stability of a point of the chart.
+struct PointStability {
     double limit_mm = notANumber;      ///< limiting depth there; NaN: none
     double frequency_hz = notANumber;  ///< chatter frequency at that limit
-    int k = -1;                        ///< lobe that limits
+    int k = -1;                        ///< limiting lobe; -1: none
     bool stable = true;                ///< depth below the limit
     double probability_stable = 1;     ///< under the stated uncertainties; 0 or 1 without any
 };
-PointOfWork pointOfWork(const LobeResult& result, double speed_rpm, double depth_mm);
+PointStability pointStabilityAt(const LobeResult& result, double speed_rpm, double depth_mm);
 
 }  // namespace lathelier::stability

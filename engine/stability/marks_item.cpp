@@ -10,7 +10,7 @@ std::optional<double> numberOf(const Values& values, const char* key)
     const Value* const value = find(values, key);
     const auto* number = value ? std::get_if<double>(value) : nullptr;
     if (number && std::isfinite(*number)) return *number;
-    const auto* whole = value ? std::get_if<std::int64_t>(value) : nullptr;  // as a project file may have it
+    const auto* whole = value ? std::get_if<std::int64_t>(value) : nullptr;  // integers are possible in project files
     return whole ? std::optional(static_cast<double>(*whole)) : std::nullopt;
 }
 
@@ -49,7 +49,7 @@ std::optional<SurfaceMarks> marksOf(const Values& values)
 std::optional<ModelCheck> checkModel(const SurfaceMarks& marks, const LobeResult& lobes)
 {
     if (marks.speed_rpm < lobes.speed_rpm.from || marks.speed_rpm > lobes.speed_rpm.to) return std::nullopt;
-    const double model_hz = pointOfWork(lobes, marks.speed_rpm, 0).frequency_hz;
+    const double model_hz = pointStabilityAt(lobes, marks.speed_rpm, 0).frequency_hz;
     if (!(model_hz > 0)) return std::nullopt;
     const double percent = 100 * (marks.frequency_hz / model_hz - 1);
     return ModelCheck{model_hz, percent, std::abs(percent) <= modelTolerance_percent};

@@ -1,5 +1,5 @@
-// Chatter marks that were read off a surface, as an item of the project: the picture of the surface says at which
-// frequency the cut really chattered, the lobe chart where a model puts it.
+// Chatter marks evaluated from a photograph, as an item of the project, for comparison of the observed chatter
+// frequency with that of the lobe model.
 #pragma once
 
 #include <optional>
@@ -16,29 +16,29 @@ inline constexpr const char* marksItem = "chatter_marks";  ///< kind of the item
 
 struct SurfaceMarks {
     std::string picture;                     ///< name of the file
-    double speed_rpm = 0;                    ///< that the surface was cut with
+    double speed_rpm = 0;                    ///< spindle speed of the cut
     double frequency_hz = 0;                 ///< of the vibration
     double uncertainty_hz = 0;               ///< standard uncertainty of the frequency
-    std::optional<double> nearest_other_hz;  ///< distance to the next reading of the marks; none: there is no other
+    std::optional<double> nearest_other_hz;  ///< distance to the nearest alternative reading of the marks; none: unique
 };
 
 /// Values of the item.
 Values toValues(const SurfaceMarks& marks);
 
-/// The same back; nothing when the values are not those of marks.
+/// Inverse of toValues(); none if the values do not describe marks.
 std::optional<SurfaceMarks> marksOf(const Values& values);
 
 /// The frequency of the marks against that of a model at the same speed.
 struct ModelCheck {
     double model_hz = 0;            ///< chatter frequency at the limit
-    double difference_percent = 0;  ///< of the marks from the model's
+    double difference_percent = 0;  ///< deviation of the marks from the model
     bool agrees = false;            ///< within modelTolerance_percent
 };
 
-/// Beyond it response, diameter, speed or number of waves are to be doubted.
+/// Larger deviations indicate an error in response, diameter, speed or number of waves.
 inline constexpr double modelTolerance_percent = 5;
 
-/// Nothing where no lobe limits at that speed.
+/// None if no lobe limits at that speed.
 std::optional<ModelCheck> checkModel(const SurfaceMarks& marks, const LobeResult& lobes);
 
 /// "Your marks say 223.0 ± 2.2 Hz, your model says 221 Hz; the nearest other reading is 46.7 Hz away."

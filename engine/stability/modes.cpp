@@ -9,8 +9,8 @@ namespace lathelier::stability {
 namespace {
 
 constexpr double perWidth = 16;      ///< lines in half a resonance's width ζ f_n
-constexpr double widthsAround = 12;  ///< so many of these widths on each side are dense
-constexpr double lineRatio = 1.004;  ///< of neighbouring lines elsewhere
+constexpr double widthsAround = 12;  ///< number of these widths on each side with dense lines
+constexpr double lineRatio = 1.004;  ///< ratio of neighbouring line frequencies elsewhere
 constexpr double belowLowest = 0.1;  ///< first line over the lowest natural frequency
 constexpr double aboveHighest = 5;   ///< last line over the highest natural frequency, at least
 

@@ -1,5 +1,5 @@
-// Modes of vibration as given by hand or by a modal fit, and their receptance.
-// G(f) = Σ (1/k) / (1 - r² + 2 i ζ r), r = f/f_n (viscous damping; Ewins, "Modal Testing", 2nd ed., section 2.4).
+// Modes of vibration, entered by hand or from a modal fit, and their receptance. G(f) = Σ (1/k) / (1 - r² + 2 i ζ r), r
+// = f/f_n (viscous damping; Ewins, "Modal Testing", 2nd ed., section 2.4).
 #pragma once
 
 #include <vector>
@@ -13,13 +13,13 @@ namespace lathelier::stability {
 struct Mode {
     double frequency_hz = 100;    ///< undamped natural frequency f_n, > 0
     double damping_ratio = 0.03;  ///< ζ, > 0
-    double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0; of a fit < 0 where force and motion are out of phase
+    double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0; < 0 in a fit if force and motion have opposite sign
     friend bool operator==(const Mode&, const Mode&) = default;
 };
 
 const std::vector<Field<Mode>>& fieldsOf(const Mode*);
 
-/// Lobes of modes reach so far where no range of speeds is stated.
+/// Upper end of the lobes of modes if no speed range is stated.
 inline constexpr double usualHighestSpeed_rpm = 10000;
 
 /// Receptance in mm/N at one frequency.

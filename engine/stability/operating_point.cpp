@@ -37,7 +37,7 @@ std::optional<OperatingPoint> operatingPointOf(const PointParameters& parameters
 
 Json pointJson(const LobeResult& result, const OperatingPoint& point)
 {
-    const PointOfWork work = pointOfWork(result, point.speed_rpm, point.depth_mm);
+    const PointStability work = pointStabilityAt(result, point.speed_rpm, point.depth_mm);
     const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
     return {{"speed_rpm", point.speed_rpm},
             {result.isRelative() ? "relative_depth" : "depth_mm", point.depth_mm},
@@ -50,7 +50,7 @@ Json pointJson(const LobeResult& result, const OperatingPoint& point)
 
 report::QuantityTable pointTable(const LobeResult& result, const OperatingPoint& point)
 {
-    const PointOfWork work = pointOfWork(result, point.speed_rpm, point.depth_mm);
+    const PointStability work = pointStabilityAt(result, point.speed_rpm, point.depth_mm);
     const auto number = [](double value) { return std::isfinite(value) ? Value(value) : Value(); };
     const Text depth_unit = result.isRelative() ? Text{} : unit::mm;
     report::QuantityTable table{

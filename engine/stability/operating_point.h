@@ -1,4 +1,4 @@
-// The operating point that is asked about: is it stable, and how surely.
+// Stability of an operating point, with its probability.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@
 namespace lathelier::stability {
 
 struct PointParameters {
-    std::optional<double> operating_speed_rpm;  ///< of the spindle
-    std::optional<double> operating_depth;      ///< mm; without K_r a multiple of the least limit
+    std::optional<double> operating_speed_rpm;
+    std::optional<double> operating_depth;  ///< mm; without K_r a multiple of the least limit
 };
 
 const std::vector<Field<PointParameters>>& fieldsOf(const PointParameters*);
 
-/// None when neither is given. Error valueNotUnderstood for one without the other.
+/// None if neither is given. Error valueNotUnderstood for one without the other.
 std::optional<OperatingPoint> operatingPointOf(const PointParameters& parameters);
 
 /// {speed_rpm, depth_mm, limit_mm, frequency_hz, k, stable, probability_stable}: relative_depth and relative_limit
-/// without K_r; null where no lobe limits, and for the probability without uncertainties.
+/// without K_r; null if no lobe limits, and for the probability if no uncertainties are given.
 Json pointJson(const LobeResult& result, const OperatingPoint& point);
 
 /// The same as a table.

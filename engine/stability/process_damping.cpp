@@ -16,7 +16,7 @@ constexpr double angleExact_rad = 1e-14;
 struct DampedLobe {
     double beta = 0;
     double turned = 0;  ///< kπ
-    double fold = 0;    ///< t where cot φ + β φ/sin²φ is least
+    double fold = 0;    ///< t at the minimum of cot φ + β φ/sin²φ
 
     /// (cot φ + β φ/sin²φ - ρ) sin²φ
     double excess(double t, double rho) const
@@ -41,8 +41,7 @@ DampedLobe dampedLobe(int k, double beta)
     return lobe;
 }
 
-/// The angle between `inside`, where the excess is below 0, and `outside`, where it is above: Newton, kept between
-/// them.
+/// The angle between `inside`, where the excess is below 0, and `outside`, where it is above: Newton with bracketing.
 double solve(const DampedLobe& lobe, double rho, double inside, double outside, double start)
 {
     double t = start > std::min(inside, outside) && start < std::max(inside, outside) ? start : (inside + outside) / 2;
@@ -65,7 +64,7 @@ CurvePoint curvePointAt(const BoundaryPoint& point, const DampedLobe& lobe, doub
             point.frequency_hz};
 }
 
-/// A run of boundary points that the lobe has: up one side, and back on the other where the fold ends it.
+/// A run of boundary points of a lobe: along the first solution, back along the second where both merge at the fold.
 struct Run {
     std::vector<CurvePoint> early, late;
 

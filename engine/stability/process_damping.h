@@ -1,4 +1,5 @@
-// Lobes of a cut with process damping: the flank of the tool presses on the wave that it cuts, which damps slow cuts.
+// Lobes of a cut with process damping: the contact of the tool flank with the surface wave damps the vibration at low
+// speeds.
 //
 // Source: C. T. Tyler and T. L. Schmitz, "Analytical process damping stability prediction", J. Manuf. Processes 15
 // (2013) 69: a force C (a/v) ẋ against the speed of the deflection, C in N/mm, a the depth of cut, v the cutting speed.

@@ -1,4 +1,4 @@
-// What a value of a parameter is refused with.
+// Error for an invalid parameter value.
 #pragma once
 
 #include <utility>
@@ -7,7 +7,7 @@
 
 namespace lathelier::stability {
 
-/// Throws Error valueNotUnderstood: `found` was given where `expected` is asked for.
+/// Throws Error valueNotUnderstood: `found` was given, `expected` describes valid values.
 [[noreturn]] inline void refuse(const char* parameter, Value found, Text expected)
 {
     throw Error(errors::valueNotUnderstood,

@@ -13,10 +13,10 @@ namespace lathelier::stability {
 namespace {
 
 constexpr double standardPeakShift = 0.7;
-constexpr double robustShare = 0.02;  ///< of the speed, either way
-constexpr int pocketPoints = 4001;    ///< of the limit over a pocket
-constexpr int beyond = 4;             ///< candidates above the selected lobe's k
-constexpr int mostLobes = 500;        ///< candidates at most
+constexpr double robustShare = 0.02;  ///< ± share of the speed
+constexpr int pocketPoints = 4001;    ///< evaluated points of a pocket
+constexpr int beyond = 4;             ///< number of candidates with k above that of the selected lobe
+constexpr int mostLobes = 500;        ///< largest number of candidates
 
 double selectedSpeed(const SpeedParameters& p)
 {
@@ -41,14 +41,14 @@ std::optional<Interval> rangeOf(const SpeedParameters& p)
     return Interval{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
 }
 
-/// Ends of lobe k: between the published lobes' bottoms, or of the exact pocket.
+/// Speed range of lobe k: between the minima of published lobes, or the exact pocket.
 Interval lobeEnds(double frequency_hz, int k, SpeedRelation relation)
 {
     if (relation == SpeedRelation::Published) return {60 * frequency_hz / k, 60 * frequency_hz / (k - 1)};
     return {60 * frequency_hz / (k + 0.75), 60 * frequency_hz / (k - 0.25)};
 }
 
-/// The speed of a pocket whose worst limit within ±2 % is best.
+/// The speed of a pocket that maximises the minimum limit within ±2 %.
 double robustSpeed(const Boundary& boundary, const Interval& pocket)
 {
     const Interval wide{pocket.from * (1 - robustShare), pocket.to * (1 + robustShare)};
@@ -109,7 +109,7 @@ std::vector<SpeedCandidate> candidatesOf(const Frf& frf, const SpeedResult& resu
                 {{"selected_rpm", result.selected_rpm}, {"reason", reason}, {"candidates", rows}});
 }
 
-/// The candidate in range that is nearest to the selected speed; nullptr when there is none.
+/// The nearest candidate in range to the selected speed; nullptr: none.
 const SpeedCandidate* nearest(const SpeedResult& result)
 {
     const SpeedCandidate* best = nullptr;

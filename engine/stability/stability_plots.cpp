@@ -10,8 +10,8 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double shownDepth = 5;  ///< of the chart, in multiples of the least limit
-constexpr std::size_t named = 3;  ///< pockets
+constexpr double shownDepth = 5;  ///< upper end of the chart, in multiples of the least limit
+constexpr std::size_t named = 3;  ///< number of labelled pockets
 
 report::Axis speedAxis(const Interval& speed_rpm)
 {
@@ -29,7 +29,7 @@ report::Axis depthAxis(const LobeResult& result)
     return axis;
 }
 
-/// Local maxima of the limit, the highest first, at most three.
+/// The three highest local maxima of the limit.
 std::vector<report::Mark> pockets(const LobeLimit& limit, double highest, const Language& language)
 {
     std::vector<std::size_t> peaks;
@@ -51,7 +51,7 @@ void addSpeed(report::Plot& plot, const SpeedResult& speed, bool has_point, cons
     plot.limits.push_back({report::Limit::Direction::Vertical, speed.recommended_rpm,
                            fill(text(LT_TEXT("Engine", "recommended {speed}"), language),
                                 {{"speed", fixed(speed.recommended_rpm, 0, language)}}, language)});
-    if (!has_point)  // which stands at the selected speed
+    if (!has_point)  // the point lies at the selected speed
         plot.limits.push_back({report::Limit::Direction::Vertical, speed.selected_rpm, LT_TEXT("Engine", "selected")});
     const SpeedParameters& p = speed.parameters;
     if (p.range_m_min.empty() || !p.diameter_mm) return;
@@ -76,7 +76,7 @@ report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed, const
         report::Curve curve{{}, lobe.speed_rpm, lobe.depth_mm};
         curve.colour = report::ColourRole::Neutral;
         curve.thin = true;
-        curve.spoken = false;
+        curve.has_readout = false;
         plot.curves.push_back(std::move(curve));
     }
     if (result.band) {

@@ -9,10 +9,10 @@
 
 namespace lathelier::stability {
 
-/// Where the technologist works: a handle of the chart.
+/// The operating point; a handle of the chart.
 struct OperatingPoint {
     double speed_rpm = 0;
-    double depth_mm = 0;  ///< or a multiple of the least limit, as the chart shows
+    double depth_mm = 0;  ///< or a multiple of the least limit, in the unit of the chart
 };
 inline constexpr const char* operatingPointKey = "operating_point";
 
@@ -21,7 +21,7 @@ inline constexpr const char* operatingPointKey = "operating_point";
 report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed = nullptr,
                        const std::optional<OperatingPoint>& point = {}, const Language& language = {});
 
-/// Shades what is stable below a limit and what chatters above it; NaN: no limit there.
+/// Shades the stable region below a limit and the unstable one above; NaN: no limit.
 void shadeStability(report::Plot& plot, const std::vector<double>& speed_rpm, std::vector<double> limit);
 
 /// Chatter frequency at the limit over the speed.

@@ -12,7 +12,7 @@ const std::vector<QuantityOf<SpeedCandidate>>& quantitiesOf(const SpeedCandidate
 const std::vector<QuantityOf<SpeedResult>>& quantitiesOf(const SpeedResult*);
 const std::vector<QuantityOf<LobeResult>>& quantitiesOf(const LobeResult*);
 
-/// Depths under the key depth_mm, or relative_depth where they are multiples of the least limit; null where none is.
+/// Depths under the key depth_mm, or relative_depth if they are multiples of the least limit; null if none.
 Json toJson(const LobeResult& result);
 
 }  // namespace lathelier::stability

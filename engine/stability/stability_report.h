@@ -14,12 +14,12 @@ report::Answer answer(const SpeedResult& result, const Language& language = {});
 /// One row for each lobe.
 report::Table candidatesTable(const SpeedResult& result);
 
-/// What the command line prints.
+/// Summary for the command line.
 report::Section lobesSummary(const LobeResult& result, const Language& language = {});
 report::Section speedSummary(const SpeedResult& result, const Language& language = {});
 
-/// Lobes, the frequency response they rest on, the chosen speed and the operating point where there are any, method and
-/// parameters. `used`: what was assumed on the way to the frequency response.
+/// Lobes, the underlying frequency response, the chosen speed and the operating point where there are any, method and
+/// parameters. `used`: values assumed for the frequency response.
 report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
                              const Language& language = {}, const std::optional<OperatingPoint>& point = {});
 report::Document speedReport(const SpeedResult& result, const Frf& frf, const UsedValues& used,

@@ -89,7 +89,7 @@ VerifyKind verifyDampedLobes()
                 const Complex regenerated = point.depth_N_mm * (1.0 - std::polar(1.0, -omega * turn_s));
                 const Complex damped(0, omega * dampingOfCut(C_N_mm, depth_mm, diameter_mm, point.speed_rpm));
                 const Complex g = receptanceOf(threeModes(), point.frequency_hz);
-                // Deep cuts make both terms large: the residual counts in the size of the larger.
+                // The residual is relative to the larger term, as both grow with the depth.
                 tally.take(std::abs(1.0 + g * (regenerated + damped)) /
                            (1 + std::abs(g) * (std::abs(regenerated) + std::abs(damped))));
             }

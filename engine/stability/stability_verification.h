@@ -1,4 +1,4 @@
-// What can be verified of the stability of cutting: lobes, recommended speeds, the simulation.
+// Verification of lobes, recommended speeds and simulation.
 #pragma once
 
 #include "engine/core/verification.h"

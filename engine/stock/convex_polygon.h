@@ -36,10 +36,10 @@ inline double cross(const Corner& a, const Corner& b)
 
 double length_mm(const Corner& displacement);
 
-/// Corners anticlockwise. Fewer than three: nothing. Corners on a straight edge are allowed.
+/// Corners anticlockwise. Fewer than three: empty. Corners on a straight edge are allowed.
 using ConvexPolygon = std::vector<Corner>;
 
-/// The smallest rectangle along the axes around a polygon; of no size at all when it is empty.
+/// The smallest rectangle along the axes around a polygon; of size zero if the polygon is empty.
 struct Box {
     Corner low, high;
 };
@@ -50,19 +50,19 @@ ConvexPolygon hullOf(std::vector<Corner> corners);
 
 ConvexPolygon movedBy(const ConvexPolygon& polygon, const Corner& by);
 
-/// Everything that the polygon covers while it is displaced by `by`: the hull of its first and last placement, which is
-/// its Minkowski sum with the displacement. Edges that face forward are displaced, the others stay: no intersection is
+/// Region swept by the polygon during a displacement `by`: the hull of its first and last placement, which is its
+/// Minkowski sum with the displacement. Edges facing the displacement are moved, the others kept: no intersection is
 /// computed, so no input is degenerate. O(corners).
 ConvexPolygon sweptBy(const ConvexPolygon& polygon, const Corner& by);
 
-/// Minkowski sum with the regular octagon around the circle of radius `distance_mm`: everything nearer than that, and
-/// at corners up to 8 % more.
+/// Minkowski sum with the regular octagon around the circle of radius `distance_mm`: an offset by that distance, up to
+/// 8 % more at corners.
 ConvexPolygon grownBy(const ConvexPolygon& polygon, double distance_mm);
 
-/// What lies deeper inside than `distance_mm`; may be nothing. O(corners²).
+/// Inward offset by `distance_mm`; may be empty. O(corners²).
 ConvexPolygon shrunkBy(const ConvexPolygon& polygon, double distance_mm);
 
-/// What two polygons have in common (I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", 1974).
+/// Intersection of two polygons (I. E. Sutherland, G. W. Hodgman, "Reentrant polygon clipping", 1974).
 ConvexPolygon overlapOf(const ConvexPolygon& a, const ConvexPolygon& b);
 
 }  // namespace lathelier::stock

@@ -13,7 +13,7 @@ namespace lathelier::stock {
 namespace {
 
 constexpr double nearness_px = 0.5;
-constexpr std::size_t fewPieces = 20000;  ///< are drawn without a search for equal ones
+constexpr std::size_t mostUnsearchedPieces = 20000;  ///< up to this number, coincident pieces are not searched
 
 double distanceToPiece(const Corner& a, const Corner& b)  // from (0, 0)
 {
@@ -28,7 +28,7 @@ bool overlaps(double a, double b, const Interval& shown)
     return std::max(a, b) >= shown.from && std::min(a, b) <= shown.to;
 }
 
-/// Pieces that were drawn, on the grid of pixels.
+/// Pieces already drawn, on the grid of pixels.
 class DrawnPieces {
 public:
     explicit DrawnPieces(const PathWindow& window) : window_(window) {}
@@ -76,7 +76,7 @@ DrawnPath::DrawnPath(std::span<const gcode::Move> moves, double z_zero_mm, std::
         if (m % 4096 == 0) progress.report(static_cast<double>(m) / static_cast<double>(moves.size()));
         follower.take(moves[m], arcChord_mm, travel);
         for (std::size_t i = 0; i < travel.corners.size(); ++i) {
-            if (i == 0 && travel.has_start) continue;  // the end of the move before
+            if (i == 0 && travel.has_start) continue;  // equal to the end of the previous move
             corners_.push_back(travel.corners[i]);
             line_.push_back(static_cast<std::uint32_t>(travel.line));
             tool_.push_back(travel.tool);
@@ -111,7 +111,7 @@ PathPiece DrawnPath::nearest(const Corner& place, double pixel_z_mm, double pixe
     for (std::size_t i = 1; i < corners_.size(); ++i) {
         if (is_first_[i]) continue;
         double away = distanceToPiece(scaled(corners_[i - 1]), scaled(corners_[i]));
-        if (is_rapid_[i]) away += nearness_px;  // of two that lie on each other the cut is meant
+        if (is_rapid_[i]) away += nearness_px;  // of coincident pieces the feed move takes precedence
         if (away >= least) continue;
         least = away;
         best = i;
@@ -134,14 +134,14 @@ std::vector<report::Curve> DrawnPath::curves(const PathWindow& window) const
     feed.colour = report::ColourRole::Copy;
     rapid.colour = report::ColourRole::Neutral;
     rapid.style = report::Curve::Style::Dashed;
-    feed.spoken = rapid.spoken = false;
-    const bool is_thinned = window.pixel_z_mm > 0 && window.pixel_x_mm > 0 && corners_.size() > fewPieces;
+    feed.has_readout = rapid.has_readout = false;
+    const bool is_thinned = window.pixel_z_mm > 0 && window.pixel_x_mm > 0 && corners_.size() > mostUnsearchedPieces;
     const auto is_near = [&](const Corner& a, const Corner& b) {
         return std::abs(a.z_mm - b.z_mm) < nearness_px * window.pixel_z_mm &&
                std::abs(a.x_mm - b.x_mm) < nearness_px * window.pixel_x_mm;
     };
     DrawnPieces drawn(window);
-    Corner last;  // end of what was drawn, or of what was left out as too short
+    Corner last;  // end of the last piece drawn or omitted as too short
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         if (is_first_[i]) {
             last = corners_[i];

@@ -1,4 +1,4 @@
-// The path of a program ready to be drawn and pointed at: straight pieces in the meridian plane, each with its block.
+// The path of a program for drawing and picking: straight pieces in the meridian plane, each with its block.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace lathelier::stock {
 /// A piece of the path by the number of its last corner.
 using PathPiece = std::size_t;
 
-/// What of the plane is shown, and how large a pixel is in it. Default: everything, every corner.
+/// Visible part of the plane and pixel size. Default: unbounded, all corners.
 struct PathWindow {
     Interval z_mm{-endless_mm, endless_mm};  ///< shown
     Interval x_mm{-endless_mm, endless_mm};  ///< shown
@@ -26,7 +26,7 @@ struct PathWindow {
 
 class DrawnPath {
 public:
-    DrawnPath() = default;  ///< nothing
+    DrawnPath() = default;  ///< an empty path
 
     /// `blocks`: lines of the program. z = z_zero - Z; arcs become chords within 5 µm. 32 bytes a corner. Throws
     /// Cancelled.
@@ -34,20 +34,20 @@ public:
 
     std::size_t corners() const { return corners_.size(); }
     const Corner& corner(std::size_t index) const { return corners_[index]; }
-    bool isPiece(std::size_t index) const { return !is_first_[index]; }  ///< false: a stretch begins here
+    bool isPiece(std::size_t index) const { return !is_first_[index]; }  ///< false: first corner of a connected stretch
     bool isRapid(PathPiece piece) const { return is_rapid_[piece]; }
     std::int64_t lineOf(PathPiece piece) const { return line_[piece]; }
     int toolOf(PathPiece piece) const { return tool_[piece]; }
 
-    /// The pieces that a block made, in order of execution; none where it does not move. First corners of stretches are
-    /// among them where a move comes from nowhere.
+    /// Pieces of a block in order of execution; empty if it does not move. Includes the first corner of a stretch for
+    /// moves with unknown start.
     std::span<const std::uint32_t> piecesOf(std::int64_t line) const;
 
     /// The piece nearest to a place, distances measured in pixels; `none` when there is no piece. O(corners).
     PathPiece nearest(const Corner& place, double pixel_z_mm, double pixel_x_mm) const;
     static constexpr PathPiece none = static_cast<PathPiece>(-1);
 
-    /// All of it, on so many pixels each way.
+    /// The whole path on `pixels` × `pixels`.
     PathWindow whole(int pixels) const;
 
     /// Feed moves and rapid moves as curves of a chart, without pieces outside of the window, corners nearer than half

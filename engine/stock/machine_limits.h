@@ -1,5 +1,5 @@
-// What stands around the work: chuck and tailstock as convex regions of the meridian plane, from the axis outward.
-// z from the free end toward the chuck.
+// Fixed bodies: chuck and tailstock as convex regions of the meridian plane, from the axis outward. z from the free end
+// toward the chuck.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace lathelier::stock {
 
-/// How far regions reach that end nowhere.
+/// Extent of unbounded regions.
 inline constexpr double endless_mm = 1e6;
 
-/// The farthest place and the largest size that may be stated.
+/// Largest coordinate and size accepted as input.
 inline constexpr double longest_mm = 1e5;
 
 /// The chuck with its jaws: everything beyond its face, up to a radius.
 struct ChuckBody {
     std::optional<double> face_z_mm;  ///< none: the end of the stock
-    double radius_mm = 0;             ///< of the jaws; 0: no end
+    double radius_mm = 0;             ///< of the jaws; 0: unbounded
     friend bool operator==(const ChuckBody&, const ChuckBody&) = default;
 };
 
@@ -29,7 +29,7 @@ struct TailstockBody {
     double centre_hole_mm = 5;      ///< largest diameter of the centre hole: of the cone at the end of the work
     double cone_angle_deg = 60;     ///< included
     double quill_diameter_mm = 50;  ///< of the centre's body or the quill
-    /// Its own outline instead of cone and quill: everything between these corners and the axis. Empty: cone and quill.
+    /// Outline that replaces cone and quill: the region between these corners and the axis. Empty: cone and quill.
     std::vector<Corner> outline;
     friend bool operator==(const TailstockBody&, const TailstockBody&) = default;
 };
@@ -38,7 +38,7 @@ const std::vector<Field<ChuckBody>>& fieldsOf(const ChuckBody*);
 const std::vector<Field<TailstockBody>>& fieldsOf(const TailstockBody*);
 
 ConvexPolygon regionOf(const ChuckBody& chuck, double stock_length_mm);
-/// A stated outline is cut into trapezoids.
+/// An outline is divided into trapezoids.
 std::vector<ConvexPolygon> regionsOf(const TailstockBody& tailstock);
 
 }  // namespace lathelier::stock

@@ -12,9 +12,9 @@ namespace lathelier::stock {
 namespace {
 
 constexpr std::size_t blockColumns = 64;
-constexpr double thinnest_mm = 1e-9;  ///< a span thinner than this is rounding, not material
+constexpr double thinnest_mm = 1e-9;  ///< thinner spans are rounding errors and removed
 
-/// Lower and upper edge of a convex polygon over z, asked for at ascending z.
+/// Lower and upper edge of a convex polygon over z, evaluated at ascending z.
 class PolygonEdges {
 public:
     explicit PolygonEdges(const ConvexPolygon& polygon) : polygon_(polygon)
@@ -40,7 +40,7 @@ public:
         return high_.at(z_mm);
     }
 
-    /// Lowest point of the lower edge from here to `to_mm`.
+    /// Minimum of the lower edge from the current z to `to_mm`.
     double lowestUntil(double from_mm, double to_mm)
     {
         const Corner& bottom = polygon_[bottom_];
@@ -54,14 +54,14 @@ private:
     std::size_t next(std::size_t i) const { return i + 1 < polygon_.size() ? i + 1 : 0; }
     std::size_t previous(std::size_t i) const { return i > 0 ? i - 1 : polygon_.size() - 1; }
 
-    /// An edge as a function of z; the first one ends before everything.
+    /// An edge as a function of z; initially it ends at -∞.
     struct Edge {
         double z_mm = 0, x_mm = 0, slope = 0;
         double until_mm = -std::numeric_limits<double>::infinity();
         double at(double at_mm) const { return x_mm + (at_mm - z_mm) * slope; }
     };
 
-    /// Takes the edge from corner `from` to `to`, and goes on to `to`. The last one has no end.
+    /// Sets the edge from corner `from` to `to` and advances `from`. The last edge is unbounded.
     void enter(Edge& edge, std::size_t& from, std::size_t to) const
     {
         const Corner &a = polygon_[from], &b = polygon_[to];
@@ -76,7 +76,7 @@ private:
     Edge low_, high_;
 };
 
-/// First column and the one past the last whose middles lie within a stretch of z.
+/// Range of columns whose middles lie within an interval of z.
 struct ColumnRange {
     std::size_t first = 0, end = 0;
 };
@@ -89,8 +89,8 @@ ColumnRange columnsWithin(const Box& box, double step_mm, std::size_t count)
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(end)};
 }
 
-/// Calls visit(column, low, high) for all columns within the polygon, but for blocks that lie below it, and
-/// leave(block) after each block that was visited.
+/// Calls visit(column, low, high) for all columns within the polygon, skipping blocks entirely below it, and
+/// leave(block) after each visited block.
 template <class Visit, class Leave>
 void walk(const ConvexPolygon& polygon, double step_mm, std::size_t count, const std::vector<double>& block_tops,
           Visit visit, Leave leave)
@@ -248,7 +248,7 @@ void MeridianStock::removeFrom(Column& column, double low_mm, double high_mm, Re
     };
     RadialSpan& outer = column.outer;
     const bool is_simple = low_mm - outer.low_mm > thinnest_mm && outer.high_mm - high_mm <= thinnest_mm;
-    if (is_simple) {  // the usual cut: from above, and something is left below
+    if (is_simple) {  // common case: a cut from above that leaves material below
         taken(low_mm, outer.high_mm);
         outer.high_mm = low_mm;
         return;

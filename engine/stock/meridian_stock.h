@@ -1,10 +1,10 @@
 // Stock in the meridian plane as columns of radial spans ("dexels": T. Van Hook, "Real-time shaded NC milling display",
-// SIGGRAPH 1986). A column stands for one step along z, at its middle; a column of several spans is an undercut: an
-// insert that enters at κ = 95° leaves every shoulder overhanging by 5°.
+// SIGGRAPH 1986). A column represents one step along z, at its middle. Several spans occur at undercuts: an insert with
+// κ = 95° leaves every shoulder overhanging by 5°.
 //
-// Subtracting is done column by column on numbers alone, so no input is degenerate and the answer does not depend on
-// anything but the input. Radii in a column are exact; along z a wall stands within half a step of its place.
-// Units: mm, mm², mm³. z from the free end toward the chuck, 0 … length.
+// Subtraction is one-dimensional in each column, so no input is degenerate and the result is deterministic. Radii in a
+// column are exact; along z a wall is located within half a step. Units: mm, mm², mm³. z from the free end toward the
+// chuck, 0 … length.
 #pragma once
 
 #include <cstddef>
@@ -23,34 +23,34 @@ struct RadialSpan {
     friend bool operator==(const RadialSpan&, const RadialSpan&) = default;
 };
 
-/// What was taken off.
+/// Removed material.
 struct Removal {
     double area_mm2 = 0;    ///< in the meridian plane
     double volume_mm3 = 0;  ///< of the body of revolution
 };
 
-/// Where a polygon lies in the material.
+/// Overlap of a polygon with the material.
 struct StockOverlap {
     double depth_mm = 0;  ///< largest radial length in one column; 0: none
     double z_mm = 0;      ///< of that column; the one nearest to the free end of several equal ones
-    double x_mm = 0;      ///< lower end of that length
-    double width_mm = 0;  ///< from the first column that is met to the last
+    double x_mm = 0;      ///< inner radius of that length
+    double width_mm = 0;  ///< from the first overlapping column to the last
     bool isThere() const { return depth_mm > 0; }
 };
 
-/// The largest number of columns: longer stock has wider ones.
+/// The largest number of columns: longer stock has wider columns.
 inline constexpr std::size_t mostColumns = 20000;
 
 class MeridianStock {
 public:
-    MeridianStock() = default;  ///< nothing
+    MeridianStock() = default;  ///< no material
 
     /// Columns of `step_mm` or a little less, so that they fill the length; wider where they would be more than
     /// mostColumns. A cone or an arc is sampled at the middle of each column. Errors stockWithoutLength,
     /// stockSegmentImpossible.
     MeridianStock(const Shaft& shaft, double step_mm);
 
-    /// The first `length_mm` of it, seen from its other end: z becomes length - z. Shorter where there is less of it.
+    /// The first `length_mm`, mirrored: z becomes length - z. Shorter if the stock is shorter.
     MeridianStock turnedRound(double length_mm) const;
 
     double length_mm() const { return static_cast<double>(columns_.size()) * step_mm_; }
@@ -62,7 +62,7 @@ public:
     std::vector<RadialSpan> spans(std::size_t column) const;
     void appendSpans(std::size_t column, std::vector<RadialSpan>& spans) const;
 
-    /// Of the column that holds z; none outside, and where there is no material.
+    /// Outer radius of the column at z; none outside and without material.
     std::optional<double> outerRadius_mm(double z_mm) const;
     std::optional<double> innerRadius_mm(double z_mm) const;  ///< of the innermost span: the bore
 
@@ -70,10 +70,10 @@ public:
     double area_mm2() const;
     double volume_mm3() const;
 
-    /// Takes the polygon off. About 3 ns a column that it reaches; columns that lie below it are passed by in blocks.
+    /// Removes the polygon. About 3 ns per column reached; columns entirely below it are skipped in blocks.
     Removal remove(const ConvexPolygon& polygon);
 
-    /// Material within the polygon, where a column has more of it than `least_mm`: touching is no overlap. The same
+    /// Material within the polygon, in columns where it is thicker than `least_mm`, so that contact is no overlap. Same
     /// cost.
     StockOverlap overlap(const ConvexPolygon& polygon, double least_mm = 0) const;
 

@@ -9,12 +9,12 @@
 
 namespace lathelier::stock {
 
-/// Keeps the deepest of each kind, and on which paths it was met.
+/// Keeps the deepest finding of each kind and the paths on which it occurs.
 class MoveFindings {
 public:
     void add(FindingKind kind, MovePath path, const StockOverlap& overlap);
 
-    /// Appends them with the line of the move, up to mostFindings in all, counts the others, and starts anew.
+    /// Appends them with the line of the move, up to mostFindings in all, counts the others, and clears.
     void moveTo(std::vector<StockFinding>& all, std::int64_t line, std::int64_t& not_listed);
 
 private:

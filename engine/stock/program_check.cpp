@@ -14,11 +14,11 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr std::size_t mostFindingsSaid = 3;
+constexpr std::size_t mostReportedFindings = 3;
 constexpr double s_per_min = 60;
-constexpr int paper_px = 2000;  ///< a drawing on paper is resolved no finer
+constexpr int paper_px = 2000;  ///< resolution of printed drawings
 
-report::Finding saidOf(const gcode::Diagnostic& remark, const Language& language)
+report::Finding findingOf(const gcode::Diagnostic& remark, const Language& language)
 {
     report::Place place;
     place.line = remark.line;
@@ -30,7 +30,7 @@ report::Finding saidOf(const gcode::Diagnostic& remark, const Language& language
     return finding;
 }
 
-report::Finding saidOf(const StockFinding& found)
+report::Finding findingOf(const StockFinding& found)
 {
     report::Place place;
     place.line = found.line;
@@ -47,7 +47,7 @@ std::int64_t countErrors(const gcode::Toolpath& path)
                          [](const gcode::Diagnostic& remark) { return remark.is_error; });
 }
 
-/// Shows stock and feed moves at first; retreats to far places are not worth the room.
+/// Initial view: stock and feed moves, without distant retract positions.
 void showCuts(report::Plot& plot, const ProgramCheck& check)
 {
     constexpr double air = 0.06;
@@ -121,11 +121,11 @@ report::Answer answer(const ProgramCheck& check, const Language& language)
                      {"way", fixed(check.times.all.feed_length_mm, 0, language)}};
     for (const bool wanted : {true, false}) {
         for (const gcode::Diagnostic& remark : check.path.diagnostics)
-            if (remark.is_error == wanted && answer.findings.size() < mostFindingsSaid)
-                answer.findings.push_back(saidOf(remark, language));
+            if (remark.is_error == wanted && answer.findings.size() < mostReportedFindings)
+                answer.findings.push_back(findingOf(remark, language));
         if (!wanted || !check.stock) continue;
         for (const StockFinding& found : check.stock->findings)
-            if (answer.findings.size() < mostFindingsSaid) answer.findings.push_back(saidOf(found));
+            if (answer.findings.size() < mostReportedFindings) answer.findings.push_back(findingOf(found));
     }
     return answer;
 }
@@ -136,7 +136,7 @@ report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts, const
     if (check.stock) {
         report::Plot plot = stockPlot(*check.stock, parts, language);
         plot.title = LT_TEXT("Engine", "Path of the tool and stock");
-        // Tables list passes and findings; the drawing needs the room.
+        // No legend: passes and findings are listed in tables.
         for (report::Curve& curve : plot.curves)
             if (std::holds_alternative<std::string>(curve.name)) curve.name = std::string();
         for (std::size_t k = 0; k < plot.marks.size(); ++k)
@@ -162,7 +162,7 @@ std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& languag
     if (check.stock)
         for (const StockFinding& found : check.stock->findings) {
             const gcode::Block& block = check.program.blocks.at(static_cast<std::size_t>(found.line - 1));
-            remarks.push_back({found.line, 0, true, report::findingText(saidOf(found), language),
+            remarks.push_back({found.line, 0, true, report::findingText(findingOf(found), language),
                                gcode::shown(check.program, check.program.textOf(block))});
         }
     std::stable_sort(remarks.begin(), remarks.end(), [](const Remark& a, const Remark& b) { return a.line < b.line; });

@@ -1,5 +1,4 @@
-// What a person wants to know of an NC program before it runs: whether it was understood, how long it takes, what each
-// pass takes off, what the tool meets.
+// Check of an NC program before it runs: unsupported words, machining time, material removed by each pass, collisions.
 #pragma once
 
 #include <optional>
@@ -14,40 +13,40 @@
 
 namespace lathelier::stock {
 
-/// What the program cuts, where that is known.
+/// Stock and simulation parameters, if known.
 struct CheckedStock {
     Shaft shaft;                 ///< before the first cut
     StockParameters parameters;  ///< zero, tools, chuck, tailstock, rapid rates
 };
 
 struct ProgramCheck {
-    gcode::Program program;            ///< as read
-    gcode::Toolpath path;              ///< its moves
+    gcode::Program program;
+    gcode::Toolpath path;
     gcode::ProgramTimes times;         ///< at the rapid rates of the parameters
     DrawnPath drawn;                   ///< of `path`, in the coordinates of the stock
-    std::optional<StockResult> stock;  ///< where stock is known and the moves are to be trusted
+    std::optional<StockResult> stock;  ///< none: no stock given, or the program has errors
     double z_zero_mm = 0;              ///< z = z_zero - Z in `drawn`
     Notes notes;                       ///< of the stock; programTimeIncomplete
 };
 
-/// An error in the program is an answer, not an exception. Errors: those of gcode::readProgram() and simulateStock().
-/// Throws Cancelled.
+/// Errors in the program are part of the result, not exceptions. Errors: those of gcode::readProgram() and
+/// simulateStock(). Throws Cancelled.
 ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
                           const std::optional<CheckedStock>& stock = {}, const Progress& progress = {});
 
-/// The time it takes; fail when the program has errors or a tool meets what it must not, pass when it was checked
-/// against stock. Findings point at their lines.
+/// Machining time; fail if the program has errors or a tool collides, pass if it was checked against stock. Findings
+/// refer to program lines.
 report::Answer answer(const ProgramCheck& check, const Language& language = {});
 
 /// Stock with the path, or the path alone in program coordinates. `parts.path` is set here.
 report::Plot meridianPlot(const ProgramCheck& check, StockPlotParts parts = {}, const Language& language = {});
 
-/// What is remarked in the text and what the tool meets, by line: Line, Severity, Remark, Block.
+/// Diagnostics of the text and collisions, by line: Line, Severity, Remark, Block.
 struct Remark {
     std::int64_t line = 0;    ///< from 1
     std::int64_t column = 0;  ///< in characters, from 1; 0: the whole block
     bool is_error = false;    ///< else a warning
-    std::string text;         ///< in the language that was asked for
+    std::string text;         ///< in the requested language
     std::string block;        ///< of the program, at most 40 characters
 };
 std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& language = {});
@@ -55,7 +54,7 @@ std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& languag
 report::Table passTable(const ProgramCheck& check);  ///< empty without stock
 report::Table toolTable(const ProgramCheck& check);  ///< by tool: line, times, ways
 Json toJson(const ProgramCheck& check);              ///< diagnostics, words, times; keys of the stock; without moves
-/// `notes`: of the check, and what there is to say of its files.
+/// `notes`: of the check and its files.
 report::Document programReport(const ProgramCheck& check, const Notes& notes, const Language& language = {});
 
 }  // namespace lathelier::stock

@@ -14,10 +14,10 @@ namespace lathelier::stock {
 namespace {
 
 constexpr std::size_t mostNotes = 50;     ///< of one kind
-constexpr double longestStrokes = 20000;  ///< steps of one straight move
-constexpr std::size_t reportEvery = 64;   ///< moves
+constexpr double longestStrokes = 20000;  ///< largest number of steps of one straight move
+constexpr std::size_t reportEvery = 64;   ///< moves between progress reports
 
-/// A straight way of the tip.
+/// A straight stretch of the tip path.
 struct Leg {
     Corner from, to;
 };
@@ -102,7 +102,7 @@ private:
             result_.notes.push_back({notes::smallClearance, {{"line", travel.line}, {"z_mm", near_mm_}}});
     }
 
-    /// Both axes at their own rates until the first arrives, then the other alone. Fewer than two: a straight line.
+    /// Both axes move at their own rates until one arrives, then the other alone. Fewer than two: a straight line.
     std::vector<Leg> dogLeg(const Leg& leg) const
     {
         const Corner way = leg.to - leg.from;
@@ -137,7 +137,8 @@ private:
                 result_.removed_by_findings_mm3 += stock_.remove(sweep(body.shape, leg)).volume_mm3;
     }
 
-    /// Where the move has gone twice the clearance: a tool may leave what it has just cut.
+    /// True if the move is near the stock beyond twice the clearance from its start, as a tool may leave the surface
+    /// just cut.
     bool isNear(const MountedTool& tool, std::vector<Leg> legs)
     {
         double away_mm = 2 * smallClearance_mm;

@@ -9,13 +9,13 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
+constexpr std::size_t noEdge = static_cast<std::size_t>(-1);
 
-/// A way on from one edge of a span: to another edge, in a neighbouring column or round the end in the same one.
+/// Successor of a span edge: an edge in a neighbouring column, or the other edge of the end in the same column.
 struct Link {
-    std::size_t to = nowhere;  ///< edge
-    double end_mm = 0;         ///< z where it goes round an end
-    bool goes_round = false;
+    std::size_t to = noEdge;
+    double end_mm = 0;  ///< z of the end face
+    bool turns_back = false;
 };
 
 /// Edges are numbered 2·span for the lower one and 2·span + 1 for the upper one. With material to the left, a lower
@@ -53,7 +53,7 @@ public:
                 is_seen[edge] = true;
                 append(loop, cornerOf(edge));
                 const Link& link = links_[edge];
-                if (!link.goes_round) continue;
+                if (!link.turns_back) continue;
                 append(loop, {link.end_mm, cornerOf(edge).x_mm});
                 append(loop, {link.end_mm, cornerOf(link.to).x_mm});
             }
@@ -72,13 +72,14 @@ private:
         return {z_mm_[edge / 2], edge % 2 == 0 ? span.low_mm : span.high_mm};
     }
 
-    /// Cylinders are runs of corners of one radius: their ends suffice.
+    /// Drops collinear corners of equal radius (cylinders).
     static void append(std::vector<Corner>& loop, const Corner& corner)
     {
         const std::size_t count = loop.size();
-        const bool goes_on = count > 1 && loop[count - 1].x_mm == corner.x_mm && loop[count - 2].x_mm == corner.x_mm &&
-                             (loop[count - 1].z_mm > loop[count - 2].z_mm) == (corner.z_mm > loop[count - 1].z_mm);
-        if (goes_on)
+        const bool is_collinear = count > 1 && loop[count - 1].x_mm == corner.x_mm &&
+                                  loop[count - 2].x_mm == corner.x_mm &&
+                                  (loop[count - 1].z_mm > loop[count - 2].z_mm) == (corner.z_mm > loop[count - 1].z_mm);
+        if (is_collinear)
             loop.back() = corner;
         else
             loop.push_back(corner);
@@ -89,8 +90,8 @@ private:
         return spans_[a].low_mm < spans_[b].high_mm && spans_[b].low_mm < spans_[a].high_mm;
     }
 
-    /// Lower edges go on to the right column, upper ones to the left one. Walking both columns outward, spans that
-    /// meet form groups; within a group the gaps between the spans of one column are closed.
+    /// Lower edges go on to the right column, upper ones to the left one. With both columns traversed outward,
+    /// overlapping spans form groups; within a group the gaps between the spans of one column are closed.
     void linkColumns(Range left, Range right, double border_mm)
     {
         std::size_t a = left.first, b = right.first;

@@ -9,7 +9,7 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr double slender = 6;  ///< length by radius
+constexpr double slender = 6;  ///< smallest ratio of length to radius of a slender part
 
 /// One region for each closed polyline.
 void addRegions(report::Plot& plot, Text name, report::ColourRole colour, const StockOutline& outline)
@@ -34,7 +34,7 @@ void addRegions(report::Plot& plot, Text name, report::ColourRole colour, const 
 report::Curve outlineCurve(report::Caption name, const StockOutline& outline)
 {
     report::Curve curve{std::move(name), outline.z_mm, outline.x_mm};
-    curve.spoken = false;
+    curve.has_readout = false;
     return curve;
 }
 
@@ -44,7 +44,7 @@ std::string passName(std::size_t index, const StockPass& pass, const Language& l
                 {{"pass", static_cast<std::int64_t>(index + 1)}, {"line", pass.line}}, language);
 }
 
-/// Numbers of the passes whose stock was kept, up to the one that is asked for.
+/// Indices of passes with stored outline, up to `last`.
 std::vector<std::size_t> keptPasses(const StockResult& result, const std::optional<std::size_t>& last)
 {
     std::vector<std::size_t> kept;
@@ -68,7 +68,7 @@ void addPasses(report::Plot& plot, const StockResult& result, const std::vector<
     }
 }
 
-/// The upper half of a region of the machine, ends that lie nowhere on the edge of the chart.
+/// Upper half of a machine region; unbounded ends are clipped to the chart.
 void addRegion(report::Plot& plot, Text name, const ConvexPolygon& shape)
 {
     const auto shown = [](double value) {
@@ -90,7 +90,7 @@ report::Plot stockPlot(const StockResult& result, const StockPlotParts& parts, c
     plot.title = LT_TEXT("Engine", "Stock after each pass");
     plot.x = {LT_TEXT("Engine", "z from the free end"), millimetre};
     plot.y = {LT_TEXT("Engine", "Radius"), millimetre};
-    // A slender shaft in one scale would be a line.
+    // With equal scales a slender shaft would appear as a line.
     double widest_mm = 0;
     for (const double x_mm : result.before.x_mm) widest_mm = std::fmax(widest_mm, x_mm);
     plot.equal_scales = result.length_mm < slender * widest_mm;

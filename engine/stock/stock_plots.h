@@ -9,15 +9,15 @@
 
 namespace lathelier::stock {
 
-/// What is drawn besides the stock.
+/// Optional parts of the plot.
 struct StockPlotParts {
     const DrawnPath* path = nullptr;  ///< of the tip, rapid moves dashed; null: none
-    PathWindow window{};              ///< of the path
-    std::optional<std::size_t> pass;  ///< the stock after this one, as if the program ended there; none: after all
+    PathWindow window{};
+    std::optional<std::size_t> pass;  ///< shows the stock after this pass; none: after all
 };
 
-/// The meridian plane in one scale: the stock before (shaded), its outline after each pass that was kept, at most
-/// mostDrawnPasses of them with the last, what is left (shaded), chuck and tailstock, findings as marks.
+/// The meridian plane with equal scales: the stock before (shaded), the stored outlines after passes, at most
+/// mostDrawnPasses of them with the last, remaining stock (shaded), chuck and tailstock, findings as marks.
 report::Plot stockPlot(const StockResult& result, const StockPlotParts& parts = {}, const Language& language = {});
 
 inline constexpr std::size_t mostDrawnPasses = 40;

@@ -9,7 +9,7 @@ namespace {
 constexpr double widestColumn_mm = 2;
 constexpr double longestFeedStep_mm = 50;
 
-/// A feed move as far as it takes time: its way along z over the stock, its whole length, its chords.
+/// Quantities of a feed move that determine the computing time: its extent along z over the stock, length, chords.
 struct FeedWay {
     double over_mm = 0;
     double length_mm = 0;

@@ -1,4 +1,4 @@
-// How finely a program can be simulated in bounded time.
+// Step sizes that bound the computing time of a simulation.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// The tools of a program as the simulation moves them.
+// The tools of a program as convex bodies.
 #pragma once
 
 #include <map>
@@ -13,15 +13,15 @@ namespace lathelier::stock {
 
 /// A convex part of a tool, the imaginary tip at (0, 0).
 struct ToolBody {
-    ConvexPolygon shape;     ///< its outline
-    ConvexPolygon grown;     ///< larger by the clearance that is noted
-    bool is_holder = false;  ///< else it cuts
+    ConvexPolygon shape;
+    ConvexPolygon grown;     ///< enlarged by the noted clearance
+    bool is_holder = false;  ///< false: cutting part
 };
 
 struct MountedTool {
     std::vector<ToolBody> bodies;  ///< the insert first
-    bool is_stated = false;        ///< listed by the user, by its number or as number 0
-    double width_mm = 0;           ///< extents of its bodies along z, together
+    bool is_stated = false;        ///< given by the user, by number or as number 0
+    double width_mm = 0;           ///< total extent of its bodies along z
 };
 
 /// The tools of a program, by number.

@@ -9,15 +9,14 @@
 namespace lathelier::stock {
 namespace {
 
-constexpr double mostChords = 2000;  ///< of one arc
+constexpr double mostChords = 2000;  ///< largest number of chords of one arc
 
 bool isPlace(double z_mm, double x_mm)
 {
     return std::abs(z_mm) <= endless_mm && std::abs(x_mm) <= endless_mm;  // false for NaN
 }
 
-/// Chords of an arc without its start. Where start and end differ in their distance from the centre, the radius runs
-/// over evenly.
+/// Chords of an arc without its start. If start and end radius differ, the radius is interpolated linearly.
 void appendPathArc(const Corner& from, const Corner& to, const Corner& centre, bool clockwise, double chord_mm,
                    std::vector<Corner>& corners)
 {

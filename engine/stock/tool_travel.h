@@ -1,4 +1,4 @@
-// A program as straight strokes of the tool in the coordinates of the work.
+// A program as straight tool strokes in workpiece coordinates.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace lathelier::stock {
 
-/// What one move does to the tip.
+/// Tip path of one move.
 struct ToolTravel {
-    std::int64_t line = 0;        ///< of the block
-    int tool = 0;                 ///< number
-    bool is_rapid = false;        ///< else feed, arc or thread
+    std::int64_t line = 0;  ///< of the block
+    int tool = 0;
+    bool is_rapid = false;        ///< false: feed, arc or thread
     bool is_thread = false;       ///< of feed moves
-    bool has_start = false;       ///< false: comes from nowhere
-    bool is_in_reach = true;      ///< false: leads to a place that is not known
+    bool has_start = false;       ///< false: start unknown
+    bool is_in_reach = true;      ///< false: end unknown
     std::vector<Corner> corners;  ///< start (where known), chords of an arc, end
 };
 
-/// Follows the position of the tip through a program.
+/// Tracks the tip position through a program.
 class TipFollower {
 public:
     explicit TipFollower(double z_zero_mm) : z_zero_mm_(z_zero_mm) {}
@@ -36,7 +36,7 @@ private:
     bool is_known_ = false;
 };
 
-/// How many unbroken runs of feed moves of one tool there are; those that cut nothing among them.
+/// Number of connected sequences of feed moves of one tool, including those that cut nothing.
 std::size_t countRuns(std::span<const gcode::Move> moves);
 
 }  // namespace lathelier::stock

@@ -129,7 +129,7 @@ ConvexPolygon drillOf(const TurningTool& tool, Stated& stated, ToolOutline& used
         {{0, 0}, {-cone_mm, radius_mm}, {-length_mm, radius_mm}, {-length_mm, -radius_mm}, {-cone_mm, -radius_mm}});
 }
 
-/// From the tool that stands as tip 3 does (outside, toward the chuck) or 8 (straight), to the one of the number.
+/// Transforms a tool in orientation 3 (outside, toward the chuck) or 8 (straight) to the given tip number.
 Corner turned(const Corner& corner, int tip)
 {
     switch (tip) {

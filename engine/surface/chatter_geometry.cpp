@@ -18,7 +18,7 @@ double helixAngle_deg(double feed_mm_rev, double diameter_mm)
 Waves wavesPerRevolution(double frequency_hz, double speed_rpm)
 {
     const double waves = frequency_hz / (speed_rpm / 60);
-    const double m = std::ceil(waves - 0.5);  // ν = ½ belongs to the smaller m
+    const double m = std::ceil(waves - 0.5);  // ν = ½ is assigned to the smaller m
     return {static_cast<int>(m), waves - m};
 }
 
@@ -43,7 +43,7 @@ Reading readingOf(Vector line, Vector feed, std::optional<double> feed_mm_rev, s
     const double around = pi * *diameter_px * dot(line, y);  // m - j
     reading.waves = around + order;
     if (around + feeds >= 0) return reading;
-    reading.nu = reading.nu == 0.5 ? 0.5 : -reading.nu;  // a line and its opposite are one wave
+    reading.nu = reading.nu == 0.5 ? 0.5 : -reading.nu;  // k and -k describe the same wave
     reading.waves = -*reading.waves - (reading.nu == 0.5 ? 1 : 0);
     return reading;
 }

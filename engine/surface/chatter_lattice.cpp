@@ -8,15 +8,14 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double onFeed_bins = 1.6;  // closer than this to a line of the feed: part of it
-constexpr double supporting =
-    supportingSignificance;    // S of a line that supports a lattice which another line has seeded
-constexpr int mostOrders = 4;  // of the feed, to either side, where lines of the lattice are looked for
+constexpr double onFeed_bins = 1.6;                    // lines closer than this to a feed line are part of it
+constexpr double supporting = supportingSignificance;  // S of a further line of a seeded lattice
+constexpr int mostOrders = 4;                          // feed orders to either side in the search for lattice lines
 constexpr int mostMultiples = 3;
-constexpr int aliases = 150;  // harmonics of the feed that pixels fold back
+constexpr int aliases = 150;  // harmonics of the feed considered as aliases
 constexpr double leastShownPeriods = 4;
 
-/// Is it a harmonic of the feed marks, or one that the pixels have folded back? Those fall as 1/j.
+/// True for a harmonic of the feed marks, or an alias of one, whose amplitude decreases as 1/j.
 bool belongsToFeed(const WindowedPicture& picture, const FeedComb& feed, Vector frequency, double amplitude)
 {
     for (int j = 0; j <= aliases; ++j)
@@ -29,7 +28,7 @@ bool belongsToFeed(const WindowedPicture& picture, const FeedComb& feed, Vector 
     return false;
 }
 
-/// A faint image of the comb that turning the picture has left?
+/// True for a weak replica of the comb caused by interpolation when the picture was rotated.
 bool isImageOfFeed(const WindowedPicture& picture, const FeedComb& feed, Vector frequency, double amplitude,
                    const std::optional<Vector>& old_grid)
 {
@@ -50,8 +49,8 @@ bool isShown(const WindowedPicture& picture, Vector frequency)
            picture.binsBetween(frequency, {}) >= leastShownPeriods;
 }
 
-/// The lines of a lattice that exceed `supporting` and stand where they should, within a bin. Where two of them cannot
-/// be told apart, that of the lower multiple.
+/// Lines of a lattice that exceed `supporting` and lie within a bin of their expected position. Of two unresolved
+/// lines, the one of the lower multiple.
 std::vector<LatticeLine> linesOf(const WindowedPicture& picture, const Significance& significance, const FeedComb& feed,
                                  Vector fundamental, int multiples)
 {
@@ -76,7 +75,7 @@ std::vector<LatticeLine> linesOf(const WindowedPicture& picture, const Significa
     return lines;
 }
 
-/// Would the line be there if the seed were the vibration itself?
+/// True if the line belongs to the lattice with the seed as fundamental.
 bool isExplained(const WindowedPicture& picture, const FeedComb& feed, Vector seed, Vector line)
 {
     constexpr int explained = 5, orders = 12;
@@ -86,9 +85,10 @@ bool isExplained(const WindowedPicture& picture, const FeedComb& feed, Vector se
     return false;
 }
 
-/// Does a smaller fundamental show two lines of its own, not much weaker than the seed, that the seed does not explain?
-bool standsAlone(const WindowedPicture& picture, const Significance& significance, const FeedComb& feed, Vector seed,
-                 Vector fundamental)
+/// True if a smaller fundamental has two further lines, not much weaker than the seed, that are not explained by the
+/// seed.
+bool hasLinesOfItsOwn(const WindowedPicture& picture, const Significance& significance, const FeedComb& feed,
+                      Vector seed, Vector fundamental)
 {
     constexpr double least = 0.1;
     const double seed_amplitude = picture.amplitudeAt(seed);
@@ -98,7 +98,8 @@ bool standsAlone(const WindowedPicture& picture, const Significance& significanc
     return count >= 2;
 }
 
-/// Weighted least squares of all lines: the variance of a line's frequency falls with its significance.
+/// Weighted least squares of all lines: the variance of the frequency of a line is inversely proportional to its
+/// significance.
 Vector fitted(const std::vector<LatticeLine>& lines, const FeedComb& feed)
 {
     Vector sum{};
@@ -136,7 +137,7 @@ std::optional<ChatterLattice> chatterLattice(const WindowedPicture& picture, con
         bool found = false;
         for (int j = 0; j < l && !found; ++j) {
             const Vector candidate = (1.0 / l) * (*seed + double(j) * feed.frequency);
-            if (standsAlone(picture, significance, feed, *seed, candidate)) best = candidate, found = true;
+            if (hasLinesOfItsOwn(picture, significance, feed, *seed, candidate)) best = candidate, found = true;
         }
         if (found) break;
     }

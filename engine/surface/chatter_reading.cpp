@@ -10,19 +10,19 @@ namespace lathelier::surface {
 namespace {
 
 using std::numbers::pi;
-constexpr double leastNu = 5e-4;    // standard uncertainty that irregular tracks leave
-constexpr double certainWaves = 2;  // across the picture: fewer do not settle m…
-constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and m comes out near a whole number
+constexpr double leastNu = 5e-4;    // standard uncertainty due to irregular tracks
+constexpr double certainWaves = 2;  // waves across the picture below which m is uncertain…
+constexpr double fewWaves = 1.2;    // …unless the cylinder was unrolled and measured m is near a whole number
 constexpr double nearWhole = 0.25;
-constexpr double wholeNumber = 0.02;  // |ν| below it is a whole number of waves
+constexpr double wholeNumber = 0.02;  // |ν| below this counts as a whole number of waves
 constexpr int mostCandidates = 5;
 
-/// One way to read the marks.
+/// A possible reading of the marks.
 struct Candidate {
     int m = 0;
     double nu = 0;
     double frequency_hz = 0;
-    double distance = 0;  ///< of m from what was measured, plus a penalty for the less usual sign of ν
+    double distance = 0;  ///< of m from the measured value, plus a penalty for the less usual sign of ν
 };
 
 bool isRegenerative(double nu)
@@ -37,7 +37,7 @@ double lineUncertainty(const ChatterLattice& lattice, const CutFacts& facts, Vec
     return 0.3 * bin / std::sqrt(std::max(1.0, lattice.significance));
 }
 
-/// Waves of the vibration that the picture shows along the circumference.
+/// Number of waves of the vibration in the picture along the circumference.
 double wavesInView(double waves, const CutFacts& facts, Vector y)
 {
     const double across = std::abs(y.x) > std::abs(y.y) ? facts.columns / std::abs(y.x) : facts.rows / std::abs(y.y);
@@ -54,8 +54,8 @@ void addCandidates(std::vector<Candidate>& candidates, const Reading& reading, d
             candidates.push_back({m, reading.nu, speed_hz * (m + reading.nu), std::abs(m - *reading.waves) + penalty});
 }
 
-/// The best first. A reading with the other sign of ν counts as if its m were three quarters of a wave farther off: m
-/// of a small field is off by one at times.
+/// The best first. Readings with the other sign of ν get a penalty of three quarters of a wave, as m of a small field
+/// may be wrong by one.
 std::vector<Candidate> candidatesOf(const std::vector<Reading>& readings, double speed_hz, bool certain)
 {
     constexpr double otherSign = 0.75;
@@ -64,7 +64,7 @@ std::vector<Candidate> candidatesOf(const std::vector<Reading>& readings, double
         addCandidates(candidates, readings[i], speed_hz, certain, i == 0 ? 0 : i == 1 ? otherSign : 2 * otherSign);
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
-    std::vector<Candidate> different;  // both signs tell the same frequencies when ν is about 0 or a half
+    std::vector<Candidate> different;  // both signs give equal frequencies if ν is near 0 or ½
     for (const Candidate& candidate : candidates)
         if (std::none_of(different.begin(), different.end(), [&](const Candidate& other) {
                 return std::abs(other.frequency_hz - candidate.frequency_hz) < 1e-3 * speed_hz;
@@ -83,7 +83,7 @@ std::vector<Reading> readingsOf(Vector line, Vector feed, const CutFacts& facts)
     const CutDirection usual = facts.cut == CutDirection::Up ? CutDirection::Up : CutDirection::Down;
     std::vector<Reading> both{read(usual), read(usual == CutDirection::Down ? CutDirection::Up : CutDirection::Down)};
     if (!isRegenerative(both[0].nu) && isRegenerative(both[1].nu)) std::swap(both[0], both[1]);
-    // With the other sign the helix leans the other way, which moves m by 2 ν: the same m comes before.
+    // With the opposite sign the helix angle changes sign, which shifts m by 2 ν: compensated here.
     Reading other{-both[0].nu, both[0].waves};
     if (std::abs(std::abs(other.nu) - 0.5) < 1e-9) other = both[0];
     return {both[0], other, both[1]};
@@ -97,7 +97,7 @@ void describeCrests(ChatterMarks& marks, const CutFacts& facts)
         marks.inclination_deg = inclination_deg(marks.nu, *marks.m, *facts.diameter_mm, *facts.feed_mm_rev);
 }
 
-/// Distance of the nearest of `all` from a frequency that is another one.
+/// Distance of the nearest different frequency in `all`.
 std::optional<double> nearestOther(const std::vector<Candidate>& all, const Candidate& best)
 {
     std::optional<double> nearest;
@@ -154,7 +154,7 @@ ChatterMarks readChatter(const ChatterLattice& lattice, const FeedComb& feed, co
                             (facts.unrolled && *marks.waves_in_view >= fewWaves && off < nearWhole);
         marks.m_certain = !facts.curved && facts.scale_checked && enough && off + 2 * u_m < 0.5;
         marks.m = static_cast<int>(std::lround(*marks.waves_measured));
-        if (!marks.m_certain && !facts.curved)  // of the curvature there is a note
+        if (!marks.m_certain && !facts.curved)  // curvature has its own note
             notes.push_back({notes::wavesUncertain, {{"path", path}, {"waves", *marks.waves_in_view}}});
     }
     if (marks.waves_measured && facts.speed_rpm) {

@@ -11,12 +11,11 @@ namespace {
 constexpr int combHarmonics = 5;
 constexpr std::size_t mostTriedCombs = 12;
 
-constexpr double merged_bins = 1.6;  // lines closer than this fall together under the window
+constexpr double merged_bins = 1.6;  // lines closer than this are not resolved by the window
 constexpr std::size_t pairedPeaks = 12;
 constexpr std::size_t mostFits = 6;
 
-/// Distances of strong lines from each other and from zero whose length is near `expected`, each once; those that more
-/// pairs tell stand first.
+/// Distinct differences of strong lines, and lines, with length near `expected`, sorted by the number of pairs.
 std::vector<Vector> distances(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks, double expected)
 {
     struct Distance {
@@ -62,8 +61,9 @@ FeedComb combOf(const WindowedPicture& picture, Vector frequency, double signifi
     return comb;
 }
 
-/// The strongest line that is not of the comb.
-const SpectralPeak* besideComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks, Vector comb)
+/// The strongest line outside the comb.
+const SpectralPeak* strongestOutsideComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
+                                         Vector comb)
 {
     for (const SpectralPeak& peak : peaks) {
         const double order = dot(peak.frequency, comb) / dot(comb, comb);
@@ -84,7 +84,7 @@ std::optional<FeedComb> feedUnderChatter(const WindowedPicture& picture, const s
 {
     std::optional<LatticeVectors> best;
     for (const Vector& distance : distances(picture, peaks, expected)) {
-        const SpectralPeak* seed = besideComb(picture, peaks, distance);
+        const SpectralPeak* seed = strongestOutsideComb(picture, peaks, distance);
         if (!seed) continue;
         const auto fit = fittedLattice(picture, distance, picture.refined(seed->frequency), 4);
         if (!fit || std::abs(length(fit->feed) / expected - 1) > feedTolerance) continue;
@@ -121,7 +121,7 @@ std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vect
 std::optional<FeedComb> feedCombAlong(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                       double direction_deg)
 {
-    constexpr double usual_deg = 0.5;  // of a direction that is stated
+    constexpr double usual_deg = 0.5;  // typical error of a stated direction
     std::optional<FeedComb> best;
     double best_score = 0;
     std::size_t tried = 0;

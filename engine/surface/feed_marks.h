@@ -19,32 +19,32 @@ struct FeedComb {
 };
 
 /// Of the `peaks` the one with the best comb. `expected` (cycles per pixel): only peaks within `tolerance` of it, as a
-/// share; none: all. Nothing when no peak is left.
+/// share; none: all. None if no peak is left.
 std::optional<FeedComb> feedComb(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                  std::optional<double> expected, double tolerance = 0.05);
 
-/// Of the peaks within directionTolerance_deg of a direction the one with the best comb, those nearer to the direction
-/// counting more: under chatter lines of the lattice are stronger, and lean. Nothing when there is none.
+/// Of the peaks within directionTolerance_deg of a direction the one with the best comb, weighted by their angular
+/// distance, as under chatter the lattice lines are stronger and inclined. None if there is no peak.
 std::optional<FeedComb> feedCombAlong(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                       double direction_deg);
 inline constexpr double directionTolerance_deg = 4;
 
-/// Under strong chatter the feed's own line may be weaker than many others. Every pair of lines of the lattice differs,
-/// or adds up, to a multiple of it: of all such distances next to `expected` the one on which the lines together stand
-/// best (lattice_fit.h). `peaks`: the largest first. Nothing when no distance fits.
+/// Under strong chatter the feed line may be weaker than many others. Differences or sums of lattice lines are
+/// multiples of it: of all such differences near `expected`, the one with the best common fit of all lines is used
+/// (lattice_fit.h). `peaks`: the largest first. None if no difference fits.
 std::optional<FeedComb> feedUnderChatter(const WindowedPicture& picture, const std::vector<SpectralPeak>& peaks,
                                          double expected);
 
-/// Two frequencies, or one and the opposite of the other, that a Hann window cannot tell apart.
+/// True if two frequencies, or one and the negative of the other, are unresolved under a Hann window.
 bool coincide(const WindowedPicture& picture, Vector a, Vector b);
 
-/// S of a line that supports others, though it would not be enough by itself.
+/// S required of an additional line of a comb or lattice.
 inline constexpr double supportingSignificance = 7;
 
-/// A feed line within this share of 1/f is looked for at first; a strong chatter line at 0.9/f is none.
+/// Relative tolerance of 1/f in the first search of the feed line; excludes strong chatter lines at 0.9/f.
 inline constexpr double feedTolerance = 0.05;
 
-/// Where a wave of `frequency` is seen when pixels sample it: within ±½ cycle per pixel.
+/// Alias of a frequency under pixel sampling, within ±½ cycle per pixel.
 Vector folded(Vector frequency);
 
 }  // namespace lathelier::surface

@@ -1,4 +1,4 @@
-// Brightness on a grid of pixels, the value that the steps of the evaluation hand on.
+// Brightness on a grid of pixels, passed between the steps of the evaluation.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@ namespace lathelier::surface {
 
 /// Row-major from the top left: x to the right, y down.
 struct Grid {
-    int columns = 0;            ///< width in pixels
-    int rows = 0;               ///< height in pixels
-    std::vector<float> values;  ///< of the pixels
+    int columns = 0;  ///< width in pixels
+    int rows = 0;     ///< height in pixels
+    std::vector<float> values;
 
     Grid() = default;
     Grid(int width, int height)
@@ -28,12 +28,12 @@ private:
     }
 };
 
-/// Pixels that belong to another: a grid, or a part of a picture. Valid as long as those.
+/// Non-owning view of a grid or a part of a picture.
 struct GridView {
     const float* first = nullptr;  ///< upper left pixel
     int columns = 0;               ///< width in pixels
     int rows = 0;                  ///< height in pixels
-    std::ptrdiff_t stride = 0;     ///< values from one row to the next
+    std::ptrdiff_t stride = 0;     ///< distance of rows, in values
 
     GridView() = default;
     GridView(const float* values, int width, int height, std::ptrdiff_t step)

@@ -9,14 +9,14 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr int mostMultiple = 4;         // of the vibration
-constexpr double mostOrder = 2.6;       // of the feed: lines beyond are weak…
-constexpr double mostKnownOrder = 5.6;  // …unless they are known to stand out
-constexpr double leastStanding = 5;     // S of a line that is fitted
-constexpr int patch = 2;                // bins to either side of a line that are looked at
+constexpr int mostMultiple = 4;                // of the vibration
+constexpr double mostOrder = 2.6;              // of the feed: lines of higher order are weak…
+constexpr double mostKnownOrder = 5.6;         // …unless they exceed the noise
+constexpr double leastFittedSignificance = 5;  // S of a line that is fitted
+constexpr int patch = 2;                       // bins used to either side of a line
 constexpr double leastAlong_bins = 3;
 
-/// The transform of a Hann window about its middle; real.
+/// Fourier transform of a Hann window centred at zero; real.
 double windowTransform(double offset, int count)
 {
     const auto kernel = [count](double d) {
@@ -45,7 +45,8 @@ public:
                 const Vector line = double(l) * chatter + double(j) * feed;
                 const double place = dot(line, along);
                 if (place < least || place > most || std::abs(line.x) > 0.48 || std::abs(line.y) > 0.48) continue;
-                if (place > mostOrder * length(feed) && noise->at(line, NoiseLevel::Medians) < leastStanding) continue;
+                if (place > mostOrder * length(feed) && noise->at(line, NoiseLevel::Medians) < leastFittedSignificance)
+                    continue;
                 lines_.push_back({l, j});
                 sample(line);
             }
@@ -58,7 +59,7 @@ public:
 
     bool isDetermined() const { return values_.size() > 3 * lines_.size() && !lines_.empty(); }
 
-    /// What the best amplitudes leave, real parts before imaginary ones. `p`: K_f and K_c in bins.
+    /// Residuals of the best amplitudes, real parts before imaginary ones. `p`: K_f and K_c in bins.
     Eigen::VectorXd residuals(const Eigen::Vector4d& p) const
     {
         const Vector feed{p[0] / bins_.x, p[1] / bins_.y}, chatter{p[2] / bins_.x, p[3] / bins_.y};
@@ -69,7 +70,7 @@ public:
             const Vector line = double(index.l) * chatter + double(index.j) * feed;
             for (Eigen::Index i = 0; i < count; ++i) {
                 const Vector offset = places_[static_cast<std::size_t>(i)] - line;
-                // beyond a few bins the transform of the window is nothing
+                // the transform of the window is negligible beyond a few bins
                 model(i, k) =
                     std::abs(offset.x) * bins_.x > 4.5 || std::abs(offset.y) * bins_.y > 4.5
                         ? 0
@@ -77,7 +78,7 @@ public:
             }
         }
         Eigen::MatrixXd normal = model.transpose() * model;
-        normal.diagonal() *= 1 + 1e-3;  // lines that fall together share what is there
+        normal.diagonal() *= 1 + 1e-3;  // regularisation: coincident lines share the amplitude
         const Eigen::MatrixXd left = data_ - model * normal.ldlt().solve(model.transpose() * data_);
         return Eigen::Map<const Eigen::VectorXd>(left.data(), left.size());
     }
@@ -85,7 +86,7 @@ public:
     double power() const { return data_.squaredNorm(); }
 
 private:
-    /// The bins about a place, each once, with phases about the picture's middle.
+    /// Samples the bins around a line, each once, with phases relative to the middle of the picture.
     void sample(Vector line)
     {
         const int column = static_cast<int>(std::lround(line.x * bins_.x));
@@ -143,7 +144,7 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
     Eigen::Vector4d p = start;
     Eigen::VectorXd r = fit.residuals(p);
     double damping = 1e-2;
-    constexpr double settled_bins = 5e-4;
+    constexpr double converged_bins = 5e-4;
     for (int iteration = 0; iteration < iterations; ++iteration) {
         const Eigen::MatrixXd jacobian = slopes(fit, p, r);
         const Eigen::Matrix4d curvature = jacobian.transpose() * jacobian;
@@ -164,7 +165,7 @@ std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vect
                 damping *= 8;
             }
         }
-        if (!better || step.norm() < settled_bins) break;
+        if (!better || step.norm() < converged_bins) break;
     }
     if ((p - start).cwiseAbs().maxCoeff() > 1.0 || !p.allFinite()) return std::nullopt;
     return LatticeVectors{{p[0] / columns, p[1] / rows}, {p[2] / columns, p[3] / rows}, fit.power() - r.squaredNorm()};

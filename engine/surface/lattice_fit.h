@@ -1,8 +1,7 @@
-// All lines of comb and lattice fitted at once. In a small field several lines lie within the width of the window, and
-// each one alone would be drawn toward its neighbours: least squares over the amplitudes of all lines, inside a
-// Levenberg-Marquardt search for the two wave vectors.
-// Source: G. H. Golub and V. Pereyra, "The differentiation of pseudo-inverses and nonlinear least squares problems
-// whose variables separate", SIAM J. Numer. Anal. 10 (1973).
+// Simultaneous fit of all lines of comb and lattice. In a small field several lines lie within the width of the window,
+// and separate estimates would be biased toward neighbours: least squares over the amplitudes of all lines, inside a
+// Levenberg-Marquardt search for the two wave vectors. Source: G. H. Golub and V. Pereyra, "The differentiation of
+// pseudo-inverses and nonlinear least squares problems whose variables separate", SIAM J. Numer. Anal. 10 (1973).
 #pragma once
 
 #include <optional>
@@ -16,11 +15,11 @@ namespace lathelier::surface {
 struct LatticeVectors {
     Vector feed{};         ///< K_f
     Vector chatter{};      ///< K_c
-    double explained = 0;  ///< power of the samples about all lines that the lines explain
+    double explained = 0;  ///< power of the samples explained by the lines
 };
 
-/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, about their expected places. `noise`: farther ones too that
-/// stand out of it. Nothing where the fit leaves its start by more than a bin or does not settle.
+/// Lines l·K_c + j·K_f, |l| <= 4, of half the plane, around their expected positions. `noise`: also higher orders that
+/// exceed it. None if the fit moves by more than a bin or does not converge.
 std::optional<LatticeVectors> fittedLattice(const WindowedPicture& picture, Vector feed, Vector chatter,
                                             int iterations = 10, const Significance* noise = nullptr);
 

@@ -10,10 +10,10 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr int leastShared_px = 32;  // side of what both pictures show
+constexpr int leastShared_px = 32;  // smallest side of the common area
 constexpr int mostShared_px = 2048;
 
-/// mm of a pixel of the view, or pixels of the file.
+/// mm per pixel of the view, or file pixels per pixel of the view.
 double scaleOf(const ImageMarks& image, bool in_mm)
 {
     return image.view.px_per_px * (in_mm ? *image.mm_per_px : 1);
@@ -25,7 +25,7 @@ double direction_deg(const ImageMarks& image)
     return image.feed_marks ? angleModulo180(image.feed_marks->direction_deg - image.view.turned_deg) : 0;
 }
 
-/// Width and height of the largest rectangle of the common size's proportion that a turned view still fills, roughly.
+/// Approximate width and height of the largest rectangle with the common aspect ratio inside a rotated view.
 Vector shown(const ImageMarks& image, double scale)
 {
     const double angle = std::abs(direction_deg(image)) * std::numbers::pi / 180;
@@ -47,7 +47,7 @@ Grid brought(const ImageMarks& image, double scale, int columns, int rows, Vecto
     return pictureKernel().moved(flat, move, columns, rows, Interpolation::Linear);
 }
 
-/// Where the second picture lies against the first, with the response.
+/// Shift of the second picture relative to the first, with the response.
 Vector shiftBetween(const Grid& first, const Grid& second, double& response)
 {
     const Vector shift = pictureKernel().shift(first, second, response);

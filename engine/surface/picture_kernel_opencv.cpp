@@ -1,4 +1,4 @@
-// The only file that sees OpenCV.
+// The only file that includes OpenCV.
 #include "engine/surface/picture_kernel.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ cv::Mat viewOf(const Grid& grid)
     return {grid.rows, grid.columns, CV_32F, const_cast<float*>(grid.values.data())};
 }
 
-/// A Gaussian mean of any width in the time of a narrow one: on means of blocks, interpolated back.
+/// Gaussian mean with cost independent of its width: computed on block means and interpolated.
 cv::Mat wideMean(const cv::Mat& picture, double sigma)
 {
     const double factor = std::max(1.0, std::floor(sigma / 6));
@@ -40,7 +40,7 @@ Grid flat(const Grid& picture, const Progress& progress)
 {
     const double sigma = std::min(picture.columns, picture.rows) / 8.0;
     const cv::Mat source = viewOf(picture);
-    constexpr double darkest = 1e-4;  // of full scale: no division by black
+    constexpr double darkest = 1e-4;  // lower bound of the mean over full scale, avoids division by zero
     Grid result(picture.columns, picture.rows);
     cv::Mat out = viewOf(result);
     cv::Mat ratio;

@@ -23,7 +23,7 @@ double powerAbout(const PowerSpectrum& spectrum, Vector line)
     return sum;
 }
 
-/// Power on one side of zero between two radii, in cycles per pixel. The spectrum is not turned.
+/// Power on one side of zero between two radii, in cycles per pixel. Precondition: the spectrum is not rotated.
 double powerBetween(const PowerSpectrum& spectrum, double inner, double outer)
 {
     double sum = 0;
@@ -66,23 +66,23 @@ std::vector<Vector> linesOfLattice(const ChatterLattice& lattice)
     return lines;
 }
 
-/// The comb next to 1/f; where there is none there, the best of all.
+/// The comb nearest to 1/f; if none is near, the best of all.
 std::optional<FeedComb> feedOf(const WindowedPicture& picture, const Significance& significance,
                                const std::vector<SpectralPeak>& peaks, const std::vector<SpectralPeak>& further,
                                double threshold, const LineSearch& search)
 {
-    std::vector<SpectralPeak> sure = further;
-    std::erase_if(sure, [&](const SpectralPeak& peak) { return peak.significance <= threshold; });
+    std::vector<SpectralPeak> significant = further;
+    std::erase_if(significant, [&](const SpectralPeak& peak) { return peak.significance <= threshold; });
     if (!search.feed_cycles_per_px) {
         if (search.direction_deg)
-            if (const auto comb = feedCombAlong(picture, sure, *search.direction_deg)) return comb;
+            if (const auto comb = feedCombAlong(picture, significant, *search.direction_deg)) return comb;
         return feedComb(picture, peaks, std::nullopt);
     }
     std::optional<FeedComb> comb = feedComb(picture, peaks, search.feed_cycles_per_px, feedTolerance);
-    if (!comb) comb = feedComb(picture, sure, search.feed_cycles_per_px, feedTolerance);
-    const bool is_strongest = comb && !sure.empty() && coincide(picture, sure.front().frequency, comb->frequency);
-    if (!is_strongest &&
-        !(comb && search.feed_only))  // strong chatter: all lines together tell which comb they stand on
+    if (!comb) comb = feedComb(picture, significant, search.feed_cycles_per_px, feedTolerance);
+    const bool is_strongest =
+        comb && !significant.empty() && coincide(picture, significant.front().frequency, comb->frequency);
+    if (!is_strongest && !(comb && search.feed_only))  // under strong chatter the comb follows from all lines together
         if (const auto found = feedUnderChatter(picture, further, *search.feed_cycles_per_px)) comb = found;
     if (!comb) return feedComb(picture, peaks, std::nullopt);
     comb->significance = significance.at(comb->frequency, NoiseLevel::Medians);

@@ -1,4 +1,4 @@
-// All periodic lines of one flattened picture: is anything periodic, the comb of the feed, the lattice of the chatter.
+// All periodic lines of one flattened picture: test for periodicity, comb of the feed, lattice of the chatter.
 #pragma once
 
 #include <optional>
@@ -10,31 +10,32 @@
 
 namespace lathelier::surface {
 
-/// How much of a picture a family of lines is.
+/// Share of a family of lines in a picture.
 struct Weight {
     double regularity = 0;  ///< power within ±1.5 bins of its strongest line over that within ±20 % of its frequency
-    double share = 0;       ///< of the power of the whole picture, all lines of the family
+    double share = 0;       ///< share of all lines of the family in the power of the picture
 };
 
 struct PictureLines {
     double threshold = 0;                   ///< T
-    double largest_significance = 0;        ///< S of the strongest line over log-means
+    double largest_significance = 0;        ///< S of the strongest line relative to log-means
     std::optional<FeedComb> feed;           ///< none: nothing periodic
     Weight feed_weight;                     ///< of the comb
-    std::optional<ChatterLattice> chatter;  ///< none: nothing beside the comb
+    std::optional<ChatterLattice> chatter;  ///< none: no line outside the comb
     Weight chatter_weight;                  ///< of the lattice
-    double least_chatter = 0;               ///< amplitude of a line that would just have been found
-    PowerSpectrum spectrum;                 ///< to draw; not turned
+    double least_chatter = 0;               ///< detection limit of the amplitude
+    PowerSpectrum spectrum;                 ///< for display; not rotated
 };
 
-/// What is known beforehand.
+/// Prior knowledge for the search.
 struct LineSearch {
     std::optional<double> feed_cycles_per_px;  ///< 1/f in pixels; none: the best comb is the feed
-    double alpha = 1e-3;                       ///< chance of a false line
-    double least_chatter = 0.02;               ///< amplitude relative to the feed line
+    double alpha = 1e-3;                       ///< probability of a false detection
+    double least_chatter = 0.02;               ///< smallest amplitude relative to the feed line
     std::optional<Vector> old_grid = {};       ///< LatticeSearch::old_grid
-    std::optional<double> direction_deg = {};  ///< of the feed, about; tells the comb where 1/f is not known
-    bool feed_only = false;                    ///< no lattice, no weights: quicker
+    std::optional<double> direction_deg =
+        {};                  ///< approximate direction of the feed; selects the comb if 1/f is unknown
+    bool feed_only = false;  ///< skips lattice and weights
 };
 
 PictureLines findLines(const Grid& flat, const LineSearch& search, const Progress& progress = {});

@@ -26,13 +26,13 @@ Grid unrolled(const Grid& picture, const Cylinder& cylinder)
     const double turn = cylinder.axis_deg * std::numbers::pi / 180;
     const Vector along{std::cos(turn), std::sin(turn)}, across{-std::sin(turn), std::cos(turn)};
     const double limit = mostUnrolled_deg * std::numbers::pi / 180;
-    // v(φ), its distance from the axis as the picture shows it, and the shrinking along the axis
+    // v(φ), projected distance from the axis, and the foreshortening along the axis
     const auto shrink = [&](double phi) {
         const double d = cylinder.distance_px.value_or(0);
         return cylinder.distance_px ? (d - radius) / (d - radius * std::cos(phi)) : 1.0;
     };
     const auto seen = [&](double phi) { return radius * std::sin(phi) * shrink(phi); };
-    // The corners tell how far the picture reaches along and across the axis.
+    // Extent of the picture along and across the axis from its corners.
     double low = 1e300, high = -1e300, left = 1e300, right = -1e300;
     for (const double x : {0.0, picture.columns - 1.0})
         for (const double y : {0.0, picture.rows - 1.0}) {
@@ -42,7 +42,7 @@ Grid unrolled(const Grid& picture, const Cylinder& cylinder)
             left = std::min(left, dot(from, along));
             right = std::max(right, dot(from, along));
         }
-    const auto angleWithin = [&](double v) {  // the largest φ whose place is not beyond v
+    const auto angleWithin = [&](double v) {  // largest φ projected within v
         const double sign = v < 0 ? -1 : 1;
         double inside = 0, outside = limit;
         if (std::abs(seen(limit)) <= std::abs(v)) return sign * limit;

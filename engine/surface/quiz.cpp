@@ -7,7 +7,7 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double quizTolerance = 0.1;  // of n
+constexpr double quizTolerance = 0.1;  // tolerance of an answer, as a share of n
 constexpr int mostWavesOff = 4;
 
 /// A value between two ends, on a step.

@@ -10,8 +10,8 @@ namespace lathelier::surface {
 namespace {
 
 constexpr double eulerGamma = 0.5772156649015329;
-constexpr double leastPeriods = 4;  // across the picture
-constexpr int hole = 2;             // half width of a line under a Hann window, left out of the level around it
+constexpr double leastPeriods = 4;  // smallest number of periods across the picture
+constexpr int hole = 2;             // half width of a line under a Hann window, excluded from the noise level around it
 constexpr int ringSide = 31, longRun = 81, shortRun = 25, medianRun = 61;
 
 }  // namespace
@@ -34,7 +34,7 @@ Significance::Significance(const PowerSpectrum& spectrum)
         }
 }
 
-/// The spectrum goes on periodically beyond its edges.
+/// Periodic continuation of the spectrum beyond its edges.
 int Significance::foldedColumn(int column) const
 {
     const int n = spectrum_.power.columns;
@@ -107,7 +107,7 @@ double Significance::levelAt(int column, int row, NoiseLevel level) const
     return std::exp(level == NoiseLevel::Means ? meansLevel(column, row, 1e300) : mediansLevel(column, row));
 }
 
-/// False: beyond the plane.
+/// False: outside the spectrum.
 bool Significance::binOf(Vector frequency, int& column, int& row) const
 {
     const Vector there = turned(frequency, spectrum_.turn_deg);

@@ -1,9 +1,8 @@
-// Is a line of a spectrum more than noise? Its power over the local level of the noise, S; for noise whose power is
-// exponentially distributed the chance that any of M independent bins exceeds T by itself is M exp(-T).
-// Source: N. L. Johnson, S. Kotz, N. Balakrishnan, "Continuous Univariate Distributions" 1: the mean of the logarithm
-// of an exponential variable is ln μ - γ, its median μ ln 2. The level follows the rows and columns of the spectrum,
-// for grooves that are random lie in one narrow ridge along an axis: with a level that is the same all round every
-// ground surface would be "periodic".
+// Significance S of a spectral line: its power over the local noise level. For exponentially distributed noise power
+// the probability that any of M independent bins exceeds T is about M exp(-T). Source: N. L. Johnson, S. Kotz, N.
+// Balakrishnan, "Continuous Univariate Distributions" 1: the mean of the logarithm of an exponential variable is ln μ -
+// γ, its median μ ln 2. The level follows the rows and columns of the spectrum, as random grooves concentrate in a
+// narrow ridge along an axis: with an isotropic level every ground surface would appear periodic.
 #pragma once
 
 #include <vector>
@@ -21,11 +20,11 @@ struct SpectralPeak {
     double significance = 0;  ///< power over the local level of the noise
 };
 
-/// Which level of the noise is meant.
+/// Estimator of the noise level.
 enum class NoiseLevel {
-    Means,   ///< is anything periodic: the largest of the log-means of a square ring and of rows and columns, raw and
-             ///< without the common slope of the spectrum
-    Medians  ///< are there other lines beside: medians of rows and columns, which a comb of lines does not lift
+    Means,   ///< test for any periodicity: the largest of the log-means of a square ring and of rows and columns, raw
+             ///< and without the common slope of the spectrum
+    Medians  ///< test for further lines: medians of rows and columns, which are robust against a comb
 };
 
 /// S of one bin.
@@ -64,7 +63,7 @@ private:
     Grid log_ring_at_;              ///< of the ring of each bin
 };
 
-/// T = ln(M / α), M half the pixels: the chance of a false line in the whole picture is α.
+/// T = ln(M / α), M half the pixels: false-detection probability α for the whole picture.
 double significanceThreshold(double pixels, double alpha);
 
 }  // namespace lathelier::surface

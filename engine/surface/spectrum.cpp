@@ -28,7 +28,7 @@ WaveSamples wavesOf(double frequency, int count)
     return waves;
 }
 
-/// Sums in eight lanes, which the compiler may take side by side, always in the same order.
+/// Sums in eight lanes for vectorisation, in a fixed order.
 double dotProduct(const float* a, const float* b, std::size_t count)
 {
     constexpr std::size_t lanes = 8;
@@ -143,7 +143,7 @@ Vector WindowedPicture::refined(Vector start) const
         if (hxx < 0 && hyy < 0 && determinant > 0) {
             dx = (-gx * hyy + gy * hxy) / determinant;
             dy = (-gy * hxx + gx * hxy) / determinant;
-        } else {  // not yet near the summit: uphill
+        } else {  // far from the maximum: gradient step
             const double slope = std::hypot(gx, gy);
             if (slope == 0) break;
             dx = gx / slope;
@@ -169,7 +169,7 @@ PowerSpectrum powerSpectrum(const WindowedPicture& picture, double turn_deg)
     const Grid& grid = picture.values();
     const double angle = turn_deg * std::numbers::pi / 180;
     const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
-    // room for the whole turned picture, which its window has brought to zero at its edges
+    // size of the whole rotated picture, which the window has reduced to zero at its edges
     const PictureKernel& kernel = pictureKernel();
     const int columns = kernel.fast_size(static_cast<int>(std::ceil(grid.columns * c + grid.rows * s - 1e-6)));
     const int rows = kernel.fast_size(static_cast<int>(std::ceil(grid.columns * s + grid.rows * c - 1e-6)));
@@ -206,7 +206,7 @@ std::vector<double> ringMedians(const PowerSpectrum& spectrum)
 {
     const int columns = spectrum.power.columns, rows = spectrum.power.rows;
     std::vector<std::vector<float>> rings(static_cast<std::size_t>(std::max(columns, rows)) + 2);
-    for (int y = 0; y <= spectrum.zeroRow(); ++y)  // the other half is the same
+    for (int y = 0; y <= spectrum.zeroRow(); ++y)  // the other half is symmetric
         for (int x = 0; x < columns; ++x) rings[ringOf(spectrum, x, y)].push_back(spectrum.power.at(x, y));
     std::vector<double> medians(rings.size(), 0.0);
     double last = 0;

@@ -1,7 +1,6 @@
-// The spectrum of a flattened picture: exact values at any frequency, and the whole plane turned so that the strongest
-// ridge (the common direction of all grooves) lies on one of its axes.
-// Source: Hann window; power spectra of textures: R. M. Haralick, "Statistical and structural approaches to texture",
-// Proc. IEEE 67 (1979).
+// The spectrum of a flattened picture: exact values at any frequency, and the whole plane rotated so that the strongest
+// ridge (the common direction of all grooves) lies on an axis. Source: Hann window; power spectra of textures: R. M.
+// Haralick, "Statistical and structural approaches to texture", Proc. IEEE 67 (1979).
 #pragma once
 
 #include <complex>
@@ -34,8 +33,8 @@ public:
     /// Amplitude of a cosine of this frequency.
     double amplitudeAt(Vector frequency) const { return 2 * std::abs(at(frequency)) / window_sum_; }
 
-    /// The frequency of the local maximum of |at()| next to `start`: Newton on its logarithm over a grid of 3 × 3
-    /// points 0.35 bins apart. Stays within 1.5 bins of `start`.
+    /// The frequency of the local maximum of |at()| near `start`: Newton on its logarithm over a grid of 3 × 3 points
+    /// 0.35 bins apart. Stays within 1.5 bins of `start`.
     Vector refined(Vector start) const;
 
     /// Distance of two frequencies in bins (cycles across the picture).
@@ -52,21 +51,21 @@ private:
 /// |spectrum|² over the plane of frequencies, zero in the middle.
 struct PowerSpectrum {
     Grid power;           ///< columns along fx, rows along fy, each from -N/2
-    double turn_deg = 0;  ///< the picture was turned by this before, from x toward y
+    double turn_deg = 0;  ///< rotation applied to the picture before, from x toward y
 
     int zeroColumn() const { return power.columns / 2; }
     int zeroRow() const { return power.rows / 2; }
-    /// The frequency of a bin in the picture as it was before it was turned, in cycles per pixel.
+    /// The frequency of a bin in the unrotated picture, in cycles per pixel.
     Vector frequencyOf(int column, int row) const;
 };
 
 /// Direction of the ridge of largest mean power, 0 to 180° from fx toward fy, in steps of ¼°.
 double ridgeDirection_deg(const PowerSpectrum& spectrum);
 
-/// The picture turned by `turn_deg`, and its spectrum.
+/// Spectrum of the picture rotated by `turn_deg`.
 PowerSpectrum powerSpectrum(const WindowedPicture& picture, double turn_deg = 0);
 
-/// The turn in (-45, 45] that brings a direction onto the nearer axis.
+/// The rotation in (-45, 45] that aligns a direction with the nearer axis.
 double turnToAxis_deg(double direction_deg);
 
 /// Medians of the power in rings about zero, by radius in units of the finer bin; never 0.

@@ -53,7 +53,7 @@ std::vector<Stripe> stripesOf(Vector frequency, double phase, double width, doub
     std::vector<Stripe> stripes;
     const double size = length(frequency);
     if (!(size > 0)) return stripes;
-    // k·x at the corners tells which crests cross the picture; x counts from the middle of the first pixel.
+    // k·x at the corners gives the range of crests in the picture; x counts from the middle of the first pixel.
     const Vector half{0.5, 0.5};
     double low = 1e300, high = -1e300;
     for (const double x : {0.0, width})

@@ -1,4 +1,4 @@
-// The crests of one wave of a picture as lines, so that an eye can compare them with the picture.
+// The crests of one wave of a picture as lines, for visual comparison with the picture.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ double phaseOf(const Grid& flat, Vector frequency);
 /// From edge to edge of the picture, in pixels from the upper left corner.
 using Stripe = std::array<Vector, 2>;
 
-/// The crests of the wave: lines where k·x + φ is whole, at most mostStripes of them (none where there are more).
+/// The crests of the wave: lines where k·x + φ is whole, at most mostStripes of them (none if there are more).
 inline constexpr int mostStripes = 2000;
 std::vector<Stripe> stripesOf(Vector frequency, double phase, double width, double height);
 

@@ -15,10 +15,10 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double fewPixels = 2e6;           // a picture is not made smaller than this…
-constexpr double feedKept_px = 8;           // …nor so that a feed has fewer pixels
-constexpr double mostUnknownReduction = 2;  // where the feed in pixels is not known
-constexpr int searchedForAlias_px = 1400;   // side of the part that is looked at
+constexpr double fewPixels = 2e6;           // smallest number of pixels after reduction…
+constexpr double feedKept_px = 8;           // …and smallest number of pixels per feed
+constexpr double mostUnknownReduction = 2;  // if the feed in pixels is unknown
+constexpr int searchedForAlias_px = 1400;   // side of the examined region
 constexpr double saturatedMost_percent = 2;
 constexpr double pitchMost_percent = 3;
 
@@ -31,7 +31,7 @@ double saturated_percent(const GridView& pixels)
     return 100.0 * static_cast<double>(count) / (double(pixels.columns) * pixels.rows);
 }
 
-/// One picture on its way.
+/// Evaluation of one picture.
 class Evaluation {
 public:
     Evaluation(const NamedImage& named, const SurfaceParameters& p, std::size_t index, std::size_t pictures,
@@ -64,7 +64,7 @@ public:
         if (marks_.saturated_percent > saturatedMost_percent)
             note(notes::pictureSaturated, {{"percent", marks_.saturated_percent}});
         checkResolution(progress.part(0, 0.1));
-        takePixels();
+        loadPixels();
         unroll(progress.part(0.1, 0.3));
         const Grid flat = flattened(picture_, progress.part(0.3, 0.4));
         lines_ = findLines(flat, search(), progress.part(0.4, 0.95));
@@ -102,7 +102,7 @@ private:
         return search;
     }
 
-    /// Fewer than four pixels for a feed are refused; fewer than two are seen as an alias, if at all.
+    /// Refuses fewer than four pixels per feed; below two, feed marks appear as aliases.
     void checkResolution(const Progress& progress)
     {
         const auto px = feed_px();
@@ -121,8 +121,7 @@ private:
         if (*px < wantedFeed_px) note(notes::feedFewPixels, {{"found_px", *px}, {"wanted_px", wantedFeed_px}});
     }
 
-    /// The line that a feed of more than half a cycle per pixel folds back to, if it is there; up to half a cycle the
-    /// marks are seen themselves.
+    /// The alias of a feed above half a cycle per pixel, if significant; none up to half a cycle.
     std::optional<double> aliasSeen(double feed, const Progress& progress) const
     {
         constexpr double nyquist = 0.5, least = 0.01;
@@ -139,8 +138,8 @@ private:
         return is_strong ? std::optional(length(found->frequency)) : std::nullopt;
     }
 
-    /// As many as are needed.
-    void takePixels()
+    /// Reads the picture at the reduction needed.
+    void loadPixels()
     {
         const double pixels = double(pixels_.columns) * pixels_.rows;
         const auto px = feed_px();
@@ -149,8 +148,9 @@ private:
         shrunk_ = double(pixels_.columns) / picture_.columns;
     }
 
-    /// The distance of the marks is the feed, on a curved part too: the axis is not foreshortened.
-    void takeScaleFromFeed(const Progress& progress)
+    /// Scale from the pitch of the marks, which equals the feed also on a curved part, as the axis is not
+    /// foreshortened.
+    void setScaleFromFeed(const Progress& progress)
     {
         LineSearch wanted = search();
         wanted.feed_only = true;
@@ -158,8 +158,8 @@ private:
             marks_.mm_per_px = *p_.feed_mm_rev * length(feed->frequency) / shrunk_;
     }
 
-    /// The number of waves round the part stays open.
-    void leaveCurved(const NoteCode& code)
+    /// Marks the picture as curved: the number of waves per revolution is undetermined.
+    void markCurved(const NoteCode& code)
     {
         marks_.curved = true;
         note(code, {});
@@ -169,8 +169,8 @@ private:
     {
         const Unrolling unrolling = unrollingOf(p_);
         if (!p_.diameter_mm) return;
-        if (marks_.mm_per_px_source == ScaleSource::Feed) takeScaleFromFeed(progress.part(0, 0.5));
-        if (!marks_.mm_per_px) return;  // nor are there waves round the part to be told
+        if (marks_.mm_per_px_source == ScaleSource::Feed) setScaleFromFeed(progress.part(0, 0.5));
+        if (!marks_.mm_per_px) return;  // the number of waves per revolution is unknown
         const double diameter_px = *p_.diameter_mm / (*marks_.mm_per_px * shrunk_);
         if (std::max(picture_.columns, picture_.rows) <= curvedField * diameter_px) return;
         const PictureLines lines = [&] {
@@ -183,22 +183,22 @@ private:
             axis = axisDirection(towardFeed(lines.feed->frequency, marks_.feed_direction_deg), p_.feed_mm_rev,
                                  p_.diameter_mm, p_.cut_direction);
         else if (!marks_.feed_direction_deg)
-            return leaveCurved(notes::axisUnknown);
+            return markCurved(notes::axisUnknown);
         const Vector across = turned(axis, 90);
         const double field = std::abs(across.x) * picture_.columns + std::abs(across.y) * picture_.rows;
         if (field <= curvedField * diameter_px) return;
-        if (!unrolling.wanted) return leaveCurved(notes::curvatureIgnored);
+        if (!unrolling.wanted) return markCurved(notes::curvatureIgnored);
         Cylinder cylinder{0.5 * diameter_px, angle_deg(axis), axisPoint(axis), {}};
         if (unrolling.distance_mm) cylinder.distance_px = *unrolling.distance_mm / (*marks_.mm_per_px * shrunk_);
         Grid flat = unrolled(picture_, cylinder);
-        if (std::min(flat.columns, flat.rows) < leastSide_px) return leaveCurved(notes::curvatureIgnored);
+        if (std::min(flat.columns, flat.rows) < leastSide_px) return markCurved(notes::curvatureIgnored);
         picture_ = std::move(flat);
         turned_deg_ = cylinder.axis_deg;
         marks_.unrolled = true;
         note(notes::pictureUnrolled, {{"span_deg", picture_.rows / cylinder.radius_px * 180 / std::numbers::pi}});
     }
 
-    /// A point of the axis in the picture as it is now.
+    /// A point of the axis in the current picture.
     Vector axisPoint(Vector axis) const
     {
         Vector point{0.5 * (picture_.columns - 1), 0.5 * (picture_.rows - 1)};
@@ -274,10 +274,10 @@ private:
     const SurfaceParameters& p_;
     Notes& notes_;
     const Region* roi_;
-    GridView pixels_;        ///< of the file, that are evaluated
-    Grid picture_;           ///< those that are taken, unrolled
-    double shrunk_ = 1;      ///< pixels of the file in one of the picture
-    double turned_deg_ = 0;  ///< taken off directions by unrolling
+    GridView pixels_;        ///< evaluated region of the file
+    Grid picture_;           ///< reduced and unrolled picture
+    double shrunk_ = 1;      ///< file pixels per pixel of picture_
+    double turned_deg_ = 0;  ///< rotation by unrolling, subtracted from directions
     PictureLines lines_;
     ImageMarks marks_;
 };

@@ -1,5 +1,5 @@
-// What the evaluation of photographs refuses or remarks: codes with their English patterns. {name} is replaced by the
-// named value; text() puts the path in front where there is one.
+// Errors and notes of the evaluation of photographs: codes with their English patterns. {name} is replaced by the named
+// value; text() puts the path in front where there is one.
 #pragma once
 
 #include "engine/core/error.h"

@@ -1,4 +1,4 @@
-// What the evaluation of photographs is asked, checked: which of several values a picture has, its scale, the camera.
+// Validated inputs of the evaluation of photographs: values per picture, scale, camera.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace lathelier::surface {
 
-/// How the camera sees the cylinder.
+/// Projection of the cylinder.
 struct Unrolling {
-    bool wanted = true;                 ///< else the picture is taken as it is
-    std::optional<double> distance_mm;  ///< of the camera from the axis; none: far away
+    bool wanted = true;                 ///< false: the picture is not unrolled
+    std::optional<double> distance_mm;  ///< of the camera from the axis; none: parallel projection
 };
 
 /// Error valueNotUnderstood.
@@ -23,7 +23,7 @@ Unrolling unrollingOf(const SurfaceParameters& parameters);
 /// from it).
 std::pair<std::optional<double>, ScaleSource> givenScale(const SurfaceParameters& parameters);
 
-/// Errors of all parameters that belong together.
+/// Errors of parameter combinations.
 void checkTogether(const SurfaceParameters& parameters, std::size_t pictures);
 
 /// The pixels of a region; null: all. Error regionOutside.

@@ -14,11 +14,11 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double sheet = 720;   // units across
-constexpr int widest_px = 900;  // of a picture in a report
-constexpr double closest = 5;   // units between lines that are drawn
+constexpr double sheet = 720;   // width in SVG units
+constexpr int widest_px = 900;  // largest width of an embedded picture
+constexpr double closest = 5;   // smallest distance of drawn lines in SVG units
 constexpr double textSize = 13;
-constexpr double tallest = 900;  // units
+constexpr double tallest = 900;  // SVG units
 
 Grid shrunk(const Grid& grid)
 {
@@ -40,7 +40,7 @@ void scaleBar(report::Svg& svg, double mm_per_unit, double right, double bottom,
              shownNumber(mm, unit, mm < 1 ? 2 : 0, language) + " " + text(shown.empty() ? unit : shown, language));
 }
 
-/// Lines a pitch apart in a band across the picture, with its name.
+/// A labelled band of lines with the given pitch across the picture.
 void ruler(report::Svg& svg, const std::string& name, double pitch, double lean, double top, double width,
            std::string_view colour)
 {
@@ -66,7 +66,7 @@ std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& p
 {
     const SurfaceView& view = image.view;
     const Grid& flat = view.flat;
-    double units = sheet / flat.columns;  // of a pixel
+    double units = sheet / flat.columns;  // SVG units per pixel
     if (flat.rows * units > tallest) units = tallest / flat.rows;
     const double width = flat.columns * units, height = flat.rows * units;
     const double mm_per_unit = view.px_per_px * image.mm_per_px.value_or(0) / units;

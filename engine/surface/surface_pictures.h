@@ -1,4 +1,4 @@
-// Pictures of surfaces with what was found drawn over them, for reports: SVG with the picture inside.
+// Pictures of surfaces with the detected marks as overlay, for reports: SVG with embedded picture.
 #pragma once
 
 #include <string>
@@ -12,8 +12,8 @@ namespace lathelier::surface {
 /// The length of a scale bar: 1, 2 or 5 times a power of ten, at most `largest`.
 double roundBelow(double largest);
 
-/// The flattened picture in grey with the crests of feed and chatter marks, rulers of the pitch that was found and of
-/// the feed that was stated, and a scale bar, as SVG.
+/// The flattened picture in grey with the crests of feed and chatter marks, rulers of the measured pitch and the stated
+/// feed, and a scale bar, as SVG.
 std::string markedPictureSvg(const ImageMarks& image, const SurfaceParameters& parameters,
                              const Language& language = {});
 

@@ -11,14 +11,14 @@ namespace lathelier::surface {
 namespace {
 
 constexpr int widestPicture = 900;
-constexpr int mostNamed = 4;  // of the comb's lines, and of the lattice's
+constexpr int mostNamed = 4;  // labelled lines of comb and lattice
 
 Grid atMost(const Grid& grid, int columns)
 {
     return grid.columns > columns ? reduced(grid, double(grid.columns) / columns) : grid;
 }
 
-/// A map with rows upward.
+/// Colour map with flipped rows (y upward).
 report::ColourMap mapOf(const Grid& grid, double width, double height)
 {
     report::ColourMap map;
@@ -48,7 +48,7 @@ void ring(report::Curve& curve, Vector centre, double radius)
     lift(curve);
 }
 
-/// The names of the first lines of comb and lattice, each on the side where its frequency points right.
+/// Labels the first lines of comb and lattice in the half plane with positive fx.
 void nameStrongest(report::Plot& plot, const ImageMarks& image, double pixel, double edge)
 {
     int feed = 0, chatter = 0;
@@ -115,7 +115,7 @@ report::Plot linesOverNoise(const ImageMarks& image)
     }
     for (report::Curve* curve : {&feed, &chatter})
         if (!curve->x.empty()) plot.curves.push_back(std::move(*curve));
-    if (plot.curves.empty()) {  // the strongest line, wherever it is, reaches so far
+    if (plot.curves.empty()) {  // scale from the strongest line
         plot.limits.push_back({report::Limit::Direction::Horizontal, std::max(1e-3, image.largest_significance),
                                LT_TEXT("Engine", "strongest line")});
         right = 0.5 / pixel;

@@ -1,5 +1,4 @@
-// What photographs look like to the evaluation, as charts: the spectrum with comb and lattice ringed, their lines over
-// the noise; grey levels of pictures.
+// Charts of the evaluation: spectrum with marked comb and lattice, their lines over the noise, grey levels of pictures.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +11,10 @@
 
 namespace lathelier::surface {
 
-/// Decades of power over its surroundings, with rings about the lines of the comb and of the lattice, which are named.
+/// Decades of power over the median of its ring, with labelled rings around the lines of comb and lattice.
 report::Plot ringedSpectrum(const ImageMarks& image);
 
-/// "f", "2 f" of the comb; "c", "c + f", "2 c - f" of the lattice, whose order counts from the bands.
+/// "f", "2 f" of the comb; "c", "c + f", "2 c - f" of the lattice, with orders relative to the bands.
 std::string nameOf(const NamedLine& line);
 
 /// The line within 4 % of the drawn spectrum's edge of a place in it (the axes of ringedSpectrum()), or of its

@@ -17,7 +17,7 @@
 namespace lathelier::surface {
 namespace {
 
-void tellChatter(report::Answer& answer, const ImageMarks& image, const Language& language)
+void addChatter(report::Answer& answer, const ImageMarks& image, const Language& language)
 {
     const ChatterMarks& chatter = *image.chatter_marks;
     answer.verdict_words = LT_TEXT("Engine", "chatter marks");
@@ -106,7 +106,7 @@ report::Answer answer(const ImageMarks& image, const Language& language)
         return answer;
     }
     if (image.chatter_marks) {
-        tellChatter(answer, image, language);
+        addChatter(answer, image, language);
         return answer;
     }
     answer.verdict_words = LT_TEXT("Engine", "feed marks");

@@ -1,4 +1,4 @@
-// Photographs of surfaces in words: the answer, the tables, the report.
+// Report of photographs of surfaces: answer, tables, document.
 #pragma once
 
 #include "engine/report/document.h"
@@ -6,14 +6,14 @@
 
 namespace lathelier::surface {
 
-/// What one picture says: "Marks of 361.0 Hz (m = 11, ε 268°)…", "feed marks, no chatter marks above 2 %…", "no
+/// Answer of one picture: "Marks of 361.0 Hz (m = 11, ε 268°)…", "feed marks, no chatter marks above 2 %…", "no
 /// periodic marks found".
 report::Answer answer(const ImageMarks& image, const Language& language = {});
 
 /// The answers of all pictures with their tables and notes.
 report::Section surfaceSummary(const SurfaceResult& result, const Language& language = {});
 
-/// The tables of numbers alone: quick, for a screen. `names`: of the pictures, above their tables where there are two.
+/// Numerical tables only, fast enough for the screen. `names`: of the pictures, above their tables where there are two.
 report::Document surfaceNumbers(const SurfaceResult& result, const std::vector<std::string>& names,
                                 const Language& language = {});
 

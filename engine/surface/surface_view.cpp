@@ -8,10 +8,10 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double shownFeedLines = 4.5;  // of the comb, to the edge of the drawn spectrum
-constexpr int mostBins = 401;           // of the drawn spectrum, across
+constexpr double shownFeedLines = 4.5;  // extent of the displayed spectrum, in lines of the comb
+constexpr int mostBins = 401;           // width of the displayed spectrum
 
-/// The largest of the bins that one cell of the drawn spectrum stands for.
+/// Maximum of the bins represented by one cell of the displayed spectrum.
 float largestIn(const Grid& power, int x0, int x1, int y0, int y1)
 {
     float largest = 0;

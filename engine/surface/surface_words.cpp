@@ -8,8 +8,8 @@
 namespace lathelier::surface {
 namespace {
 
-constexpr double aboutZero = 0.1;                      // |ν| below it: bands along the axis
-constexpr double quarterFrom = 0.15, quarterTo = 0.4;  // |ν| between them: steep bands
+constexpr double aboutZero = 0.1;                      // |ν| below this: bands along the axis
+constexpr double quarterFrom = 0.15, quarterTo = 0.4;  // |ν| between these: steep bands
 
 report::Paragraph paragraph(Text pattern, Values values)
 {
@@ -53,37 +53,38 @@ report::Paragraph ofOne(const ImageMarks& image, bool is_before, const Language&
 
 }  // namespace
 
-Referee refereeOf(const ChatterMarks& chatter)
+SpeedRelationCheck speedRelationCheckOf(const ChatterMarks& chatter)
 {
     const double size = std::abs(chatter.nu);
-    if (size < aboutZero) return Referee::Published;
-    return chatter.nu < 0 && size > quarterFrom && size < quarterTo ? Referee::Exact : Referee::Neither;
+    if (size < aboutZero) return SpeedRelationCheck::Published;
+    return chatter.nu < 0 && size > quarterFrom && size < quarterTo ? SpeedRelationCheck::Exact
+                                                                    : SpeedRelationCheck::Neither;
 }
 
-std::optional<report::Paragraph> refereeSentence(const ImageMarks& image, const SurfaceParameters& parameters,
-                                                 const Language& language)
+std::optional<report::Paragraph> speedRelationSentence(const ImageMarks& image, const SurfaceParameters& parameters,
+                                                       const Language& language)
 {
     if (!image.chatter_marks) return std::nullopt;
     if (!image.feed_direction_deg || parameters.cut_direction == CutDirection::Unknown) return std::nullopt;
     const ChatterMarks& chatter = *image.chatter_marks;
     Values values{{"nu", fixed(chatter.nu, 3, language)},
                   {"feeds", fixed(chatter.nu == 0 ? 0 : 1 / std::abs(chatter.nu), 1, language)}};
-    switch (refereeOf(chatter)) {
-        case Referee::Exact:
+    switch (speedRelationCheckOf(chatter)) {
+        case SpeedRelationCheck::Exact:
             return paragraph(
                 LT_TEXT("Engine",
                         "By the rule N = 60 f/k chatter is worst at ν = 0 (bands along the axis), by the exact "
                         "relation near ν = -¼ (steep bands, axial period 4 f). Here ν = {nu}, axial period {feeds} f: "
                         "these marks speak for the exact relation."),
                 std::move(values));
-        case Referee::Published:
+        case SpeedRelationCheck::Published:
             return paragraph(
                 LT_TEXT("Engine",
                         "By the rule N = 60 f/k chatter is worst at ν = 0 (bands along the axis), by the exact "
                         "relation near ν = -¼ (steep bands, axial period 4 f). Here ν = {nu}: as the rule says, or a "
                         "forced vibration."),
                 std::move(values));
-        case Referee::Neither: break;
+        case SpeedRelationCheck::Neither: break;
     }
     return paragraph(
         LT_TEXT("Engine",
@@ -142,7 +143,7 @@ std::optional<report::Paragraph> certaintySentence(const ImageMarks& image, cons
                      std::move(values));
 }
 
-report::Paragraph pictureCannot()
+report::Paragraph pictureLimits()
 {
     return {LT_TEXT("Engine",
                     "A picture cannot tell heights: no roughness and no amplitude in µm are made from it, for its "
@@ -201,28 +202,28 @@ std::vector<report::Section> surfaceWords(const SurfaceResult& result, const Lan
 {
     std::vector<report::Section> sections;
     const ImageMarks& first = result.images.front();
-    const auto begin = [&](Text title) { sections.push_back({title, {}}); };
-    const auto say = [&](std::optional<report::Paragraph> paragraph) {
+    const auto beginSection = [&](Text title) { sections.push_back({title, {}}); };
+    const auto append = [&](std::optional<report::Paragraph> paragraph) {
         if (paragraph) sections.back().blocks.emplace_back(*std::move(paragraph));
     };
-    begin(LT_TEXT("Engine", "What is seen"));
-    for (report::Paragraph& each : beforeAndAfter(result, language)) say(std::move(each));
-    say(alignmentSentence(result, language));
+    beginSection(LT_TEXT("Engine", "What is seen"));
+    for (report::Paragraph& each : beforeAndAfter(result, language)) append(std::move(each));
+    append(alignmentSentence(result, language));
     if (result.images.size() < 2) {
         const report::Answer answered = answer(first, language);
-        say(report::Paragraph{answered.verdict_words, {}});
-        say(report::Paragraph{answered.sentence, answered.values});
+        append(report::Paragraph{answered.verdict_words, {}});
+        append(report::Paragraph{answered.sentence, answered.values});
     }
     if (first.chatter_marks) {
-        begin(LT_TEXT("Engine", "Which vibration"));
-        say(certaintySentence(first, language));
-        say(originSentence(first, language));
-        say(refereeSentence(first, result.parameters, language));
+        beginSection(LT_TEXT("Engine", "Which vibration"));
+        append(certaintySentence(first, language));
+        append(originSentence(first, language));
+        append(speedRelationSentence(first, result.parameters, language));
         if (report::Table speeds = speedTable(first); !speeds.rows.empty())
             sections.back().blocks.emplace_back(std::move(speeds));
     }
-    begin(LT_TEXT("Engine", "What a picture cannot say"));
-    say(pictureCannot());
+    beginSection(LT_TEXT("Engine", "What a picture cannot say"));
+    append(pictureLimits());
     return sections;
 }
 

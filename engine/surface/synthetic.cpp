@@ -30,9 +30,9 @@ double scalarProduct(const Direction& a, const Direction& b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-constexpr double largestDeviate = 9;  // that a normal generator of 53 bits gives
+constexpr double largestDeviate = 9;  // of a normal generator with 53 bits
 
-/// Normal deviates at whole numbers of `place`, joined smoothly; one row for each `index`.
+/// Normal deviates at integer `place`, smoothly interpolated; one sequence per `index`.
 double smoothNoise(std::uint64_t seed, std::uint64_t stream, std::int64_t index, double place)
 {
     const double cell = std::floor(place);
@@ -44,7 +44,7 @@ double smoothNoise(std::uint64_t seed, std::uint64_t stream, std::int64_t index,
     return (1 - weight) * value(cell) + weight * value(cell + 1);
 }
 
-/// The slopes of the surface, and the brightness of its grooves.
+/// Slopes and groove brightness of the surface.
 class TurnedSurface {
 public:
     explicit TurnedSurface(const SyntheticParameters& p)
@@ -58,7 +58,7 @@ public:
     {
     }
 
-    /// dh/dz and dh/dy of the deepest track at (z, y), both in mm.
+    /// dh/dz and dh/dy of the lowest track at (z, y), both in mm.
     std::array<double, 2> slopes(double z, double y) const
     {
         const double turn = y / round_mm_;
@@ -103,7 +103,7 @@ private:
     std::int64_t reach_;
 };
 
-/// Reflected brightness of a surface element under all lamps.
+/// Brightness of a surface element under all light sources.
 class Lamps {
 public:
     explicit Lamps(const SyntheticParameters& p)
@@ -177,7 +177,7 @@ Grid renderedPicture(const SyntheticParameters& p, const Progress& progress)
     return picture;
 }
 
-/// The word in letters of 5 × 7 dots; each row of a letter is five bits.
+/// Draws the word in a 5 × 7 bitmap font; each row of a letter is five bits.
 void stamp(io::Image& image)
 {
     constexpr std::string_view word = "SYNTHETIC";

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double cut_s = 3;
 constexpr double leastDepth_mm = 1e-3;
-constexpr double worthLookingAt = 0.02;  ///< of the first amplitude of a decay
+constexpr double shownDecayShare = 0.02;  ///< share of the first amplitude down to which a decay is shown
 constexpr int safeSpeedCuts = 3;
 constexpr double dampingShare = 0.1;     ///< tolerance, of the damping ratio
 constexpr double frequencyShare = 0.03;  ///< tolerance, of the frequency
@@ -196,7 +196,7 @@ Decay listenToBlow(const Exercise& exercise)
     double slowest = HUGE_VAL;
     for (const stability::Mode& mode : exercise.hidden.modes)
         slowest = std::min(slowest, 2 * std::numbers::pi * mode.frequency_hz * mode.damping_ratio);
-    return ringDown(exercise.hidden.modes, -std::log(worthLookingAt) / slowest);
+    return ringDown(exercise.hidden.modes, -std::log(shownDecayShare) / slowest);
 }
 
 }  // namespace lathelier::training

@@ -28,56 +28,56 @@ enum class ExerciseKind { SafeSpeed, LobeNumber, Damping, ChatterFrequency, Pred
 /// Key and name of every kind, in the order of the enumerators.
 const std::vector<FieldChoice>& exerciseChoices();
 
-/// A number that an exercise gives away, or that explains its answer.
+/// A number that an exercise states, or that explains its answer.
 struct NamedNumber {
-    std::string key;   ///< with its unit: "speed_rpm"; the name of its place in the question or explanation
-    Text label;        ///< for a table
+    std::string key;  ///< with its unit: "speed_rpm"; the placeholder in the question or explanation
+    Text label;
     double value = 0;  ///< in `unit`
     Text unit;         ///< empty: none
-    int decimals = 0;  ///< in tables
+    int decimals = 0;
 };
 
 struct Exercise {
     ExerciseKind kind = ExerciseKind::SafeSpeed;
     std::uint32_t seed = 0;
-    Scenario hidden;                  ///< the machine; not to be shown before the answer
-    Interval speed_rpm;               ///< cuts may be listened to at these; one speed: from = to
-    double depth_mm = 0;              ///< of the question; 0: it is about no cut
-    std::vector<NamedNumber> givens;  ///< to be shown
-    int cuts = 0;                     ///< that may be listened to
-    Text answer;                      ///< what is asked for: "Spindle speed"
+    Scenario hidden;                  ///< the hidden machine, not shown before the answer
+    Interval speed_rpm;               ///< allowed speeds of simulated cuts; one speed: from = to
+    double depth_mm = 0;              ///< of the question; 0: no cut involved
+    std::vector<NamedNumber> givens;  ///< numbers shown to the pupil
+    int cuts = 0;                     ///< number of cuts the pupil may play
+    Text answer;                      ///< quantity asked for: "Spindle speed"
     Text unit;                        ///< of the answer; empty: none
-    int decimals = 0;                 ///< of the answer
-    double tolerance = 0;             ///< half the width of what counts as right, in the unit of the answer
-    std::vector<Text> choices;        ///< the answer is an index into them; empty: it is a number
+    int decimals = 0;
+    double tolerance = 0;       ///< half width of the accepted interval, in the unit of the answer
+    std::vector<Text> choices;  ///< the answer is an index into them; empty: it is a number
 };
 
 /// A few milliseconds.
 Exercise makeExercise(ExerciseKind kind, std::uint32_t seed);
 
-/// What the pupil is asked, with {keys} of the givens: fill(text(question), valuesOf(givens)).
+/// The question, with {keys} of the givens: fill(text(question), valuesOf(givens)).
 Text questionOf(ExerciseKind kind);
 Values valuesOf(const std::vector<NamedNumber>& numbers);
 
-/// A cut on the hidden machine, three seconds of it. Error valueOutOfRange for a speed outside exercise.speed_rpm or a
-/// depth outside 0.001 mm to hidden.greatest_depth_mm. Throws Cancelled.
+/// Simulates a cut on the hidden machine for three seconds. Error valueOutOfRange for a speed outside
+/// exercise.speed_rpm or a depth outside 0.001 mm to hidden.greatest_depth_mm. Throws Cancelled.
 stability::SimulationResult listen(const Exercise& exercise, double speed_rpm, double depth_mm,
                                    const Progress& progress = {});
 
-/// The blow on the hidden machine, for Damping: as long as its amplitude is worth looking at.
+/// Impulse response of the hidden machine for Damping, until its amplitude has decayed.
 Decay listenToBlow(const Exercise& exercise);
 
 struct Grade {
-    double points = 0;                 ///< 0 to 10; full points within the tolerance, some for what comes close
+    double points = 0;                 ///< 0 to 10; full points within the tolerance, partial points close to it
     bool correct = false;              ///< within the tolerance
-    std::vector<Interval> expected;    ///< answers that are right, ascending; in the unit of the answer
-    std::vector<NamedNumber> numbers;  ///< that explain the answer, hidden ones too
+    std::vector<Interval> expected;    ///< accepted answers, ascending; in the unit of the answer
+    std::vector<NamedNumber> numbers;  ///< numbers that explain the answer, including hidden ones
 };
 
-/// An answer that is no finite number has no points.
+/// Answers that are not finite get no points.
 Grade grade(const Exercise& exercise, double answer, const Progress& progress = {});
 
-/// How the answer follows, with {keys} of Grade::numbers.
+/// Derivation of the answer, with {keys} of Grade::numbers.
 Text explanationOf(ExerciseKind kind);
 
 }  // namespace lathelier::training

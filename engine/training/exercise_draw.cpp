@@ -9,11 +9,11 @@
 namespace lathelier::training {
 namespace {
 
-constexpr int limitPoints = 1501;  ///< of the limit over a range
-constexpr int mostTries = 200;     ///< before the last draw is taken as it is
+constexpr int limitPoints = 1501;  ///< points of the limit over a range
+constexpr int mostTries = 200;     ///< after which the last draw is accepted
 constexpr double highestSpeed_rpm = 4200;
 
-/// Numbers drawn one after the other.
+/// Sequence of random numbers.
 class Draw {
 public:
     Draw(ExerciseKind kind, std::uint32_t seed) : seed_(seed), stream_(static_cast<std::uint64_t>(kind) + 1) {}
@@ -30,7 +30,8 @@ double rounded(double value, double step)
     return std::round(value / step) * step;
 }
 
-/// One mode; its limit at every speed is a few tenths of a millimetre to a little above one: a_min = 2 k ζ (1 + ζ)/K_r.
+/// One mode; its limit at all speeds is between a few tenths of a millimetre and slightly above one: a_min = 2 k ζ (1 +
+/// ζ)/K_r.
 Scenario machineOf(Draw& draw, const Interval& frequency_hz, const Interval& damping_percent)
 {
     Scenario machine;
@@ -51,7 +52,7 @@ Scenario machineOf(Draw& draw, const Interval& frequency_hz, const Interval& dam
     return machine;
 }
 
-/// The frequency of the least real part: chatter at the bottom of a lobe.
+/// The frequency of the minimum real part, at which the lobes have their minima.
 double bottomFrequency(const Scenario& machine)
 {
     const stability::Mode& mode = machine.modes.front();
@@ -73,7 +74,7 @@ bool drawSafeSpeed(Draw& draw, Exercise& exercise)
     machine = machineOf(draw, {160, 300}, {2, 4});
     const double f = machine.modes.front().frequency_hz;
     const int j = static_cast<int>(std::ceil(60 * f / highestSpeed_rpm + 1.1)) + draw.whole(0, 1);
-    // The best speed is not to lie at the upper end always.
+    // Avoids that the best speed always lies at the upper end.
     exercise.speed_rpm.from = rounded(60 * f / (j + draw.between(0.5, 0.9)), 10);
     exercise.speed_rpm.to = rounded(60 * f / (j - draw.between(1.1, 1.6)), 10);
     machine.speed_rpm = exercise.speed_rpm;
@@ -86,7 +87,7 @@ bool drawSafeSpeed(Draw& draw, Exercise& exercise)
     return exercise.depth_mm > 1.12 * least && exercise.depth_mm < 0.9 * best;
 }
 
-/// A chattering cut beside the bottom of lobe k, `share` times as deep as the limit.
+/// A chattering cut near the minimum of lobe k, `share` times as deep as the limit.
 bool drawChatter(Draw& draw, Exercise& exercise, const Interval& frequency_hz, const Interval& share)
 {
     Scenario& machine = exercise.hidden;
@@ -108,7 +109,7 @@ bool drawDamping(Draw& draw, Exercise& exercise)
     return true;
 }
 
-/// At the bottom of an exact lobe the published limit lies high, at that of a published one the exact limit does.
+/// At the minimum of an exact lobe the published limit is high, and vice versa.
 bool drawPrediction(Draw& draw, Exercise& exercise)
 {
     Scenario& machine = exercise.hidden;
@@ -126,7 +127,7 @@ bool drawPrediction(Draw& draw, Exercise& exercise)
            exercise.depth_mm < 0.93 * std::max(exact, published) && exercise.depth_mm < machine.greatest_depth_mm;
 }
 
-/// Are the waves that a pupil counts clearly k whole ones and a part?
+/// True if the fraction of the wave count is clearly between 0 and 1.
 bool isClearlyBetween(const Exercise& exercise)
 {
     const double waves = growthOf(exercise.hidden, exercise.speed_rpm.from, exercise.depth_mm).frequency_hz * 60 /

@@ -1,4 +1,4 @@
-// The hidden machines of the exercises: drawn by seed until the question is a fair one.
+// The hidden machines of the exercises: random by seed, redrawn until the question is well posed.
 #pragma once
 
 #include "engine/training/exercise.h"
@@ -11,14 +11,14 @@ Exercise drawExercise(ExerciseKind kind, std::uint32_t seed);
 /// The limit over a range of speeds, exact.
 stability::LobeLimit limitOver(const Scenario& scenario, const Interval& speed_rpm);
 
-/// The speed whose worst limit within ±share is best.
+/// The speed that maximises the minimum limit within ±share.
 struct BestSpeed {
-    double speed_rpm = 0;  ///< of the spindle
-    double limit_mm = 0;   ///< the worst about it
+    double speed_rpm = 0;
+    double limit_mm = 0;  ///< minimum limit within ±share
 };
 BestSpeed bestSpeed(const stability::LobeLimit& limit, const Interval& speed_rpm, double share);
 
-/// Within which speeds have their neighbours to be stable for a speed to be a good one.
+/// Relative speed interval that must be stable around a good speed.
 inline constexpr double speedShare = 0.01;
 
 }  // namespace lathelier::training

@@ -10,9 +10,9 @@ namespace lathelier::training {
 namespace {
 
 constexpr double fullPoints = 10;
-constexpr double fewWaves = 0.3;  ///< to which the amplitude of a decay falls in the explanation
+constexpr double fewWaves = 0.3;  ///< amplitude ratio of the decay used in the explanation
 
-/// Right within the tolerance, half the points within twice of it.
+/// Full points within the tolerance, half within twice the tolerance.
 void gradeNumber(Grade& grade, double expected, double tolerance, double answer)
 {
     grade.expected = {{expected - tolerance, expected + tolerance}};
@@ -21,7 +21,7 @@ void gradeNumber(Grade& grade, double expected, double tolerance, double answer)
     grade.points = grade.correct ? fullPoints : error <= 2 * tolerance ? fullPoints / 2 : 0;
 }
 
-/// The speeds of the exercise at which the depth is stable.
+/// Speed intervals of the exercise with a stable depth.
 std::vector<Interval> stableSpeeds(const Exercise& exercise, const stability::LobeLimit& limit)
 {
     std::vector<Interval> stable;

@@ -42,7 +42,7 @@ std::vector<std::string> quantityKeys()
     return keys;
 }
 
-/// Place of a word in a list; its size when it is not there.
+/// Place of a word in a list; its size if absent.
 std::size_t placeOf(const std::vector<std::string>& words, std::string_view word)
 {
     return static_cast<std::size_t>(std::find(words.begin(), words.end(), word) - words.begin());
@@ -53,7 +53,7 @@ bool isKeyLetter(char c)
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-/// The small word in front of a colon; empty: the line is no directive.
+/// The lower-case word before a colon; empty: not a directive.
 std::string_view directiveOf(std::string_view line)
 {
     std::size_t length = 0;
@@ -117,7 +117,7 @@ private:
                      {"maximum", range.to}});
     }
 
-    /// Each part with its blanks taken off; an empty one stands where it should be.
+    /// Each part without surrounding blanks; an empty part keeps its position.
     static std::string_view part(std::string_view text) { return text.empty() ? text : trimmedInPlace(text); }
 
     static std::string_view trimmedInPlace(std::string_view text)
@@ -206,7 +206,7 @@ private:
         continued_ = &text;
     }
 
-    /// The parts between commas; refuses one too many.
+    /// The parts between commas; refuses superfluous ones.
     template <class Take>
     void eachPart(std::string_view rest, const Take& take)
     {
@@ -319,7 +319,7 @@ private:
         } else {
             readValue(value, check);
         }
-        if (checks.empty() && lesson_.steps.back().task.empty()) keepPlace(word);
+        if (checks.empty() && lesson_.steps.back().task.empty()) rememberPlace(word);
         checks.push_back(std::move(check));
     }
 
@@ -345,8 +345,8 @@ private:
         check.other = other;
     }
 
-    /// Remembers where a check stands whose step has no task yet.
-    void keepPlace(std::string_view word)
+    /// Remembers the position of a check whose step has no task yet.
+    void rememberPlace(std::string_view word)
     {
         try {
             refuse(word, LT_TEXT("Engine", "a task beside the check: “task: …”"));
@@ -358,9 +358,9 @@ private:
     io::Lines lines_;
     std::string_view line_;
     Lesson lesson_;
-    bool fenced_ = false;               ///< within a block of code
-    bool shown_ = false, set_ = false;  ///< of the step
-    std::string* continued_ = nullptr;  ///< text that goes on with the next line
+    bool fenced_ = false;  ///< within a block of code
+    bool shown_ = false, set_ = false;
+    std::string* continued_ = nullptr;  ///< text continued by the next line
     std::optional<Error> withoutTask_;  ///< of the first check before a task
 };
 

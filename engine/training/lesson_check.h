@@ -1,4 +1,4 @@
-// The words and numbers that the conditions of a lesson may speak of.
+// Words and quantities available in the conditions of a lesson.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace lathelier::training {
 /// The quantity of LessonState of this key, or nullptr.
 const QuantityOf<LessonState>* findQuantity(std::string_view key);
 
-/// The words that a quantity may be; empty for a number.
+/// The possible words of a quantity; empty for a number.
 std::vector<std::string> wordsOf(std::string_view quantity);
 
 /// "<", "<=", ">", ">=", "=", "!=", in the order of Comparison.

@@ -11,12 +11,12 @@
 namespace lathelier::training {
 namespace {
 
-constexpr double robustShare = 0.02;      ///< of the speed, either way
-constexpr double growthTolerance = 1e-3;  ///< closer to 1 the growth says nothing
+constexpr double robustShare = 0.02;      ///< ± share of the speed
+constexpr double growthTolerance = 1e-3;  ///< growths closer to 1 are undecided
 
 double limitAt(const stability::LobeResult& lobes, double speed_rpm)
 {
-    const double limit = stability::pointOfWork(lobes, speed_rpm, 0).limit_mm;
+    const double limit = stability::pointStabilityAt(lobes, speed_rpm, 0).limit_mm;
     return std::isnan(limit) ? HUGE_VAL : limit;
 }
 
@@ -28,7 +28,7 @@ double naturalFrequencyNextTo(const std::vector<stability::Mode>& modes, double 
     return std::min_element(modes.begin(), modes.end(), nearer)->frequency_hz;
 }
 
-/// All but the cut.
+/// State without the quantities of the simulated cut.
 LessonState stateAt(const Scenario& scenario, const Limits& limits, stability::SpeedRelation relation, double speed_rpm,
                     double depth_mm, double frequency_hz)
 {

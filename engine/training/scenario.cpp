@@ -6,10 +6,10 @@
 namespace lathelier::training {
 namespace {
 
-constexpr int shownPoints = 3001;      ///< of the limit over the speeds
-constexpr double beyondEnds = 0.03;    ///< of the speeds shown, at either end
-constexpr double narrow = 1e-6;        ///< width of "one speed", relative
-constexpr double stepsPerPeriod = 96;  ///< of the highest mode
+constexpr int shownPoints = 3001;      ///< points of the limit over the speeds
+constexpr double beyondEnds = 0.03;    ///< extension of the shown speeds at either end, relative
+constexpr double narrow = 1e-6;        ///< relative width of the range for a single speed
+constexpr double stepsPerPeriod = 96;  ///< samples per period of the highest mode
 constexpr double mostRevolutions = 1e5;
 
 stability::LobeParameters lobesAt(const Scenario& scenario, stability::SpeedRelation relation,

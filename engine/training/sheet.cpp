@@ -16,7 +16,7 @@ constexpr double mostPoints = 10;
 constexpr int mostExercises = 100;
 constexpr std::uint64_t testStream = 100;
 
-/// "1980 – 2120", several after each other; the word where the answer is a choice.
+/// "1980 – 2120", several separated by commas; the text of the choice if the answer is one.
 Value expectedOf(const SheetRow& row)
 {
     std::string all;

@@ -1,5 +1,5 @@
-// The results of a class: who answered which exercise, and the points. An entry holds kind and seed only, from which
-// the exercise is made and graded again: the sheet can be checked by anyone.
+// The results of a class: answered exercises of each pupil with points. An entry holds only kind and seed, from which
+// the exercise is regenerated and graded, so that the sheet is verifiable.
 #pragma once
 
 #include <span>
@@ -16,10 +16,10 @@ namespace lathelier::training {
 /// One exercise that a pupil answered.
 struct Answered {
     std::string pupil;                            ///< name; may be empty
-    ExerciseKind kind = ExerciseKind::SafeSpeed;  ///< with the seed: which exercise
+    ExerciseKind kind = ExerciseKind::SafeSpeed;  ///< kind of exercise; identifies it together with the seed
     std::uint32_t seed = 0;
     double answer = 0;    ///< in the unit of the exercise; NaN: none was given
-    double needed_s = 0;  ///< from the question to the answer
+    double needed_s = 0;  ///< time from question to answer
 };
 
 struct SheetRow {
@@ -29,12 +29,12 @@ struct SheetRow {
 };
 
 struct PupilTotal {
-    std::string pupil;       ///< name
-    int answers = 0;         ///< exercises answered
-    int correct = 0;         ///< of these
-    double points = 0;       ///< of all
-    double most_points = 0;  ///< that could be had
-    double needed_s = 0;     ///< in all
+    std::string pupil;
+    int answers = 0;
+    int correct = 0;  ///< of these
+    double points = 0;
+    double most_points = 0;  ///< largest possible points
+    double needed_s = 0;
 };
 
 struct Sheet {
@@ -43,11 +43,11 @@ struct Sheet {
     PupilTotal whole;                ///< of the class; its name is empty
 };
 
-/// So many exercises (at most 100), every kind in turn, with seeds that follow from one seed: the same test for
-/// everyone who has it.
+/// `count` exercises (at most 100), every kind in turn, with seeds derived from one seed, so that a test is
+/// reproducible.
 std::vector<Exercise> makeTest(std::uint32_t seed, int count);
 
-/// Makes and grades every exercise again. Throws Cancelled.
+/// Regenerates and grades every exercise. Throws Cancelled.
 Sheet sheetOf(std::span<const Answered> answers, const Progress& progress = {});
 
 const std::vector<QuantityOf<SheetRow>>& quantitiesOf(const SheetRow*);

@@ -22,7 +22,7 @@ constexpr std::size_t angleSignal = 5;
 struct Entry {
     bool given = false;
     bool turned = false;
-    std::string channel;  ///< place or name
+    std::string channel;  ///< index or name of the channel
     std::size_t column = 1;
 };
 using Entries = std::array<Entry, signalNames.size()>;
@@ -133,8 +133,8 @@ double toMicrometres(const io::ProbeRecord& record, std::size_t channel, const c
                                           {"channels", static_cast<std::int64_t>(record.channels.size())}});
 }
 
-/// A probe that is not connected gives one value only; one out of range gives its end value again and again. A
-/// sinusoid rests on its own peak for a few per cent of the time when it is coarsely quantised.
+/// A disconnected probe yields a constant value, one out of range its limit value repeatedly. Limit for the latter: a
+/// coarsely quantised sinusoid is at its peak for a few per cent of the time.
 void noteStandstill(const io::ProbeChannel& channel, const char* signal, Notes& notes)
 {
     constexpr double clippedShare = 0.1;

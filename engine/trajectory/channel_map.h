@@ -1,4 +1,4 @@
-// Which channel of a record is which signal, and how its numbers become micrometres.
+// Assignment of the channels of a record to signals, and conversion of their values to micrometres.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace lathelier::trajectory {
 
-/// A displacement signal: which channel, and by what its values are multiplied.
+/// Channel and scale factor of a displacement signal.
 struct ProbePlace {
-    std::size_t channel = 0;  ///< place in ProbeRecord::channels
-    double um_per_value = 1;  ///< with the sign of the map
+    std::size_t channel = 0;  ///< index into ProbeRecord::channels
+    double um_per_value = 1;  ///< scale factor with the sign given in the map
 };
 
 struct ChannelMap {
@@ -21,16 +21,15 @@ struct ChannelMap {
     UsedValues used;                     ///< the sensitivity, when a channel in volts needed the one of all probes
 };
 
-/// What a probe in volts is taken for when nobody says.
+/// Assumed sensitivity of a probe in volts when none is stated.
 inline constexpr double assumedSensitivity_um_per_V = 50;
 
-/// Reads `parameters.channels`: entries "X3=1" for marker or angle, X3, Y3, Xp, Yp; a channel by its place (from 0) or
-/// its name; "-X3=1" turns the sign. With the default map a record whose headings name all of them is mapped by name,
-/// and a channel in degrees in the marker's place is an encoder's angle.
-/// Values in volts are multiplied by the probe's sensitivity, else by that of all probes (not given:
-/// assumedSensitivity_um_per_V, with the note sensitivityAssumed), those in µm and mm only brought to µm; without any
-/// unit they are refused. Signals that stand still or are cut off at the ends of their range are noted. Errors:
-/// valueNotUnderstood (`parameter` channels, `column` in it; probes, where one is named twice), channelsUnknown
+/// Reads `parameters.channels`: entries "X3=1" for marker or angle, X3, Y3, Xp, Yp; a channel by its index (from 0) or
+/// its name; "-X3=1" inverts the sign. With the default map a record whose headings name all of them is mapped by name,
+/// and a channel in degrees in the marker's place is an encoder's angle. Values in volts are multiplied by the probe's
+/// sensitivity, else by that of all probes (not given: assumedSensitivity_um_per_V, with the note sensitivityAssumed),
+/// those in µm and mm only brought to µm; without any unit they are refused. Constant and clipped signals are noted.
+/// Errors: valueNotUnderstood (`parameter` channels, `column` in it; probes, where one is named twice), channelsUnknown
 /// (`signal`, `found`, `reason`), channelUnitMissing.
 ChannelMap mapChannels(const io::ProbeRecord& record, const TrajectoryParameters& parameters, Notes& notes);
 

@@ -49,7 +49,7 @@ ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe)
 {
     const auto p = static_cast<std::size_t>(probe);
     ProbeStatistics result;
-    std::int64_t asked = 0;  // number of values that `student` is for: mostly that of the point before
+    std::int64_t asked = 0;  // number of values for which `student` was computed (cache; mostly constant)
     double student = notANumber;
     for (std::size_t i = 0; i < signals.points; ++i) {
         double sum = 0;
@@ -132,7 +132,7 @@ ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const d
 std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<const double> y_um,
                                       std::span<const double> angle_deg)
 {
-    // The eccentric mandrel shows which way the recorded angle turns: x + jy holds e^{jθ} or e^{-jθ}.
+    // The sense of the recorded angle follows from the mandrel's eccentricity: x + jy contains e^{jθ} or e^{-jθ}.
     const std::span<const double> first_x = x_um.first(std::min(x_um.size(), angle_deg.size()));
     const std::span<const double> first_y = y_um.first(first_x.size());
     const Eigen::Vector3d x = firstHarmonic(first_x, angle_deg);

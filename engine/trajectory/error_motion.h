@@ -8,17 +8,18 @@
 
 namespace lathelier::trajectory {
 
-/// Mean, standard deviation, extremes and confidence of the mean of one probe at each angle; NaN where no value is.
+/// Mean, standard deviation, extremes and confidence of the mean of one probe at each angle; NaN where there is no
+/// value.
 ProbeStatistics statisticsOf(const SectionSignals& signals, Probe probe);
 
 /// Error motion of values in µm [revolution][angle] at `angle_deg` (any angles, at least three different ones): k = 0
 /// and 1 of the mean curve, the setting of the probe and the eccentricity of the mandrel, are removed.
 ErrorMotion errorMotion(std::span<const double> values_um, std::span<const double> angle_deg);
 
-/// The same for a mean curve alone: asynchronous and total motion are not known from it (NaN).
+/// The same for a mean curve alone, which does not determine asynchronous and total motion (NaN).
 ErrorMotion errorMotionOfMean(std::span<const double> mean_um, std::span<const double> angle_deg);
 
-/// Rotating sensitive direction: X cosθ + Y sinθ, with θ turning the way the axis itself goes round.
+/// Rotating sensitive direction: X cosθ + Y sinθ, with θ in the sense of rotation of the axis.
 std::vector<double> rotatingDirection(std::span<const double> x_um, std::span<const double> y_um,
                                       std::span<const double> angle_deg);
 

@@ -10,7 +10,7 @@
 namespace lathelier::trajectory {
 namespace {
 
-/// Times no further than this share of a step from an even grid were even before they were printed.
+/// Largest deviation from an even grid, in steps, that is attributed to the rounding of printed times.
 constexpr double evenShare = 0.75;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// When the frames of a record were taken, and what a signal was between them.
+// Sampling times of the frames of a record, and interpolation of signals between frames.
 #pragma once
 
 #include <span>
@@ -7,15 +7,15 @@
 
 namespace lathelier::trajectory {
 
-/// Times of the frames of a record. Times that a file rounds when it prints them are laid back on their even grid.
-/// Without times and rate the frame is the unit of time. Refers to the record: it must outlive the clock.
+/// Times of the frames of a record. Rounded printed times are restored to their even grid. Without times and rate the
+/// frame is the unit of time. Refers to the record: it must outlive the clock.
 class FrameClock {
 public:
     /// Error timeNotIncreasing (`row`, from 1) when the times of the record do not go forward.
     explicit FrameClock(const io::ProbeRecord& record);
 
     std::size_t frames() const { return frames_; }
-    bool isKnown() const { return known_; }  ///< false: times are numbers of frames
+    bool isKnown() const { return known_; }  ///< false: times are frame numbers
     double step_s() const { return step_s_; }
     double time_s(std::size_t frame) const
     {

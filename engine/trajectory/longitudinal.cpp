@@ -41,7 +41,7 @@ std::array<double, 3> fitParabola(const std::vector<double>& z_mm, const std::ve
         base.row(i) = Eigen::RowVector3d(1, u, u * u);
     }
     const Eigen::Map<const Eigen::VectorXd> y(values.data(), n);
-    const double mean = y.mean();  // the deviations are a millionth of the radius
+    const double mean = y.mean();  // subtracted first: the deviations are a millionth of the radius
     const Eigen::Vector3d c = base.colPivHouseholderQr().solve(Eigen::VectorXd(y.array() - mean));
     return {c[0] + mean, c[1], c[2]};
 }
@@ -85,7 +85,7 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     result.half_diameter_range_um = result.diameter_range_um / 2;
     result.profile_straightness_um = 1e3 * straightnessOf(result.z_mm, result.radius_mm);
     result.axis_straightness_um = form::straightness(axis_mm).STRt_MZLI_um;
-    // A stack that is short beside its diameter is a disc: it has no axis, but all else.
+    // A stack much shorter than its diameter is a disc: its axis is undetermined, all other quantities exist.
     result.CYLt_LSCY_um = result.CYLt_MZCY_um = notANumber;
     try {
         const form::CylindricityResult cylinder = form::cylindricity(surface_mm, {}, progress);

@@ -8,8 +8,8 @@
 
 namespace lathelier::trajectory {
 
-/// Longitudinal section of at least three sections, all of known z, at three different places; else nothing, with the
-/// note zUnknown or tooFewSections. A stack too short for an axis has no cylindricity, with the note noCylindricity.
+/// Longitudinal section of at least three sections, all of known z, at three different places; otherwise none, with the
+/// note zUnknown or tooFewSections. A stack too short for an axis has no cylindricity (note noCylindricity).
 std::optional<LongitudinalSection> longitudinalSection(const std::vector<TrajectorySection>& sections, Notes& notes,
                                                        const Progress& progress = {});
 

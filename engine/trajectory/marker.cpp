@@ -6,8 +6,9 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double middleShare = 0.2;  ///< of the values in the middle half: more than a marker has
-constexpr double rareEnds = 0.001;   ///< of the values at either end: spikes that do not set the range
+constexpr double middleShare = 0.2;  ///< share of values in the middle half of the range above which the signal is not
+                                     ///< a marker
+constexpr double rareEnds = 0.001;   ///< share of values at either end ignored as spikes when the range is determined
 
 double valueAtRank(std::span<double> values, std::size_t rank)
 {
@@ -32,7 +33,7 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
         3 + static_cast<std::size_t>(rareEnds * static_cast<double>(known.size())), known.size() / 4);
     const double bottom = valueAtRank(known, ends);
     const double top = valueAtRank(known, known.size() - 1 - ends);
-    // A single short pulse hides among the spikes: then the ends themselves are the range.
+    // A single short pulse may be rejected as spikes: then the full range is used.
     const auto [least, most] = std::minmax_element(known.begin(), known.end());
     if (*least == *most) {
         levels.complaint = LT_TEXT("Engine", "it stands still");
@@ -44,11 +45,11 @@ MarkerLevels findMarkerLevels(std::span<const double> values)
     const double middle = (from + to) / 2;
     const auto between =
         std::count_if(known.begin(), known.end(), [&](double v) { return std::abs(v - middle) < 0.25 * (to - from); });
-    // In place: a marker of a long record is large.
+    // In place, since the marker of a long record is large.
     const auto split = std::partition(known.begin(), known.end(), [middle](double v) { return v < middle; });
     const std::span<double> below(known.begin(), split);
     const std::span<double> above(split, known.end());
-    // Edges take their share of a short pulse: its level is that of its far end, not of its middle.
+    // Edges occupy part of a short pulse: its level is taken near its extreme, not at its median.
     constexpr std::size_t farEnd = 5;
     levels.high_is_rare = above.size() <= below.size();
     levels.low = valueAtRank(below, levels.high_is_rare ? below.size() / 2 : below.size() / farEnd);
@@ -66,7 +67,7 @@ std::vector<double> findMarks(std::span<const double> values, const FrameClock& 
     const double rest = sign * (levels.high_is_rare ? levels.low : levels.high);
     const double threshold = sign * levels.threshold;
     const double armed_below = (threshold + rest) / 2;
-    bool armed = false;  // a record may start within a pulse
+    bool armed = false;  // false at first: a record may start within a pulse
     std::size_t last = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double v = sign * values[i];

@@ -9,18 +9,18 @@
 
 namespace lathelier::trajectory {
 
-/// The two levels of a marker, or why the signal is none.
+/// The two levels of a marker, or the reason why the signal is not a marker.
 struct MarkerLevels {
-    double low = 0, high = 0;  ///< where it rests, and the level of its pulses
-    double threshold = 0;      ///< half way between them
-    bool high_is_rare = true;  ///< pulses go up
-    Text complaint;            ///< empty for a marker
+    double low = 0, high = 0;  ///< resting level and pulse level
+    double threshold = 0;      ///< midpoint of the two levels
+    bool high_is_rare = true;  ///< true: the pulses are positive
+    Text complaint;            ///< reason why it is not a marker; empty for a marker
 
     bool isMarker() const { return complaint.empty(); }
 };
 
-/// A marker rests on two levels and is seldom between them: less than a fifth of its values lie in the middle half of
-/// its range (a sinusoid: a third; noise: most).
+/// A marker takes two levels and is rarely between them: less than a fifth of its values lie in the middle half of its
+/// range (a sinusoid: a third; noise: most).
 MarkerLevels findMarkerLevels(std::span<const double> values);
 
 /// Times at which the signal crosses the threshold into its rarer level, on the clock of its own channel, interpolated

@@ -9,7 +9,7 @@
 namespace lathelier::trajectory {
 namespace {
 
-/// A record that states another speed than its marks have: two marks in a turn, or a wrong time.
+/// Note where the stated speed differs from that of the marks: two marks per revolution, or a wrong time base.
 void noteSpeed(const PreparedRecord& prepared, const std::string& path, Notes& notes)
 {
     constexpr double tolerance = 0.1;

@@ -1,5 +1,4 @@
-// What is known of the records before their sections are evaluated: places of signals, revolutions, segmentation along
-// z.
+// Preparation of the records before the sections are evaluated: channel map, revolutions, segmentation along z.
 #pragma once
 
 #include <memory>
@@ -11,7 +10,7 @@
 
 namespace lathelier::trajectory {
 
-/// A raw record made ready for sampling.
+/// A raw record prepared for sampling.
 struct PreparedRecord {
     const io::ProbeRecord* record = nullptr;  ///< of the caller, who keeps it
     std::string path;                         ///< of the file, for messages
@@ -19,7 +18,7 @@ struct PreparedRecord {
     ChannelMap map;                           ///< which channel is which signal
     double channel_skew_s = 0;                ///< from one channel to the next within a frame
     Revolutions revolutions;                  ///< those found in the record
-    UsedValues used;                          ///< sensitivity and skew, and who said them
+    UsedValues used;                          ///< sensitivity and skew with their origin
 };
 
 /// Channel map, delays and revolutions of a record, with its notes. Errors carry `path`.
@@ -28,14 +27,14 @@ PreparedRecord prepare(const io::ProbeRecord& record, const std::string& path, c
 
 /// The revolutions of one section.
 struct RecordSegment {
-    std::vector<Revolution> chosen;                          ///< regular ones, at most as many as asked for
-    int found = 0;                                           ///< regular ones in the segment
-    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< middle of the chosen ones; NaN: not known
+    std::vector<Revolution> chosen;  ///< the regular revolutions used, at most the number requested
+    int found = 0;                   ///< number of regular revolutions in the segment
+    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< middle of the used revolutions; NaN: unknown
 };
 
-/// How a record is cut along the workpiece.
+/// Segmentation of a record along the workpiece.
 struct Segmentation {
-    double feed_mm_rev = 0;  ///< along the workpiece
+    double feed_mm_rev = 0;  ///< axial feed per revolution
     int sections = 1;        ///< number of segments of equal length
 };
 

@@ -12,8 +12,8 @@
 namespace lathelier::trajectory {
 namespace {
 
-constexpr double fewestFrames = 8;    ///< of a revolution: less shows neither a pulse nor a form
-constexpr double longestPause = 3.5;  ///< steps between frames that do not hurt the interpolation much
+constexpr double fewestFrames = 8;    ///< least frames per revolution that resolve a pulse and the form
+constexpr double longestPause = 3.5;  ///< longest gap between frames, in steps, with acceptable interpolation error
 
 Error tooFew(std::size_t found)
 {
@@ -21,7 +21,7 @@ Error tooFew(std::size_t found)
                  {{"found", static_cast<std::int64_t>(found)}, {"minimum", fewestRevolutions}});
 }
 
-/// Numbers the periods between marks and judges them.
+/// Numbers the periods between marks and classifies them as regular or not.
 Revolutions judged(const std::vector<double>& marks_s, const FrameClock& clock)
 {
     Revolutions result;
@@ -31,7 +31,7 @@ Revolutions judged(const std::vector<double>& marks_s, const FrameClock& clock)
     result.period_s = median(periods);
     const double allowed = std::max(periodTolerance * result.period_s, clock.step_s());
     std::int64_t number = 0;
-    double pieces_s = 0;  // periods shorter than a turn, from false marks, add up to turns
+    double pieces_s = 0;  // accumulated length of short periods caused by false marks
     for (std::size_t i = 0; i < periods.size(); ++i) {
         const bool regular = std::abs(periods[i] - result.period_s) <= allowed &&
                              clock.longestStep_s(marks_s[i], marks_s[i + 1]) <= longestPause * clock.step_s();
@@ -91,7 +91,7 @@ Revolutions fromMarker(const io::ProbeRecord& record, const FrameClock& clock, s
     return result;
 }
 
-/// When an encoder had made so many turns, on the clock of its own channel; straight between frames.
+/// Time at which an encoder had made a given number of turns, on the clock of its own channel; straight between frames.
 double timeOfTurn(const std::vector<double>& turns, const FrameClock& clock, double target)
 {
     const auto after = std::lower_bound(turns.begin(), turns.end(), target);
@@ -109,7 +109,7 @@ Revolutions fromAngle(const io::ProbeRecord& record, const FrameClock& clock, st
                                                {"place", static_cast<std::int64_t>(channel)},
                                                {"reason", reason}});
     };
-    // Turns by the shorter way from frame to frame; a missing angle waits for the next one.
+    // Unwraps the angle by the shorter way between frames; a missing angle is bridged to the next one.
     const auto known = std::find_if(angle_deg.begin(), angle_deg.end(), [](double v) { return std::isfinite(v); });
     if (known == angle_deg.end() || angle_deg.size() < 2) throw still(LT_TEXT("Engine", "it has hardly any values"));
     std::vector<double> turns(angle_deg.size());
@@ -127,7 +127,7 @@ Revolutions fromAngle(const io::ProbeRecord& record, const FrameClock& clock, st
     const double advance = turns.back() - turns.front();
     const bool falling = advance < 0;
     double top = falling ? -turns.front() : turns.front();
-    double back = 0;  // the longest way back
+    double back = 0;  // largest backward rotation
     for (double& turn : turns) {
         if (falling) turn = -turn;
         back = std::max(back, top - turn);
@@ -143,7 +143,7 @@ Revolutions fromAngle(const io::ProbeRecord& record, const FrameClock& clock, st
     Revolutions result = judged(marks_s, clock);
     if (result.period_s < fewestFrames * clock.step_s())
         throw still(LT_TEXT("Engine", "its turns follow each other within a few frames"));
-    // An encoder knows the angle whatever the speed does: only pauses in the recording hurt.
+    // With an encoder a varying speed does no harm: only gaps in the recording make a revolution irregular.
     result.irregular = 0;
     for (std::size_t i = 0; i < result.all.size(); ++i) {
         Revolution& revolution = result.all[i];

@@ -20,8 +20,8 @@ std::size_t index(Probe probe)
     return static_cast<std::size_t>(probe);
 }
 
-/// Mean square scatter of one probe at an angle, over the revolutions. The mean of each revolution is its size, which
-/// drifts, and no form: it is taken out where the single revolutions are known.
+/// Mean square scatter of one probe at an angle, over the revolutions. The mean of each revolution is size, which
+/// drifts, and not form: it is removed where the single revolutions are known.
 std::optional<double> scatterSquared_um2(const TrajectorySection& section, Probe probe)
 {
     double sum = 0;
@@ -62,8 +62,8 @@ std::optional<double> scatterSquared_um2(const TrajectorySection& section, Probe
     return std::max(0.0, sum) / static_cast<double>(count);
 }
 
-/// Standard deviation of an image point: that of the means of X3 and Xp, which make the radius; nothing without
-/// standard deviations.
+/// Standard deviation of an image point: from the means of X3 and Xp, which determine the radius; none without standard
+/// deviations.
 std::optional<double> pointUncertainty_um(const TrajectorySection& section)
 {
     if (section.revolutions_used < 2) return std::nullopt;
@@ -76,7 +76,7 @@ std::optional<double> pointUncertainty_um(const TrajectorySection& section)
     return std::sqrt(squares / section.revolutions_used);
 }
 
-/// Noise, drift and hum of the mains have a mean curve too: it is form only when it stands out of them.
+/// Noise, drift and mains hum also have a mean curve: it is accepted as form only when it is significant against them.
 void judgeForm(TrajectorySection& section, Drift removed)
 {
     constexpr double byFar = 10;

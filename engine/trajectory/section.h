@@ -6,7 +6,7 @@
 
 namespace lathelier::trajectory {
 
-/// Everything of a section but its number, place and names. Errors tooFewRevolutions, those of roundness().
+/// All members of a section except its number, position and names. Errors tooFewRevolutions, those of roundness().
 TrajectorySection evaluate(const PreparedRecord& prepared, const RecordSegment& segment,
                            const TrajectoryParameters& parameters, double workpiece_diameter_mm,
                            const Progress& progress);

@@ -22,7 +22,7 @@ void keepFinite(std::vector<double>& values)
     std::erase_if(values, [](double v) { return !std::isfinite(v); });
 }
 
-/// What all revolutions have at one angle.
+/// Values of all revolutions at one angle.
 std::vector<double> column(const SectionSignals& signals, std::size_t probe, std::size_t i)
 {
     std::vector<double> values(signals.revolutions());
@@ -41,8 +41,8 @@ double medianDistance(const SectionSignals& signals, std::size_t probe, std::siz
     return median(std::move(away));
 }
 
-/// Medians and robust standard deviations at each angle. Few revolutions make a single MAD small by chance: half of
-/// the typical one is the least.
+/// Medians and robust standard deviations at each angle. With few revolutions a single MAD may be small by chance: it
+/// is bounded below by half the typical one.
 std::vector<Spread> spreads(const SectionSignals& signals, std::size_t probe)
 {
     std::vector<Spread> result(signals.points);

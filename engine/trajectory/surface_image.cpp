@@ -15,7 +15,7 @@ double turned(double angle_deg)
     return within < 0 ? within + 360 : within;
 }
 
-/// The radii about the spindle axis stand for those about the circle's centre: with an eccentricity of some µm the
+/// Radii about the spindle axis approximate those about the circle's centre: for an eccentricity of some µm the
 /// difference is some pm.
 void filterRadii(SurfaceImage& image, const signal::TransmissionBand& band, bool whole)
 {
@@ -81,7 +81,7 @@ RevolutionImages revolutionImages(const SectionSignals& signals, std::span<const
         };
         SurfaceImage image = imageOf({part(Probe::X3), part(Probe::Y3), part(Probe::Xp), part(Probe::Yp)}, angle_deg,
                                      workpiece_diameter_mm, rotation);
-        bool whole = true;  // no sample was taken out
+        bool whole = true;  // no sample was rejected
         for (std::size_t i = 0; i < n; ++i) {
             const double radius_mm = image.radius_mm[i];
             whole = whole && std::isfinite(radius_mm);

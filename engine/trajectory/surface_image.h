@@ -1,6 +1,6 @@
-// The geometric image of the machined surface from the motions of workpiece and tool.
-// Source: Yurkevich & Orlova, equation (1), with the polar angle corrected: the generated point P, seen from the
-// workpiece's axis A, does not lie at the angle by which the spindle has turned.
+// The geometric image of the machined surface from the motions of workpiece and tool. Source: Yurkevich & Orlova,
+// equation (1), with the polar angle corrected: the generated point P, seen from the workpiece's axis A, does not lie
+// at the rotation angle of the spindle.
 #pragma once
 
 #include <span>
@@ -19,14 +19,14 @@ struct Motions {
 /// with Rotation::Opposite at minus that angle. NaN where a displacement is missing.
 struct SurfaceImage {
     std::vector<double> radius_mm;
-    std::vector<double> body_angle_deg;  ///< 0…360
+    std::vector<double> body_angle_deg;  ///< polar angle on the part, 0…360
 
-    std::vector<Eigen::Vector2d> points_mm() const;  ///< those that exist, in order
+    std::vector<Eigen::Vector2d> points_mm() const;  ///< finite points in order
 };
 SurfaceImage imageOf(const Motions& motions, std::span<const double> angle_deg, double workpiece_diameter_mm,
                      Rotation rotation);
 
-/// Images of the single revolutions: the averages hide what differs from turn to turn.
+/// Images of the single revolutions, which show the variation that the averages hide.
 struct RevolutionImages {
     std::vector<double> envelope_min_mm, envelope_max_mm;  ///< of the radii at each angle
     std::vector<double> RONt_um;                           ///< about each image's own LSC centre

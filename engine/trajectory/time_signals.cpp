@@ -6,7 +6,7 @@
 namespace lathelier::trajectory {
 namespace {
 
-/// The smallest and the largest value of each bucket, in their order: peaks survive.
+/// Minimum and maximum of each bucket, in their order, so that peaks are preserved.
 void thin(TimeSignal& signal, const FrameClock& clock, const std::vector<double>& values, double factor, int limit)
 {
     const std::size_t buckets = static_cast<std::size_t>(std::max(1, limit / 2));
@@ -48,7 +48,7 @@ std::vector<TimeSignal> timeSignals(const io::ProbeRecord& record, const Traject
         for (const Revolution& revolution : findRevolutions(record, clock, map, parameters, skew_s).all)
             starts_s.push_back(revolution.start_s);
     } catch (const Error&) {
-        // Drawn as recorded: the plot is where a person finds out which channel is which.
+        // In recorded units: the plot serves to identify the channels.
     }
     for (std::size_t i = 0; i < signals.size(); ++i) {
         progress.report(static_cast<double>(i) / static_cast<double>(signals.size()));

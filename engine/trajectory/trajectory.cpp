@@ -20,7 +20,7 @@ namespace {
 
 using Records = std::vector<const io::ProbeFile*>;
 
-/// What has to be evaluated for one section.
+/// Input of the evaluation of one section.
 struct Task {
     const PreparedRecord* raw = nullptr;
     RecordSegment segment;
@@ -42,7 +42,7 @@ std::string pathOf(const io::ProbeFile& file)
     return std::visit([](const auto& record) { return record.name; }, file.record);
 }
 
-/// The diameter asked for, or that of the records, which have to agree.
+/// The diameter of the parameters, or that of the records, which must agree.
 double diameterOf(const Records& records, const TrajectoryParameters& parameters, UsedValues& used)
 {
     std::optional<double> first;
@@ -65,7 +65,7 @@ double diameterOf(const Records& records, const TrajectoryParameters& parameters
 std::vector<double> parsePlaces(const std::string& typed)
 {
     std::vector<double> places;
-    // Between semicolons a comma is a decimal mark: the way of those who write one.
+    // In a list separated by semicolons a comma is the decimal mark.
     const bool semicolons = typed.find(';') != std::string::npos;
     for (std::size_t begin = 0; begin <= typed.size() && !typed.empty();) {
         const std::size_t end = std::min(typed.find(semicolons ? ';' : ',', begin), typed.size());
@@ -85,8 +85,8 @@ std::vector<double> parsePlaces(const std::string& typed)
     return places;
 }
 
-/// Notes of a section's roundness that the result does not hold yet: twenty sections say the same things. That its size
-/// is nominal is said once, with the diameter.
+/// Notes of a section's roundness that the result does not contain yet, since all sections tend to repeat them. The
+/// nominal size is noted once, with the diameter.
 void addOnce(Notes& notes, const TrajectorySection& section)
 {
     for (const Note& note : section.roundness.notes) {
@@ -98,7 +98,7 @@ void addOnce(Notes& notes, const TrajectorySection& section)
 
 void noteLargeDisplacements(const TrajectoryResult& result, const std::vector<Task>& tasks, Notes& notes)
 {
-    constexpr double largestShare = 0.05;  // of the diameter
+    constexpr double largestShare = 0.05;  // largest displacement over diameter without a note
     for (std::size_t probe = 0; probe < 4; ++probe)
         for (std::size_t i = 0; i < tasks.size(); ++i) {
             double largest_um = 0;
@@ -112,7 +112,7 @@ void noteLargeDisplacements(const TrajectoryResult& result, const std::vector<Ta
         }
 }
 
-/// Says it once, with the numbers of the section that is worst off.
+/// Notes it once, with the values of the worst section.
 void noteFormNotMeasured(TrajectoryResult& result)
 {
     const TrajectorySection* worst = nullptr;
@@ -224,7 +224,7 @@ TrajectorySection evaluateTask(const Task& task, const TrajectoryResult& result,
     }
 }
 
-/// What the sections have to say, counted together or once each.
+/// Notes of the sections, counted together or once each.
 void collectNotes(TrajectoryResult& result, const std::vector<Task>& tasks)
 {
     std::int64_t samples = 0, revolutions = 0;

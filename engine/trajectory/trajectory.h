@@ -20,15 +20,15 @@
 
 namespace lathelier::trajectory {
 
-enum class Rotation { Same, Opposite };  ///< the body angle runs as the recorded one, or against it
-enum class Drift { None, Section };      ///< Section: the slope within and between revolutions; the mean stays
+enum class Rotation { Same, Opposite };  ///< sense of the body angle relative to the recorded one
+enum class Drift { None, Section };  ///< Section: removes the slope within and between revolutions; the mean is kept
 
 enum class Probe { X3, Y3, Xp, Yp };
 
-/// What the certificate of a displacement probe says.
+/// Calibration of a displacement probe.
 struct ProbeCalibration {
-    Probe probe = Probe::X3;           ///< which one
-    double sensitivity_um_per_V = 50;  ///< of its channel, when that is recorded in volts
+    Probe probe = Probe::X3;           ///< calibrated probe
+    double sensitivity_um_per_V = 50;  ///< used when its channel is recorded in volts
     std::string calibrated;            ///< date or number of the certificate; may be empty
 };
 
@@ -36,22 +36,22 @@ const std::vector<Field<ProbeCalibration>>& fieldsOf(const ProbeCalibration*);
 
 struct TrajectoryParameters {
     std::optional<double> workpiece_diameter_mm;            ///< default: the record's own ("D_mm"); else Error
-    int points = 200;                                       ///< angles of a revolution
-    int revolutions = 40;                                   ///< of a section
+    int points = 200;                                       ///< number of angles per revolution
+    int revolutions = 40;                                   ///< number of revolutions per section
     std::optional<double> channel_skew_s;                   ///< default: the record's own, else 0
     std::string channels = "marker=0,X3=1,Y3=2,Xp=3,Yp=4";  ///< places among the record's channels; "angle=0" too;
-                                                            ///< "-X3=1" turns a sign
+                                                            ///< "-X3=1" inverts a sign
     std::optional<double> sensitivity_um_per_V;  ///< of displacement channels in volts; none: assumed, with a note
-    std::vector<ProbeCalibration> probes;        ///< where single probes differ from that; each at most once
+    std::vector<ProbeCalibration> probes;        ///< overrides for single probes; each probe at most once
     std::optional<double> marker_threshold_V;    ///< default: half way between its levels
     Rotation rotation = Rotation::Same;          ///< sense of the body angle against the recorded one
-    std::string z_mm;                            ///< "5,10,15": one for each record
-    std::optional<double> feed_mm_rev;  ///< with `sections`: cuts one record along the workpiece. Default: as the
+    std::string z_mm;                            ///< "5,10,15": one value per record
+    std::optional<double> feed_mm_rev;  ///< with `sections`: segments one record along the workpiece. Default: as the
                                         ///< record itself says when it states both feed_mm_rev and sections
     int sections = 20;
-    Drift drift = Drift::None;                             ///< whether a drift of the probes is taken out first
-    form::OutlierRule outliers = form::OutlierRule::None;  ///< samples and revolutions
-    double outlier_sigmas = 4;                             ///< limit of that rule, in robust standard deviations
+    Drift drift = Drift::None;                             ///< whether probe drift is removed first
+    form::OutlierRule outliers = form::OutlierRule::None;  ///< outlier rule for samples and revolutions
+    double outlier_sigmas = 4;                             ///< limit of the outlier rule, in robust standard deviations
     form::RoundnessParameters form;                        ///< filter, circle and tolerance of every section
 };
 
@@ -64,22 +64,22 @@ struct ProbeStatistics {
 
 /// ISO 230-7 error motion of one probe, fixed sensitive direction, k = 0 and 1 removed from the mean.
 struct ErrorMotion {
-    double synchronous_um = 0;                 ///< range of the mean curve
+    double synchronous_um = 0;                 ///< synchronous error motion: range of the mean curve
     double asynchronous_um = 0;                ///< NaN when only averages are known
-    double total_um = 0;                       ///< likewise
-    std::vector<double> synchronous_curve_um;  ///< mean for each angle, k = 0 and 1 removed
+    double total_um = 0;                       ///< NaN when only averages are known
+    std::vector<double> synchronous_curve_um;  ///< mean curve by angle, k = 0 and 1 removed
 };
 
 struct TrajectorySection {
     int section = 0;                                         ///< number from 1, or that of an averaged file
     std::string record;                                      ///< name of the record
     double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< from the free end; NaN: not known
-    int revolutions_found = 0;                               ///< regular ones; averages: as the file says, else 0
-    int revolutions_used = 0;                                ///< what is left of the chosen ones; averages: as found
-    std::int64_t samples_rejected = 0;         ///< single samples taken out as outliers, of all probes together
-    std::array<double, 4> drift_um_per_rev{};  ///< slope of each probe, removed only when asked for
+    int revolutions_found = 0;                               ///< regular ones; averages: as stated in the file, else 0
+    int revolutions_used = 0;                  ///< number after outlier rejection; averages: revolutions_found
+    std::int64_t samples_rejected = 0;         ///< single samples rejected as outliers, all probes together
+    std::array<double, 4> drift_um_per_rev{};  ///< slope of each probe, removed only with Drift::Section
     double speed_rpm = std::numeric_limits<double>::quiet_NaN();    ///< over the chosen revolutions; NaN without times
-    std::vector<double> angle_deg;                                  ///< as recorded, uniform
+    std::vector<double> angle_deg;                                  ///< recorded angle, uniform
     std::array<ProbeStatistics, 4> probes;                          ///< in the order of Probe
     std::array<std::vector<std::vector<float>>, 4> revolutions_um;  ///< [probe][revolution][angle]; empty for averages
     std::vector<double> radius_mm;                                  ///< |AP| of the mean trajectories
@@ -87,11 +87,11 @@ struct TrajectorySection {
     std::vector<double> envelope_min_mm, envelope_max_mm;           ///< of the images of single revolutions
     std::vector<double> revolution_RONt_um;                         ///< RONt(LSCI) of each single revolution's image
     Profile image;                                                  ///< the geometric image, size nominal
-    double run_out_um = 0;                    ///< max R_i - min R_i about the spindle axis: the paper's
-    form::RoundnessResult roundness;          ///< its verdict is Undecided where the form is not measured
-    bool form_measured = true;                ///< false: noise, drift or asynchronous motion drown RONt
-    ErrorMotion spindle;                      ///< of the sensitive direction (X3)
-    std::array<ErrorMotion, 4> error_motion;  ///< of every probe
+    double run_out_um = 0;            ///< max R_i - min R_i about the spindle axis: the paper's
+    form::RoundnessResult roundness;  ///< its verdict is Undecided unless form_measured
+    bool form_measured = true;        ///< false: RONt is not significant against noise, drift and asynchronous motion
+    ErrorMotion spindle;              ///< of the sensitive direction (X3)
+    std::array<ErrorMotion, 4> error_motion;  ///< error motion by Probe
     std::optional<ErrorMotion> rotating;      ///< X cosθ + Y sinθ of the workpiece axis
 
     /// Mean of one probe over the revolutions, for each angle.
@@ -102,38 +102,38 @@ struct TrajectorySection {
 struct LongitudinalSection {
     std::vector<double> z_mm;                ///< of each section, in their order
     std::vector<double> radius_mm;           ///< LSC radius of each section
-    std::vector<Eigen::Vector2d> centre_um;  ///< LSC centres
+    std::vector<Eigen::Vector2d> centre_um;  ///< LSC centre of each section
     double taper_diameter_um = 0;            ///< + when the diameter grows with z: 4 c1
     double barrel_um = 0;                    ///< + barrel, - saddle, on radius: -c2
     double diameter_range_um = 0;            ///< largest - smallest LSC diameter; half of it: GOST 24642-81
-    double half_diameter_range_um = 0;       ///< half of diameter_range_um
-    double axis_straightness_um = 0;         ///< of the LSC centres
-    double profile_straightness_um = 0;      ///< residual of R(z) about its line
+    double half_diameter_range_um = 0;
+    double axis_straightness_um = 0;     ///< of the LSC centres
+    double profile_straightness_um = 0;  ///< residual of R(z) about its line
     double CYLt_LSCY_um = 0;         ///< NaN, as the next one, when the stack is too short for an axis (noCylindricity)
-    double CYLt_MZCY_um = 0;         ///< see CYLt_LSCY_um
-    std::array<double, 3> fit_mm{};  ///< c0, c1, c2
+    double CYLt_MZCY_um = 0;         ///< NaN like CYLt_LSCY_um
+    std::array<double, 3> fit_mm{};  ///< coefficients c0, c1, c2 of R(u)
 };
 
 struct TrajectoryResult {
-    TrajectoryParameters parameters;          ///< as asked
-    double workpiece_diameter_mm = 0;         ///< used
-    UsedValues used;                          ///< what may be left open, and who said it
-    Values cutting;                           ///< what the records say of themselves: speed, feed, workpiece, tool…
+    TrajectoryParameters parameters;
+    double workpiece_diameter_mm = 0;         ///< diameter used
+    UsedValues used;                          ///< values of optional parameters with their origin
+    Values cutting;                           ///< cutting data stated in the records: speed, feed, workpiece, tool…
     std::vector<TrajectorySection> sections;  ///< in the order of the records
     std::optional<LongitudinalSection> longitudinal;  ///< with at least 3 sections of known z
-    double mandrel_form_um = 0.2;    ///< floor: two probes cannot tell the mandrel's form from its motion
+    double mandrel_form_um = 0.2;    ///< lower limit of the uncertainty: two probes cannot separate the mandrel's form
+                                     ///< from its motion
     std::optional<Verdict> verdict;  ///< of the worst section, with form.tolerance_um
-    Notes notes;                     ///< listed at trajectory()
+    Notes notes;                     ///< codes: see trajectory()
 
     /// Index of the section with the largest deviation by form.circle; none without sections.
     std::optional<std::size_t> worstSection() const;
 };
 
-/// Evaluates one or several records, in order. An averaged record brings its own sections. One record with
-/// `feed_mm_rev` is cut into `sections` segments of equal length from its first mark on, z = 0 at that mark; the first
+/// Evaluates one or several records, in order. An averaged record contains its sections. One record with `feed_mm_rev`
+/// is divided into `sections` segments of equal length from its first mark on, z = 0 at that mark; the first
 /// `revolutions` of each segment make the section, whose z_mm is the middle of them. The same bits for any number of
-/// threads.
-/// Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
+/// threads. Errors (with `path`): diameterMissing, channelsUnknown (the map does not fit the record), markerNotFound,
 /// markerElsewhere, angleNotTurning, timeNotIncreasing, tooFewRevolutions (`section`), recordTooShort, recordsDiffer;
 /// valueNotUnderstood (channels, probes, z_mm, feed_mm_rev); those of roundness(). Notes: skewUnknown,
 /// revolutionsRejected, fewerRevolutions, revolutionsIncomplete, revolutionsUnused, noCylindricity, speedDiffers,
@@ -144,7 +144,7 @@ TrajectoryResult trajectory(const std::vector<const io::ProbeFile*>& records,
 TrajectoryResult trajectory(const std::vector<io::ProbeFile>& records, const TrajectoryParameters& parameters = {},
                             const Progress& progress = {});
 
-/// One signal with its revolutions, for the time plot: thinned to at most `limit` points, the extremes kept.
+/// One signal with its revolutions, for the time plot: decimated to at most `limit` points, extremes preserved.
 struct TimeSignal {
     std::string channel;                      ///< its name in the record
     std::string signal;                       ///< "X3"…, "marker", "angle"; empty when the map does not name it
@@ -152,7 +152,8 @@ struct TimeSignal {
     std::vector<double> revolution_starts_s;  ///< of all found in the record; empty when there are none
 };
 
-/// Every channel of a record. A map or a marker that does not fit is no error here: the plot is to show why.
+/// Every channel of a record. An inconsistent map or marker is not an error here, since the plot serves to find the
+/// reason.
 std::vector<TimeSignal> timeSignals(const io::ProbeRecord& record, const TrajectoryParameters& parameters,
                                     int limit = 4000, const Progress& progress = {});
 

@@ -14,7 +14,7 @@ namespace {
 /// Numbers of the series' colours.
 constexpr int workpieceColour = 0, toolColour = 1, meanColour = 1, singleColour = 4;
 
-constexpr std::size_t mostMarks = 60;  ///< more revolution marks hide the signals
+constexpr std::size_t mostMarks = 60;  ///< largest number of revolution marks drawn
 
 const report::Axis zAxis{LT_TEXT("Engine", "Along the workpiece, from the free end"), unit::mm};
 
@@ -65,7 +65,7 @@ report::Plot longitudinalPlot(const LongitudinalSection& section, const Language
                                  std::abs(section.barrel_um))};
     report::Curve line{named(LT_TEXT("Engine", "taper {value_um:1} µm on diameter"), section.taper_diameter_um)};
     line.style = report::Curve::Style::Dashed;
-    line.spoken = false;
+    line.has_readout = false;
     report::Curve measured{LT_TEXT("Engine", "sections")};
     measured.style = report::Curve::Style::Points;
     for (const std::size_t i : order) {
@@ -78,7 +78,7 @@ report::Plot longitudinalPlot(const LongitudinalSection& section, const Language
         const double u = 2.0 * i / steps - 1;
         parabola.x.push_back(*from + (*to - *from) * i / steps);
         parabola.y.push_back(1e3 * (c0 + u * (c1 + u * c2) - mean_mm));
-        // The line that leaves the parabola's own bow out of the taper: its mean height.
+        // Line of the taper at the mean height of the parabola.
         line.y.push_back(1e3 * (c0 + c1 * u + c2 / 3 - mean_mm));
     }
     line.x = parabola.x;
@@ -189,7 +189,7 @@ report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language
     const auto displaces = [](const TimeSignal& signal) {
         return !signal.signal.empty() && signal.signal != "marker" && signal.signal != "angle";
     };
-    // Without a usable map everything is shown as it was recorded: the plot is to tell which channel is which.
+    // Without a usable map all channels are shown as recorded, so that they can be identified.
     const bool mapped = std::any_of(recorded.begin(), recorded.end(), displaces);
     plot.y =
         mapped ? report::Axis{LT_TEXT("Engine", "Displacement"), unit::um} : report::Axis{LT_TEXT("Engine", "Value")};
@@ -208,7 +208,7 @@ report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language
         plot.limits[i].place = (*starts)[i];
     }
     plot.limits.front().name = LT_TEXT("Engine", "marks");
-    // Single turns are seen, the rest comes with the wheel.
+    // Initial range of a few revolutions, so that single revolutions are visible; zoom out for the rest.
     if (starts->size() > 6) plot.x.range = Interval{(*starts)[0], (*starts)[5]};
     return plot;
 }
@@ -230,7 +230,7 @@ report::PolarPlot errorMotionPlot(const TrajectorySection& section, double workp
         trace.angle_deg = angle_deg;
         for (std::size_t i = 0; i < revolutions[k].size(); ++i)
             trace.deviation_um.push_back(static_cast<double>(revolutions[k][i]) - average[i] + synchronous[i]);
-        if (k + 1 < revolutions.size() && !average.empty())  // runs on into the next one
+        if (k + 1 < revolutions.size() && !average.empty())  // connects to the next revolution
             trace.deviation_um.push_back(static_cast<double>(revolutions[k + 1].front()) - average[0] + synchronous[0]);
         trace.angle_deg.resize(trace.deviation_um.size());
         trace.colour = singleColour;

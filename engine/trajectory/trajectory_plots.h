@@ -15,7 +15,7 @@ report::Plot longitudinalPlot(const LongitudinalSection& section, const Language
 /// RONt of every section along the workpiece (or by number without z), with the tolerance.
 report::Plot roundnessAlongAxis(const TrajectoryResult& result);
 
-/// Trajectories of the workpiece's axis and of the tool in one plane; those of `others` faintly behind.
+/// Trajectories of the workpiece's axis and of the tool in one plane; those of `others` in faint lines.
 report::Plot trajectoryPlot(const TrajectorySection& section, const Language& language = {},
                             const std::vector<TrajectorySection>& others = {});
 
@@ -25,7 +25,7 @@ report::Plot coordinatesPlot(const TrajectorySection& section, const Language& l
 /// The radius with the envelope of single revolutions; for averages the radius alone.
 report::Plot envelopePlot(const TrajectorySection& section);
 
-/// Signals over time with the revolution marks; as recorded when the channels could not be used yet.
+/// Signals over time with the revolution marks; as recorded while the channel map is unusable.
 report::Plot signalsPlot(const std::vector<TimeSignal>& recorded, const Language& language = {});
 
 /// Error motion of one probe (ISO 230-7): every revolution and the synchronous curve around the workpiece's circle, k =

@@ -12,7 +12,7 @@ namespace {
 using S = TrajectorySection;
 using L = LongitudinalSection;
 
-/// A quantity of the section's roundness under its key there, with another name and a heading where that needs one.
+/// A quantity of the section's roundness under its key there, with another name and a heading where required.
 QuantityOf<S> ofForm(const char* key, int decimals, Text label = {}, Text heading = {})
 {
     const QuantityOf<form::RoundnessResult>& inner = quantityOf<form::RoundnessResult>(key);

@@ -62,7 +62,7 @@ report::Table errorMotionTable(const TrajectorySection& section)
     for (std::size_t probe = 0; probe < table.rows.size(); ++probe) {
         std::vector<Value>& row = table.rows[probe];
         const bool single = probe < section.error_motion.size();
-        const bool known = single && !section.revolutions_um[probe].empty();  // averages tell of no drift
+        const bool known = single && !section.revolutions_um[probe].empty();  // averages do not determine the drift
         row.insert(row.begin(), single ? Value(std::string(name(static_cast<Probe>(probe))))
                                        : Value(LT_TEXT("Engine", "rotating direction")));
         row.push_back(known ? Value(section.drift_um_per_rev[probe]) : Value());

@@ -11,7 +11,7 @@ namespace lathelier::trajectory {
 /// "RONt(MZCI) 9.4 µm (section 7 of 20) · taper +16.0 µm on diameter · barrel 5.0 µm": the worst section first.
 report::Answer answer(const TrajectoryResult& result, const Language& language = {});
 
-/// The motion of the workpiece's axis in one section of `result`, as probe X3 sees it (ISO 230-7).
+/// Error motion of the workpiece axis in one section of `result`, measured by probe X3 (ISO 230-7).
 report::Answer motionAnswer(const TrajectoryResult& result, const TrajectorySection& section);
 
 /// Answer, longitudinal figures, verdict and notes: what the command line prints.

@@ -23,7 +23,7 @@ VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::stri
 {
     VerifyResult result;
     result.reference_data = reference_data;
-    // Sets that cannot be read are said before the built-in ones take their time.
+    // Unreadable sets are reported before the built-in checks run.
     std::vector<VerifyKind> of_directory;
     if (!reference_data.empty())
         for (const VerifyPart* part : parts)

@@ -1,4 +1,4 @@
-// "Verify installation": refits the rooms' reference data whose answers are known, and says how far off it is.
+// "Verify installation": refits reference data with known answers and reports the deviations.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@ namespace lathelier::verify {
 
 struct VerifyResult {
     std::vector<VerifyKind> kinds;  ///< one for each check that was run
-    std::string reference_data;     ///< the folder of further sets; empty: none was named, and they have no kind
-    bool pass = false;              ///< all kinds
+    std::string reference_data;     ///< folder of further sets; empty: none was given
+    bool pass = false;              ///< true: all kinds passed
 };
 
-/// The parts of all rooms: a new room with checks is one line there.
+/// The parts of all rooms; a new room with checks adds one line in verify.cpp.
 const std::vector<const VerifyPart*>& verifyParts();
 
-/// Runs the checks of `parts`, and those on the data of the folder `reference_data`, when one is named; it is looked
-/// for nowhere else. Errors: fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing (a folder without
-/// such data: that says nothing of this installation). Throws Cancelled.
+/// Runs the checks of `parts`, and those on the data of the folder `reference_data`, when one is given. Errors:
+/// fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing (a folder without such data). Throws
+/// Cancelled.
 VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::string& reference_data = {},
                     const Progress& progress = {});
 

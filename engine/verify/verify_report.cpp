@@ -7,7 +7,7 @@
 namespace lathelier::verify {
 namespace {
 
-/// Two digits are enough, and the power of ten is what matters: "3.1e-14 mm".
+/// Two significant digits with the power of ten: "3.1e-14 mm".
 std::string size(double value, Text unit)
 {
     std::string result = fmt::format("{:.1e}", value);
@@ -82,9 +82,9 @@ void quoteVerification(report::Document& document, const Progress& progress)
     document.verified = true;
     const VerifyResult result = verify(document.verification, {}, progress);
     const report::Answer summary = answer(result);
-    const report::Paragraph said{summary.sentence, summary.values};
+    const report::Paragraph summarySentence{summary.sentence, summary.values};
     document.sections.push_back({LT_TEXT("Engine", "Verification of the installation"),
-                                 {said, verifyTable(result), whereNist(result), howVerified()}});
+                                 {summarySentence, verifyTable(result), whereNist(result), howVerified()}});
 }
 
 }  // namespace lathelier::verify

@@ -15,7 +15,7 @@ report::Table verifyTable(const VerifyResult& result);
 report::Section verifySummary(const VerifyResult& result);
 report::Document verifyReport(const VerifyResult& result);
 
-/// Verifies what the document names as its verification, and adds it as the last section; once. Throws Cancelled.
+/// Runs the verification named in the document and adds it, once, as the last section. Throws Cancelled.
 void quoteVerification(report::Document& document, const Progress& progress = {});
 
 }  // namespace lathelier::verify

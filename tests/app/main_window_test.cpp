@@ -212,12 +212,13 @@ private slots:
         wanted.units = {ScreenUnits::Length::Inch, ScreenUnits::Form::Microinch};
         window_->applySettings(wanted);
         const bool kept = readSettings().units == wanted.units;
-        const QString said = screenQuantity(0.0508, millimetre, 3, true), form = screenQuantity(2.54, micrometre, 2);
+        const QString deviationText = screenQuantity(0.0508, millimetre, 3, true),
+                      form = screenQuantity(2.54, micrometre, 2);
         SettingsDialog dialog(wanted);
         const bool shown = dialog.settings().units == wanted.units;
         window_->applySettings({"en", {}, 150});
         QVERIFY(kept && shown);
-        QCOMPARE(said, QString("+0.00200 in"));
+        QCOMPARE(deviationText, QString("+0.00200 in"));
         QCOMPARE(form, QString("100.0 µin"));
         QCOMPARE(screenQuantity(0.0508, millimetre, 3), QString("0.051 mm"));
     }

@@ -149,7 +149,7 @@ private slots:
         session_->edit("a", [](project::Project& project) { project.title = std::string("unsaved"); });
         const Shutdown shutdown;
         bool told = false;
-        QObject::connect(&shutdown, &Shutdown::wanted, window_.get(), [&] {
+        QObject::connect(&shutdown, &Shutdown::requested, window_.get(), [&] {
             told = true;
             window_->files().leaveWithoutAsking();
         });

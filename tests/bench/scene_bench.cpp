@@ -49,7 +49,7 @@ void turning(benchmark::State& state, std::vector<scene::SceneObject> objects)
     for (int i = 0; i < 12; ++i) frame(view, 3);  // until the thinning has settled
     for (auto _ : state) frame(view, 3);
     state.counters["drawing_ms"] = 1000 * view.speed().moving_s;
-    state.counters["points"] = static_cast<double>(view.speed().movingPoints);
+    state.counters["points"] = static_cast<double>(view.speed().moving_points);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ QString say(const char* english)
     return QCoreApplication::translate("lathelier::chain_panel::ChainLanding", english);
 }
 
-/// Puts inputs into panels that have none of their own there.
+/// Sets inputs of panels that have none.
 class Giver {
 public:
     explicit Giver(project::Project& project) : project_(project) {}
@@ -50,15 +50,15 @@ private:
 std::optional<Shaft> drawnShaft(const std::string& path)
 {
     try {
-        Notes said;
+        Notes ignoredNotes;
         const io::FileBytes bytes(path);
-        return io::readShaft(std::string(bytes.view()), said);
+        return io::readShaft(std::string(bytes.view()), ignoredNotes);
     } catch (const Error&) {
         return std::nullopt;
     }
 }
 
-/// `wanted`, or with a number where an item of that name is the user's.
+/// The requested name, or with a number where an item of that name is the user's.
 std::string freeName(const project::Project& project, const std::string& wanted)
 {
     for (int number = 1;; ++number) {
@@ -79,7 +79,7 @@ project::Item itemOf(const project::Project& project, const char* kind, Values v
     return {kind, std::move(values), originOf(project, chainKey, QCoreApplication::applicationVersion().toStdString())};
 }
 
-/// The panel "Surface" evaluates them as the chain did, where it has none of its own.
+/// Sets the photographs of the panel Surface, with the chain's parameters, where it has none.
 void givePhotographs(project::Project& project, const chain::ChainQuestion& question, const chain::Dossier& dossier)
 {
     project::PanelState& surface = project.panels["surface"];
@@ -160,7 +160,7 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
     };
     const std::string path = write("fitted_setup_", fit.setup_text), whole = write("fitted_", fit.whole_text);
     const deflection::TurningSetup& setup = fit.found.setup;
-    receptance::SpindleSprings springs = fit.springs.value_or(receptance::SpindleSprings{});  // its damping stays
+    receptance::SpindleSprings springs = fit.springs.value_or(receptance::SpindleSprings{});  // keeps its damping
     springs.radial_N_mm = setup.chuck.radial_N_mm;
     springs.tilt_N_mm_rad = setup.chuck.tilt_N_mm_rad;
     const std::string name = freeName(session.project(), say("Machine fitted to the copy").toStdString());
@@ -173,7 +173,7 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
         deflection.inputs["spindle"] = source;
         deflection.inputs["setup"] = newSource(QString::fromStdString(whole));
         project.panels[chainKey].inputs[setupRole] = newSource(QString::fromStdString(path));
-        // A machine that is a table of measured receptances is not one of springs.
+        // A machine given as a table of measured receptances has no springs.
         if (fit.springs) project.panels[chainKey].inputs[machineRole] = source;
     });
 }

@@ -1,4 +1,4 @@
-// The chains that this process has run, with the reports of their steps, which a dossier on the disk has not.
+// Chains run by this process, with the reports of their steps, which a dossier on disk lacks.
 #pragma once
 
 #include <map>
@@ -11,22 +11,21 @@
 
 namespace lathelier::chain_panel {
 
-/// Safe from any thread; an object of Stores.
+/// Thread-safe; an object of Stores.
 class ChainMemory {
 public:
     void keep(const std::string& folder, std::shared_ptr<const chain::Dossier> dossier);
 
-    /// The dossier in this folder as it lies on the disk, with the reports of its steps where this process has run
-    /// them; null: there is none, or it cannot be read.
+    /// The dossier in this folder, with the reports of the steps run by this process; null: missing or unreadable.
     std::shared_ptr<const chain::Dossier> find(const std::string& folder, const Progress& progress);
 
 private:
     struct Kept {
-        std::string sha256;  ///< of the file
+        std::string sha256;  ///< digest of the dossier file
         std::shared_ptr<const chain::Dossier> dossier;
     };
     std::mutex mutex_;
-    std::map<std::string, Kept> kept_;  ///< by folder
+    std::map<std::string, Kept> kept_;  ///< dossiers by folder
 };
 
 /// SHA-256 of the dossier in the folder; empty: there is none.

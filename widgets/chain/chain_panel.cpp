@@ -86,9 +86,9 @@ PanelFacts chainPanelFacts()
     facts.missing = [](const project::PanelState& state) {
         return wasRun(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "a run of the chain")};
     };
-    facts.hasWork = wasRun;
+    facts.has_work = wasRun;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language&, const Progress& progress) {
-        return reportOf(chainPicture(state, stores, progress));
+        return reportOf(chainOutcome(state, stores, progress));
     };
     facts.make = [](Session& session) -> PanelBase* { return new ChainPanel(session); };
     return facts;
@@ -103,17 +103,17 @@ StripFacts chainStrip(chain::AskVerb ask)
 ChainPanel::ChainPanel(Session& owner, QWidget* parent)
     : Panel(owner, chainPanelFacts(), panelInputs(), parent), views_(new ChainViews)
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &ChainViews::fitWanted, this, &ChainPanel::takeFit);
-    connect(views_, &ChainViews::notWritten, this, &ChainPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &ChainViews::fitRequested, this, &ChainPanel::takeFit);
+    connect(views_, &ChainViews::notWritten, this, &ChainPanel::reportWriteFailure);
 }
 
 void ChainPanel::takeFit()
 {
-    const auto picture = result();
-    if (!picture || !picture->fit) return;
+    const auto outcome = result();
+    if (!outcome || !outcome->fit) return;
     try {
-        landFit(session(), *picture->fit, picture->settings.folder);
+        landFit(session(), *outcome->fit, outcome->settings.folder);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -121,21 +121,21 @@ void ChainPanel::takeFit()
 
 ChainPanel::Compute ChainPanel::compute(const project::PanelState& state) const
 {
-    fromValues<ChainSettings>(state.parameters);  // refuses now what is out of range
+    fromValues<ChainSettings>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return chainPicture(state, *stores, progress);
+        return chainOutcome(state, *stores, progress);
     };
 }
 
-/// The strip looks at the inputs.
+/// The strip refers to the inputs.
 Worker::Job ChainPanel::makeReadingJob(const project::PanelState&) const
 {
     return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };
 }
 
-void ChainPanel::showResult(const std::shared_ptr<const ChainPicture>& picture)
+void ChainPanel::showResult(const std::shared_ptr<const ChainOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
 void ChainPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
@@ -154,15 +154,15 @@ void ChainPanel::assignFiles(project::PanelState& state, const std::vector<Found
 
 std::vector<PanelExport> ChainPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    std::vector<PanelExport> all{{tr("Dossier…"), tr("JSON (*.json)"), "json", [picture](const QString& path) {
-                                      const io::FileBytes bytes(picture->file.path);
+    const auto outcome = result();
+    if (!outcome) return {};
+    std::vector<PanelExport> all{{tr("Dossier…"), tr("JSON (*.json)"), "json", [outcome](const QString& path) {
+                                      const io::FileBytes bytes(outcome->file.path);
                                       io::writeFile(path.toStdString(), bytes.view());
                                   }}};
-    if (picture->fit)
-        all.push_back({tr("Set-up as fitted…"), tr("JSON (*.json)"), "json", [picture](const QString& path) {
-                           io::writeFile(path.toStdString(), picture->fit->setup_text);
+    if (outcome->fit)
+        all.push_back({tr("Set-up as fitted…"), tr("JSON (*.json)"), "json", [outcome](const QString& path) {
+                           io::writeFile(path.toStdString(), outcome->fit->setup_text);
                        }});
     return all;
 }

@@ -1,9 +1,9 @@
-// The panel "Proof of the copy": did the copy come out as predicted, and from what does every number follow? The strip
-// of its workspace runs the chain.
+// The panel "Proof of the copy": does the copy agree with the prediction, and from which input does every number
+// follow? The strip of its workspace runs the chain.
 #pragma once
 
 #include "engine/chain/verb_asker.h"
-#include "widgets/chain/chain_picture.h"
+#include "widgets/chain/chain_outcome.h"
 #include "widgets/core/panel/panel.h"
 #include "widgets/core/panel/workspace_strip.h"
 
@@ -11,19 +11,19 @@ namespace lathelier::chain_panel {
 
 class ChainViews;
 
-/// The workspace that the strip stands in.
+/// Workspace of the strip.
 Workspace workspace();
 
-/// Ids of the panels that its steps open.
+/// Ids of the panels opened by its steps.
 std::vector<std::string> panelsOfSteps();
 
 /// The panel's line of the panel table.
 PanelFacts chainPanelFacts();
 
-/// The strip over its workspace; `ask` answers the steps.
+/// The strip of its workspace; `ask` runs a step.
 StripFacts chainStrip(chain::AskVerb ask);
 
-class ChainPanel : public Panel<ChainPicture> {
+class ChainPanel : public Panel<ChainOutcome> {
     Q_OBJECT
 
 public:
@@ -34,10 +34,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ChainPicture>& picture) override;
-    report::Answer answer(const ChainPicture& picture) const override { return chain_panel::answerOf(picture); }
-    Notes notes(const ChainPicture& picture) const override { return picture.notes; }
-    report::Document document(const ChainPicture& picture) const override { return chain_panel::reportOf(picture); }
+    void showResult(const std::shared_ptr<const ChainOutcome>& outcome) override;
+    report::Answer answer(const ChainOutcome& outcome) const override { return chain_panel::answerOf(outcome); }
+    Notes notes(const ChainOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const ChainOutcome& outcome) const override { return chain_panel::reportOf(outcome); }
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;

@@ -36,7 +36,7 @@ InputRole roleOf(const char* role, Text label, Text hint, io::FileKinds kinds, c
     return made;
 }
 
-/// Of a panel; null: it has none there.
+/// Source of a panel's input; null: none.
 const project::Source* sourceAt(const project::Project& project, const char* panel, const char* role)
 {
     const auto state = project.panels.find(panel);
@@ -52,7 +52,7 @@ bool isOfTheChain(const project::Project& project, const project::Source& source
     return item == project.items.end() || item->second.origin.panel == chainKey;
 }
 
-/// The first of these inputs that is there.
+/// The first of these inputs that is given.
 const project::Source* firstOf(const project::Project& project,
                                const std::vector<std::pair<const char*, const char*>>& places)
 {
@@ -76,7 +76,7 @@ public:
         return asked_.made.back().path;
     }
 
-    /// The path of a source; an item is written as `name`.
+    /// The path of a source; an item is written to a file `name`.
     std::string pathOf(const project::Source* source, const char* name)
     {
         if (!source) return {};
@@ -97,7 +97,7 @@ private:
     AskedChain& asked_;
 };
 
-/// The job of the panel "Turning program", where its form was changed; empty: as its file has it.
+/// The job of the panel "Turning program", where its form was changed; empty: as in its file.
 std::string changedJob(const project::Project& project)
 {
     const auto turning = project.panels.find("turning");
@@ -111,7 +111,7 @@ std::string changedJob(const project::Project& project)
     try {
         return cam::jobText(fromValues<cam::Job>(values));
     } catch (const Error&) {
-        return {};  // the panel says what is wrong with it
+        return {};  // the error is shown by the panel
     }
 }
 
@@ -121,7 +121,7 @@ std::optional<project::PanelState> stateOfPanel(const project::Project& project,
     return found == project.panels.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Scale and directions as the panel "Surface" has them, where its photographs are taken and the chain states none.
+/// Scale and directions as the panel "Surface" has them, where its photographs are used and the chain states none.
 void takePictureFacts(const project::Project& project, chain::ChainQuestion& question)
 {
     const auto surface = stateOfPanel(project, "surface");

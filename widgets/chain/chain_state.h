@@ -1,5 +1,4 @@
-// What the chain works on in the project: its own inputs, what it takes from the panels of the steps where they are not
-// given, and its choices.
+// State of the chain in the project: its inputs, inputs taken over from the panels of its steps, and its settings.
 #pragma once
 
 #include <string>
@@ -12,7 +11,7 @@
 
 namespace lathelier::chain_panel {
 
-inline constexpr const char* chainKey = "chain";  ///< of the panel and its state
+inline constexpr const char* chainKey = "chain";  ///< id of the panel and of its state
 
 // Roles of the inputs.
 inline constexpr const char* scanRole = "scan";
@@ -25,19 +24,19 @@ inline constexpr const char* beforeRole = "before";
 inline constexpr const char* afterRole = "after";
 
 inline constexpr const char* folderKey = "folder";
-inline constexpr const char* runKey = "run";  ///< of the settings; no form
+inline constexpr const char* runKey = "run";  ///< key of ChainSettings::run; not in the form
 
 struct ChainSettings {
-    std::string folder;                                                 ///< of the chain; empty: none was run
-    std::string confirmed_by;                                           ///< who answers for the drawing
-    std::optional<double> tolerance_mm;                                 ///< of the copy's surface
-    std::optional<double> tolerance_um;                                 ///< of the predicted diameter error
-    std::optional<double> photograph_z_mm;                              ///< place of the photographs
-    std::optional<double> photograph_mm_px;                             ///< their scale
-    std::optional<double> photograph_feed_deg;                          ///< direction of feed in them
-    chain::CutInPicture photograph_cut = chain::CutInPicture::Unknown;  ///< direction of cut in them
-    deflection::IdentificationParameters fit;                           ///< what is fitted to the copy
-    std::string run;                                                    ///< SHA-256 of the dossier that was made last
+    std::string folder;                                                 ///< folder of the chain; empty: none was run
+    std::string confirmed_by;                                           ///< person who confirmed the drawing
+    std::optional<double> tolerance_mm;                                 ///< tolerance of the copy's surface
+    std::optional<double> tolerance_um;                                 ///< tolerance of the predicted diameter error
+    std::optional<double> photograph_z_mm;                              ///< z of the photographs
+    std::optional<double> photograph_mm_px;                             ///< scale of the photographs
+    std::optional<double> photograph_feed_deg;                          ///< direction of feed in the photographs
+    chain::CutInPicture photograph_cut = chain::CutInPicture::Unknown;  ///< direction of cut in the photographs
+    deflection::IdentificationParameters fit;                           ///< parameters fitted to the copy
+    std::string run;                                                    ///< SHA-256 of the latest dossier
 
     ChainSettings();
 };
@@ -46,26 +45,27 @@ const std::vector<Field<ChainSettings>>& fieldsOf(const ChainSettings*);
 
 std::vector<InputRole> chainRoles();
 
-/// A file that the chain needs and that is an item, or was changed in a form: written before the chain runs.
+/// An input of the chain that is an item or was changed in a form: written to a file before the chain runs.
 struct MadeInput {
     std::string path;  ///< in the sub-folder "given" of the chain's folder, named by its content
-    std::string text;  ///< of the file
+    std::string text;  ///< content of the file
 };
 
 struct AskedChain {
     chain::ChainQuestion question;
-    std::vector<MadeInput> made;                    ///< to be written first
-    std::optional<project::PanelState> deflection;  ///< of the panel whose set-up is taken; none: that of the chain
+    std::vector<MadeInput> made;                    ///< files to be written before the run
+    std::optional<project::PanelState> deflection;  ///< state of the panel whose set-up is used; none: that of the
+                                                    ///< chain
 };
 
-/// Named by its content.
+/// Name derived from its content.
 MadeInput madeInput(const std::string& folder, const char* name, std::string text);
 
-/// What would be run now. An input of its own rules over that of a panel; what the chain itself has put into a panel is
-/// none.
+/// The question of a run now. The chain's own inputs have precedence over those of panels; inputs set in panels by the
+/// chain itself are ignored.
 AskedChain askedChain(const project::Project& project);
 
-/// Where the files of a chain go that was never run: beside the scan, else beside the job; empty: neither is there.
+/// Default folder of a chain that was never run: beside the scan, else beside the job; empty: neither is given.
 std::string proposedFolder(const chain::ChainQuestion& question);
 
 }  // namespace lathelier::chain_panel

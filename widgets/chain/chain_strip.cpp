@@ -30,7 +30,7 @@ constexpr int watching_ms = 2000;
 
 const Text chainTitle = LT_TEXT("Engine", "Chain");
 
-/// Tells an untouched folder from a changed one without reading its files.
+/// Stamp of a folder that detects changes without reading its files.
 std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, const Progress& progress)
 {
     std::string stamps = io::fileStamp((std::filesystem::path(folder) / chain::dossierFile).string());
@@ -53,7 +53,7 @@ struct Looked {
 struct Ran {
     chain::ChainQuestion question;
     std::shared_ptr<const chain::Dossier> dossier;
-    std::string sha256;  // of its file
+    std::string sha256;  // digest of the dossier file
 };
 
 void writeMade(const AskedChain& asked)
@@ -89,7 +89,8 @@ ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
     for (const StripStep& step : stripSteps()) {
         auto* tile = new StepTile;
         tile->setObjectName(QString("step_") + step.key);
-        connect(tile, &QAbstractButton::clicked, this, [this, id = std::string(step.panel)] { emit panelWanted(id); });
+        connect(tile, &QAbstractButton::clicked, this,
+                [this, id = std::string(step.panel)] { emit panelRequested(id); });
         tiles_.push_back(tile);
         row->addWidget(tile, 1);
     }
@@ -151,7 +152,7 @@ StepTile* ChainStrip::tile(const std::string& key) const
 
 void ChainStrip::look()
 {
-    if (!isVisible()) return;  // showEvent() asks again
+    if (!isVisible()) return;  // repeated in showEvent()
     try {
         asked_ = askedChain(session_.project());
     } catch (const Error& error) {  // a parameter of the project file is out of its range
@@ -166,7 +167,7 @@ void ChainStrip::look()
             auto earlier = stores->of<ChainMemory>()->find(asked.question.out, progress);
             Looked looked;
             looked.dossier = std::make_shared<const chain::Dossier>(
-                chain::remanufacture(asked.question, ask, chain::RunMode::Look, earlier, inputs, progress));
+                chain::remanufacture(asked.question, ask, chain::RunMode::DryRun, earlier, inputs, progress));
             looked.stamps = stampsOf(*looked.dossier, asked.question.out, progress);
             looked.has_dossier = !dossierDigest(asked.question.out, progress).empty();
             return looked;
@@ -181,7 +182,7 @@ void ChainStrip::look()
         });
 }
 
-/// In a thread of its own, for a file system may hang.
+/// In a separate thread, since a file system may block.
 void ChainStrip::watchFiles()
 {
     if (!isVisible() || !looked_ || isLooking() || isRunning() || watch_.isBusy()) return;
@@ -217,7 +218,7 @@ void ChainStrip::askToRun()
     connect(dialog_, &QDialog::accepted, this, [this] {
         const std::string folder = QFileInfo(dialog_->folder()).absoluteFilePath().toStdString();
         try {
-            // Another folder: what is written for the chain goes there too.
+            // Another folder: files written for the chain go there too.
             project::Project project = session_.project();
             set(project.panels[chainKey].parameters, folderKey, folder);
             run(askedChain(project));
@@ -247,12 +248,12 @@ void ChainStrip::run(const AskedChain& unsettled)
         },
         [this, opened = session_.projectsOpened()](const Worker::Outcome& outcome) {
             setRunning(false);
-            // What was run for a project that was closed meanwhile stays on the disk and lands nowhere.
+            // The result for a project closed meanwhile stays on disk and is not entered into the current project.
             if (opened != session_.projectsOpened()) return lookSoon();
             if (const auto* value = std::get_if<std::shared_ptr<const void>>(&outcome)) {
                 const auto& ran = *static_cast<const Ran*>(value->get());
                 landRun(session_, ran.question, *ran.dossier, ran.sha256);
-                sayRan(ran.question, *ran.dossier);
+                reportRun(ran.question, *ran.dossier);
             } else if (const auto* error = std::get_if<Error>(&outcome)) {
                 emit messageRaised({*error, chainTitle});
             }
@@ -260,7 +261,7 @@ void ChainStrip::run(const AskedChain& unsettled)
         });
 }
 
-void ChainStrip::sayRan(const chain::ChainQuestion& question, const chain::Dossier& dossier)
+void ChainStrip::reportRun(const chain::ChainQuestion& question, const chain::Dossier& dossier)
 {
     if (const auto error = dossier.error()) {
         emit messageRaised({*error, chainTitle});

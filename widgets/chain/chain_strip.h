@@ -1,6 +1,6 @@
 // The chain as a strip over the panels of "Copy a part": scan · drawing · machine · speeds · program · deflection ·
-// copy · proof. Each step shows its state in words and by a sign, its files in the tooltip, and opens its panel. What
-// is missing or out of date is run when asked, never by itself.
+// copy · proof. Each step shows its state as text and symbol, its files in the tooltip, and opens its panel. Missing or
+// outdated steps are run on request only.
 #pragma once
 
 #include <QLabel>
@@ -31,13 +31,13 @@ public:
     ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent = nullptr);
     ~ChainStrip() override;
 
-    const std::shared_ptr<const chain::Dossier>& looked() const { return looked_; }  ///< null: not yet
+    const std::shared_ptr<const chain::Dossier>& looked() const { return looked_; }  ///< null: not inspected yet
     bool isLooking() const { return due_.isActive() || look_.isBusy(); }
     bool isRunning() const { return run_.isBusy(); }
     StepTile* tile(const std::string& key) const;
 
-    void askToRun();  ///< what is missing or out of date, after a question
-    void look();      ///< again: a file may have changed
+    void askToRun();  ///< runs missing and outdated steps after confirmation
+    void look();      ///< inspects the folder again, since a file may have changed
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,7 +48,7 @@ private:
     void watchFiles();
     void show(const std::shared_ptr<const chain::Dossier>& dossier);
     void run(const AskedChain& asked);
-    void sayRan(const chain::ChainQuestion& question, const chain::Dossier& dossier);
+    void reportRun(const chain::ChainQuestion& question, const chain::Dossier& dossier);
     void followProject();
     void showProgress(const Worker::State& state);
     void setRunning(bool running);
@@ -71,12 +71,12 @@ private:
     QAction* folder_;
     QPointer<RunDialog> dialog_;
     std::shared_ptr<const chain::Dossier> looked_;
-    AskedChain asked_;          ///< of looked_
-    bool has_dossier_ = false;  ///< in the folder of asked_, when it was looked at
-    int opened_ = 0;            ///< projectsOpened() of the project that is shown
+    AskedChain asked_;          ///< question for which looked_ was inspected
+    bool has_dossier_ = false;  ///< the folder of asked_ had a dossier when inspected
+    int opened_ = 0;            ///< projectsOpened() of the shown project
     QTimer due_;
-    QTimer turn_;         ///< looks whether a file of the chain was changed
-    std::string stamps_;  ///< of the files when they were looked at last
+    QTimer turn_;         ///< timer of the check for changed files of the chain
+    std::string stamps_;  ///< stamps of the files at the last inspection
     Task watch_;
     Task look_;
     Task run_;

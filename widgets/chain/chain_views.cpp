@@ -9,7 +9,7 @@ namespace lathelier::chain_panel {
 
 ChainViews::ChainViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       chart_(new plot::ChartView),
       rows_(new CopyTable),
       fit_(new CopyTable),
@@ -25,46 +25,46 @@ ChainViews::ChainViews(QWidget* parent)
     files_->setObjectName("chainFiles");
     numbers_->setObjectName("chainNumbers");
     takeFit_->setObjectName("takeFit");
-    heroes_->add("proof", chart_);
-    heroes_->add("rows", rows_);
-    heroes_->add("fit", fit_);
-    heroes_->add("steps", steps_);
-    heroes_->add("files", files_);
-    heroes_->add("numbers", numbers_);
+    primaryViews_->add("proof", chart_);
+    primaryViews_->add("rows", rows_);
+    primaryViews_->add("fit", fit_);
+    primaryViews_->add("steps", steps_);
+    primaryViews_->add("files", files_);
+    primaryViews_->add("numbers", numbers_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     layout->addWidget(takeFit_, 0, Qt::AlignRight);
-    connect(takeFit_, &QPushButton::clicked, this, &ChainViews::fitWanted);
+    connect(takeFit_, &QPushButton::clicked, this, &ChainViews::fitRequested);
     connect(chart_, &plot::PlotWidget::notWritten, this, &ChainViews::notWritten);
     retranslate();
 }
 
-void ChainViews::setPicture(const std::shared_ptr<const ChainPicture>& picture)
+void ChainViews::setOutcome(const std::shared_ptr<const ChainOutcome>& outcome)
 {
-    picture_ = picture;
-    for (const char* key : {"proof", "rows"}) heroes_->setAvailable(key, picture->proof.has_value());
-    heroes_->setAvailable("fit", picture->fit.has_value());
+    outcome_ = outcome;
+    for (const char* key : {"proof", "rows"}) primaryViews_->setAvailable(key, outcome->proof.has_value());
+    primaryViews_->setAvailable("fit", outcome->fit.has_value());
     show();
 }
 
 void ChainViews::show()
 {
-    takeFit_->setEnabled(picture_ && picture_->fit);
-    if (!picture_) return;
-    if (picture_->proof) {
-        chart_->setData(plotOf(*picture_));
-        rows_->setTable(chain::proofTable(*picture_->proof));
+    takeFit_->setEnabled(outcome_ && outcome_->fit);
+    if (!outcome_) return;
+    if (outcome_->proof) {
+        chart_->setData(plotOf(*outcome_));
+        rows_->setTable(chain::proofTable(*outcome_->proof));
     }
-    if (picture_->fit) fit_->setTable(fitTable(*picture_->fit));
-    steps_->setTable(chain::stepsTable(*picture_->dossier));
-    files_->setTable(chain::filesTable(*picture_->dossier));
-    numbers_->setTable(chain::numbersTable(*picture_->dossier));
+    if (outcome_->fit) fit_->setTable(fitTable(*outcome_->fit));
+    steps_->setTable(chain::stepsTable(*outcome_->dossier));
+    files_->setTable(chain::filesTable(*outcome_->dossier));
+    numbers_->setTable(chain::numbersTable(*outcome_->dossier));
 }
 
 void ChainViews::showStretch(const Interval& z_mm)
 {
-    heroes_->setHero("proof");
+    primaryViews_->setPrimary("proof");
     chart_->setMarker((z_mm.from + z_mm.to) / 2);
 }
 
@@ -75,12 +75,12 @@ void ChainViews::setPresenting(bool presenting)
 
 void ChainViews::retranslate()
 {
-    heroes_->setTitle("proof", tr("Predicted and measured"));
-    heroes_->setTitle("rows", tr("Rows"));
-    heroes_->setTitle("fit", tr("Fit"));
-    heroes_->setTitle("steps", tr("Steps"));
-    heroes_->setTitle("files", tr("Files"));
-    heroes_->setTitle("numbers", tr("Numbers"));
+    primaryViews_->setTitle("proof", tr("Predicted and measured"));
+    primaryViews_->setTitle("rows", tr("Rows"));
+    primaryViews_->setTitle("fit", tr("Fit"));
+    primaryViews_->setTitle("steps", tr("Steps"));
+    primaryViews_->setTitle("files", tr("Files"));
+    primaryViews_->setTitle("numbers", tr("Numbers"));
     rows_->setAccessibleName(tr("Rows with their normalized errors"));
     fit_->setAccessibleName(tr("Stiffness and forces fitted to the copy"));
     steps_->setAccessibleName(tr("Steps of the chain"));

@@ -1,4 +1,4 @@
-// The question before the chain runs: which steps, which files are missing, where its files go.
+// Confirmation before the chain runs: steps, missing files, output folder.
 #pragma once
 
 #include <QDialog>
@@ -31,7 +31,7 @@ private:
     bool has_steps_ = false;
 };
 
-/// Titles of the steps that a run would make, one a line with its state.
+/// Titles of the steps to be run, one per line with its state.
 QStringList stepsToRun(const chain::Dossier& looked);
 
 }  // namespace lathelier::chain_panel

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "engine/deflection/setup_file.h"
-#include "widgets/chatter_common/taken_input.h"
+#include "widgets/chatter_common/input_value.h"
 #include "widgets/deflection_common/deflection_question.h"
 #include "widgets/deflection_common/turning_files.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As the panel has it; empty: as the file has it.
+/// Set-up as changed in the panel; empty: as in the file.
 std::string changedSetup(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     const project::Source& source = state.inputs.at(deflection_common::setupRole);
@@ -27,8 +27,8 @@ std::string changedSetup(const project::PanelState& state, Stores& stores, const
             setup.chuck.tilt_N_mm_rad = springs->tilt_N_mm_rad;
         }
     const auto question = fromValues<deflection_common::DeflectionQuestion>(state.parameters);
-    Notes said;  // by the panel
-    const std::string text = deflection::setupText(changed(std::move(setup), question.changes, said));
+    Notes setupNotes;  // notes of the panel's changes
+    const std::string text = deflection::setupText(changed(std::move(setup), question.changes, setupNotes));
     return text == deflection::setupText(stated) ? std::string() : text;
 }
 
@@ -42,7 +42,7 @@ AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress)
             asked.made.push_back(madeInput(asked.question.out, "setup", std::move(text)));
             asked.question.setup = asked.made.back().path;
         }
-    } catch (const Error&) {  // the panel and the step say it
+    } catch (const Error&) {  // reported by the panel and the step
     }
     return asked;
 }

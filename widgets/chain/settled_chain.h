@@ -1,4 +1,4 @@
-// What of the chain's question has to be read before it can be asked: the set-up as the panel "Deflection" changes it.
+// Completes the chain's question by the set-up as changed in the panel Deflection.
 #pragma once
 
 #include "widgets/chain/chain_state.h"
@@ -6,8 +6,8 @@
 
 namespace lathelier::chain_panel {
 
-/// With the set-up of the panel as a file of the chain, where its form or its spindle changes what the file has. A file
-/// that cannot be read stays as it is: the step says why. Throws Cancelled.
+/// With the set-up of the panel as a file of the chain, where its form or its spindle changes the file's values. An
+/// unreadable file is left unchanged and reported by the step. Throws Cancelled.
 AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress);
 
 }  // namespace lathelier::chain_panel

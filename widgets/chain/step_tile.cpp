@@ -15,7 +15,7 @@ bool isDark(const QPalette& palette)
     return palette.window().color().lightness() < 128;
 }
 
-/// Told apart by lightness as well; the sign and the word say the same.
+/// Distinguished by lightness as well; symbol and text repeat the state.
 QColor colourOf(chain::StepState state, const QPalette& palette)
 {
     const bool dark = isDark(palette);
@@ -71,7 +71,7 @@ void StepTile::say(const QString& title, chain::StepState state)
     update();
 }
 
-/// Wide enough for every state, so that nothing moves when it changes.
+/// Wide enough for every state, so that the layout is stable.
 QSize StepTile::sizeHint() const
 {
     int width = fontMetrics().horizontalAdvance(text());

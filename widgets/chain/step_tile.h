@@ -1,4 +1,4 @@
-// One step of the strip: its title over its state, which a sign, a word and a colour say.
+// One step of the strip: its title over its state, shown by symbol, text and colour.
 #pragma once
 
 #include <QAbstractButton>

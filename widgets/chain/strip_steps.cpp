@@ -17,7 +17,7 @@ struct StripTexts {
     Q_DECLARE_TR_FUNCTIONS(lathelier::chain_panel::StripTexts)
 };
 
-/// Worse ones stand for the others.
+/// Rank of a state; the worst represents a group.
 int weight(chain::StepState state)
 {
     switch (state) {
@@ -69,7 +69,7 @@ chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier)
     chain::StepState worst = first ? first->state : chain::StepState::Missing;
     for (const char* id : step.of_chain) {
         const chain::ChainStep* const further = dossier.step(id);
-        // What goes along with a step and is not given takes nothing from it.
+        // An optional chain step that is not given does not affect the state.
         if (further && further->state != chain::StepState::Missing && weight(further->state) > weight(worst))
             worst = further->state;
     }

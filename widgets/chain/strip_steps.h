@@ -1,4 +1,4 @@
-// The steps of the strip, and what they say of the steps of the chain.
+// The steps of the strip and their relation to the steps of the chain.
 #pragma once
 
 #include <QString>
@@ -11,18 +11,18 @@ namespace lathelier::chain_panel {
 
 /// A step of the strip: one or more steps of the chain.
 struct StripStep {
-    const char* key;                    ///< of its tile
-    Text title;                         ///< what people read
-    const char* panel;                  ///< id of the panel that it opens
-    std::vector<const char*> of_chain;  ///< ids of the chain's steps; the first one has to be there
+    const char* key;                    ///< key of its tile
+    Text title;                         ///< shown title
+    const char* panel;                  ///< id of the panel opened
+    std::vector<const char*> of_chain;  ///< ids of the chain's steps; the first one is required
 };
 
 const std::vector<StripStep>& stripSteps();
 
-/// The state that stands for all of them: what failed, then what is out of date, not made, missing, done.
+/// Combined state by precedence: failed, out of date, not made, missing, done.
 chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier);
 
-/// State, error, inputs and outputs of the steps behind it, for a tooltip.
+/// State, error, inputs and outputs of its chain steps, for a tooltip.
 QString aboutOf(const StripStep& step, const chain::Dossier& dossier);
 
 }  // namespace lathelier::chain_panel

@@ -1,4 +1,4 @@
-// Files of frequency responses that were read.
+// Cache of frequency response files.
 #pragma once
 
 #include "engine/io/frf/frf_reader.h"

@@ -1,4 +1,4 @@
-// The libraries inside the program, one definition for all workspaces, and their entries as choices of a form.
+// Built-in libraries, common to all workspaces, and their entries as choices of a form.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace lathelier::chatter_common {
 
-/// Stated: what file or set-up say. The others are the entries of the library, in its order.
+/// Stated: values of the file or set-up. The others are the entries of the library, in its order.
 enum class MaterialChoice { Stated, Steel, Stainless, Aluminium, Brass, Titanium, CastIron };
 enum class MachineChoice { Stated, Papers, Stiff, Soft };
 enum class InsertChoice {
@@ -26,19 +26,19 @@ enum class InsertChoice {
     Dcmt11t304
 };
 
-/// For the field of such a choice; `stated` is the label of its first one.
+/// Choices of such a field; `stated` is the label of the first one.
 std::vector<FieldChoice> materialChoices(Text stated);
 std::vector<FieldChoice> machineChoices(Text stated);
 std::vector<FieldChoice> insertChoices(Text stated);
 
-/// An entry that was chosen, with its name for people. entry: nullptr for Stated.
+/// A selected entry with its display name. entry: nullptr for Stated.
 template <class T>
 struct Chosen {
     const LibraryEntry<T>* entry;
     Text name;
 };
 
-/// Of the libraries, which are read once from the program's resources. Safe from any thread.
+/// Entries of the libraries, which are read once from the program's resources. Thread-safe.
 Chosen<Material> chosen(MaterialChoice choice);
 Chosen<receptance::SpindleSprings> chosen(MachineChoice choice);
 Chosen<cutting::ToolGeometry> chosen(InsertChoice choice);

@@ -1,4 +1,4 @@
-// Shafts and spindles as inputs of the panels of Chatter.
+// Shafts and spindles as inputs of the Chatter panels.
 #pragma once
 
 #include <QString>
@@ -17,14 +17,14 @@ InputRole inputRole(const char* role, Text label, Text hint, const io::FileKind&
 /// An input that is a frequency response, measured or made by another panel; not required.
 InputRole responseRole(Text hint);
 
-/// What was understood of the file of a response, in the language of the screen; empty when it was not read.
+/// Facts of the file of a response, in the user's language; empty when it was not read.
 QString understoodResponse(const project::Source& source, Stores& stores);
 
-/// Gives files of shafts and spindles to their inputs.
+/// Assigns files of shafts and spindles to their inputs.
 void assignModels(project::PanelState& state, const std::vector<FoundFile>& files);
 
-/// What was understood of the file of the input `role`, shaftRole or spindleRole, in the language of the screen; empty
-/// when it was not read.
+/// Facts of the file of the input `role` (shaftRole or spindleRole), in the user's language; empty when it was not
+/// read.
 QString understoodModel(const std::string& role, const project::Source& source, Stores& stores);
 
 }  // namespace lathelier::chatter_common

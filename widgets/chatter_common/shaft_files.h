@@ -1,4 +1,4 @@
-// Files of shafts and spindles that were read.
+// Caches of shaft and spindle files.
 #pragma once
 
 #include "engine/io/shaft/shaft_kind.h"

@@ -30,7 +30,7 @@ PanelInputs panelInputs()
     inputs.roles = {{referenceRole, LT_TEXT("Engine", "Reference"),
                      LT_TEXT("Engine", "Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft")},
                     {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    inputs.roles.back().takes_next = true;  // the master stays, the next copy comes
+    inputs.roles.back().takes_next = true;  // a further file replaces the copy
     InputRole copies{copiesRole, LT_TEXT("Engine", "Further copies"),
                      LT_TEXT("Engine", "Scans of more parts, judged by the same limits: table and trend")};
     copies.required = false;
@@ -45,23 +45,23 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-report::Document reportOf(const ComparePicture& picture, const Language& language,
+report::Document reportOf(const CompareOutcome& outcome, const Language& language,
                           std::vector<report::Picture> pictures, const std::vector<registration::CopySummary>& copies)
 {
-    registration::CompareResult result = *picture.result;
-    result.notes = picture.notes;  // those of the files as well
+    registration::CompareResult result = *outcome.result;
+    result.notes = outcome.notes;  // including those of the files
     report::Document document;
     Json json;
-    if (picture.sizes) {
-        features::ShaftComparison all = *picture.sizes;
-        all.surface.notes = picture.notes;
-        document = shaftReport(all, picture.inputs, language, std::move(pictures));
+    if (outcome.sizes) {
+        features::ShaftComparison all = *outcome.sizes;
+        all.surface.notes = outcome.notes;
+        document = shaftReport(all, outcome.inputs, language, std::move(pictures));
         json = toJson(all);
     } else {
-        document = compareReport(result, picture.inputs, language, std::move(pictures));
+        document = compareReport(result, outcome.inputs, language, std::move(pictures));
         json = toJson(result);
     }
-    document.synthetic = picture.synthetic;
+    document.synthetic = outcome.synthetic;
     for (const registration::CopySummary& copy : copies)
         if (copy.file) document.inputs.push_back(*copy.file);
     if (copies.size() > 1)
@@ -70,7 +70,7 @@ report::Document reportOf(const ComparePicture& picture, const Language& languag
             report::Section{LT_TEXT("Engine", "Copies of the same original"),
                             {copiesTrend(copies, result.parameters, language), copiesTable(copies, language)}});
     document.results = {report::toText(
-        report::wholeResult("compare", picture.inputs, toValues(result.parameters), json, result.notes))};
+        report::wholeResult("compare", outcome.inputs, toValues(result.parameters), json, result.notes))};
     return document;
 }
 
@@ -90,10 +90,10 @@ PanelFacts comparePanelFacts()
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         const bool alone = furtherCopies(state).empty();
-        const ComparePicture picture = LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
+        const CompareOutcome outcome = LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
         std::vector<registration::CopySummary> copies;
-        if (!alone) copies = KnownCopies().find(state, picture, progress.part(0.4, 1));
-        return reportOf(picture, language, {}, copies);
+        if (!alone) copies = KnownCopies().find(state, outcome, progress.part(0.4, 1));
+        return reportOf(outcome, language, {}, copies);
     };
     return facts;
 }
@@ -104,7 +104,7 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
       last_(std::make_shared<LastComparison>()),
       known_(std::make_shared<KnownCopies>())
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     addSwapButton();
     connect(views_, &CompareViews::toleranceDragged, this, [this](double tolerance_mm, bool dropped) {
         const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
@@ -116,28 +116,28 @@ ComparePanel::ComparePanel(Session& session, QWidget* parent)
             QString("compare/tolerance/drag%1").arg(drags_));
         drags_ += dropped;
     });
-    connect(views_, &CompareViews::copyWanted, this, &ComparePanel::showCopy);
+    connect(views_, &CompareViews::copyRequested, this, &ComparePanel::showCopy);
     connect(views_, &CompareViews::zoneDrawn, this, &ComparePanel::askZone);
-    connect(views_, &CompareViews::sectionWanted, this, &ComparePanel::offerSection);
-    connect(views_, &CompareViews::notWritten, this, &ComparePanel::sayNotWritten);
+    connect(views_, &CompareViews::sectionRequested, this, &ComparePanel::offerSection);
+    connect(views_, &CompareViews::notWritten, this, &ComparePanel::reportWriteFailure);
 }
 
 /// A slice of the copy two bins of the meridian thick, a millimetre at least.
 void ComparePanel::offerSection(double z_mm)
 {
-    const ComparePicture& picture = *result();
-    const registration::CompareResult& compared = *picture.result;
+    const CompareOutcome& outcome = *result();
+    const registration::CompareResult& compared = *outcome.result;
     const std::vector<double>& bins_mm = compared.meridian->z_mm;
     const double step_mm = bins_mm.size() > 1 ? bins_mm[1] - bins_mm[0] : 0;
     try {
-        Profile profile = form::sectionOfPoints(picture.copyScan().points_mm,
+        Profile profile = form::sectionOfPoints(outcome.copyScan().points_mm,
                                                 *compared.axis_T_reference * compared.alignment.reference_T_copy,
                                                 {z_mm, std::max(1.0, 2 * step_mm)});
         profile.name =
             tr("%1, z %2 mm")
-                .arg(screenFileName(QString::fromStdString(picture.inputs.back().path)), screenNumber(z_mm, 2))
+                .arg(screenFileName(QString::fromStdString(outcome.inputs.back().path)), screenNumber(z_mm, 2))
                 .toStdString();
-        offerItem(profile.name, profileItem, toValues(profile), picture.synthetic);
+        offerItem(profile.name, profileItem, toValues(profile), outcome.synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -146,7 +146,7 @@ void ComparePanel::offerSection(double z_mm)
 void ComparePanel::askZone(double from_mm, double to_mm)
 {
     const auto known =
-        fromValues<registration::CompareParameters>(state().parameters);  // the result may be a step behind
+        fromValues<registration::CompareParameters>(state().parameters);  // the shown result may be older
     auto drawn = zoneAt(known.zones, from_mm, to_mm);
     if (!drawn) return;
     if (!drawn->existing) {
@@ -193,7 +193,7 @@ void ComparePanel::addSwapButton()
 
 void ComparePanel::swapInputs()
 {
-    if (const auto shown = result(); shown && shown->drawn) return;  // a drawing is no copy
+    if (const auto shown = result(); shown && shown->drawn) return;  // a drawing cannot be the copy
     session().edit(tr("Swap reference and copy"), [](project::Project& project) {
         auto& inputs = project.panels["compare"].inputs;
         const auto reference = inputs.find("reference");
@@ -210,24 +210,23 @@ void ComparePanel::swapInputs()
 
 ComparePanel::Compute ComparePanel::compute(const project::PanelState& state) const
 {
-    fromValues<registration::CompareParameters>(
-        state.parameters);  // refuses now, not in the worker, what is out of range
+    fromValues<registration::CompareParameters>(state.parameters);  // validates ranges before the computation
     return [state, last = last_, stores = session().sharedStores()](const Progress& progress) {
         return last->find(state, *stores, progress);
     };
 }
 
-void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& picture)
+void ComparePanel::showResult(const std::shared_ptr<const CompareOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
     copies_.clear();
     if (furtherCopies(state()).empty()) {
         series_.cancel();
         return views_->setCopies({});
     }
     series_.compute<std::vector<registration::CopySummary>>(
-        [state = state(), picture, known = known_](const Progress& progress) {
-            return known->find(state, *picture, progress);
+        [state = state(), outcome, known = known_](const Progress& progress) {
+            return known->find(state, *outcome, progress);
         },
         [this](const std::vector<registration::CopySummary>& copies) {
             copies_ = copies;
@@ -238,7 +237,7 @@ void ComparePanel::showResult(const std::shared_ptr<const ComparePicture>& pictu
         });
 }
 
-/// The further copy takes the place of the one on screen, which takes its place.
+/// Exchanges the further copy with the one on screen.
 void ComparePanel::showCopy(int number)
 {
     session().edit(tr("Show another copy"), [number](project::Project& project) {
@@ -254,13 +253,13 @@ void ComparePanel::showCopy(int number)
     });
 }
 
-report::Answer ComparePanel::answer(const ComparePicture& picture) const
+report::Answer ComparePanel::answer(const CompareOutcome& outcome) const
 {
-    return picture.sizes ? features::answer(*picture.sizes, screenLanguage())
-                         : registration::answer(*picture.result, screenLanguage());
+    return outcome.sizes ? features::answer(*outcome.sizes, screenLanguage())
+                         : registration::answer(*outcome.result, screenLanguage());
 }
 
-/// A drawing says how many rows it has, a scan how many points.
+/// Number of rows of a drawing, or of points of a scan.
 QString ComparePanel::understood(const InputRole& role, const project::Source& source) const
 {
     if (const auto part = session().stores().of<part_common::PartStore>()->known(source)) {
@@ -272,7 +271,7 @@ QString ComparePanel::understood(const InputRole& role, const project::Source& s
     return Panel::understood(role, source);
 }
 
-/// A drawing as the reference is no scan.
+/// A drawing as reference has no scan.
 Worker::Job ComparePanel::makeReadingJob(const project::PanelState& state) const
 {
     return [stores = session().sharedStores(),
@@ -289,7 +288,7 @@ Worker::Job ComparePanel::makeReadingJob(const project::PanelState& state) const
     };
 }
 
-/// Only a reference can be a drawing.
+/// Only the reference may be a drawing.
 void ComparePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     std::vector<FoundFile> scans;
@@ -307,22 +306,22 @@ void ComparePanel::showPlace(const report::Place& place)
     if (place.z_mm) views_->markAlong((place.z_mm->from + place.z_mm->to) / 2, place.angle_deg);
 }
 
-Notes ComparePanel::notes(const ComparePicture& picture) const
+Notes ComparePanel::notes(const CompareOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document ComparePanel::document(const ComparePicture& picture) const
+report::Document ComparePanel::document(const CompareOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage(), views_->pictures(), copies_);
+    return reportOf(outcome, screenLanguage(), views_->pictures(), copies_);
 }
 
 std::vector<PanelExport> ComparePanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    const auto write = [picture](const QString& path) {
-        writeDeviations(path.toStdString(), picture->copyScan(), *picture->result);
+    const auto outcome = result();
+    if (!outcome) return {};
+    const auto write = [outcome](const QString& path) {
+        writeDeviations(path.toStdString(), outcome->copyScan(), *outcome->result);
     };
     return {{tr("Deviations of all points (PLY)…"), tr("Point cloud (*.ply)"), "ply", write},
             {tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", write}};

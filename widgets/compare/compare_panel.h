@@ -1,4 +1,4 @@
-// The panel of workspace Inspection: how far is the copy from the original, where, and how sure is that?
+// The panel of workspace Inspection: deviation of the copy from the original, its location and uncertainty.
 #pragma once
 
 #include "widgets/compare/compare_series.h"
@@ -11,10 +11,10 @@ namespace lathelier::compare_panel {
 
 class CompareViews;
 
-/// The panel's line of the panel table.
+/// The panel's entry in the panel table.
 PanelFacts comparePanelFacts();
 
-class ComparePanel : public Panel<ComparePicture> {
+class ComparePanel : public Panel<CompareOutcome> {
     Q_OBJECT
 
 public:
@@ -27,14 +27,14 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ComparePicture>& picture) override;
-    report::Answer answer(const ComparePicture& picture) const override;
+    void showResult(const std::shared_ptr<const CompareOutcome>& outcome) override;
+    report::Answer answer(const CompareOutcome& outcome) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     void showPlace(const report::Place& place) override;
-    Notes notes(const ComparePicture& picture) const override;
-    report::Document document(const ComparePicture& picture) const override;
+    Notes notes(const CompareOutcome& outcome) const override;
+    report::Document document(const CompareOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;
@@ -48,10 +48,10 @@ private:
 
     CompareViews* views_;
     QToolButton* swap_ = nullptr;
-    int drags_ = 0;  ///< of the tolerance; each is one undo step
+    int drags_ = 0;  ///< number of drags of the tolerance, each one undo step
     std::shared_ptr<LastComparison> last_;
     std::shared_ptr<KnownCopies> known_;
-    std::vector<registration::CopySummary> copies_;  ///< the one on screen and the further ones; empty: not known yet
+    std::vector<registration::CopySummary> copies_;  ///< the shown copy and the further ones; empty: not computed yet
     Task series_;                                    ///< compares the further copies
 };
 

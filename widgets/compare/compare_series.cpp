@@ -18,7 +18,7 @@ std::string nameOf(const std::string& path)
     return std::filesystem::path(path).filename().string();
 }
 
-/// Tells the further copies apart: a file may be there twice with other decisions at its import.
+/// Key of a further copy: a file may occur twice with different import options.
 std::string keyOf(project::Source source)
 {
     source.sha256.clear();
@@ -37,7 +37,7 @@ std::vector<project::Source> furtherCopies(const project::PanelState& state)
     return sourcesOf(state, role);
 }
 
-std::vector<registration::CopySummary> KnownCopies::find(const project::PanelState& state, const ComparePicture& shown,
+std::vector<registration::CopySummary> KnownCopies::find(const project::PanelState& state, const CompareOutcome& shown,
                                                          const Progress& progress)
 {
     const auto parameters = fromValues<registration::CompareParameters>(state.parameters);
@@ -73,7 +73,7 @@ void KnownCopies::forgetOthers(const std::vector<project::Source>& sources)
     });
 }
 
-KnownCopies::Known KnownCopies::compared(const project::Source& source, const ComparePicture& shown,
+KnownCopies::Known KnownCopies::compared(const project::Source& source, const CompareOutcome& shown,
                                          const registration::CompareParameters& parameters, const Progress& progress)
 {
     Known now{io::fileStamp(source.path), shown.inputs.front().sha256, {}, nullptr};
@@ -84,7 +84,7 @@ KnownCopies::Known KnownCopies::compared(const project::Source& source, const Co
             sameButVerdict(found->second.result->parameters, parameters))
             return found->second;
     }
-    ScanStore once;  // its scan is forgotten at the end: those of many copies would fill the memory
+    ScanStore once;  // released at the end, since the scans of many copies would fill the memory
     const LoadedScanPtr scan = once.load(source, progress.part(0, 0.3));
     now.file = scan->inputs.front();
     constexpr auto detail = registration::CompareDetail::Summary;

@@ -14,9 +14,9 @@ StatisticsTable::StatisticsTable(QWidget* parent) : CopyTable(parent)
     setAccessibleName(tr("Statistics"));
 }
 
-void StatisticsTable::setPicture(const ComparePicture& picture)
+void StatisticsTable::setOutcome(const CompareOutcome& outcome)
 {
-    setQuantities(compareReport(*picture.result, picture.inputs, screenLanguage()));
+    setQuantities(compareReport(*outcome.result, outcome.inputs, screenLanguage()));
 }
 
 ZoneTable::ZoneTable(QWidget* parent) : CopyTable(parent)
@@ -34,7 +34,7 @@ void ZoneTable::setResult(const registration::CompareResult& result)
 {
     zones_ = result.zones;
     setTable(zonesTable(result));
-    const int first = result.parameters.zones.empty() ? 0 : 1;  // behind the name
+    const int first = result.parameters.zones.empty() ? 0 : 1;  // column after the name
     horizontalHeaderItem(first + 3)->setToolTip(tr("Expanded uncertainty of the mean (k = 2)"));
     horizontalHeaderItem(first + 4)->setToolTip(tr("Standard deviation of the single points in the zone"));
     for (int row = 0; row < rowCount(); ++row) {
@@ -48,7 +48,7 @@ void ZoneTable::markZ(std::optional<double> z_mm)
 {
     clearSelection();
     if (!z_mm) return;
-    // Zones keep a little away from edges: a place between two of them belongs to the nearer one.
+    // Zones keep a distance from edges: a place between two of them is assigned to the nearer one.
     const auto away = [&](const registration::Zone& zone) {
         return std::max({zone.z_start_mm - *z_mm, *z_mm - zone.z_end_mm, 0.0});
     };
@@ -91,7 +91,7 @@ void SizeTable::markZ(std::optional<double> z_mm)
 {
     if (z_mm && currentRow() >= 0 && currentRow() < rowCount()) {
         const Interval& now = places_[static_cast<std::size_t>(currentRow())];
-        if (*z_mm >= now.from && *z_mm <= now.to) return;  // another size of the same row was clicked
+        if (*z_mm >= now.from && *z_mm <= now.to) return;  // another size of the same row was selected
     }
     clearSelection();
     if (!z_mm) return;

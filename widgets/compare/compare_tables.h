@@ -1,7 +1,7 @@
 // The numbers of a comparison as tables that can be copied.
 #pragma once
 
-#include "widgets/compare/compare_picture.h"
+#include "widgets/compare/compare_outcome.h"
 #include "widgets/core/panel/copy_table.h"
 
 namespace lathelier::compare_panel {
@@ -12,10 +12,10 @@ class StatisticsTable : public CopyTable {
 
 public:
     explicit StatisticsTable(QWidget* parent = nullptr);
-    void setPicture(const ComparePicture& picture);
+    void setOutcome(const CompareOutcome& outcome);
 };
 
-/// Mean deviation of each stretch along the axis; one beyond the tolerance carries a symbol and a word.
+/// Mean deviation of each zone along the axis; out-of-tolerance zones are marked by symbol and text.
 class ZoneTable : public CopyTable {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ private:
     std::vector<registration::Zone> zones_;
 };
 
-/// The sizes of the part against its drawing; those that are not within carry a symbol and a word.
+/// The sizes of the part against its drawing; out-of-tolerance sizes are marked by symbol and text.
 class SizeTable : public CopyTable {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ signals:
     void sizePicked(double z_mm);
 
 private:
-    std::vector<Interval> places_;  ///< of the lines
+    std::vector<Interval> places_;  ///< z interval by row
 };
 
 }  // namespace lathelier::compare_panel

@@ -16,7 +16,7 @@
 namespace lathelier::compare_panel {
 namespace {
 
-constexpr double leastTolerance_mm = 1e-4;  // that can be dragged to
+constexpr double leastTolerance_mm = 1e-4;  // least tolerance reachable by dragging
 
 std::string pngOf(const QImage& image)
 {
@@ -27,7 +27,7 @@ std::string pngOf(const QImage& image)
     return bytes.toStdString();
 }
 
-/// Lays each point on the reference's surface and lifts it by `factor` times its value: the part in its wrong shape.
+/// Projects each point to the reference surface and displaces it by `factor` times its value.
 std::shared_ptr<const std::vector<float>> exaggerated(const std::vector<float>& deviation_mm,
                                                       const std::vector<float>& values_mm, double factor)
 {
@@ -68,49 +68,49 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
     part->setStretchFactor(0, 3);
     part->setStretchFactor(1, 2);
     p.tabs->addTab(p.numbers, QString());
-    p.heroes = new HeroViews;
-    p.heroes->add(view::part, part);
-    p.heroes->add(view::map, p.map);
-    p.heroes->add(view::meridian, p.meridian);
-    p.heroes->add(view::distribution, p.histogram);
+    p.primary_views = new PrimaryViews;
+    p.primary_views->add(view::part, part);
+    p.primary_views->add(view::map, p.map);
+    p.primary_views->add(view::meridian, p.meridian);
+    p.primary_views->add(view::distribution, p.histogram);
     p.sizes = new SizeTable;
-    p.heroes->add(view::sizes, p.sizes);
-    p.heroes->setAvailable(view::sizes, false);
-    p.heroes->add(view::tables, p.tabs);
+    p.primary_views->add(view::sizes, p.sizes);
+    p.primary_views->setAvailable(view::sizes, false);
+    p.primary_views->add(view::tables, p.tabs);
     p.trend = new plot::ChartView;
     p.trend->setObjectName("trend");
-    p.copyTable = new CopyTable;
-    p.copyTable->setObjectName("copies");
-    p.copyTable->setProperty(ViewFrame::onlyLarge, true);  // small, the trend says more
+    p.copy_table = new CopyTable;
+    p.copy_table->setObjectName("copies");
+    p.copy_table->setProperty(ViewFrame::onlyLarge, true);  // hidden when small, in favour of the trend
     p.copies = new QSplitter(Qt::Vertical);
     p.copies->setChildrenCollapsible(false);
     p.copies->addWidget(p.trend);
-    p.copies->addWidget(p.copyTable);
-    p.heroes->add(view::copies, p.copies);
-    p.heroes->setAvailable(view::copies, false);
-    connect(p.copyTable, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
-        if (row > 0) emit copyWanted(row - 1);
+    p.copies->addWidget(p.copy_table);
+    p.primary_views->add(view::copies, p.copies);
+    p.primary_views->setAvailable(view::copies, false);
+    connect(p.copy_table, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
+        if (row > 0) emit copyRequested(row - 1);
     });
-    layout->addWidget(p.heroes, 1);
+    layout->addWidget(p.primary_views, 1);
 
     connect(p.scene, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
-        setPlace(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
+        setPlace(placeOfPoint(*parts_->outcome, static_cast<std::size_t>(point), object == 0));
     });
     connect(p.scene, &scene::SceneView::surfacePicked, this, [this](int object, const scene::PickedPlace& surface) {
-        setPlace(placeOnMesh(*parts_->picture, surface, object == 0));
+        setPlace(placeOnMesh(*parts_->outcome, surface, object == 0));
     });
     connect(p.scene, &scene::SceneView::pointHovered, this, [this](int object, qint64 point) {
-        tag(placeOfPoint(*parts_->picture, static_cast<std::size_t>(point), object == 0));
+        tag(placeOfPoint(*parts_->outcome, static_cast<std::size_t>(point), object == 0));
     });
     connect(p.scene, &scene::SceneView::surfaceHovered, this, [this](int object, const scene::PickedPlace& surface) {
-        tag(placeOnMesh(*parts_->picture, surface, object == 0));
+        tag(placeOnMesh(*parts_->outcome, surface, object == 0));
     });
     connect(p.map, &plot::PlotCanvas::clicked, this, [this](double z, double angle) {
-        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, std::clamp(angle, 0.0, 359.999)));
+        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->outcome, z, std::clamp(angle, 0.0, 359.999)));
     });
     const auto pickZ = [this](double z) {
         const double angle = parts_->place && parts_->place->angle_deg ? *parts_->place->angle_deg : 90;
-        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z, angle));
+        if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->outcome, z, angle));
     };
     for (plot::ChartView* chart : {p.along, p.meridian})
         connect(chart, &plot::PlotCanvas::clicked, this, [pickZ](double z, double) { pickZ(z); });
@@ -124,7 +124,7 @@ CompareViews::CompareViews(QWidget* parent) : QWidget(parent), parts_(std::make_
             [this](const QString&, double value, double, bool dropped) {
                 const double tolerance_mm = std::max(std::abs(value), leastTolerance_mm);
                 showTolerance(tolerance_mm);
-                parts_->draggedTolerance = dropped ? std::nullopt : std::optional(tolerance_mm);
+                parts_->dragged_tolerance_mm = dropped ? std::nullopt : std::optional(tolerance_mm);
                 emit toleranceDragged(tolerance_mm, dropped);
             });
     for (plot::PlotCanvas* canvas :
@@ -140,12 +140,12 @@ CompareViews::~CompareViews() = default;
 
 void CompareViews::markAlong(double z_mm, std::optional<double> angle_deg)
 {
-    if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->picture, z_mm, angle_deg.value_or(90)));
+    if (parts_->hasAxis()) setPlace(placeOnSurface(*parts_->outcome, z_mm, angle_deg.value_or(90)));
 }
 
-HeroViews* CompareViews::heroes() const
+PrimaryViews* CompareViews::primaryViews() const
 {
-    return parts_->heroes;
+    return parts_->primary_views;
 }
 
 const std::optional<ComparePlace>& CompareViews::place() const
@@ -155,34 +155,34 @@ const std::optional<ComparePlace>& CompareViews::place() const
 
 double CompareViews::limit_mm() const
 {
-    if (parts_->chosenLimit) return *parts_->chosenLimit;
-    return parts_->picture ? colourLimit_mm(parts_->result(), parts_->greenWithin().has_value()) : 1;
+    if (parts_->chosen_limit_mm) return *parts_->chosen_limit_mm;
+    return parts_->outcome ? colourLimit_mm(parts_->result(), parts_->greenWithin().has_value()) : 1;
 }
 
-void CompareViews::setPicture(const std::shared_ptr<const ComparePicture>& picture)
+void CompareViews::setOutcome(const std::shared_ptr<const CompareOutcome>& outcome)
 {
     Parts& p = *parts_;
-    const bool sameScans = p.picture && p.picture->reference == picture->reference && p.picture->copy == picture->copy;
-    const bool sameValues = sameScans && p.picture->local_mean_mm == picture->local_mean_mm;
-    p.picture = picture;
+    const bool sameScans = p.outcome && p.outcome->reference == outcome->reference && p.outcome->copy == outcome->copy;
+    const bool sameValues = sameScans && p.outcome->local_mean_mm == outcome->local_mean_mm;
+    p.outcome = outcome;
     if (!sameScans && !p.restored) {
-        p.chosenLimit.reset();
-        p.chosenLower.reset();
-        p.chosenFactor.reset();
+        p.chosen_limit_mm.reset();
+        p.chosen_lower_mm.reset();
+        p.chosen_factor.reset();
     }
     if (!sameScans) p.place.reset();
     p.restored = false;
-    p.synthetic->setVisible(picture->synthetic);
+    p.synthetic->setVisible(outcome->synthetic);
     arrange();
     showCharts();
     if (sameValues)
-        recolour(p.greenWithin());  // only the verdict is new: nothing has to be uploaded
+        recolour(p.greenWithin());  // only the verdict changed: no upload of geometry
     else
         showSurface();
     if (p.place && p.place->point)
-        setPlace(placeOfPoint(*picture, *p.place->point));
+        setPlace(placeOfPoint(*outcome, *p.place->point));
     else if (p.place && p.place->surface)
-        setPlace(placeOnMesh(*picture, *p.place->surface));
+        setPlace(placeOnMesh(*outcome, *p.place->surface));
     else
         setPlace(p.place);
 }
@@ -192,22 +192,22 @@ void CompareViews::setCopies(const std::vector<registration::CopySummary>& copie
     Parts& p = *parts_;
     p.summaries = copies;
     const bool several = copies.size() > 1;
-    p.heroes->setAvailable(view::copies, several);
-    if (!several || !p.picture) return;
+    p.primary_views->setAvailable(view::copies, several);
+    if (!several || !p.outcome) return;
     p.trend->setData(copiesTrend(copies, p.result().parameters, screenLanguage()));
-    p.copyTable->setTable(copiesTable(copies, screenLanguage()));
-    p.copyTable->item(0, 0)->setText(p.copyTable->item(0, 0)->text() + " ◀");  // on screen
+    p.copy_table->setTable(copiesTable(copies, screenLanguage()));
+    p.copy_table->item(0, 0)->setText(p.copy_table->item(0, 0)->text() + " ◀");  // marks the copy on screen
 }
 
 Values CompareViews::view() const
 {
     const Parts& p = *parts_;
-    Values kept{{"colours", std::string(p.passFail->isChecked() ? "pass_fail" : "form")},
+    Values kept{{"colours", std::string(p.pass_fail->isChecked() ? "pass_fail" : "form")},
                 {"surface", std::string(p.overlay->isChecked() ? "overlay" : "deviation")},
                 {"local_mean", p.smooth->isChecked()},
-                {"scale_limit_mm", p.chosenLimit ? Value(*p.chosenLimit) : Value()},
-                {"scale_lower_mm", p.chosenLower ? Value(*p.chosenLower) : Value()},
-                {"magnification", p.chosenFactor ? Value(*p.chosenFactor) : Value()}};
+                {"scale_limit_mm", p.chosen_limit_mm ? Value(*p.chosen_limit_mm) : Value()},
+                {"scale_lower_mm", p.chosen_lower_mm ? Value(*p.chosen_lower_mm) : Value()},
+                {"magnification", p.chosen_factor ? Value(*p.chosen_factor) : Value()}};
     if (std::vector<double> camera = p.scene->view(); !camera.empty()) kept.emplace_back("camera", std::move(camera));
     return kept;
 }
@@ -224,18 +224,18 @@ void CompareViews::restoreView(const Values& kept)
         const auto* const given = there ? std::get_if<double>(there) : nullptr;
         return given && *given > 0 ? std::optional(*given) : std::nullopt;
     };
-    const QSignalBlocker quiet[]{QSignalBlocker(p.passFail), QSignalBlocker(p.form), QSignalBlocker(p.overlay),
+    const QSignalBlocker quiet[]{QSignalBlocker(p.pass_fail), QSignalBlocker(p.form), QSignalBlocker(p.overlay),
                                  QSignalBlocker(p.deviation), QSignalBlocker(p.smooth)};
-    (is("colours", std::string("pass_fail")) ? p.passFail : p.form)->setChecked(true);
+    (is("colours", std::string("pass_fail")) ? p.pass_fail : p.form)->setChecked(true);
     (is("surface", std::string("overlay")) ? p.overlay : p.deviation)->setChecked(true);
     p.smooth->setChecked(!is("local_mean", false));
-    p.chosenLimit = number("scale_limit_mm");
-    p.chosenLower = number("scale_lower_mm");
-    p.chosenFactor = number("magnification");
+    p.chosen_limit_mm = number("scale_limit_mm");
+    p.chosen_lower_mm = number("scale_lower_mm");
+    p.chosen_factor = number("magnification");
     p.restored = true;
     if (const Value* camera = lathelier::find(kept, "camera"))
         if (const auto* numbers = std::get_if<std::vector<double>>(camera)) p.scene->setView(*numbers);
-    if (p.picture) setPicture(p.picture);
+    if (p.outcome) setOutcome(p.outcome);
 }
 
 void CompareViews::showCharts()
@@ -244,22 +244,22 @@ void CompareViews::showCharts()
     const registration::CompareResult& result = p.result();
     if (p.hasAxis()) {
         const QSignalBlocker quiet(p.factor);
-        p.factor->setValue(p.chosenFactor.value_or(magnification(result)));
+        p.factor->setValue(p.chosen_factor.value_or(magnification(result)));
     }
-    p.numbers->setPicture(*p.picture);
+    p.numbers->setOutcome(*p.outcome);
     p.zones->setResult(result);
-    p.heroes->setAvailable(view::sizes, p.picture->sizes != nullptr);
-    if (p.picture->sizes) p.sizes->setSizes(*p.picture->sizes);
+    p.primary_views->setAvailable(view::sizes, p.outcome->sizes != nullptr);
+    if (p.outcome->sizes) p.sizes->setSizes(*p.outcome->sizes);
     p.histogram->setData(histogramPlot(result, screenLanguage(), limit_mm()));
-    if (p.draggedTolerance) showTolerance(*p.draggedTolerance);
+    if (p.dragged_tolerance_mm) showTolerance(*p.dragged_tolerance_mm);
     if (!p.hasAxis()) return;
     const double factor = p.factor->value();
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
     p.along->setData(deviationAlongAxis(result, screenLanguage()));
-    p.map->setData(unrolledMap(result, p.greenWithin().has_value(), *p.picture->map_mean_mm));
+    p.map->setData(unrolledMap(result, p.greenWithin().has_value(), *p.outcome->map_mean_mm));
 }
 
-/// Both limits stand where the pointer holds one of them.
+/// Both limits follow the dragged one.
 void CompareViews::showTolerance(double tolerance_mm)
 {
     parts_->histogram->setHandle("lower", -tolerance_mm, 0);
@@ -269,7 +269,7 @@ void CompareViews::showTolerance(double tolerance_mm)
 void CompareViews::showSurface()
 {
     Parts& p = *parts_;
-    if (!p.picture) return;
+    if (!p.outcome) return;
     const registration::CompareResult& result = p.result();
     std::optional<scene::SceneAxis> axis;
     if (result.alignment.reference_axis)
@@ -280,23 +280,23 @@ void CompareViews::showSurface()
 
     scene::SceneObject reference;
     reference.name = tr("Reference");
-    reference.scan = ScanPtr(p.picture->reference, &p.picture->reference->file.scan);
+    reference.scan = ScanPtr(p.outcome->reference, &p.outcome->reference->file.scan);
     reference.colour = plot::toQt(report::colourOf(report::ColourRole::Original));
     reference.visible = !deviation;
     scene::SceneObject copy;
     copy.name = tr("Copy");
-    copy.scan = ScanPtr(p.picture->copy, &p.picture->copy->file.scan);
+    copy.scan = ScanPtr(p.outcome->copy, &p.outcome->copy->file.scan);
     copy.scene_T_scan = result.alignment.reference_T_copy;
     copy.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
-    if (deviation && p.smooth->isChecked()) copy.values = p.picture->local_mean_mm;
+    if (deviation && p.smooth->isChecked()) copy.values = p.outcome->local_mean_mm;
     if (deviation && !copy.values)
-        copy.values = std::shared_ptr<const std::vector<float>>(p.picture->result, &result.deviation_mm);
+        copy.values = std::shared_ptr<const std::vector<float>>(p.outcome->result, &result.deviation_mm);
     p.coloured = copy.values;
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
-    copy.along_axis = p.picture->along_axis;
+    copy.along_axis = p.outcome->along_axis;
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
-    // Beside an error that is drawn larger than it is, the right shape.
+    // With a magnified error the wireframe of the original is shown.
     const bool exaggerates = copy.outward_mm && p.factor->value() > 1;
     p.scene->setOutline(exaggerates ? outlineOf(result) : std::vector<std::vector<Eigen::Vector3d>>());
 }
@@ -304,18 +304,18 @@ void CompareViews::showSurface()
 void CompareViews::recolour(std::optional<double> tolerance_mm)
 {
     report::DeviationColours colours{limit_mm(), tolerance_mm};
-    colours.lower = parts_->chosenLower;
+    colours.lower = parts_->chosen_lower_mm;
     if (!tolerance_mm && parts_->smooth->isChecked()) {
-        colours.steps = registration::kContourSteps;
-        if (parts_->picture) colours.marked = parts_->result().parameters.tolerance_mm;
+        colours.steps = registration::contourSteps;
+        if (parts_->outcome) colours.marked = parts_->result().parameters.tolerance_mm;
     }
     parts_->map->setColours(colours);
     parts_->scene->setColours(colours);
-    if (!parts_->picture) return;
-    // What is coloured is counted: local means, or the points by themselves. Not again where only the tolerance moves.
+    if (!parts_->outcome) return;
+    // Counts the coloured values: local means, or single points. Not repeated when only the tolerance changes.
     const Parts::Counted now{parts_->coloured ? parts_->coloured
                                               : std::shared_ptr<const std::vector<float>>(
-                                                    parts_->picture->result, &parts_->result().deviation_mm),
+                                                    parts_->outcome->result, &parts_->result().deviation_mm),
                              colours.least(), colours.limit};
     if (parts_->counted == now) return;
     parts_->counted = now;
@@ -326,8 +326,8 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
 
 void CompareViews::setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm)
 {
-    parts_->chosenLimit = limit_mm;
-    parts_->chosenLower = limit_mm ? lower_mm : std::nullopt;
+    parts_->chosen_limit_mm = limit_mm;
+    parts_->chosen_lower_mm = limit_mm ? lower_mm : std::nullopt;
     recolour(parts_->greenWithin());
 }
 
@@ -356,7 +356,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
     p.sizes->markZ(place->z_mm);
 }
 
-/// Beside the pointer: what is coloured there, then where it is.
+/// Pointer tag: the coloured value, then its place.
 void CompareViews::tag(const ComparePlace& place)
 {
     const Parts& p = *parts_;
@@ -368,7 +368,7 @@ std::vector<report::Picture> CompareViews::pictures()
 {
     Parts& p = *parts_;
     std::vector<report::Picture> pictures;
-    if (!p.picture || !p.scene->canDraw()) return pictures;
+    if (!p.outcome || !p.scene->canDraw()) return pictures;
     QToolButton* before = p.deviation->isChecked() ? p.deviation : p.overlay;
     const auto take = [&](const Text& title, scene::SceneViewpoint viewpoint) {
         const QImage image = p.scene->paperPicture(viewpoint);

@@ -8,10 +8,10 @@
 
 #include "engine/registration/copies.h"
 #include "engine/report/document.h"
-#include "widgets/compare/compare_picture.h"
+#include "widgets/compare/compare_outcome.h"
 
 namespace lathelier {
-class HeroViews;
+class PrimaryViews;
 }
 
 namespace lathelier::compare_panel {
@@ -23,39 +23,39 @@ public:
     explicit CompareViews(QWidget* parent = nullptr);
     ~CompareViews() override;
 
-    void setPicture(const std::shared_ptr<const ComparePicture>& picture);
+    void setOutcome(const std::shared_ptr<const CompareOutcome>& outcome);
 
     /// The place marked in all views.
     void setPlace(const std::optional<ComparePlace>& place);
     const std::optional<ComparePlace>& place() const;
 
-    /// Ends of the colour scale; no upper one: chosen from the data; no lower one: as far below 0 as above.
+    /// Ends of the colour scale; without upper end: from the data; without lower end: symmetric.
     void setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm = {});
     double limit_mm() const;
 
     /// 3-D pictures for the report: overlay and deviation, oblique and from the side. Empty without OpenGL.
     std::vector<report::Picture> pictures();
 
-    HeroViews* heroes() const;
+    PrimaryViews* primaryViews() const;
 
-    /// Colours, scale, magnification of the error and camera, to be kept with the project.
+    /// Colours, scale, magnification of the error and camera, saved with the project.
     Values view() const;
     void restoreView(const Values& kept);
 
     /// Marks a place along the axis, at the angle (90° when there is none).
     void markAlong(double z_mm, std::optional<double> angle_deg);
 
-    /// Table and trend of several copies, the first of which is on screen; empty or one: no such view.
+    /// Table and trend of several copies, the first of which is shown; empty or one: no such view.
     void setCopies(const std::vector<registration::CopySummary>& copies);
 
     void retranslate();
 
 signals:
-    void copyWanted(int number);      ///< of the further copies, from 0: the user wants to see it
-    void sectionWanted(double z_mm);  ///< the user wants the roundness of the copy in the marked section
-    void toleranceDragged(double tolerance_mm, bool dropped);  ///< a limit of the histogram is dragged there
-    void zoneDrawn(double from_mm, double to_mm);              ///< along the axis
-    void notWritten(const QString& path);                      ///< the system refused to write this file
+    void copyRequested(int number);                            ///< request to show a further copy, from 0
+    void sectionRequested(double z_mm);                        ///< request for the roundness of the marked section
+    void toleranceDragged(double tolerance_mm, bool dropped);  ///< a limit of the histogram is dragged to this value
+    void zoneDrawn(double from_mm, double to_mm);              ///< z interval of a drawn zone
+    void notWritten(const QString& path);                      ///< the file could not be written
 
 private:
     struct Parts;

@@ -34,33 +34,33 @@ void CompareViews::buildBar()
     p.deviation->setChecked(true);
     p.smooth = new QCheckBox;
     p.smooth->setObjectName("localMean");
-    p.smooth->setChecked(true);  // the form, not the scanner's noise
+    p.smooth->setChecked(true);  // shows the form without the scanner's noise
     row->addWidget(p.smooth);
     connect(surface, &QButtonGroup::idClicked, this, [this] { showSurface(); });
     connect(p.smooth, &QCheckBox::toggled, this, [this] { showSurface(); });
 
     auto* colours = new QButtonGroup(this);
     p.form = choice(colours, 0, row, "form");
-    p.passFail = choice(colours, 1, row, "passFail");
+    p.pass_fail = choice(colours, 1, row, "passFail");
     p.form->setChecked(true);
     connect(colours, &QButtonGroup::idToggled, this, [this](int, bool on) {
-        if (!on || !parts_->picture) return;
+        if (!on || !parts_->outcome) return;
         showCharts();
         recolour(parts_->greenWithin());
     });
 
-    p.factorLabel = new QLabel;
+    p.factor_label = new QLabel;
     p.factor = new QDoubleSpinBox;
     p.factor->setObjectName("magnification");
     p.factor->setRange(1, 100000);
     p.factor->setDecimals(0);
     p.factor->setKeyboardTracking(false);
     p.factor->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    p.factorLabel->setBuddy(p.factor);
-    row->addWidget(p.factorLabel);
+    p.factor_label->setBuddy(p.factor);
+    row->addWidget(p.factor_label);
     row->addWidget(p.factor);
     connect(p.factor, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double factor) {
-        parts_->chosenFactor = factor;
+        parts_->chosen_factor = factor;
         showSurface();
         if (parts_->hasAxis()) parts_->meridian->setData(magnifiedMeridian(parts_->result(), screenLanguage(), factor));
     });
@@ -83,7 +83,7 @@ void CompareViews::buildBar()
     p.section->setEnabled(false);
     row->addWidget(p.section);
     connect(p.section, &QToolButton::clicked, this, [this] {
-        if (parts_->place && parts_->place->z_mm) emit sectionWanted(*parts_->place->z_mm);
+        if (parts_->place && parts_->place->z_mm) emit sectionRequested(*parts_->place->z_mm);
     });
     p.synthetic = new QLabel;
     p.synthetic->setObjectName("synthetic");
@@ -95,8 +95,8 @@ void CompareViews::buildBar()
 void CompareViews::arrange()
 {
     Parts& p = *parts_;
-    const bool axis = !p.picture || p.hasAxis();
-    for (const char* key : {view::map, view::meridian}) p.heroes->setAvailable(key, axis);
+    const bool axis = !p.outcome || p.hasAxis();
+    for (const char* key : {view::map, view::meridian}) p.primary_views->setAvailable(key, axis);
     p.along->setVisible(axis);
     const bool zones = p.tabs->indexOf(p.zones) >= 0;
     if (axis && !zones) {
@@ -104,30 +104,30 @@ void CompareViews::arrange()
         p.tabs->setCurrentIndex(0);
     }
     if (!axis && zones) p.tabs->removeTab(0);
-    p.smooth->setVisible(!p.picture || p.picture->local_mean_mm);
+    p.smooth->setVisible(!p.outcome || p.outcome->local_mean_mm);
     p.section->setVisible(axis);
     p.zone->setVisible(axis);
     p.zone->setEnabled(p.hasAxis());
-    // Pass and fail need a tolerance.
-    const bool limited = p.picture && p.result().parameters.tolerance_mm;
+    // Pass/fail colours require a tolerance.
+    const bool limited = p.outcome && p.result().parameters.tolerance_mm;
     p.form->setEnabled(limited);
-    p.passFail->setEnabled(limited);
-    if (!limited && p.picture) p.form->setChecked(true);
+    p.pass_fail->setEnabled(limited);
+    if (!limited && p.outcome) p.form->setChecked(true);
 }
 
 void CompareViews::retranslate()
 {
     Parts& p = *parts_;
-    p.heroes->setTitle(view::part, tr("Part"));
-    p.heroes->setTitle(view::map, tr("Map"));
-    p.heroes->setTitle(view::meridian, tr("Meridian"));
-    p.heroes->setTitle(view::distribution, tr("Distribution"));
-    p.heroes->setTitle(view::tables, tr("Tables"));
-    p.heroes->setTitle(view::sizes, tr("Sizes"));
+    p.primary_views->setTitle(view::part, tr("Part"));
+    p.primary_views->setTitle(view::map, tr("Map"));
+    p.primary_views->setTitle(view::meridian, tr("Meridian"));
+    p.primary_views->setTitle(view::distribution, tr("Distribution"));
+    p.primary_views->setTitle(view::tables, tr("Tables"));
+    p.primary_views->setTitle(view::sizes, tr("Sizes"));
     p.sizes->setAccessibleName(tr("Sizes"));
-    p.heroes->setTitle(view::copies, tr("Copies"));
-    p.copyTable->setAccessibleName(tr("Copies"));
-    p.copyTable->setToolTip(tr("Double click: show this copy"));
+    p.primary_views->setTitle(view::copies, tr("Copies"));
+    p.copy_table->setAccessibleName(tr("Copies"));
+    p.copy_table->setToolTip(tr("Double click: show this copy"));
     if (const int zones = p.tabs->indexOf(p.zones); zones >= 0) p.tabs->setTabText(zones, tr("Zones"));
     p.tabs->setTabText(p.tabs->indexOf(p.numbers), tr("Numbers"));
     p.overlay->setText(tr("Overlay"));
@@ -136,13 +136,13 @@ void CompareViews::retranslate()
     p.deviation->setToolTip(tr("The copy, coloured by its distance from the original's surface"));
     p.form->setText(tr("Form"));
     p.form->setToolTip(tr("Colours of the error: red too large, blue too small"));
-    p.passFail->setText(tr("Pass/fail"));
-    p.passFail->setToolTip(tr("Green within the tolerance, red above it, blue below it"));
+    p.pass_fail->setText(tr("Pass/fail"));
+    p.pass_fail->setToolTip(tr("Green within the tolerance, red above it, blue below it"));
     p.smooth->setText(tr("Local mean"));
     p.smooth->setToolTip(
         tr("Each place has the mean of its surroundings, as large as it needs to be sure; grey: not sure; off: every "
            "point by itself"));
-    p.factorLabel->setText(tr("Error ×"));
+    p.factor_label->setText(tr("Error ×"));
     p.factor->setToolTip(tr("How many times larger part and meridian draw the deviation"));
     p.factor->setAccessibleName(p.factor->toolTip());
     p.zone->setText(tr("Zone"));
@@ -153,9 +153,9 @@ void CompareViews::retranslate()
     p.section->setToolTip(tr("Cuts the marked section out of the copy and opens it in the panel Roundness"));
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
-    p.synthetic->setVisible(p.picture && p.picture->synthetic);
+    p.synthetic->setVisible(p.outcome && p.outcome->synthetic);
     p.scene->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
-    if (!p.picture) return;
+    if (!p.outcome) return;
     arrange();
     showCharts();
     setCopies(p.summaries);

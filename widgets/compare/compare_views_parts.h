@@ -1,4 +1,4 @@
-// What the views of a comparison are made of. Included by the .cpp files of CompareViews only.
+// Parts of the views of a comparison. Included by the .cpp files of CompareViews only.
 #pragma once
 
 #include <QButtonGroup>
@@ -11,14 +11,14 @@
 
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
 
 namespace lathelier::compare_panel {
 
-/// Keys of the views, as the project keeps them.
+/// Keys of the views in the project file.
 namespace view {
 inline constexpr const char* part = "part";
 inline constexpr const char* map = "map";
@@ -30,19 +30,19 @@ inline constexpr const char* copies = "copies";
 }  // namespace view
 
 struct CompareViews::Parts {
-    std::shared_ptr<const ComparePicture> picture;  ///< what is shown; null: nothing yet
+    std::shared_ptr<const CompareOutcome> outcome;  ///< shown outcome; null: none yet
     std::optional<ComparePlace> place;              ///< the marked place; none: no place
-    std::optional<double> chosenLimit;  ///< end of the colour scale that the user chose, in mm; none: from the result
-    struct Counted {                    ///< what the bars beside the scale count
-        std::shared_ptr<const std::vector<float>> values;  ///< held, so that no others take their place in memory
+    std::optional<double> chosen_limit_mm;          ///< end of the colour scale chosen by the user; none: from the data
+    struct Counted {                                ///< values counted by the bars beside the scale
+        std::shared_ptr<const std::vector<float>> values;  ///< shared: the address is the identity
         double least = 0, limit = 0;                       ///< ends of the scale, in mm
         friend bool operator==(const Counted&, const Counted&) = default;
     } counted;
-    std::shared_ptr<const std::vector<float>> coloured;  ///< deviations that the part shows; null: none
-    std::optional<double> chosenLower;                   ///< how far below 0 it goes then, in mm; none: as far as above
-    std::optional<double> chosenFactor;                  ///< likewise, magnification of the meridian's error
-    bool restored = false;                   ///< the choices above are those of the project that is being opened
-    std::optional<double> draggedTolerance;  ///< where the pointer holds it; the result may be a step behind
+    std::shared_ptr<const std::vector<float>> coloured;  ///< deviations shown on the part; null: none
+    std::optional<double> chosen_lower_mm;               ///< extent below 0 in mm; none: symmetric
+    std::optional<double> chosen_factor;                 ///< chosen magnification of the error; none: from the result
+    bool restored = false;                               ///< the choices above were restored from the opened project
+    std::optional<double> dragged_tolerance_mm;          ///< tolerance being dragged; the result may be older
 
     scene::SceneView* scene = nullptr;                 ///< reference and copy in space
     plot::MapView* map = nullptr;                      ///< unrolled map of the deviation
@@ -52,30 +52,30 @@ struct CompareViews::Parts {
     ZoneTable* zones = nullptr;                        ///< mean deviation by zone
     SizeTable* sizes = nullptr;                        ///< against a drawing, row by row
     StatisticsTable* numbers = nullptr;                ///< statistics of the deviations
-    std::vector<registration::CopySummary> summaries;  ///< of several copies; empty: there is one
-    QSplitter* copies = nullptr;                       ///< trend over table
-    plot::ChartView* trend = nullptr;                  ///< of several copies
-    CopyTable* copyTable = nullptr;                    ///< one row for each
-    QTabWidget* tabs = nullptr;                        ///< zones and numbers
-    HeroViews* heroes = nullptr;                       ///< one of them large, the others small
+    std::vector<registration::CopySummary> summaries;  ///< ; empty: there is one
+    QSplitter* copies = nullptr;                       ///< splitter: trend above table
+    plot::ChartView* trend = nullptr;
+    CopyTable* copy_table = nullptr;        ///< table of copies, one row for each
+    QTabWidget* tabs = nullptr;             ///< tabs: zones and statistics
+    PrimaryViews* primary_views = nullptr;  ///< one large view, the others small
 
     QToolButton* overlay = nullptr;    ///< button: both parts in plain colours
     QToolButton* deviation = nullptr;  ///< button: the copy coloured by its deviation
     QToolButton* form = nullptr;       ///< button: the colours show the form of the error
-    QToolButton* passFail = nullptr;   ///< button: they show what is within the tolerance
+    QToolButton* pass_fail = nullptr;  ///< button: colours by pass and fail
     QCheckBox* smooth = nullptr;       ///< colours by local means, not by each point
-    QLabel* factorLabel = nullptr;     ///< label of `factor`
+    QLabel* factor_label = nullptr;
     QDoubleSpinBox* factor = nullptr;  ///< magnification of the meridian's error
     QToolButton* zone = nullptr;       ///< button: the next drag draws a zone
     QToolButton* section = nullptr;    ///< button: roundness of the marked section
     QLabel* synthetic = nullptr;       ///< label of synthetic data; hidden for measured ones
 
-    const registration::CompareResult& result() const { return *picture->result; }
-    bool hasAxis() const { return picture && result().unrolled && result().meridian && result().axis_T_reference; }
-    /// What is drawn green; none: the colours show the form alone.
+    const registration::CompareResult& result() const { return *outcome->result; }
+    bool hasAxis() const { return outcome && result().unrolled && result().meridian && result().axis_T_reference; }
+    /// Tolerance of the green band; none: the colours show the form only.
     std::optional<double> greenWithin() const
     {
-        return picture && passFail->isChecked() ? result().parameters.tolerance_mm : std::nullopt;
+        return outcome && pass_fail->isChecked() ? result().parameters.tolerance_mm : std::nullopt;
     }
 };
 

@@ -1,9 +1,9 @@
-// A place of the part in words, for the tag at the pointer and for the marker.
+// Texts of a place of the part, for the tag at the pointer and for the marker.
 #pragma once
 
 #include <QString>
 
-#include "widgets/compare/compare_picture.h"
+#include "widgets/compare/compare_outcome.h"
 
 namespace lathelier::compare_panel {
 

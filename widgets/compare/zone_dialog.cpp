@@ -13,7 +13,7 @@
 namespace lathelier::compare_panel {
 namespace {
 
-constexpr double least_mm = 0.1;  // shorter is a slip of the hand
+constexpr double least_mm = 0.1;  // shorter drags are ignored
 
 double rounded(double z_mm)
 {

@@ -1,4 +1,4 @@
-// Asks what a zone along the axis is: its name, its extent and its limits; or whether it is to be left out.
+// Dialog of a zone along the axis: name, extent and limits, or exclusion.
 #pragma once
 
 #include <QDialog>
@@ -15,11 +15,11 @@ class Form;
 
 namespace lathelier::compare_panel {
 
-/// What a stretch drawn over the views stands for among the zones there are: the zone that its middle lies in, which is
-/// then to be edited, else a new one without what other zones already have. Nothing where no room is left.
+/// Zone for an interval drawn in the views: the existing zone that contains its middle, to be edited, else a new one
+/// reduced by the existing zones. None where no space is left.
 struct DrawnZone {
     registration::ZoneLimits zone;
-    std::optional<std::size_t> existing;  ///< place among the zones; none: a new one
+    std::optional<std::size_t> existing;  ///< index of the zone; none: a new one
 };
 std::optional<DrawnZone> zoneAt(const std::vector<registration::ZoneLimits>& zones, double from_mm, double to_mm);
 
@@ -33,7 +33,7 @@ public:
     Answer answer() const { return answer_; }
     registration::ZoneLimits zone() const;
 
-    void accept() override;  ///< refuses, with the reason, what is no zone
+    void accept() override;  ///< rejects an invalid zone with the reason
 
 private:
     Form* form_;

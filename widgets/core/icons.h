@@ -1,4 +1,4 @@
-// Our icons, drawn in the colour of the text they stand beside (dark and light).
+// Icons drawn in the text colour of the palette (dark and light).
 #pragma once
 
 #include <QIcon>

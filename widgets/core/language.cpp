@@ -23,7 +23,7 @@ QLocale plainLocale()
     return locale;
 }
 
-std::atomic<ScreenUnits> chosenUnits{ScreenUnits{}};  // reports are made in workers
+std::atomic<ScreenUnits> chosenUnits{ScreenUnits{}};  // atomic, since reports are made in worker threads
 
 ShownUnit lengthUnit()
 {
@@ -157,7 +157,7 @@ void Languages::use(const QString& code)
     if (chosen == current_) return;
     current_ = chosen;
 
-    // The locale first: widgets ask for it while they translate themselves.
+    // The locale is set first, since widgets use it while they retranslate.
     const QLocale system = QLocale::system();
     const QLocale own(chosen);
     QLocale::setDefault(system.language() == own.language() ? system : own);

@@ -15,14 +15,19 @@ namespace lathelier {
 
 /// Units in which the window shows lengths, fields included. Files and the command line keep the engine's.
 struct ScreenUnits {
-    enum class Length { Millimetre, Inch } length = Length::Millimetre;             ///< of what the engine gives in mm
-    enum class Form { Micrometre, Millimetre, Microinch } form = Form::Micrometre;  ///< of what it gives in µm
+    enum class Length { Millimetre, Inch } length = Length::Millimetre;  ///< unit of lengths given in mm by the engine
+    enum class Form {
+        Micrometre,
+        Millimetre,
+        Microinch
+    } form = Form::Micrometre;  ///< unit of lengths given in µm by
+                                ///< the engine
     friend bool operator==(const ScreenUnits&, const ScreenUnits&) = default;
 };
 
 ScreenUnits screenUnits();
 
-/// Everything that shows a length follows: all widgets get QEvent::LanguageChange.
+/// All widgets receive QEvent::LanguageChange and update shown lengths.
 void setScreenUnits(const ScreenUnits& units);
 
 /// The engine's texts in the language of the screen (context "Engine"), numbers by QLocale().
@@ -33,10 +38,10 @@ QString screenText(const Value& value);
 QString screenText(const Error& error);
 QString screenText(const Note& note);
 
-/// The name of the file at `path` without its folder, with what would hide or turn text round made visible.
+/// The name of the file at `path` without its folder, with bidirectional and invisible characters made visible.
 QString screenFileName(const QString& path);
 
-/// `value` with `decimals` places in the user's locale, without group separators; empty when it does not exist.
+/// `value` with `decimals` places in the user's locale, without group separators; empty for NaN or none.
 QString screenNumber(double value, int decimals);
 
 /// `value`, which the engine gives in `unit` with so many decimals, as it is shown: "+0.050 mm". `plus`: the sign of a
@@ -46,7 +51,7 @@ QString screenQuantity(double value, Text unit, int decimals, bool plus = false)
 /// The same without the unit.
 QString screenNumber(double value, Text unit, int decimals);
 
-/// The unit in which `unit` is shown.
+/// The display unit of `unit`.
 QString screenUnit(Text unit);
 
 /// Shown value / value in the engine's `unit`.
@@ -63,8 +68,8 @@ public:
     static QString name(const QString& code);  ///< in the language itself: "Polski"
     static QString systemCode();               ///< of codes(), the one the system asks for, else "en"
 
-    /// Takes `code` of codes(); empty means the system's. Sets the default QLocale too: the system's own locale when it
-    /// speaks that language (so that its number habits stay), else that of the language.
+    /// Takes `code` of codes(); empty means the system's. Sets the default QLocale too: the system's locale when it has
+    /// that language (to keep its number format), else that of the language.
     void use(const QString& code);
     QString current() const { return current_; }
 

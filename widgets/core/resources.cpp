@@ -4,7 +4,7 @@
 #include <QResource>
 #include <QtGlobal>
 
-// The macro declares a function and therefore wants the global namespace.
+// The macro declares a function and must be used in the global namespace.
 static void registerResources()
 {
     Q_INIT_RESOURCE(lathelier);

@@ -1,14 +1,14 @@
-// Icons, translations and libraries inside the program.
+// Embedded resources: icons, translations and libraries.
 #pragma once
 
 #include <string>
 
 namespace lathelier {
 
-/// Makes ":/icons" and ":/translations" readable. A static library's resources have to be asked for by name.
+/// Makes ":/icons" and ":/translations" readable. Resources of a static library must be initialised explicitly.
 void useResources();
 
-/// The content of ":/library/…"; empty when there is no such resource. Safe from any thread.
+/// The content of ":/library/…"; empty when there is no such resource. Thread-safe.
 std::string resourceText(const char* path);
 
 }  // namespace lathelier

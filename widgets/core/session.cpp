@@ -6,11 +6,11 @@
 
 namespace lathelier {
 
-/// One step: the project before and after. Snapshots are cheap, large data are not in the project.
+/// One step: the project before and after. Snapshots are cheap, since large data are not in the project.
 class Session::Edit : public QUndoCommand {
 public:
     Edit(Session& session, const QString& text, project::Project before, project::Project after, QString mergeKey)
-        : QUndoCommand(QLocale().name() + "\n" + text),  // "\n" parts what a list would show from the menu's text
+        : QUndoCommand(QLocale().name() + "\n" + text),  // "\n" separates the list text from the menu text
           session_(session),
           before_(std::move(before)),
           after_(std::move(after)),
@@ -27,7 +27,7 @@ public:
         const auto* edit = static_cast<const Edit*>(next);
         if (edit->mergeKey_ != mergeKey_) return false;
         after_ = edit->after_;
-        setObsolete(after_ == before_);  // dragged back to where it was
+        setObsolete(after_ == before_);  // restored to the value before the drag
         return true;
     }
 
@@ -79,7 +79,7 @@ Value Session::view(const std::string& id, const std::string& key) const
 
 void Session::assign(const project::Project& project)
 {
-    // Neither is part of a step.
+    // Neither is part of an undo step.
     const std::string workspace = std::move(project_.workspace);
     const std::map<std::string, Values> views = std::move(project_.views);
     project_ = project;
@@ -91,7 +91,7 @@ void Session::assign(const project::Project& project)
 void Session::replace(project::ProjectFile file, const QString& path)
 {
     const bool otherWorkspace = file.project.workspace != project_.workspace;
-    const bool anyNew = stores_->forgetChanged();  // another project, or this one afresh: of the files that are there
+    const bool anyNew = stores_->forgetChanged();  // reload from the present files
     watch_->clear();
     undo_.clear();
     ++opened_;
@@ -152,7 +152,7 @@ bool Session::isOvertaken() const
     try {
         return io::fileSha256(path_.toStdString()) != sha256_;
     } catch (const Error&) {
-        return false;  // gone: saving brings it back
+        return false;  // missing: will be written again by save()
     }
 }
 

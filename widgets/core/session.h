@@ -1,4 +1,4 @@
-// The open project and the only way to change it.
+// The open project and its only mutator.
 #pragma once
 
 #include <QObject>
@@ -13,8 +13,8 @@
 
 namespace lathelier {
 
-/// Owns the project. Everything on screen follows from changed(); every change goes through edit(), is one undo step,
-/// and is announced. Lives in the GUI thread (what stores() gives may be used from jobs).
+/// Owns the project. The display follows changed(); every change goes through edit() and is one undo step. For the GUI
+/// thread (objects of stores() may be used in jobs).
 class Session : public QObject {
     Q_OBJECT
 public:
@@ -28,7 +28,7 @@ public:
     /// same non-empty `mergeKey` are one step (a slider while it is dragged). A change that changes nothing is no step.
     void edit(const QString& text, const std::function<void(project::Project&)>& change, const QString& mergeKey = {});
 
-    /// Parameters that new evaluations begin with, by key, in place of the defaults: the user's settings.
+    /// Parameters of new evaluations by key that replace the defaults: the user's settings.
     void setStartingValues(const Values& values) { starting_ = values; }
     const Values& startingValues() const { return starting_; }
 
@@ -37,15 +37,15 @@ public:
 
     /// What panel `id` shows and how, kept with the project: no undo step, no modification, nothing is computed.
     void setView(const std::string& id, const std::string& key, const Value& value);
-    Value view(const std::string& id, const std::string& key) const;  ///< not given when nothing was kept
+    Value view(const std::string& id, const std::string& key) const;  ///< none when nothing was saved
 
-    /// Asks all panels what they show, so that what is written next has it (viewsWanted()).
-    void collectViews() { emit viewsWanted(); }
-    int projectsOpened() const { return opened_; }  ///< grows with each project that takes the place of another
+    /// Collects the view settings of all panels before saving (viewsRequested()).
+    void collectViews() { emit viewsRequested(); }
+    int projectsOpened() const { return opened_; }  ///< incremented with each opened project
 
-    /// Each step's undo text is that of edit(); its text() is the locale that was spoken then.
+    /// The undo text of a step is that of edit(); its text() contains the locale of that time.
     QUndoStack& undoStack() { return undo_; }
-    const std::string& savedSha256() const { return sha256_; }  ///< of the project file as it was opened or saved here
+    const std::string& savedSha256() const { return sha256_; }  ///< digest of the project file as opened or saved here
     bool isModified() const { return !undo_.isClean(); }
 
     /// Path of the project file; empty when it was never saved.
@@ -54,46 +54,45 @@ public:
     /// An empty project. Does not ask about unsaved changes: that is the window's business.
     void reset();
 
-    /// Opens a project; a recipe begins a new one. What became of its sources since it was saved is told by watch().
+    /// Opens a project; a recipe begins a new one. Changes of its sources since it was saved are reported by watch().
     /// Throws Error.
     void open(const QString& path);
 
-    /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file), which
-    /// had the digest `original_sha256` when the work on it began.
+    /// Opens `projectPath` as a recovered, unsaved state of the project at `original` (empty: it had no file), whose
+    /// digest was `original_sha256` when it was opened.
     void recover(const QString& projectPath, const QString& original, const std::string& original_sha256 = {});
 
     /// Writes the project, with the digests of the sources read so far. Throws Error and keeps the modified state.
     void save(const QString& path);
 
-    /// Writes the project as a recipe: this one stays what it is. Throws Error.
+    /// Writes the project as a recipe; the open project is unchanged. Throws Error.
     void saveRecipe(const QString& path, const project::PartInputs& part_inputs) const;
 
-    /// Whether somebody else has written the project's file since it was opened or saved here. Reads the file.
+    /// Whether another process has written the project file since it was opened or saved here. Reads the file.
     bool isOvertaken() const;
 
     /// Writes what save() would write, without becoming clean: for autosave. Throws Error.
     void saveCopy(const QString& path) const;
 
-    /// Files that were changed by other programs stay as they were read until this is called: panels that use them
-    /// compute again.
+    /// Files changed by other programs are used as read until this is called; then panels that use them recompute.
     void takeNewFiles();
     SourceWatch& watch() { return *watch_; }
 
-    /// What panels share beside the project; jobs keep what they use of it.
+    /// Objects shared by panels beside the project; jobs hold shared ownership of the ones they use.
     Stores& stores() const { return *stores_; }
     std::shared_ptr<Stores> sharedStores() const { return stores_; }
 
     /// Stops the computations of all panels that work on this state.
-    void stop(const std::string& state) { emit stopWanted(state); }
+    void stop(const std::string& state) { emit stopRequested(state); }
 
 signals:
     void changed();      ///< the project has a new value
-    void pathChanged();  ///< opened, saved under a name, or reset
+    void pathChanged();  ///< the project was opened, saved under a name, or reset
     void modifiedChanged(bool modified);
     void workspaceChanged();
-    void filesTaken();   ///< by takeNewFiles()
-    void viewsWanted();  ///< panels give what they show by setView()
-    void stopWanted(const std::string& state);
+    void filesTaken();      ///< emitted by takeNewFiles()
+    void viewsRequested();  ///< panels store their view settings by setView()
+    void stopRequested(const std::string& state);
 
 private:
     class Edit;
@@ -104,7 +103,7 @@ private:
     project::Project project_;
     Values starting_;
     QString path_;
-    std::string sha256_;  ///< of the project file as it was opened or saved here
+    std::string sha256_;  ///< digest of the project file as opened or saved here
     int opened_ = 0;
     QUndoStack undo_;
     std::shared_ptr<Stores> stores_;

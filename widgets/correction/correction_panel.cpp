@@ -17,7 +17,7 @@ namespace lathelier::correction_panel {
 namespace {
 
 using deflection_common::DeflectionQuestion;
-using deflection_common::Wanted;
+using deflection_common::StudyKind;
 
 PanelInputs panelInputs()
 {
@@ -26,15 +26,15 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the corrected program follows."));
 }
 
-/// The text with what it stands off from the programmed contour; z from the free end of its clamping.
-gcode::ProgramItem correctedProgram(const deflection_common::DeflectionPicture& picture)
+/// The corrected text with its intended offset from the programmed contour; z from the free end of its clamping.
+gcode::ProgramItem correctedProgram(const deflection_common::DeflectionOutcome& outcome)
 {
-    const deflection::CorrectedProgram& corrected = *picture.study->corrected;
+    const deflection::CorrectedProgram& corrected = *outcome.study->corrected;
     gcode::ProgramItem item;
     item.text = deflection_common::toUtf8(corrected.text);
-    if (picture.program) item.clamping = picture.program->clamping;
-    item.corrected_from = picture.program_sha256;
-    item.z_zero_mm = picture.job->setup.z_zero_mm;
+    if (outcome.program) item.clamping = outcome.program->clamping;
+    item.corrected_from = outcome.program_sha256;
+    item.z_zero_mm = outcome.job->setup.z_zero_mm;
     std::vector<cam::CorrectedCorner> corners;
     for (const deflection::CorrectedRun& run : corrected.compensation.runs)
         for (const deflection::CorrectedNode& node : run.nodes)
@@ -51,73 +51,74 @@ gcode::ProgramItem correctedProgram(const deflection_common::DeflectionPicture& 
 PanelFacts correctionPanelFacts()
 {
     PanelFacts facts = deflection_common::deflectionFacts("correction", LT_TEXT("Engine", "Correction"), "correction",
-                                                          Wanted::Correction);
+                                                          StudyKind::Correction);
     facts.make = [](Session& session) -> PanelBase* { return new CorrectionPanel(session); };
     return facts;
 }
 
 CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), Wanted::Correction, parent),
+    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), StudyKind::Correction, parent),
       views_(new CorrectionViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &CorrectionViews::taken, this, &CorrectionPanel::take);
-    connect(views_, &CorrectionViews::checkWanted, this, &CorrectionPanel::offerCorrected);
-    connect(views_, &CorrectionViews::notWritten, this, &CorrectionPanel::sayNotWritten);
+    connect(views_, &CorrectionViews::checkRequested, this, &CorrectionPanel::offerCorrected);
+    connect(views_, &CorrectionViews::notWritten, this, &CorrectionPanel::reportWriteFailure);
 }
 
-void CorrectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionPicture>& picture)
+void CorrectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer CorrectionPanel::answer(const deflection_common::DeflectionPicture& picture) const
+report::Answer CorrectionPanel::answer(const deflection_common::DeflectionOutcome& outcome) const
 {
-    return deflection::answer(picture.study->corrected->compensation, screenLanguage());
+    return deflection::answer(outcome.study->corrected->compensation, screenLanguage());
 }
 
 std::vector<PanelExport> CorrectionPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Corrected program…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
-             [picture](const QString& path) { io::writeFile(path.toStdString(), picture->study->corrected->text); }},
-            {tr("Correction along the work (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
+             [outcome](const QString& path) { io::writeFile(path.toStdString(), outcome->study->corrected->text); }},
+            {tr("Correction along the work (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
                  io::writeFile(path.toStdString(),
-                               report::toCsv(deflection::correctionPlot(picture->study->corrected->compensation)));
+                               report::toCsv(deflection::correctionPlot(outcome->study->corrected->compensation)));
              }}};
 }
 
-/// Intervals of single lines; what the user typed is kept.
-void CorrectionPanel::take(qlonglong line, bool wanted)
+/// Intervals of single lines, in addition to those typed by the user.
+void CorrectionPanel::take(qlonglong line, bool isTaken)
 {
-    editState(wanted ? tr("Correct line %1").arg(line) : tr("Keep line %1").arg(line), [&](project::PanelState& state) {
-        auto question = fromValues<DeflectionQuestion>(state.parameters);
-        std::vector<Interval> kept;
-        const auto number = static_cast<double>(line);
-        for (const Interval& lines : question.compensation.kept_lines) {
-            if (number < lines.from || number > lines.to) {
-                kept.push_back(lines);
-                continue;
-            }
-            if (lines.from < number) kept.push_back({lines.from, number - 1});
-            if (number < lines.to) kept.push_back({number + 1, lines.to});
-        }
-        if (!wanted) kept.push_back({number, number});
-        lathelier::set(state.parameters, deflection_common::keptLinesKey, Value(kept));
-    });
+    editState(isTaken ? tr("Correct line %1").arg(line) : tr("Keep line %1").arg(line),
+              [&](project::PanelState& state) {
+                  auto question = fromValues<DeflectionQuestion>(state.parameters);
+                  std::vector<Interval> kept;
+                  const auto number = static_cast<double>(line);
+                  for (const Interval& lines : question.compensation.kept_lines) {
+                      if (number < lines.from || number > lines.to) {
+                          kept.push_back(lines);
+                          continue;
+                      }
+                      if (lines.from < number) kept.push_back({lines.from, number - 1});
+                      if (number < lines.to) kept.push_back({number + 1, lines.to});
+                  }
+                  if (!isTaken) kept.push_back({number, number});
+                  lathelier::set(state.parameters, deflection_common::keptLinesKey, Value(kept));
+              });
 }
 
-/// Under the name of the program that it was made of.
+/// Named after the original program.
 void CorrectionPanel::offerCorrected()
 {
-    const auto picture = result();
-    if (!picture || !picture->study->corrected) return;
+    const auto outcome = result();
+    if (!outcome || !outcome->study->corrected) return;
     const project::Source& source = state().inputs.at(deflection_common::programRole);
     const std::string of = source.item.empty() ? std::filesystem::path(source.path).stem().string() : source.item;
     try {
         offerItem(tr("%1, corrected").arg(QString::fromStdString(of)).toStdString(), gcode::correctedItem,
-                  gcode::toValues(correctedProgram(*picture)), picture->synthetic);
+                  gcode::toValues(correctedProgram(*outcome)), outcome->synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }

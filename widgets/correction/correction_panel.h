@@ -1,4 +1,4 @@
-// The panel "Correction": which words of the program change, why, and what is left then?
+// The panel "Correction": which words of the program change, why, and which error remains?
 #pragma once
 
 #include "widgets/deflection_common/turning_panel.h"
@@ -19,13 +19,13 @@ public:
     CorrectionViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const deflection_common::DeflectionPicture>& picture) override;
-    report::Answer answer(const deflection_common::DeflectionPicture& picture) const override;
+    void showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome) override;
+    report::Answer answer(const deflection_common::DeflectionOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void retranslate() override;
 
 private:
-    void take(qlonglong line, bool wanted);
+    void take(qlonglong line, bool isTaken);
     void offerCorrected();
 
     CorrectionViews* views_;

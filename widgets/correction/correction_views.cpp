@@ -11,7 +11,7 @@ namespace lathelier::correction_panel {
 
 CorrectionViews::CorrectionViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       lines_(new QTableView),
       model_(new DiffModel(this)),
       only_changes_(new QCheckBox),
@@ -31,7 +31,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     lines_->setWordWrap(false);
     lines_->setShowGrid(false);
     lines_->verticalHeader()->hide();
-    lines_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // rows are not measured one by one
+    lines_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // fixed row height, for speed
     lines_->verticalHeader()->setDefaultSectionSize(lines_->fontMetrics().height() + 6);
     for (const int column : {DiffModel::Program, DiffModel::Corrected, DiffModel::Reason})
         lines_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
@@ -50,15 +50,15 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     reason_->setWordWrap(true);
     reason_->setMinimumHeight(2 * reason_->fontMetrics().lineSpacing());
     stacked->addWidget(reason_);
-    heroes_->add("lines", both);
-    heroes_->add("correction", correction_);
-    heroes_->add("residual", residual_);
-    heroes_->add("robustness", robustness_);
+    primaryViews_->add("lines", both);
+    primaryViews_->add("correction", correction_);
+    primaryViews_->add("residual", residual_);
+    primaryViews_->add("robustness", robustness_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     connect(only_changes_, &QCheckBox::toggled, model_, &DiffModel::setOnlyChanges);
-    connect(check_, &QToolButton::clicked, this, &CorrectionViews::checkWanted);
+    connect(check_, &QToolButton::clicked, this, &CorrectionViews::checkRequested);
     connect(model_, &DiffModel::taken, this, &CorrectionViews::taken);
     connect(lines_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             [this](const QModelIndex& now) { markRow(now.row()); });
@@ -72,11 +72,11 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     retranslate();
 }
 
-void CorrectionViews::setPicture(const std::shared_ptr<const DeflectionPicture>& picture)
+void CorrectionViews::setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
     const int before = lines_->currentIndex().row();
-    picture_ = picture;
-    model_->setPicture(picture);
+    outcome_ = outcome;
+    model_->setOutcome(outcome);
     show();
     const int row = before >= 0 && before < model_->rowCount() ? before : model_->firstChange();
     if (row >= 0) {
@@ -95,15 +95,15 @@ void CorrectionViews::markRow(int row)
 
 void CorrectionViews::show()
 {
-    if (!picture_ || !picture_->study->corrected) return;
-    const deflection::CompensationResult& result = picture_->study->corrected->compensation;
+    if (!outcome_ || !outcome_->study->corrected) return;
+    const deflection::CompensationResult& result = outcome_->study->corrected->compensation;
     const Language& language = screenLanguage();
     correction_->setData(deflection::correctionPlot(result, language));
     deflection::ErrorPlotParts parts;
     parts.corrected = &result;
-    parts.tolerance_um = picture_->study->parameters.tolerance_um;
+    parts.tolerance_um = outcome_->study->parameters.tolerance_um;
     residual_->setData(deflection::errorPlot(result.before, parts, language));
-    heroes_->setAvailable("robustness", !result.robustness.empty());
+    primaryViews_->setAvailable("robustness", !result.robustness.empty());
     robustness_->setTable(deflection::robustnessTable(result.robustness));
     lines_->resizeColumnToContents(DiffModel::Take);
     lines_->resizeColumnToContents(DiffModel::Line);
@@ -111,10 +111,10 @@ void CorrectionViews::show()
 
 void CorrectionViews::retranslate()
 {
-    heroes_->setTitle("lines", tr("Programs side by side"));
-    heroes_->setTitle("correction", tr("Correction"));
-    heroes_->setTitle("residual", tr("Before and after"));
-    heroes_->setTitle("robustness", tr("Other machines"));
+    primaryViews_->setTitle("lines", tr("Programs side by side"));
+    primaryViews_->setTitle("correction", tr("Correction"));
+    primaryViews_->setTitle("residual", tr("Before and after"));
+    primaryViews_->setTitle("robustness", tr("Other machines"));
     only_changes_->setText(tr("Changed blocks only"));
     check_->setText(tr("Check as a turning program"));
     check_->setToolTip(

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/correction/diff_model.h"
 #include "widgets/plot/chart_view.h"
 
@@ -22,8 +22,8 @@ class CorrectionViews : public QWidget {
 public:
     explicit CorrectionViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const DeflectionPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     QTableView* lines() const { return lines_; }
     DiffModel* model() const { return model_; }
     plot::ChartView* correction() const { return correction_; }
@@ -31,21 +31,21 @@ public:
     void retranslate();
 
 signals:
-    void taken(qlonglong line, bool take);  ///< as DiffModel::taken()
-    void checkWanted();                     ///< of the corrected program against drawing and stock
+    void taken(qlonglong line, bool take);  ///< see DiffModel::taken()
+    void checkRequested();                  ///< request to check the corrected program against drawing and stock
     void notWritten(const QString& path);   ///< the system refused to write this file
 
 private:
     void show();
     void markRow(int row);
 
-    std::shared_ptr<const DeflectionPicture> picture_;
-    HeroViews* heroes_;
+    std::shared_ptr<const DeflectionOutcome> outcome_;
+    PrimaryViews* primaryViews_;
     QTableView* lines_;
     DiffModel* model_;
     QCheckBox* only_changes_;
     QToolButton* check_;
-    QLabel* reason_;  ///< of the selected row, in full
+    QLabel* reason_;  ///< full reason of the selected row
     plot::ChartView* correction_;
     plot::ChartView* residual_;
     CopyTable* robustness_;

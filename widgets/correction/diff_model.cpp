@@ -25,15 +25,15 @@ const double* zOf(const deflection::ProgramChange& change)
     return value ? std::get_if<double>(value) : nullptr;
 }
 
-/// Tints that text of either theme stands out from.
+/// Tints with sufficient contrast to text in both themes.
 const QColor goneTint(200, 60, 40, 50);
 const QColor writtenTint(40, 140, 80, 50);
 
 }  // namespace
 
-void DiffModel::setPicture(const std::shared_ptr<const DeflectionPicture>& picture)
+void DiffModel::setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     rebuild();
 }
 
@@ -53,15 +53,15 @@ void DiffModel::rebuild()
 {
     beginResetModel();
     rows_.clear();
-    if (picture_ && picture_->study->corrected) {
-        const std::vector<deflection::ProgramChange>& changes = picture_->study->corrected->changes;
-        const std::vector<Interval>& kept = picture_->question.compensation.kept_lines;
+    if (outcome_ && outcome_->study->corrected) {
+        const std::vector<deflection::ProgramChange>& changes = outcome_->study->corrected->changes;
+        const std::vector<Interval>& kept = outcome_->question.compensation.kept_lines;
         std::size_t next = 0;
-        const auto lines = static_cast<std::int64_t>(picture_->job->program.blocks.size());
+        const auto lines = static_cast<std::int64_t>(outcome_->job->program.blocks.size());
         for (std::int64_t line = 1; line <= lines; ++line) {
             const bool is_kept = isKept(kept, line);
             bool is_first = true;
-            // An added block may follow one whose own text stays.
+            // An added block may follow an unchanged one.
             if (next >= changes.size() || changes[next].line != line || !changes[next].before) {
                 const bool goes_on = next < changes.size() && changes[next].line == line;
                 if (!only_changes_ || is_kept || goes_on) rows_.push_back({line, -1, goes_on || is_kept, is_kept});
@@ -88,12 +88,12 @@ int DiffModel::columnCount(const QModelIndex& parent) const
 
 const deflection::ProgramChange* DiffModel::changeOf(const Row& row) const
 {
-    return row.change < 0 ? nullptr : &picture_->study->corrected->changes[static_cast<std::size_t>(row.change)];
+    return row.change < 0 ? nullptr : &outcome_->study->corrected->changes[static_cast<std::size_t>(row.change)];
 }
 
 QString DiffModel::textOf(const Row& row) const
 {
-    const gcode::Program& program = picture_->job->program;
+    const gcode::Program& program = outcome_->job->program;
     const std::string_view text = program.textOf(program.blocks[static_cast<std::size_t>(row.line - 1)]);
     const auto size = static_cast<int>(text.size());
     return program.is_utf8 ? QString::fromUtf8(text.data(), size) : QString::fromLatin1(text.data(), size);
@@ -101,7 +101,7 @@ QString DiffModel::textOf(const Row& row) const
 
 QVariant DiffModel::data(const QModelIndex& index, int role) const
 {
-    if (!index.isValid() || !picture_) return {};
+    if (!index.isValid() || !outcome_) return {};
     const Row& row = rows_[static_cast<std::size_t>(index.row())];
     const deflection::ProgramChange* change = changeOf(row);
     const bool is_added = change && !change->before;

@@ -1,18 +1,18 @@
-// The program and its correction line by line: what stood there, what is written, and why.
+// The program and its correction line by line: original text, corrected text and reason.
 #pragma once
 
 #include <QAbstractTableModel>
 #include <memory>
 #include <vector>
 
-#include "widgets/deflection_common/deflection_picture.h"
+#include "widgets/deflection_common/deflection_outcome.h"
 
 namespace lathelier::correction_panel {
 
-using deflection_common::DeflectionPicture;
+using deflection_common::DeflectionOutcome;
 
 /// Columns Take, Line, Program, Corrected, Reason. A row for each line of the program and for each added block; of
-/// changed blocks alone on demand. Take is ticked for a block that is changed, and not for one that is kept as it was.
+/// changed blocks alone on demand. Take is ticked for a changed block and not for a kept one.
 class DiffModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
 
     explicit DiffModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    void setPicture(const std::shared_ptr<const DeflectionPicture>& picture);
+    void setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome);
     void setOnlyChanges(bool only);
     bool onlyChanges() const { return only_changes_; }
     void retranslate();
@@ -33,26 +33,26 @@ public:
     Qt::ItemFlags flags(const QModelIndex& index) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-    int firstChange() const;                       ///< row; -1: none
+    int firstChange() const;                       ///< row of the first change; -1: none
     std::optional<double> placeOf(int row) const;  ///< z in mm of a changed row
-    int rowAt(double z_mm) const;                  ///< of the change nearest to z; -1: none
+    int rowAt(double z_mm) const;                  ///< row of the change nearest to z; -1: none
 
 signals:
-    void taken(qlonglong line, bool take);  ///< the user wants this block changed, or kept as it was
+    void taken(qlonglong line, bool take);  ///< request to change this block or to keep it
 
 private:
-    /// What stands in one row.
+    /// Content of a row.
     struct Row {
         std::int64_t line = 0;
         int change = -1;        ///< index into the changes; -1: none
-        bool is_first = false;  ///< of its block
+        bool is_first = false;  ///< first row of its block
         bool is_kept = false;   ///< the user keeps this block
     };
     void rebuild();
     const deflection::ProgramChange* changeOf(const Row& row) const;
     QString textOf(const Row& row) const;
 
-    std::shared_ptr<const DeflectionPicture> picture_;
+    std::shared_ptr<const DeflectionOutcome> outcome_;
     std::vector<Row> rows_;
     bool only_changes_ = false;
 };

@@ -35,13 +35,13 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-report::Document reportOf(const CylindricityPicture& picture, const Language& language)
+report::Document reportOf(const CylindricityOutcome& outcome, const Language& language)
 {
-    form::CylindricityResult result = *picture.result;
-    result.notes = picture.notes;  // those of the file as well
-    report::Document document = cylindricityReport(result, picture.surface.get(), picture.inputs, language);
-    document.synthetic = picture.synthetic;
-    document.results = {report::toText(report::wholeResult("cylindricity", picture.inputs, toValues(result.parameters),
+    form::CylindricityResult result = *outcome.result;
+    result.notes = outcome.notes;  // those of the file as well
+    report::Document document = cylindricityReport(result, outcome.surface.get(), outcome.inputs, language);
+    document.synthetic = outcome.synthetic;
+    document.results = {report::toText(report::wholeResult("cylindricity", outcome.inputs, toValues(result.parameters),
                                                            nestedJson(describedValues(result)), result.notes))};
     return document;
 }
@@ -71,18 +71,18 @@ CylindricityPanel::CylindricityPanel(Session& session, QWidget* parent)
       views_(new CylindricityViews),
       last_(std::make_shared<LastCylinder>())
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &CylindricityViews::sectionWanted, this, &CylindricityPanel::offerSection);
-    connect(views_, &CylindricityViews::notWritten, this, &CylindricityPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &CylindricityViews::sectionRequested, this, &CylindricityPanel::offerSection);
+    connect(views_, &CylindricityViews::notWritten, this, &CylindricityPanel::reportWriteFailure);
 }
 
-/// Measured sections are taken alone; of a scan a thin slice.
+/// The marked measured section alone; for a scan a thin slice.
 void CylindricityPanel::offerSection(double z_mm)
 {
-    const CylindricityPicture& picture = *result();
-    const form::CylinderSurface& surface = *picture.surface;
-    const bool in_sections = picture.result->sections > 1;
-    form::SectionCut cut{z_mm, std::max(1.0, picture.result->length_mm / 200)};
+    const CylindricityOutcome& outcome = *result();
+    const form::CylinderSurface& surface = *outcome.surface;
+    const bool in_sections = outcome.result->sections > 1;
+    form::SectionCut cut{z_mm, std::max(1.0, outcome.result->length_mm / 200)};
     if (in_sections) {
         const auto nearest = std::min_element(surface.z_mm.begin(), surface.z_mm.end(), [z_mm](double a, double b) {
             return std::abs(a - z_mm) < std::abs(b - z_mm);
@@ -90,12 +90,12 @@ void CylindricityPanel::offerSection(double z_mm)
         cut = {*nearest, surface.z_step_mm / 2};
     }
     try {
-        Profile profile = sectionOfPoints(picture.scan().points_mm, surface.axis_T_points, cut);
+        Profile profile = sectionOfPoints(outcome.scan().points_mm, surface.axis_T_points, cut);
         profile.name =
             tr("%1, z %2 mm")
-                .arg(screenFileName(QString::fromStdString(picture.inputs.front().path)), screenNumber(cut.z_mm, 2))
+                .arg(screenFileName(QString::fromStdString(outcome.inputs.front().path)), screenNumber(cut.z_mm, 2))
                 .toStdString();
-        offerItem(profile.name, profileItem, toValues(profile), picture.synthetic);
+        offerItem(profile.name, profileItem, toValues(profile), outcome.synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -103,40 +103,40 @@ void CylindricityPanel::offerSection(double z_mm)
 
 CylindricityPanel::Compute CylindricityPanel::compute(const project::PanelState& state) const
 {
-    fromValues<form::CylindricityParameters>(state.parameters);  // refuses now what is out of range
+    fromValues<form::CylindricityParameters>(state.parameters);  // validates ranges before the computation
     return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
         return last->find(state, *scans, progress);
     };
 }
 
-void CylindricityPanel::showResult(const std::shared_ptr<const CylindricityPicture>& picture)
+void CylindricityPanel::showResult(const std::shared_ptr<const CylindricityOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer CylindricityPanel::answer(const CylindricityPicture& picture) const
+report::Answer CylindricityPanel::answer(const CylindricityOutcome& outcome) const
 {
-    return form::answer(*picture.result);
+    return form::answer(*outcome.result);
 }
 
-Notes CylindricityPanel::notes(const CylindricityPicture& picture) const
+Notes CylindricityPanel::notes(const CylindricityOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document CylindricityPanel::document(const CylindricityPicture& picture) const
+report::Document CylindricityPanel::document(const CylindricityOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> CylindricityPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Local radius and axis along the length (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) {
-                 report::Plot plot = radiusAlongAxis(*picture->surface, picture->result->parameters);
-                 for (report::Curve& curve : centresAlongAxis(*picture->surface).curves)
+             [outcome](const QString& path) {
+                 report::Plot plot = radiusAlongAxis(*outcome->surface, outcome->result->parameters);
+                 for (report::Curve& curve : centresAlongAxis(*outcome->surface).curves)
                      plot.curves.push_back(std::move(curve));
                  io::writeFile(path.toStdString(), report::toCsv(plot));
              }}};

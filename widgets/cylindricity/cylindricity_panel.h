@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/cylindricity/cylindricity_picture.h"
+#include "widgets/cylindricity/cylindricity_outcome.h"
 
 namespace lathelier::cylindricity_panel {
 
@@ -11,7 +11,7 @@ class CylindricityViews;
 /// The panel's line of the panel table.
 PanelFacts cylindricityPanelFacts();
 
-class CylindricityPanel : public Panel<CylindricityPicture> {
+class CylindricityPanel : public Panel<CylindricityOutcome> {
     Q_OBJECT
 
 public:
@@ -21,10 +21,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const CylindricityPicture>& picture) override;
-    report::Answer answer(const CylindricityPicture& picture) const override;
-    Notes notes(const CylindricityPicture& picture) const override;
-    report::Document document(const CylindricityPicture& picture) const override;
+    void showResult(const std::shared_ptr<const CylindricityOutcome>& outcome) override;
+    report::Answer answer(const CylindricityOutcome& outcome) const override;
+    Notes notes(const CylindricityOutcome& outcome) const override;
+    report::Document document(const CylindricityOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

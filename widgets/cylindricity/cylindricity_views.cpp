@@ -12,8 +12,8 @@
 namespace lathelier::cylindricity_panel {
 namespace {
 
-/// How many times larger the part is drawn with its error: 1, 2 or 5 times a power of ten; the zone takes an eighth of
-/// the radius at most.
+/// Magnification of the error in the 3-D view: 1, 2 or 5 times a power of ten; the zone takes an eighth of the radius
+/// at most.
 double magnificationOf(const form::FittedCylinder& cylinder)
 {
     const double most = 0.125 * cylinder.radius_mm * 1000 / std::max(cylinder.CYLt_um, 1e-6);
@@ -36,7 +36,7 @@ CylindricityViews::CylindricityViews(QWidget* parent)
       radius_(new plot::ChartView),
       axis_(new plot::ChartView),
       numbers_(new CopyTable),
-      heroes_(new HeroViews)
+      primaryViews_(new PrimaryViews)
 {
     scene_->setObjectName("scene");
     map_->setObjectName("map");
@@ -58,32 +58,32 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     synthetic_->hide();
     row->setTrailing(synthetic_);
     layout->addLayout(row);
-    heroes_->add("part", scene_);
-    heroes_->add("map", map_);
-    heroes_->add("radius", radius_);
-    heroes_->add("axis", axis_);
-    heroes_->add("tables", numbers_);
-    layout->addWidget(heroes_, 1);
+    primaryViews_->add("part", scene_);
+    primaryViews_->add("map", map_);
+    primaryViews_->add("radius", radius_);
+    primaryViews_->add("axis", axis_);
+    primaryViews_->add("tables", numbers_);
+    layout->addWidget(primaryViews_, 1);
 
     connect(section_, &QToolButton::clicked, this, [this] {
-        if (place_) emit sectionWanted(place_->x());
+        if (place_) emit sectionRequested(place_->x());
     });
     connect(scene_, &scene::SceneView::pointPicked, this, [this](int, qint64 point) {
         const Eigen::Vector2d place =
-            placeAbout(*picture_->surface, picture_->scan().points_mm[static_cast<std::size_t>(point)]);
+            placeAbout(*outcome_->surface, outcome_->scan().points_mm[static_cast<std::size_t>(point)]);
         markPlace(place.x(), place.y());
     });
     connect(scene_, &scene::SceneView::surfacePicked, this, [this](int, const scene::PickedPlace& on) {
         Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();
         for (std::size_t i = 0; i < 3; ++i)
-            point_mm += on.weights[static_cast<Eigen::Index>(i)] * picture_->scan().points_mm[on.corners[i]];
-        const Eigen::Vector2d place = placeAbout(*picture_->surface, point_mm);
+            point_mm += on.weights[static_cast<Eigen::Index>(i)] * outcome_->scan().points_mm[on.corners[i]];
+        const Eigen::Vector2d place = placeAbout(*outcome_->surface, point_mm);
         markPlace(place.x(), place.y());
     });
     connect(scene_, &scene::SceneView::pointHovered, this, [this](int, qint64 point) {
         const auto vertex = static_cast<std::size_t>(point);
-        const Eigen::Vector2d place = placeAbout(*picture_->surface, picture_->scan().points_mm[vertex]);
-        const double deviation_um = 1000 * static_cast<double>(picture_->surface->deviation_mm[vertex]);
+        const Eigen::Vector2d place = placeAbout(*outcome_->surface, outcome_->scan().points_mm[vertex]);
+        const double deviation_um = 1000 * static_cast<double>(outcome_->surface->deviation_mm[vertex]);
         scene_->setTag(
             screenQuantity(deviation_um, micrometre, 2, true),
             QString("z %1  ·  %2°").arg(screenQuantity(place.x(), millimetre, 1), screenNumber(place.y(), 0)));
@@ -102,14 +102,14 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     retranslate();
 }
 
-void CylindricityViews::setPicture(const std::shared_ptr<const CylindricityPicture>& picture)
+void CylindricityViews::setOutcome(const std::shared_ptr<const CylindricityOutcome>& outcome)
 {
-    const bool new_surface = !picture_ || picture_->surface != picture->surface;
-    picture_ = picture;
+    const bool new_surface = !outcome_ || outcome_->surface != outcome->surface;
+    outcome_ = outcome;
     if (new_surface) {
         place_.reset();
         showPart();
-        recolour(colourLimit_um(*picture->surface), 0);
+        recolour(colourLimit_um(*outcome->surface), 0);
     }
     showCharts();
     showPlace();
@@ -117,16 +117,16 @@ void CylindricityViews::setPicture(const std::shared_ptr<const CylindricityPictu
 
 void CylindricityViews::showPart()
 {
-    const form::CylinderSurface& surface = *picture_->surface;
+    const form::CylinderSurface& surface = *outcome_->surface;
     const double factor = magnificationOf(surface.cylinder);
     auto outward = std::make_shared<std::vector<float>>(surface.deviation_mm.size());
     for (std::size_t i = 0; i < outward->size(); ++i)
         (*outward)[i] = static_cast<float>(factor - 1) * surface.deviation_mm[i];
     scene::SceneObject part;
     part.name = tr("Points");
-    part.scan = ScanPtr(picture_->points, &picture_->scan());
+    part.scan = ScanPtr(outcome_->points, &outcome_->scan());
     part.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
-    part.values = std::shared_ptr<const std::vector<float>>(picture_->surface, &surface.deviation_mm);
+    part.values = std::shared_ptr<const std::vector<float>>(outcome_->surface, &surface.deviation_mm);
     part.outward_mm = std::move(outward);
     scene_->setLongAxis(scene::SceneAxis{surface.cylinder.axis_point_mm, surface.cylinder.axis_direction});
     scene_->setObjects({part});
@@ -148,12 +148,12 @@ void CylindricityViews::restoreView(const Values& kept)
 
 void CylindricityViews::showCharts()
 {
-    const form::CylinderSurface& surface = *picture_->surface;
+    const form::CylinderSurface& surface = *outcome_->surface;
     map_->setData(unrolledCylinder(surface));
-    radius_->setData(radiusAlongAxis(surface, picture_->result->parameters));
+    radius_->setData(radiusAlongAxis(surface, outcome_->result->parameters));
     axis_->setData(centresAlongAxis(surface));
-    numbers_->setQuantities(cylindricityReport(*picture_->result, nullptr, picture_->inputs, screenLanguage()));
-    synthetic_->setVisible(picture_->synthetic);
+    numbers_->setQuantities(cylindricityReport(*outcome_->result, nullptr, outcome_->inputs, screenLanguage()));
+    synthetic_->setVisible(outcome_->synthetic);
 }
 
 void CylindricityViews::recolour(double upper_um, double lower_um)
@@ -168,7 +168,7 @@ void CylindricityViews::recolour(double upper_um, double lower_um)
 
 void CylindricityViews::markPlace(double z_mm, double angle_deg)
 {
-    if (!picture_) return;
+    if (!outcome_) return;
     place_ = QPointF(z_mm, std::clamp(angle_deg, 0.0, 359.999));
     showPlace();
 }
@@ -187,25 +187,25 @@ void CylindricityViews::showPlace()
     QStringList lines;
     if (std::isfinite(deviation_um)) lines << tr("deviation %1").arg(screenQuantity(deviation_um, micrometre, 2, true));
     lines << tr("along the axis %1, angle %2°").arg(screenQuantity(z_mm, millimetre, 2), screenNumber(angle_deg, 1));
-    scene_->setMarker(placeOnCylinder(*picture_->surface, z_mm, angle_deg), lines.join('\n'));
+    scene_->setMarker(placeOnCylinder(*outcome_->surface, z_mm, angle_deg), lines.join('\n'));
     map_->setMarker(place_);
     for (plot::ChartView* chart : {radius_, axis_}) chart->setMarker(z_mm);
 }
 
 void CylindricityViews::retranslate()
 {
-    heroes_->setTitle("part", tr("Part"));
-    heroes_->setTitle("map", tr("Map"));
-    heroes_->setTitle("radius", tr("Local radius"));
-    heroes_->setTitle("axis", tr("Axis"));
-    heroes_->setTitle("tables", tr("Numbers"));
+    primaryViews_->setTitle("part", tr("Part"));
+    primaryViews_->setTitle("map", tr("Map"));
+    primaryViews_->setTitle("radius", tr("Local radius"));
+    primaryViews_->setTitle("axis", tr("Axis"));
+    primaryViews_->setTitle("tables", tr("Numbers"));
     numbers_->setAccessibleName(tr("Numbers"));
     section_->setText(tr("Roundness of this section"));
     section_->setToolTip(tr("Cuts the marked section out of the points and opens it in the panel Roundness"));
     synthetic_->setText(tr("Synthetic data"));
     synthetic_->setToolTip(tr("These points were computed, not measured."));
     scene_->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
-    if (!picture_) return;
+    if (!outcome_) return;
     showPart();
     showCharts();
     showPlace();

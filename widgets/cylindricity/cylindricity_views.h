@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
-#include "widgets/cylindricity/cylindricity_picture.h"
+#include "widgets/core/panel/primary_views.h"
+#include "widgets/cylindricity/cylindricity_outcome.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
@@ -23,10 +23,10 @@ class CylindricityViews : public QWidget {
 public:
     explicit CylindricityViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const CylindricityPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const CylindricityOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
 
-    /// The camera, to be kept with the project.
+    /// The camera, saved with the project.
     Values view() const;
     void restoreView(const Values& kept);
 
@@ -37,8 +37,8 @@ public:
     void retranslate();
 
 signals:
-    void sectionWanted(double z_mm);       ///< the user wants the roundness of the marked section
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void sectionRequested(double z_mm);    ///< request for the roundness of the marked section
+    void notWritten(const QString& path);  ///< the file could not be written
 
 private:
     void showPart();
@@ -46,7 +46,7 @@ private:
     void showPlace();
     void recolour(double upper_um, double lower_um);
 
-    std::shared_ptr<const CylindricityPicture> picture_;
+    std::shared_ptr<const CylindricityOutcome> outcome_;
     std::optional<QPointF> place_;
     QLabel* remark_;
     QToolButton* section_;
@@ -56,7 +56,7 @@ private:
     plot::ChartView* radius_;
     plot::ChartView* axis_;
     CopyTable* numbers_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
 };
 
 }  // namespace lathelier::cylindricity_panel

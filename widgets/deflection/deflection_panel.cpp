@@ -13,7 +13,7 @@ namespace lathelier::deflection_panel {
 namespace {
 
 using deflection_common::DeflectionQuestion;
-using deflection_common::Wanted;
+using deflection_common::StudyKind;
 
 PanelInputs panelInputs()
 {
@@ -29,39 +29,39 @@ PanelInputs panelInputs()
 PanelFacts deflectionPanelFacts()
 {
     PanelFacts facts = deflection_common::deflectionFacts("deflection", LT_TEXT("Engine", "Deflection"), "deflection",
-                                                          Wanted::Prediction);
+                                                          StudyKind::Prediction);
     facts.make = [](Session& session) -> PanelBase* { return new DeflectionPanel(session); };
     return facts;
 }
 
 DeflectionPanel::DeflectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), Wanted::Prediction, parent),
+    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), StudyKind::Prediction, parent),
       views_(new DeflectionViews)
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &DeflectionViews::notWritten, this, &DeflectionPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &DeflectionViews::notWritten, this, &DeflectionPanel::reportWriteFailure);
 }
 
-void DeflectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionPicture>& picture)
+void DeflectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer DeflectionPanel::answer(const deflection_common::DeflectionPicture& picture) const
+report::Answer DeflectionPanel::answer(const deflection_common::DeflectionOutcome& outcome) const
 {
-    return deflection::answer(*picture.study, screenLanguage());
+    return deflection::answer(*outcome.study, screenLanguage());
 }
 
 std::vector<PanelExport> DeflectionPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Error along the work (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), report::toCsv(deflection::errorPlot(picture->study->prediction)));
+             [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), report::toCsv(deflection::errorPlot(outcome->study->prediction)));
              }},
-            {tr("Set-up as changed here (JSON)…"), tr("Set-up (*.json)"), "json", [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), deflection::setupText(picture->job->setup));
+            {tr("Set-up as changed here (JSON)…"), tr("Set-up (*.json)"), "json", [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), deflection::setupText(outcome->job->setup));
              }}};
 }
 

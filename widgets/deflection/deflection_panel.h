@@ -1,4 +1,4 @@
-// The panel "Deflection": what diameter error does the program leave, because the work gives way?
+// The panel "Deflection": diameter error of the program caused by the deflection of the work.
 #pragma once
 
 #include "widgets/deflection_common/turning_panel.h"
@@ -19,8 +19,8 @@ public:
     DeflectionViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const deflection_common::DeflectionPicture>& picture) override;
-    report::Answer answer(const deflection_common::DeflectionPicture& picture) const override;
+    void showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome) override;
+    report::Answer answer(const deflection_common::DeflectionOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void retranslate() override;
 

@@ -13,7 +13,7 @@ namespace lathelier::deflection_panel {
 
 DeflectionViews::DeflectionViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       error_(new plot::ChartView),
       shape_(new plot::ChartView),
       forces_(new plot::ChartView),
@@ -32,17 +32,17 @@ DeflectionViews::DeflectionViews(QWidget* parent)
     stacked->setContentsMargins(0, 0, 0, 0);
     stacked->addWidget(error_, 3);
     stacked->addWidget(shape_, 2);
-    heroes_->add("error", both);
-    heroes_->add("stock", stock_);
-    heroes_->add("findings", findings_);
-    heroes_->add("forces", forces_);
-    heroes_->add("depth", depth_);
-    heroes_->add("power", power_);
-    heroes_->add("map", map_);
-    heroes_->add("feed", feed_);
-    heroes_->add("sensitivities", sensitivities_);
-    heroes_->add("compliance", compliance_);
-    heroes_->add("diameters", diameters_);
+    primaryViews_->add("error", both);
+    primaryViews_->add("stock", stock_);
+    primaryViews_->add("findings", findings_);
+    primaryViews_->add("forces", forces_);
+    primaryViews_->add("depth", depth_);
+    primaryViews_->add("power", power_);
+    primaryViews_->add("map", map_);
+    primaryViews_->add("feed", feed_);
+    primaryViews_->add("sensitivities", sensitivities_);
+    primaryViews_->add("compliance", compliance_);
+    primaryViews_->add("diameters", diameters_);
     const std::pair<const char*, plot::PlotWidget*> plots[] = {
         {"deflectionError", error_},           {"deflectionShape", shape_}, {"deflectionForces", forces_},
         {"deflectionDepth", depth_},           {"deflectionPower", power_}, {"deflectionMap", map_},
@@ -54,7 +54,7 @@ DeflectionViews::DeflectionViews(QWidget* parent)
     sensitivities_->setObjectName("deflectionSensitivities");
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     connect(shape_, &plot::ChartView::handleMoved, this, [this](const QString& key, double z_mm, double, bool) {
         if (key == deflection::toolKey) setTool(z_mm);
     });
@@ -63,11 +63,11 @@ DeflectionViews::DeflectionViews(QWidget* parent)
     retranslate();
 }
 
-void DeflectionViews::setPicture(const std::shared_ptr<const DeflectionPicture>& picture)
+void DeflectionViews::setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     if (!is_tool_placed_) {
-        const deflection::FinalContour& contour = picture->study->prediction.final;
+        const deflection::FinalContour& contour = outcome->study->prediction.final;
         const auto worst = std::max_element(contour.diameter_error_um.begin(), contour.diameter_error_um.end());
         tool_z_mm_ = contour.z_mm.at(static_cast<std::size_t>(worst - contour.diameter_error_um.begin()));
     }
@@ -83,8 +83,8 @@ void DeflectionViews::setTool(double z_mm)
 
 void DeflectionViews::show()
 {
-    if (!picture_) return;
-    const deflection::TurningStudy& study = *picture_->study;
+    if (!outcome_) return;
+    const deflection::TurningStudy& study = *outcome_->study;
     const Language& language = screenLanguage();
     deflection::ErrorPlotParts parts;
     parts.band = study.band ? &*study.band : nullptr;
@@ -92,35 +92,35 @@ void DeflectionViews::show()
     if (study.identified) parts.measured = study.identified->diameters;
     error_->setData(deflection::errorPlot(study.prediction, parts, language));
     depth_->setData(deflection::depthPlot(study.prediction, language));
-    const auto& speed_m_min = picture_->question.map.cutting_speed_m_min;
-    heroes_->setAvailable("power", speed_m_min.has_value());
+    const auto& speed_m_min = outcome_->question.map.cutting_speed_m_min;
+    primaryViews_->setAvailable("power", speed_m_min.has_value());
     if (speed_m_min) power_->setData(deflection::powerPlot(study.prediction, *speed_m_min, language));
-    heroes_->setAvailable("feed", study.feed.has_value());
+    primaryViews_->setAvailable("feed", study.feed.has_value());
     if (study.feed) feed_->setData(deflection::feedPlot(*study.feed));
-    heroes_->setAvailable("map", study.map.has_value());
+    primaryViews_->setAvailable("map", study.map.has_value());
     if (study.map) map_->setData(deflection::mapChart(*study.map, language));
-    heroes_->setAvailable("stock", study.stock.has_value());
-    heroes_->setAvailable("findings", study.stock && !study.stock->findings.empty());
+    primaryViews_->setAvailable("stock", study.stock.has_value());
+    primaryViews_->setAvailable("findings", study.stock && !study.stock->findings.empty());
     if (study.stock) {
         constexpr int enough_px = 2000;
         stock::StockPlotParts drawn;
-        drawn.path = &picture_->drawn;
-        drawn.window = picture_->drawn.whole(enough_px);
+        drawn.path = &outcome_->drawn;
+        drawn.window = outcome_->drawn.whole(enough_px);
         stock_->setData(stock::stockPlot(*study.stock, drawn, language));
         findings_->setTable(deflection::findingsTable(*study.stock));
     }
     compliance_->setData(deflection::compliancePlot(study.compliance));
-    heroes_->setAvailable("sensitivities", study.swings.has_value());
+    primaryViews_->setAvailable("sensitivities", study.swings.has_value());
     if (study.swings) sensitivities_->setTable(deflection::sensitivityTable(*study.swings));
-    heroes_->setAvailable("diameters", study.identified.has_value());
+    primaryViews_->setAvailable("diameters", study.identified.has_value());
     if (study.identified) diameters_->setTable(deflection::diameterTable(*study.identified));
     showTool();
 }
 
 void DeflectionViews::showTool()
 {
-    if (!picture_) return;
-    const std::vector<deflection::PassResult>& passes = picture_->study->prediction.passes;
+    if (!outcome_) return;
+    const std::vector<deflection::PassResult>& passes = outcome_->study->prediction.passes;
     if (passes.empty()) return;
     // The last pass that cuts there.
     std::size_t pass = passes.size() - 1;
@@ -129,7 +129,7 @@ void DeflectionViews::showTool()
             pass = i;
             break;
         }
-    const auto shape = deflection::deflectedShape(picture_->job->plan, picture_->job->setup, pass, tool_z_mm_);
+    const auto shape = deflection::deflectedShape(outcome_->job->plan, outcome_->job->setup, pass, tool_z_mm_);
     shape_->setData(deflection::shapePlot(shape));
     forces_->setData(deflection::forcesPlot(passes[pass]));
     for (plot::ChartView* chart : {error_, forces_, depth_, power_, feed_}) chart->setMarker(shape.tool_z_mm);
@@ -137,17 +137,17 @@ void DeflectionViews::showTool()
 
 void DeflectionViews::retranslate()
 {
-    heroes_->setTitle("error", tr("Error and bent work"));
-    heroes_->setTitle("stock", tr("Stock after each pass"));
-    heroes_->setTitle("findings", tr("What the tool meets"));
-    heroes_->setTitle("forces", tr("Forces"));
-    heroes_->setTitle("depth", tr("Depth"));
-    heroes_->setTitle("power", tr("Power"));
-    heroes_->setTitle("map", tr("Depth and feed"));
-    heroes_->setTitle("feed", tr("Feed along z"));
-    heroes_->setTitle("sensitivities", tr("Sensitivities"));
-    heroes_->setTitle("compliance", tr("Compliance"));
-    heroes_->setTitle("diameters", tr("Measured"));
+    primaryViews_->setTitle("error", tr("Error and bent work"));
+    primaryViews_->setTitle("stock", tr("Stock after each pass"));
+    primaryViews_->setTitle("findings", tr("What the tool meets"));
+    primaryViews_->setTitle("forces", tr("Forces"));
+    primaryViews_->setTitle("depth", tr("Depth"));
+    primaryViews_->setTitle("power", tr("Power"));
+    primaryViews_->setTitle("map", tr("Depth and feed"));
+    primaryViews_->setTitle("feed", tr("Feed along z"));
+    primaryViews_->setTitle("sensitivities", tr("Sensitivities"));
+    primaryViews_->setTitle("compliance", tr("Compliance"));
+    primaryViews_->setTitle("diameters", tr("Measured"));
     sensitivities_->setAccessibleName(tr("Sensitivities"));
     findings_->setAccessibleName(tr("What the tool meets"));
     diameters_->setAccessibleName(tr("Measured diameters"));

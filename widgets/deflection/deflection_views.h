@@ -1,18 +1,18 @@
-// The views of the deflection of the work: the error along z over the bent work with a tool to drag, forces, depth,
-// power, the map over depth and feed, sensitivities, measured diameters.
+// The views of the deflection of the work: the error along z over the deflected work with a draggable tool, forces,
+// depth, power, the map over depth and feed, sensitivities, measured diameters.
 #pragma once
 
 #include <QWidget>
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
-#include "widgets/deflection_common/deflection_picture.h"
+#include "widgets/core/panel/primary_views.h"
+#include "widgets/deflection_common/deflection_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::deflection_panel {
 
-using deflection_common::DeflectionPicture;
+using deflection_common::DeflectionOutcome;
 
 class DeflectionViews : public QWidget {
     Q_OBJECT
@@ -20,8 +20,8 @@ class DeflectionViews : public QWidget {
 public:
     explicit DeflectionViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const DeflectionPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* error() const { return error_; }
     plot::ChartView* shape() const { return shape_; }
     plot::ChartView* forces() const { return forces_; }
@@ -30,23 +30,23 @@ public:
     plot::ChartView* map() const { return map_; }
     CopyTable* sensitivities() const { return sensitivities_; }
 
-    /// Where the tool stands: shape, forces and the mark follow. Between passes the last one counts.
+    /// Tool position: deflected shape, forces and mark follow. At overlapping passes the last one is used.
     void setTool(double z_mm);
     double toolPlace_mm() const { return tool_z_mm_; }
 
     void retranslate();
 
 signals:
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void notWritten(const QString& path);  ///< the file could not be written
 
 private:
     void show();
     void showTool();
 
-    std::shared_ptr<const DeflectionPicture> picture_;
+    std::shared_ptr<const DeflectionOutcome> outcome_;
     double tool_z_mm_ = 0;
-    bool is_tool_placed_ = false;  ///< by the user
-    HeroViews* heroes_;
+    bool is_tool_placed_ = false;  ///< the tool was placed by the user
+    PrimaryViews* primaryViews_;
     plot::ChartView* error_;
     plot::ChartView* shape_;
     plot::ChartView* forces_;

@@ -7,8 +7,8 @@
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
-#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/deflection_common/turning_files.h"
@@ -43,7 +43,7 @@ std::vector<InputRole> turningRoles()
     return roles;
 }
 
-/// What the program alone can be judged with: it needs no set-up, and the spindle does not matter.
+/// Fields of the check of a program alone: without set-up and spindle.
 std::vector<InputRole> programRoles()
 {
     std::vector<InputRole> roles = turningRoles();
@@ -76,7 +76,7 @@ PanelInputs deflectionInputs(const std::vector<std::string>& unfolded, Text invi
     inputs.fields = fieldsOfKeys(unfolded);
     for (const FieldInfo& info : infos<DeflectionQuestion>()) {
         const bool is_open = std::find(unfolded.begin(), unfolded.end(), info.key) != unfolded.end();
-        if (is_open || info.key == draftsKey) continue;  // drafts are made by an editor
+        if (is_open || info.key == draftsKey) continue;  // drafts come from the editor, not from the form
         inputs.fields.push_back(info);
         inputs.fields.back().advanced = true;
     }
@@ -108,13 +108,13 @@ PanelFacts turningFacts(const char* id, Text title, const char* icon)
     return facts;
 }
 
-PanelFacts deflectionFacts(const char* id, Text title, const char* icon, Wanted wanted)
+PanelFacts deflectionFacts(const char* id, Text title, const char* icon, StudyKind studyKind)
 {
     PanelFacts facts = turningFacts(id, title, icon);
     facts.roles = turningRoles();
-    facts.report = [wanted](const project::PanelState& state, Stores& stores, const Language& language,
-                            const Progress& progress) {
-        return reportOf(deflectionPicture(state, wanted, stores, progress), language);
+    facts.report = [studyKind](const project::PanelState& state, Stores& stores, const Language& language,
+                               const Progress& progress) {
+        return reportOf(deflectionOutcome(state, studyKind, stores, progress), language);
     };
     return facts;
 }

@@ -1,4 +1,4 @@
-// Inputs and facts that the panels of the workspace Deflection have alike.
+// Common inputs and facts of the panels of the workspace Deflection.
 #pragma once
 
 #include <QString>
@@ -7,29 +7,29 @@
 #include "widgets/core/files/kind_finder.h"
 #include "widgets/core/panel/panel_facts.h"
 #include "widgets/core/task/worker.h"
-#include "widgets/deflection_common/deflection_picture.h"
+#include "widgets/deflection_common/deflection_outcome.h"
 
 namespace lathelier::deflection_common {
 
-/// Program, set-up, stock. `unfolded`: keys of the fields that stand open, in order; the others are folded.
+/// Program, set-up, stock. `unfolded`: keys of the unfolded fields, in order; the others are folded.
 PanelInputs deflectionInputs(const std::vector<std::string>& unfolded, Text invitation);
 
-/// Of the panel "Program": it needs no more than a program, and asks for these fields alone.
+/// For the panel Program: requires only a program, with these fields.
 PanelInputs programInputs(const std::vector<std::string>& keys, Text invitation);
 
-/// The facts that all three panels have alike.
+/// Facts common to the three panels.
 PanelFacts turningFacts(const char* id, Text title, const char* icon);
 
 /// Of a panel that predicts: all but `make`.
-PanelFacts deflectionFacts(const char* id, Text title, const char* icon, Wanted wanted);
+PanelFacts deflectionFacts(const char* id, Text title, const char* icon, StudyKind studyKind);
 
-/// Gives files to the inputs of their kinds.
+/// Assigns files to the inputs by kind.
 void assignTurningFiles(project::PanelState& state, const std::vector<FoundFile>& files);
 
-/// Reads what is there of a state that is not complete.
+/// Reads the given inputs of an incomplete state.
 Worker::Job readingJob(const project::PanelState& state, std::shared_ptr<Stores> stores);
 
-/// What was understood of the file of an input, in the language of the screen; empty when it was not read.
+/// Facts of the file of an input, in the user's language; empty when it was not read.
 QString understoodTurning(const std::string& role, const project::Source& source, Stores& stores);
 
 }  // namespace lathelier::deflection_common

@@ -9,7 +9,7 @@
 namespace lathelier::deflection_common {
 namespace {
 
-constexpr double rigid_N_mm = 1e12;  ///< 1 kN moves it by less than a millionth of a micrometre
+constexpr double rigid_N_mm = 1e12;  ///< 1 kN causes 1 pm
 
 Field<DeflectionQuestion> ofChanges(const Field<SetupChanges>& inner)
 {
@@ -23,7 +23,7 @@ Field<DeflectionQuestion> change(const char* key, std::optional<double> SetupCha
     return ofChanges(field(key, member, range, label));
 }
 
-/// What is taken from the libraries, and an insert of one's own.
+/// Selections from the libraries, and the user's insert.
 std::vector<Field<DeflectionQuestion>> libraryFields()
 {
     using C = SetupChanges;
@@ -51,7 +51,7 @@ std::vector<Field<DeflectionQuestion>> libraryFields()
                          unit::deg, true})};
 }
 
-/// What a lathe may have beside chuck and tailstock.
+/// Further supports beside chuck and tailstock.
 std::vector<Field<DeflectionQuestion>> restFields()
 {
     using C = SetupChanges;
@@ -75,7 +75,7 @@ std::vector<Field<DeflectionQuestion>> restFields()
                          LT_TEXT("Engine", "In place of the value in the set-up; 0: rigid."), unit::N_mm, true})};
 }
 
-/// A rest that moves with the tool, as changed. A distance alone changes the one that there is.
+/// The follower rest with changes; an offset alone changes an existing one.
 void changeFollower(std::optional<deflection::FollowerRest>& rest, const SetupChanges& changes)
 {
     if (changes.follower_N_mm) {
@@ -86,7 +86,7 @@ void changeFollower(std::optional<deflection::FollowerRest>& rest, const SetupCh
     if (rest && changes.follower_offset_mm) rest->offset_mm = *changes.follower_offset_mm;
 }
 
-/// The tool post as changed; a direction that is not stated, or 0, is rigid.
+/// The tool post with changes; an unstated direction, or 0, is rigid.
 void changePost(std::optional<deflection::ToolPost>& post, const SetupChanges& changes)
 {
     const auto takeOver = [&post](const std::optional<double>& stated_N_mm, double deflection::ToolPost::*member) {

@@ -8,7 +8,7 @@
 namespace lathelier::deflection_common {
 namespace {
 
-/// As UTF-8; none: it is not.
+/// The text if it is UTF-8; none otherwise.
 std::optional<QString> decoded(const std::string& bytes)
 {
     QTextCodec::ConverterState state;

@@ -18,11 +18,11 @@ ProgramFile ProgramStore::read(const project::Source& source, io::InputFiles& in
     return file;
 }
 
-/// The digest in the name tells an item from what it was before: a draft belongs to one text.
-TakenProgram takenProgram(const project::PanelState& state, Stores& stores, const Progress& progress)
+/// The digest in the name identifies the version of the item, since a draft belongs to one text.
+ProgramInput takenProgram(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
     const project::Source& source = state.inputs.at(programRole);
-    TakenProgram taken;
+    ProgramInput taken;
     if (source.item.empty()) {
         const auto loaded = stores.of<ProgramStore>()->load(source, progress);
         taken.text = loaded->file.text;

@@ -1,4 +1,4 @@
-// NC programs and set-ups that were read, and how a computation takes them.
+// Caches of NC programs and set-ups, and their use in a computation.
 #pragma once
 
 #include <optional>
@@ -15,13 +15,14 @@
 namespace lathelier::deflection_common {
 
 inline constexpr const char* programRole = "program";
-inline constexpr const char* setupRole = "setup";  ///< besides: shaftRole for the stock, spindleRole for the chuck
+inline constexpr const char* setupRole = "setup";  ///< role of the set-up; also used: shaftRole for the stock,
+                                                   ///< spindleRole for the chuck
 
-/// The text of a program and what was understood of it.
+/// The text of a program with its facts.
 struct ProgramFile {
-    std::string text;     ///< every byte
-    io::FileFacts facts;  ///< as gcode::programFiles() has them
-    Notes notes;          ///< of the reading
+    std::string text;     ///< complete text
+    io::FileFacts facts;  ///< see gcode::programFiles()
+    Notes notes;          ///< notes of the reader
 };
 
 /// Errors as gcode::readProgram().
@@ -43,49 +44,49 @@ protected:
                                const Progress& progress) const override;
 };
 
-/// Loads the file of an input for a picture, which gets its name and digest, its notes, and whether it is synthetic.
-template <class Store, class Picture>
+/// Loads the file of an input and records its name, digest, notes and synthetic mark in the outcome.
+template <class Store, class Outcome>
 auto takeFile(const project::PanelState& state, const char* role, Stores& stores, const Progress& progress,
-              Picture& picture)
+              Outcome& outcome)
 {
     const project::Source& source = state.inputs.at(role);
     auto loaded = stores.of<Store>()->load(source, progress);
-    picture.inputs.insert(picture.inputs.end(), loaded->inputs.begin(), loaded->inputs.end());
-    picture.notes.insert(picture.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
-    picture.synthetic |= source.synthetic;
+    outcome.inputs.insert(outcome.inputs.end(), loaded->inputs.begin(), loaded->inputs.end());
+    outcome.notes.insert(outcome.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
+    outcome.synthetic |= source.synthetic;
     return loaded;
 }
 
-/// A program as it was taken, before what the user has changed of it.
-struct TakenProgram {
-    std::string text;                        ///< every byte
-    std::string name;                        ///< path of the file, or name of the item with its digest
-    InputFile input;                         ///< the file, or the item as if it had been one
-    Notes notes;                             ///< of the reading
-    std::optional<gcode::ProgramItem> item;  ///< none: a file
+/// A program before edits by the user.
+struct ProgramInput {
+    std::string text;                        ///< complete text
+    std::string name;                        ///< path of the file, or name and digest of the item
+    InputFile input;                         ///< description of the file or item for the report
+    Notes notes;                             ///< notes of the reader
+    std::optional<gcode::ProgramItem> item;  ///< program item; none: a file
 };
 
 /// Errors: those of ProgramStore; itemNotThere. Precondition: the input is given.
-TakenProgram takenProgram(const project::PanelState& state, Stores& stores, const Progress& progress);
+ProgramInput takenProgram(const project::PanelState& state, Stores& stores, const Progress& progress);
 
-/// What errors name as the file of the program: path, or name of the item.
+/// Path or item name of the program for errors.
 std::string programName(const project::PanelState& state);
 
-/// The text of the program: as it was taken, or what the user has made of it (noted: programEdited). Of the drafts of
-/// the question the one that is used is kept. The picture gets name and digest of the input, its notes, and whether it
-/// is synthetic. `before`: as it was taken.
-template <class Picture>
-std::string takeProgram(const project::PanelState& state, Stores& stores, const Progress& progress, Picture& picture,
-                        TakenProgram& before)
+/// The text of the program, original or edited (note programEdited). Of the drafts of the question only the used one is
+/// kept. The outcome receives name and digest of the input, its notes and the synthetic mark. `before`: the original
+/// program.
+template <class Outcome>
+std::string takeProgram(const project::PanelState& state, Stores& stores, const Progress& progress, Outcome& outcome,
+                        ProgramInput& before)
 {
     before = takenProgram(state, stores, progress);
-    picture.inputs.push_back(before.input);
-    picture.notes.insert(picture.notes.end(), before.notes.begin(), before.notes.end());
-    picture.synthetic |= state.inputs.at(programRole).synthetic;
-    std::vector<ProgramDraft>& drafts = picture.question.drafts;
+    outcome.inputs.push_back(before.input);
+    outcome.notes.insert(outcome.notes.end(), before.notes.begin(), before.notes.end());
+    outcome.synthetic |= state.inputs.at(programRole).synthetic;
+    std::vector<ProgramDraft>& drafts = outcome.question.drafts;
     std::erase_if(drafts, [&](const ProgramDraft& draft) { return !isOf(draft, before.name, before.input.sha256); });
     if (drafts.empty()) return before.text;
-    picture.notes.push_back({notes::programEdited, {}});
+    outcome.notes.push_back({notes::programEdited, {}});
     return bytesOf(drafts.front().text, before.text);
 }
 

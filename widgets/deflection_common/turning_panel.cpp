@@ -6,23 +6,23 @@
 
 namespace lathelier::deflection_common {
 
-TurningPanel::TurningPanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, Wanted wanted,
+TurningPanel::TurningPanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, StudyKind studyKind,
                            QWidget* parent)
-    : Panel(owner, facts, inputs, parent), wanted_(wanted)
+    : Panel(owner, facts, inputs, parent), studyKind_(studyKind)
 {
 }
 
 TurningPanel::Compute TurningPanel::compute(const project::PanelState& state) const
 {
-    fromValues<DeflectionQuestion>(state.parameters);  // refuses now what is out of range
-    return [state, wanted = wanted_, stores = session().sharedStores()](const Progress& progress) {
-        return deflectionPicture(state, wanted, *stores, progress);
+    fromValues<DeflectionQuestion>(state.parameters);  // validates ranges before the computation
+    return [state, studyKind = studyKind_, stores = session().sharedStores()](const Progress& progress) {
+        return deflectionOutcome(state, studyKind, *stores, progress);
     };
 }
 
-report::Document TurningPanel::document(const DeflectionPicture& picture) const
+report::Document TurningPanel::document(const DeflectionOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 void TurningPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const

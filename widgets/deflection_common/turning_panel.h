@@ -1,28 +1,28 @@
-// What the panels of the workspace Deflection share: their inputs, one computation, their report.
+// Common base of the panels Deflection and Correction: inputs, computation, report.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/deflection_common/deflection_picture.h"
+#include "widgets/deflection_common/deflection_outcome.h"
 
 namespace lathelier::deflection_common {
 
-class TurningPanel : public Panel<DeflectionPicture> {
+class TurningPanel : public Panel<DeflectionOutcome> {
     Q_OBJECT
 
 public:
-    TurningPanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, Wanted wanted,
+    TurningPanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, StudyKind studyKind,
                  QWidget* parent = nullptr);
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    Notes notes(const DeflectionPicture& picture) const override { return picture.notes; }
-    report::Document document(const DeflectionPicture& picture) const override;
+    Notes notes(const DeflectionOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const DeflectionOutcome& outcome) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
 
 private:
-    Wanted wanted_;
+    StudyKind studyKind_;
 };
 
 }  // namespace lathelier::deflection_common

@@ -16,8 +16,8 @@ namespace {
 
 using Of = drawing::DimensionTarget::Of;
 
-constexpr double kSteep_deg = 10;  // cones are given by their whole angle from here on, as the drawing does
-constexpr int kDecimals = 6;
+constexpr double steepCone_deg = 10;  // cones steeper than this are dimensioned by their full angle, as in the drawing
+constexpr int typedDecimals = 6;
 
 struct DimensionEdit {
     Q_DECLARE_TR_FUNCTIONS(lathelier::drawing_panel::DimensionEdit)
@@ -27,7 +27,7 @@ QString number(double value)
 {
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    QString text = locale.toString(value, 'f', kDecimals);
+    QString text = locale.toString(value, 'f', typedDecimals);
     while (text.endsWith('0')) text.chop(1);
     if (!text.isEmpty() && !text.back().isDigit()) text.chop(1);
     return text;
@@ -78,7 +78,7 @@ QString typedSize(const ShaftRows& rows, const drawing::DimensionTarget& target)
         case Of::Groove:
             return QString("%1 × %2").arg(number(lengthOf(rows, target.rows)), number(bottomOf(rows, target.rows)));
         case Of::Taper:
-            if (angle_deg(row) >= kSteep_deg) return number(2 * angle_deg(row));
+            if (angle_deg(row) >= steepCone_deg) return number(2 * angle_deg(row));
             return QString("1:%1").arg(number(row.length_mm / std::abs(row.end_diameter_mm - row.start_diameter_mm)));
         case Of::None: break;
     }

@@ -1,4 +1,4 @@
-// A dimension of the drawing typed in place: what stands in the field, and what the rows become.
+// In-place editing of a dimension: text of the field and resulting rows.
 #pragma once
 
 #include <QString>
@@ -10,20 +10,20 @@
 
 namespace lathelier::drawing_panel {
 
-/// The size as it is typed again, in the user's locale, in millimetres and degrees as on the sheet: "45", "1 × 45" (leg
-/// and angle of a chamfer), "2 × 27" (width and bottom of a groove), "1:10" or the whole angle of a cone.
+/// The size as editable text, in the user's locale, in millimetres and degrees as on the sheet: "45", "1 × 45" (leg and
+/// angle of a chamfer), "2 × 27" (width and bottom of a groove), "1:10" or the whole angle of a cone.
 QString typedSize(const ShaftRows& rows, const drawing::DimensionTarget& target);
 
-/// The same of a bore: the diameter of its row, or how deep the row ends.
+/// The same of a bore: the diameter of its row, or the depth of its end.
 QString typedBoreSize(const std::vector<ShaftBore>& bores, const drawing::DimensionTarget& target);
 
-/// The one number that was typed, as it stands; none: there is none, or more.
+/// The typed number if there is exactly one; none otherwise.
 std::optional<double> typedNumber(const QString& typed);
 
-/// How it is typed, for the tooltip of the field.
+/// Input format, for the tooltip of the field.
 QString typingHelp(const drawing::DimensionTarget& target);
 
-/// The rows with the size that was typed. Errors: valueNotUnderstood; those of shaft_sizes.h.
+/// The rows with the typed size. Errors: valueNotUnderstood; those of shaft_sizes.h.
 ShaftRows withTypedSize(ShaftRows rows, const drawing::DimensionTarget& target, const QString& typed, KeepAfter keep);
 
 /// Text of the undo step.

@@ -33,7 +33,7 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-/// The segments as the form has them; nothing where they are no table.
+/// The segments of the form; none when they are not a table.
 std::optional<ShaftRows> rowsIn(const Value& table)
 {
     DrawingQuestion question;
@@ -60,34 +60,34 @@ PanelFacts drawingPanelFacts()
         return part_common::hasShaft(state) ? std::vector<Text>{}
                                             : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
     };
-    facts.hasWork = part_common::hasShaft;
+    facts.has_work = part_common::hasShaft;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(drawingPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(drawingOutcome(state, stores, progress), language); };
     return facts;
 }
 
 DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
     : Panel(owner, drawingPanelFacts(), panelInputs(), parent), views_(new DrawingViews)
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &DrawingViews::shaftWanted, this, &DrawingPanel::keepShaft);
-    connect(views_, &DrawingViews::editWanted, this, &DrawingPanel::editRows);
-    connect(views_, &DrawingViews::notWritten, this, &DrawingPanel::sayNotWritten);
-    connect(views_, &DrawingViews::boresEditWanted, this, &DrawingPanel::editBores);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &DrawingViews::shaftRequested, this, &DrawingPanel::keepShaft);
+    connect(views_, &DrawingViews::editRequested, this, &DrawingPanel::editRows);
+    connect(views_, &DrawingViews::notWritten, this, &DrawingPanel::reportWriteFailure);
+    connect(views_, &DrawingViews::boresEditRequested, this, &DrawingPanel::editBores);
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &DrawingPanel::followTable);
 }
 
-/// An edit in a view: one undo step, unless the shaft would break a rule.
+/// Applies an edit of a view as one undo step, unless the shaft would violate a rule.
 void DrawingPanel::editRows(const QString& step, const RowsChange& change, const QString& merge_key)
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     try {
-        Shaft shaft = picture->shaft;
+        Shaft shaft = outcome->shaft;
         const ShaftRows before = shaft.segments;
         shaft.segments = change(before);
         if (shaft.segments == before) return;
-        if (picture->question.measured) shaft.segments = keepMeasured(before, std::move(shaft.segments));
+        if (outcome->question.measured) shaft.segments = keepMeasured(before, std::move(shaft.segments));
         checkShaft(shaft);
         editState(
             step, [&](project::PanelState& state) { part_common::setTable(state, shaft.segments); }, merge_key);
@@ -98,12 +98,12 @@ void DrawingPanel::editRows(const QString& step, const RowsChange& change, const
 
 void DrawingPanel::editBores(const QString& step, const BoresChange& change)
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     try {
-        Shaft shaft = picture->shaft;
+        Shaft shaft = outcome->shaft;
         shaft.bores = change(shaft.bores);
-        if (shaft.bores == picture->shaft.bores) return;
+        if (shaft.bores == outcome->shaft.bores) return;
         checkShaft(shaft);
         editState(step, [&](project::PanelState& state) { setBores(state, shaft.bores); });
     } catch (const Error& error) {
@@ -111,8 +111,7 @@ void DrawingPanel::editBores(const QString& step, const BoresChange& change)
     }
 }
 
-/// A table changed by hand is of the input that is there now, and rows that are tied follow: the same undo step as the
-/// change itself.
+/// A table edited by hand is assigned to the present input, and tied rows follow, within the same undo step.
 void DrawingPanel::followTable(const std::string& key, const Value& table, int gesture, const QString& step)
 {
     if (key == boresKey)
@@ -120,31 +119,31 @@ void DrawingPanel::followTable(const std::string& key, const Value& table, int g
             step, [&](project::PanelState& state) { lathelier::set(state.parameters, boresOfKey, boresOf(state)); },
             QString("drawing/bores/%1").arg(gesture));
     if (key != segmentsKey) return;
-    const auto picture = result();
+    const auto outcome = result();
     const std::optional<ShaftRows> typed = rowsIn(table);
     editState(
         step,
         [&](project::PanelState& state) {
-            if (picture && typed)
-                part_common::setTable(state, followTies(picture->shaft.segments, *typed));
+            if (outcome && typed)
+                part_common::setTable(state, followTies(outcome->shaft.segments, *typed));
             else
                 part_common::takeTable(state);
         },
         QString("drawing/segments/%1").arg(gesture));
 }
 
-/// Under a name of its own: an item must not take the place of the one that it was made of.
+/// With a new name, so that the item does not replace its origin.
 void DrawingPanel::keepShaft()
 {
-    const auto picture = result();
-    if (!picture) return;
-    std::string name = picture->shaft.name;
-    if (name.empty()) name = tr("shaft, %1 mm").arg(screenNumber(picture->shaft.length_mm(), 1)).toStdString();
+    const auto outcome = result();
+    if (!outcome) return;
+    std::string name = outcome->shaft.name;
+    if (name.empty()) name = tr("shaft, %1 mm").arg(screenNumber(outcome->shaft.length_mm(), 1)).toStdString();
     const auto source = state().inputs.find(shaftRole);
     if (source != state().inputs.end() && source->second.item == name)
         name = tr("%1, edited").arg(QString::fromStdString(name)).toStdString();
-    const Shaft& shaft = picture->shaft;
-    keepItem(name, shaftItem, picture->recovered ? itemValues(shaft, *picture->recovered) : toValues(shaft));
+    const Shaft& shaft = outcome->shaft;
+    keepItem(name, shaftItem, outcome->recovered ? itemValues(shaft, *outcome->recovered) : toValues(shaft));
 }
 
 void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
@@ -157,9 +156,9 @@ void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<Fou
 
 DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) const
 {
-    fromValues<DrawingQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<DrawingQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return drawingPicture(state, *stores, progress);
+        return drawingOutcome(state, *stores, progress);
     };
 }
 
@@ -173,36 +172,37 @@ QString DrawingPanel::understood(const InputRole&, const project::Source& source
         tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
 }
 
-void DrawingPanel::showResult(const std::shared_ptr<const DrawingPicture>& picture)
+void DrawingPanel::showResult(const std::shared_ptr<const DrawingOutcome>& outcome)
 {
     DrawingQuestion rows;
-    rows.bores = rowsOfBores(picture->shaft.bores);
-    inputColumn().form().setValues({{segmentsKey, part_common::rowsOf(picture->shaft.segments)},
-                                    {boresKey, *lathelier::find(toValues(rows), boresKey)}});  // also those of a file
-    views_->setPicture(picture);
+    rows.bores = rowsOfBores(outcome->shaft.bores);
+    inputColumn().form().setValues({{segmentsKey, part_common::rowsOf(outcome->shaft.segments)},
+                                    // also for those of a file
+                                    {boresKey, *lathelier::find(toValues(rows), boresKey)}});
+    views_->setOutcome(outcome);
 }
 
-report::Answer DrawingPanel::answer(const DrawingPicture& picture) const
+report::Answer DrawingPanel::answer(const DrawingOutcome& outcome) const
 {
-    return drawing_panel::answerOf(picture);
+    return drawing_panel::answerOf(outcome);
 }
 
-Notes DrawingPanel::notes(const DrawingPicture& picture) const
+Notes DrawingPanel::notes(const DrawingOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document DrawingPanel::document(const DrawingPicture& picture) const
+report::Document DrawingPanel::document(const DrawingOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> DrawingPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    part_common::PartToWrite part{picture->shaft, picture->shaft,
-                                  [picture](const Language& language) { return drawingOf(*picture, language); }};
+    const auto outcome = result();
+    if (!outcome) return {};
+    part_common::PartToWrite part{outcome->shaft, outcome->shaft,
+                                  [outcome](const Language& language) { return drawingOf(*outcome, language); }};
     return part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
 }
 

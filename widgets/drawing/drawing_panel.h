@@ -1,8 +1,8 @@
-// The panel "Drawing": what does the workshop need to make this shaft, as drawing, CAD and tables?
+// The panel "Drawing": drawing, CAD files and tables needed to make a shaft.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/drawing/drawing_picture.h"
+#include "widgets/drawing/drawing_outcome.h"
 #include "widgets/drawing/drawing_views.h"
 
 namespace lathelier::drawing_panel {
@@ -10,9 +10,9 @@ namespace lathelier::drawing_panel {
 /// The panel's line of the panel table.
 PanelFacts drawingPanelFacts();
 
-/// A file or item fills the table of segments; once the table is changed, it rules until another input is chosen or
-/// the table is emptied.
-class DrawingPanel : public Panel<DrawingPicture> {
+/// A file or item fills the table of segments; once the table is edited, it has precedence until another input is
+/// chosen or the table is emptied.
+class DrawingPanel : public Panel<DrawingOutcome> {
     Q_OBJECT
 
 public:
@@ -23,10 +23,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const DrawingPicture>& picture) override;
-    report::Answer answer(const DrawingPicture& picture) const override;
-    Notes notes(const DrawingPicture& picture) const override;
-    report::Document document(const DrawingPicture& picture) const override;
+    void showResult(const std::shared_ptr<const DrawingOutcome>& outcome) override;
+    report::Answer answer(const DrawingOutcome& outcome) const override;
+    Notes notes(const DrawingOutcome& outcome) const override;
+    report::Document document(const DrawingOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;

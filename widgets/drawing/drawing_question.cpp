@@ -7,8 +7,8 @@
 namespace lathelier::drawing_panel {
 namespace {
 
-const Text kRows = LT_TEXT("Engine", "Bores");
-const Text kRowsHelp =
+const Text boresLabel = LT_TEXT("Engine", "Bores");
+const Text boresHelp =
     LT_TEXT("Engine", "From the mouth inward. A file fills the table; once it is changed, it rules.");
 
 }  // namespace
@@ -65,7 +65,7 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
     static const auto all = described<Q>(
         rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
         field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
-        rows(boresKey, &Q::bores, Range{0, 1000}, Label{kRows, kRowsHelp}),
+        rows(boresKey, &Q::bores, Range{0, 1000}, Label{boresLabel, boresHelp}),
         field(boresOfKey, &Q::bores_of,
               Label{LT_TEXT("Engine", "Bores changed from"),
                     LT_TEXT("Engine", "The input that the table of bores was changed from.")}),

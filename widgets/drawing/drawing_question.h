@@ -1,4 +1,4 @@
-// What the panel "Drawing" is asked: the rows of the shaft and what stands in the title block.
+// Question of the panel Drawing: the rows of the shaft and the title block.
 #pragma once
 
 #include <string>
@@ -14,13 +14,13 @@ namespace lathelier::drawing_panel {
 
 enum class SheetChoice { Automatic, A4, A4Portrait, A3 };
 
-inline constexpr const char* boresKey = "bores";       ///< of the table of bores
-inline constexpr const char* boresOfKey = "bores_of";  ///< boresOf() of the input they were changed from; no form
+inline constexpr const char* boresKey = "bores";       ///< key of the table of bores
+inline constexpr const char* boresOfKey = "bores_of";  ///< key of bores_of; not in the form
 
 /// A row of a bore in the table, from the mouth inward.
 struct BoreRow {
-    ShaftEnd from = ShaftEnd::Free;  ///< the end that its mouth is at
-    BoreSegment row;                 ///< of the bore
+    ShaftEnd from = ShaftEnd::Free;  ///< end at which its mouth is
+    BoreSegment row;
     friend bool operator==(const BoreRow&, const BoreRow&) = default;
 };
 
@@ -30,23 +30,23 @@ const std::vector<Field<BoreRow>>& fieldsOf(const BoreRow*);
 std::vector<BoreRow> rowsOfBores(const std::vector<ShaftBore>& bores);
 std::vector<ShaftBore> boresOfRows(const std::vector<BoreRow>& rows);
 
-/// Which input the table of bores belongs to once it was changed; never empty.
+/// Identity of the input that the edited table of bores belongs to; never empty.
 std::string boresOf(const project::PanelState& state);
 
-/// Puts the bores into the table, changed from the input that is there now.
+/// Stores the bores in the table, assigned to the present input.
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores);
 
 struct DrawingQuestion {
-    std::vector<ShaftSegment> segments;  ///< the table; empty: as the file has them
-    std::string segments_of;             ///< identity() of the input they were changed from
-    std::vector<BoreRow> bores;          ///< the table; rules where bores_of is boresOf()
-    std::string bores_of;                ///< boresOf() of the input they were changed from; empty: as the file has them
-    std::string name;                    ///< of the part; empty: as the input has it
-    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;  ///< for the mass
-    std::string material_name;                                   ///< as printed; empty: that of the material
-    SheetChoice sheet = SheetChoice::Automatic;                  ///< its size
-    drawing::LengthsFrom lengths = drawing::LengthsFrom::Datum;  ///< as drawn, and what an edited length moves
-    std::string date;                                            ///< as printed; empty: today
+    std::vector<ShaftSegment> segments;  ///< table of segments; empty: those of the file
+    std::string segments_of;             ///< identity() of the input of the edited table
+    std::vector<BoreRow> bores;          ///< table of bores; has precedence if bores_of equals boresOf()
+    std::string bores_of;                ///< boresOf() of the input of the edited table; empty: bores of the file
+    std::string name;                    ///< name of the part; empty: that of the input
+    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;  ///< material for the mass
+    std::string material_name;                                   ///< printed name; empty: that of the material
+    SheetChoice sheet = SheetChoice::Automatic;                  ///< sheet size
+    drawing::LengthsFrom lengths = drawing::LengthsFrom::Datum;  ///< reference of lengths in the drawing and of edits
+    std::string date;                                            ///< printed date; empty: today
     bool measured = false;                                       ///< rows without a nominal size are measured values
 };
 

@@ -16,13 +16,13 @@
 namespace lathelier::drawing_panel {
 namespace {
 
-constexpr double kDragStep_mm = 0.1;
+constexpr double shoulderDragStep_mm = 0.1;
 
 }  // namespace
 
 DrawingViews::DrawingViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       sheet_(new SheetView),
       meridian_(new part_common::RowChart),
       rows_(new CopyTable),
@@ -41,11 +41,11 @@ DrawingViews::DrawingViews(QWidget* parent)
     shaft_->setObjectName("useShaft");
     fit_->setObjectName("wholeSheet");
     rows_->setSelectionMode(QAbstractItemView::SingleSelection);
-    heroes_->add("sheet", sheet_);
-    heroes_->add("rows", rows_);
-    heroes_->add("meridian", meridian_);
-    heroes_->add("measured", measured_);
-    heroes_->add("remarks", remarks_);
+    primaryViews_->add("sheet", sheet_);
+    primaryViews_->add("rows", rows_);
+    primaryViews_->add("meridian", meridian_);
+    primaryViews_->add("measured", measured_);
+    primaryViews_->add("remarks", remarks_);
     remarks_->setWordWrap(true);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -62,12 +62,12 @@ DrawingViews::DrawingViews(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(buttons_);
-    layout->addWidget(heroes_, 1);
-    connect(shaft_, &QToolButton::clicked, this, &DrawingViews::shaftWanted);
+    layout->addWidget(primaryViews_, 1);
+    connect(shaft_, &QToolButton::clicked, this, &DrawingViews::shaftRequested);
     connect(fit_, &QToolButton::clicked, sheet_, &SheetView::fit);
     connect(sheet_, &SheetView::rowClicked, this,
             [this](int at) { markRow(at < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(at))); });
-    connect(sheet_, &SheetView::menuWanted, this, [this](int at, double z_mm, const QPoint& global) {
+    connect(sheet_, &SheetView::menuRequested, this, [this](int at, double z_mm, const QPoint& global) {
         const auto index = static_cast<std::size_t>(at);
         markRow(index);
         QMenu menu(this);
@@ -79,7 +79,7 @@ DrawingViews::DrawingViews(QWidget* parent)
         const drawing::DimensionTarget& target = drawing_.labels[index].target;
         sheet_->editDimension(
             index,
-            target.bore ? typedBoreSize(picture_->shaft.bores, target) : typedSize(picture_->shaft.segments, target),
+            target.bore ? typedBoreSize(outcome_->shaft.bores, target) : typedSize(outcome_->shaft.segments, target),
             typingHelp(target));
     });
     connect(sheet_, &SheetView::dimensionTyped, this, &DrawingViews::typeDimension);
@@ -89,14 +89,14 @@ DrawingViews::DrawingViews(QWidget* parent)
     connect(meridian_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double z_mm, double, bool dropped) { dragShoulder(key, z_mm, dropped); });
     connect(meridian_, &part_common::RowChart::menuOpened, this, [this](QMenu* menu, double z_mm) {
-        const bool here = picture_ && z_mm >= 0 && z_mm <= picture_->shaft.length_mm();
+        const bool here = outcome_ && z_mm >= 0 && z_mm <= outcome_->shaft.length_mm();
         if (here) pickAt(z_mm);
         if (!row_) return;
         part_common::addRowVerbs(*menu, static_cast<int>(*row_) + 1,
                                  verbsOf(*row_, here ? std::optional(z_mm) : std::nullopt));
     });
     connect(rows_, &QTableWidget::currentCellChanged, this, [this](int at) {
-        const bool outside = picture_ && at >= 0 && at < static_cast<int>(picture_->shaft.segments.size());
+        const bool outside = outcome_ && at >= 0 && at < static_cast<int>(outcome_->shaft.segments.size());
         row_ = outside ? std::optional(static_cast<std::size_t>(at)) : std::nullopt;
         showMark();
     });
@@ -108,17 +108,17 @@ DrawingViews::DrawingViews(QWidget* parent)
     retranslate();
 }
 
-void DrawingViews::setPicture(const std::shared_ptr<const DrawingPicture>& picture)
+void DrawingViews::setOutcome(const std::shared_ptr<const DrawingOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     show();
 }
 
 void DrawingViews::show()
 {
-    if (!picture_) return;
-    const Shaft& shaft = picture_->shaft;
-    drawing_ = drawingOf(*picture_, screenLanguage());
+    if (!outcome_) return;
+    const Shaft& shaft = outcome_->shaft;
+    drawing_ = drawingOf(*outcome_, screenLanguage());
     sheet_->setDrawing(drawing_);
     sheet_->setAccessibleName(QString::fromStdString(drawing_.title));
     std::vector<QPolygonF> contours;
@@ -132,20 +132,20 @@ void DrawingViews::show()
     showBoreButton();
     {
         const QSignalBlocker quiet(rows_);
-        rows_->setTable(rowsTable(*picture_, screenLanguage()));
+        rows_->setTable(rowsTable(*outcome_, screenLanguage()));
         openBoreCells();
     }
-    const report::Table measured = measuredTable(*picture_, screenLanguage());
-    heroes_->setAvailable("measured", !measured.rows.empty());
+    const report::Table measured = measuredTable(*outcome_, screenLanguage());
+    primaryViews_->setAvailable("measured", !measured.rows.empty());
     measured_->setTable(measured);
-    remarks_->setTable(remarksTable(*picture_, screenLanguage()));
+    remarks_->setTable(remarksTable(*outcome_, screenLanguage()));
     remarks_->resizeRowsToContents();
     markRow(row_);
 }
 
 void DrawingViews::markRow(std::optional<std::size_t> row)
 {
-    if (!picture_ || (row && *row >= picture_->shaft.segments.size())) row.reset();
+    if (!outcome_ || (row && *row >= outcome_->shaft.segments.size())) row.reset();
     row_ = row;
     {
         const QSignalBlocker quiet(rows_);
@@ -161,10 +161,10 @@ void DrawingViews::showMark()
 {
     sheet_->markRow(row_);
     plot::PointedOut marked;
-    if (picture_ && row_)
+    if (outcome_ && row_)
         for (const double side : {1.0, -1.0}) {
             QPolygonF line;
-            for (const Eigen::Vector2d& point : drawing::contourOfRow(picture_->shaft, *row_))
+            for (const Eigen::Vector2d& point : drawing::contourOfRow(outcome_->shaft, *row_))
                 line << QPointF(point.x(), side * point.y());
             marked.lines.push_back(std::move(line));
         }
@@ -173,9 +173,9 @@ void DrawingViews::showMark()
 
 void DrawingViews::pickAt(double z_mm)
 {
-    if (!picture_) return;
+    if (!outcome_) return;
     double from_mm = 0;
-    const ShaftRows& rows = picture_->shaft.segments;
+    const ShaftRows& rows = outcome_->shaft.segments;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (z_mm >= from_mm && z_mm <= from_mm + rows[i].length_mm) return markRow(i);
         from_mm += rows[i].length_mm;
@@ -190,14 +190,14 @@ void DrawingViews::markStretch(double from_mm, double to_mm)
 
 KeepAfter DrawingViews::keep() const
 {
-    return picture_->question.lengths == drawing::LengthsFrom::Datum ? KeepAfter::Places : KeepAfter::Lengths;
+    return outcome_->question.lengths == drawing::LengthsFrom::Datum ? KeepAfter::Places : KeepAfter::Lengths;
 }
 
 part_common::RowVerbs DrawingViews::verbsOf(std::size_t row, std::optional<double> z_mm)
 {
     part_common::RowVerbs verbs;
-    if (!picture_ || row >= picture_->shaft.segments.size()) return verbs;
-    const ShaftRows rows = picture_->shaft.segments;
+    if (!outcome_ || row >= outcome_->shaft.segments.size()) return verbs;
+    const ShaftRows rows = outcome_->shaft.segments;
     const int number = static_cast<int>(row) + 1;
     const KeepAfter kept = keep();
     if (rows.size() > 1)
@@ -210,7 +210,7 @@ part_common::RowVerbs DrawingViews::verbsOf(std::size_t row, std::optional<doubl
                  [=](ShaftRows all) { return mergeWithNext(std::move(all), row); });
         };
     const double length = rows[row].length_mm, start = startOf_mm(rows, row);
-    double cut = z_mm ? std::round((*z_mm - start) / kDragStep_mm) * kDragStep_mm : length / 2;
+    double cut = z_mm ? std::round((*z_mm - start) / shoulderDragStep_mm) * shoulderDragStep_mm : length / 2;
     if (!(cut > 0 && cut < length)) cut = length / 2;
     if (length > 0)
         verbs.split = [=, this] {
@@ -244,12 +244,12 @@ part_common::RowVerbs DrawingViews::verbsOf(std::size_t row, std::optional<doubl
 
 void DrawingViews::typeDimension(int label, const QString& text)
 {
-    if (!picture_ || label < 0 || label >= static_cast<int>(drawing_.labels.size())) return;
+    if (!outcome_ || label < 0 || label >= static_cast<int>(drawing_.labels.size())) return;
     const drawing::DimensionTarget target = drawing_.labels[static_cast<std::size_t>(label)].target;
     if (target.bore) return typeBore(target, text);
     const KeepAfter kept = keep();
     edit(stepOf(target), [=](ShaftRows all) {
-        // What was not changed keeps all its digits.
+        // Unchanged values keep full precision.
         if (typedSize(all, target) == text) return all;
         return withTypedSize(std::move(all), target, text, kept);
     });
@@ -258,16 +258,16 @@ void DrawingViews::typeDimension(int label, const QString& text)
 void DrawingViews::dragShoulder(const QString& key, double z_mm, bool dropped)
 {
     const auto row = drawing::rowOfShoulder(key.toStdString());
-    if (!picture_ || !row || *row >= picture_->shaft.segments.size()) return;
-    if (!dragged_) dragged_ = picture_->shaft.segments;
-    const double rounded_mm = std::round(z_mm / kDragStep_mm) * kDragStep_mm;
+    if (!outcome_ || !row || *row >= outcome_->shaft.segments.size()) return;
+    if (!dragged_) dragged_ = outcome_->shaft.segments;
+    const double rounded_mm = std::round(z_mm / shoulderDragStep_mm) * shoulderDragStep_mm;
     const KeepAfter kept = keep();
-    emit editWanted(
+    emit editRequested(
         tr("Move the shoulder behind row %1").arg(*row + 1),
         [before = *dragged_, row = *row, rounded_mm, kept](ShaftRows now) {
             try {
                 return moveShoulder(before, row, rounded_mm, kept);
-            } catch (const Error&) {  // beyond the next shoulder: stays where it came to
+            } catch (const Error&) {  // beyond the next shoulder: keeps the last valid position
                 return now;
             }
         },
@@ -281,7 +281,7 @@ void DrawingViews::pressKey(QKeyEvent* event)
 {
     if (row_ && part_common::pressRowKey(*event, verbsOf(*row_))) return event->accept();
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_F2;
-    if (!row_ || !enter || heroes_->hero() != "sheet") return;
+    if (!row_ || !enter || primaryViews_->primary() != "sheet") return;
     for (std::size_t i = 0; i < drawing_.labels.size(); ++i) {
         const drawing::DimensionTarget& target = drawing_.labels[i].target;
         if (target.bore || target.of == drawing::DimensionTarget::Of::None ||
@@ -305,7 +305,7 @@ void DrawingViews::openTableMenu(int row, const QPoint& global)
     menu.exec(global);
 }
 
-/// Keys and menus of rows in the table and in the meridian, which the sheet hands on by itself.
+/// Keys and menus of rows in the table and in the meridian; the sheet emits signals for them.
 bool DrawingViews::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::KeyPress && (watched == rows_ || watched == meridian_)) {
@@ -321,7 +321,7 @@ bool DrawingViews::eventFilter(QObject* watched, QEvent* event)
         const auto* const request = static_cast<QContextMenuEvent*>(event);
         const bool by_key = request->reason() == QContextMenuEvent::Keyboard;
         const int row = by_key ? rows_->currentRow() : rows_->rowAt(request->pos().y());
-        if (picture_ && row >= 0 && (boreAt(row) || row < static_cast<int>(picture_->shaft.segments.size()))) {
+        if (outcome_ && row >= 0 && (boreAt(row) || row < static_cast<int>(outcome_->shaft.segments.size()))) {
             openTableMenu(row, request->globalPos());
             return true;
         }
@@ -336,11 +336,11 @@ void DrawingViews::setPresenting(bool presenting)
 
 void DrawingViews::retranslate()
 {
-    heroes_->setTitle("sheet", tr("Drawing"));
-    heroes_->setTitle("rows", tr("Rows"));
-    heroes_->setTitle("meridian", tr("Meridian"));
-    heroes_->setTitle("measured", tr("Measured − nominal"));
-    heroes_->setTitle("remarks", tr("Remarks"));
+    primaryViews_->setTitle("sheet", tr("Drawing"));
+    primaryViews_->setTitle("rows", tr("Rows"));
+    primaryViews_->setTitle("meridian", tr("Meridian"));
+    primaryViews_->setTitle("measured", tr("Measured − nominal"));
+    primaryViews_->setTitle("remarks", tr("Remarks"));
     rows_->setAccessibleName(tr("Rows"));
     measured_->setAccessibleName(tr("Measured − nominal"));
     remarks_->setAccessibleName(tr("Remarks"));

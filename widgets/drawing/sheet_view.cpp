@@ -17,12 +17,12 @@
 namespace lathelier::drawing_panel {
 namespace {
 
-constexpr double kMargin_px = 8;
-constexpr double kMostZoom = 40;
-constexpr double kStep = 1.25;
-constexpr double kStepAngle = 120;  // of one notch of a wheel
-constexpr int kMove_px = 40;
-constexpr double kReach_px = 5;  // of the pointer, about a contour
+constexpr double sheetMargin_px = 8;
+constexpr double largestZoom = 40;
+constexpr double zoomStep = 1.25;
+constexpr double wheelNotchAngle = 120;  // angleDelta() of one wheel notch, eighths of a degree
+constexpr int keyPan_px = 40;
+constexpr double contourReach_px = 5;  // picking distance of a contour
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void SheetView::setDrawing(const drawing::Drawing& drawing)
     const QSizeF paper_mm(sheet.width_mm(), sheet.height_mm());
     svg_->load(QByteArray::fromStdString(drawing::toSvg(drawing)));
     drawing_ = drawing;
-    closeField();  // its dimension may be gone
+    closeField();  // its dimension may not exist any more
     if (paper_mm != paper_mm_) {
         paper_mm_ = paper_mm;
         fit();
@@ -62,7 +62,7 @@ void SheetView::setDrawing(const drawing::Drawing& drawing)
 QRectF SheetView::sheetRect() const
 {
     if (paper_mm_.isEmpty()) return {};
-    const QSizeF room(std::max(1.0, width() - 2 * kMargin_px), std::max(1.0, height() - 2 * kMargin_px));
+    const QSizeF room(std::max(1.0, width() - 2 * sheetMargin_px), std::max(1.0, height() - 2 * sheetMargin_px));
     const QSizeF size = paper_mm_.scaled(room, Qt::KeepAspectRatio) * zoom_;
     const QPointF middle(width() / 2.0, height() / 2.0);
     return {middle - QPointF(middle_.x() * size.width(), middle_.y() * size.height()), size};
@@ -80,7 +80,7 @@ void SheetView::zoomBy(double factor, const QPointF& about)
     const QRectF before = sheetRect();
     if (before.isEmpty()) return;
     const QPointF at((about.x() - before.left()) / before.width(), (about.y() - before.top()) / before.height());
-    zoom_ = std::clamp(zoom_ * factor, 1.0, kMostZoom);
+    zoom_ = std::clamp(zoom_ * factor, 1.0, largestZoom);
     if (zoom_ == 1) return fit();
     const QRectF after = sheetRect();
     moveBy(about - (after.topLeft() + QPointF(at.x() * after.width(), at.y() * after.height())));
@@ -120,7 +120,7 @@ void SheetView::paintEvent(QPaintEvent*)
 
 void SheetView::wheelEvent(QWheelEvent* event)
 {
-    zoomBy(std::pow(kStep, event->angleDelta().y() / kStepAngle), event->position());
+    zoomBy(std::pow(zoomStep, event->angleDelta().y() / wheelNotchAngle), event->position());
     event->accept();
 }
 
@@ -171,8 +171,8 @@ void SheetView::contextMenuEvent(QContextMenuEvent* event)
     const QPolygonF& contour = rows_[*row];
     const QPointF middle = contour[contour.size() / 2];
     const double z_mm = by_key ? (contour.first().x() + contour.last().x()) / 2 : partOf(event->pos()).x();
-    emit menuWanted(static_cast<int>(*row), z_mm,
-                    by_key ? mapToGlobal(pixelOf(z_mm, middle.y()).toPoint()) : event->globalPos());
+    emit menuRequested(static_cast<int>(*row), z_mm,
+                       by_key ? mapToGlobal(pixelOf(z_mm, middle.y()).toPoint()) : event->globalPos());
 }
 
 bool SheetView::event(QEvent* event)
@@ -186,7 +186,7 @@ bool SheetView::event(QEvent* event)
     return true;
 }
 
-/// Escape and a click elsewhere leave the size as it is.
+/// Escape and a click elsewhere cancel the edit.
 bool SheetView::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == field_) {
@@ -263,11 +263,11 @@ QRectF SheetView::pixelsOf(const drawing::Label& label) const
             QPointF(sheet.left() + scale * box.right_mm, sheet.bottom() - scale * box.bottom_mm)};
 }
 
-/// The contour next to the pointer, else the row that it stands in.
+/// The row of the contour nearest to the pointer, else the row that contains it.
 std::optional<std::size_t> SheetView::rowAt(const QPointF& pixel) const
 {
     std::optional<std::size_t> found;
-    double nearest = kReach_px;
+    double nearest = contourReach_px;
     for (std::size_t i = 0; i < rows_.size(); ++i)
         for (const double side : {1.0, -1.0})
             for (int k = 0; k + 1 < rows_[i].size(); ++k) {
@@ -339,17 +339,17 @@ void SheetView::keyPressEvent(QKeyEvent* event)
     event->accept();
     switch (event->key()) {
         case Qt::Key_Plus:
-        case Qt::Key_Equal: return zoomBy(kStep, middle);
-        case Qt::Key_Minus: return zoomBy(1 / kStep, middle);
+        case Qt::Key_Equal: return zoomBy(zoomStep, middle);
+        case Qt::Key_Minus: return zoomBy(1 / zoomStep, middle);
         case Qt::Key_Home:
         case Qt::Key_0: return fit();
         default: break;
     }
-    const bool still = zoom_ == 1;  // the arrows are then for the views
-    if (!still && event->key() == Qt::Key_Left) return moveBy({kMove_px, 0});
-    if (!still && event->key() == Qt::Key_Right) return moveBy({-kMove_px, 0});
-    if (!still && event->key() == Qt::Key_Up) return moveBy({0, kMove_px});
-    if (!still && event->key() == Qt::Key_Down) return moveBy({0, -kMove_px});
+    const bool still = zoom_ == 1;  // arrow keys are then left to the views
+    if (!still && event->key() == Qt::Key_Left) return moveBy({keyPan_px, 0});
+    if (!still && event->key() == Qt::Key_Right) return moveBy({-keyPan_px, 0});
+    if (!still && event->key() == Qt::Key_Up) return moveBy({0, keyPan_px});
+    if (!still && event->key() == Qt::Key_Down) return moveBy({0, -keyPan_px});
     QWidget::keyPressEvent(event);
 }
 

@@ -23,17 +23,17 @@ public:
     explicit SheetView(QWidget* parent = nullptr);
     ~SheetView() override;
 
-    /// Another sheet is fitted again.
+    /// A new sheet is fitted to the view.
     void setDrawing(const drawing::Drawing& drawing);
-    double zoom() const { return zoom_; }  ///< 1: the whole sheet
-    QRectF sheetRect() const;              ///< where it lies, in pixels
+    double zoom() const { return zoom_; }  ///< zoom factor; 1: the whole sheet
+    QRectF sheetRect() const;              ///< rectangle of the sheet in pixels
     void fit();
 
     /// Contours of the rows of the outside, (z, r) in mm of the part.
     void setRows(std::vector<QPolygonF> contours);
-    /// Lit, with the dimensions that say something of it.
+    /// Highlights a row with its dimensions.
     void markRow(std::optional<std::size_t> row);
-    /// Where a place of the part, or a text of the drawing, lies in this view.
+    /// Position in this view of a place of the part, or of a text of the drawing.
     QPointF pixelOf(double z_mm, double radius_mm) const;
     QRectF pixelsOf(const drawing::Label& label) const;
     /// Opens the field over a dimension, with `text` in it.
@@ -43,11 +43,12 @@ public:
     QSize sizeHint() const override { return {640, 450}; }
 
 signals:
-    void rowClicked(int row);                                     ///< -1: beside the part
-    void menuWanted(int row, double z_mm, const QPoint& global);  ///< of the row under the pointer, or the lit one
-    void dimensionActivated(int label);                           ///< index into Drawing::labels
-    void dimensionTyped(int label, const QString& text);          ///< of the field
-    void rowKeyPressed(QKeyEvent* event);                         ///< accepted by who has use for it
+    void rowClicked(int row);                                        ///< clicked row; -1: outside the part
+    void menuRequested(int row, double z_mm, const QPoint& global);  ///< menu of the row under the pointer or of the
+                                                                     ///< highlighted one
+    void dimensionActivated(int label);                              ///< label: index into Drawing::labels
+    void dimensionTyped(int label, const QString& text);             ///< text of the editor
+    void rowKeyPressed(QKeyEvent* event);                            ///< accepted by the handler
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -75,14 +76,14 @@ private:
     std::vector<QPolygonF> rows_;
     std::optional<std::size_t> row_;
     QLineEdit* field_;
-    int fieldOf_ = -1;  ///< index into Drawing::labels
+    int fieldOf_ = -1;  ///< label being edited, index into Drawing::labels
     std::unique_ptr<QSvgRenderer> svg_;
-    QSizeF paper_mm_;  ///< empty: nothing is drawn yet
+    QSizeF paper_mm_;  ///< sheet size; empty: no drawing yet
     double zoom_ = 1;
-    QPointF middle_{0.5, 0.5};  ///< of the view, in parts of the sheet
-    QPointF dragged_;           ///< last place of the pointer
-    QPointF pressed_;           ///< where the button went down
-    bool moved_ = false;        ///< since then
+    QPointF middle_{0.5, 0.5};  ///< centre of the view relative to the sheet size
+    QPointF dragged_;           ///< last pointer position
+    QPointF pressed_;           ///< pointer position at the button press
+    bool moved_ = false;        ///< moved since the button press
 };
 
 }  // namespace lathelier::drawing_panel

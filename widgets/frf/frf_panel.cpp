@@ -77,31 +77,31 @@ PanelFacts frfPanelFacts()
         if (!hasResponse(state)) labels.push_back(LT_TEXT("Engine", "Frequency response or shaft"));
         return labels;
     };
-    facts.hasWork = hasResponse;
+    facts.has_work = hasResponse;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(frfPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(frfOutcome(state, stores, progress), language); };
     return facts;
 }
 
 FrfPanel::FrfPanel(Session& owner, QWidget* parent)
     : Panel(owner, frfPanelFacts(), panelInputs(), parent), views_(new FrfViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &FrfViews::modeDragged, this, &FrfPanel::dragMode);
-    connect(views_, &FrfViews::fitWanted, this, &FrfPanel::goBackToTheFit);
-    connect(views_, &FrfViews::responseWanted, this, &FrfPanel::offerResponse);
-    connect(views_, &FrfViews::notWritten, this, &FrfPanel::sayNotWritten);
+    connect(views_, &FrfViews::fitRequested, this, &FrfPanel::goBackToTheFit);
+    connect(views_, &FrfViews::responseRequested, this, &FrfPanel::offerResponse);
+    connect(views_, &FrfViews::notWritten, this, &FrfPanel::reportWriteFailure);
 }
 
-/// The peak follows the pointer: the fit stays, the model's mode changes.
+/// The dragged peak changes the mode of the model, not the fit.
 void FrfPanel::dragMode(int index, double frequency_hz, double magnitude_mm_N, bool dropped)
 {
-    const auto picture = result();
+    const auto outcome = result();
     const auto at = static_cast<std::size_t>(index);
-    if (!picture || at >= picture->study.model.modes.size()) return;
+    if (!outcome || at >= outcome->study.model.modes.size()) return;
     FrfQuestion question;
-    question.modes = picture->study.model.modes;
-    question.modes[at] = receptance::draggedMode(picture->study.model, at, frequency_hz, magnitude_mm_N);
+    question.modes = outcome->study.model.modes;
+    question.modes[at] = receptance::draggedMode(outcome->study.model, at, frequency_hz, magnitude_mm_N);
     editState(
         tr("Drag a peak"),
         [&](project::PanelState& state) {
@@ -119,15 +119,15 @@ void FrfPanel::goBackToTheFit()
 
 void FrfPanel::offerResponse()
 {
-    const auto picture = result();
-    const FrfPtr frf = picture ? picture->handedOn() : nullptr;
+    const auto outcome = result();
+    const FrfPtr frf = outcome ? outcome->handedOn() : nullptr;
     if (!frf) return;
     try {
         Frf item = *frf;
-        item.name = picture->question.handed_on == HandedOn::Model
-                        ? tr("%1, modal model").arg(QString::fromStdString(picture->name)).toStdString()
-                        : picture->name;
-        offerItem(item.name, frfItem, toValues(item), picture->synthetic);
+        item.name = outcome->question.handed_on == HandedOn::Model
+                        ? tr("%1, modal model").arg(QString::fromStdString(outcome->name)).toStdString()
+                        : outcome->name;
+        offerItem(item.name, frfItem, toValues(item), outcome->synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -135,9 +135,9 @@ void FrfPanel::offerResponse()
 
 FrfPanel::Compute FrfPanel::compute(const project::PanelState& state) const
 {
-    fromValues<FrfQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<FrfQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return frfPicture(state, *stores, progress);
+        return frfOutcome(state, *stores, progress);
     };
 }
 
@@ -154,7 +154,7 @@ void FrfPanel::assignFiles(project::PanelState& state, const std::vector<FoundFi
 Worker::Job FrfPanel::makeReadingJob(const project::PanelState& state) const
 {
     return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-        chatter_common::takeSpindle(state, *stores, progress);  // all there can be while the state is incomplete
+        chatter_common::takeSpindle(state, *stores, progress);  // the only input to read in an incomplete state
         return nullptr;
     };
 }
@@ -165,44 +165,44 @@ QString FrfPanel::understood(const InputRole& role, const project::Source& sourc
     return chatter_common::understoodResponse(source, session().stores());
 }
 
-void FrfPanel::showResult(const std::shared_ptr<const FrfPicture>& picture)
+void FrfPanel::showResult(const std::shared_ptr<const FrfOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer FrfPanel::answer(const FrfPicture& picture) const
+report::Answer FrfPanel::answer(const FrfOutcome& outcome) const
 {
-    return receptance::answer(picture.study, screenLanguage());
+    return receptance::answer(outcome.study, screenLanguage());
 }
 
-Notes FrfPanel::notes(const FrfPicture& picture) const
+Notes FrfPanel::notes(const FrfOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document FrfPanel::document(const FrfPicture& picture) const
+report::Document FrfPanel::document(const FrfOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> FrfPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     std::vector<PanelExport> all;
-    if (const FrfPtr frf = picture->handedOn()) {
+    if (const FrfPtr frf = outcome->handedOn()) {
         all.push_back({tr("Response (CSV)…"), tr("Table (*.csv)"), "csv",
                        [frf](const QString& path) { io::writeFrfCsv(path.toStdString(), *frf); }});
         all.push_back({tr("Response (UFF 58)…"), tr("Universal file (*.uff)"), "uff",
-                       [frf, places = picture->places](const QString& path) {
+                       [frf, places = outcome->places](const QString& path) {
                            io::MeasuredFrf response = places;
                            response.frf = *frf;
                            io::writeUff(path.toStdString(), {&response, 1});
                        }});
     }
-    if (!picture->study.model.modes.empty())
-        all.push_back({tr("Modes (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
-                           io::writeFile(path.toStdString(), modesCsv(picture->study));
+    if (!outcome->study.model.modes.empty())
+        all.push_back({tr("Modes (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
+                           io::writeFile(path.toStdString(), modesCsv(outcome->study));
                        }});
     return all;
 }

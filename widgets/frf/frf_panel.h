@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/frf/frf_picture.h"
+#include "widgets/frf/frf_outcome.h"
 
 namespace lathelier::frf_panel {
 
@@ -11,7 +11,7 @@ class FrfViews;
 /// The panel's line of the panel table.
 PanelFacts frfPanelFacts();
 
-class FrfPanel : public Panel<FrfPicture> {
+class FrfPanel : public Panel<FrfOutcome> {
     Q_OBJECT
 
 public:
@@ -21,10 +21,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const FrfPicture>& picture) override;
-    report::Answer answer(const FrfPicture& picture) const override;
-    Notes notes(const FrfPicture& picture) const override;
-    report::Document document(const FrfPicture& picture) const override;
+    void showResult(const std::shared_ptr<const FrfOutcome>& outcome) override;
+    report::Answer answer(const FrfOutcome& outcome) const override;
+    Notes notes(const FrfOutcome& outcome) const override;
+    report::Document document(const FrfOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
@@ -37,7 +37,7 @@ private:
     void offerResponse();
 
     FrfViews* views_;
-    int gesture_ = 0;  ///< drags of peaks so far: one undo step each
+    int gesture_ = 0;  ///< number of drags of peaks, one undo step each
 };
 
 }  // namespace lathelier::frf_panel

@@ -1,4 +1,4 @@
-// What the panel "FRF" is asked: which response, how it is fitted, modes changed by hand, how the shaft is computed.
+// Question of the panel FRF: response, fit, modes edited by hand, computation of the shaft.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ namespace lathelier::frf_panel {
 enum class HandedOn { Measured, Model };
 
 struct FrfQuestion {
-    std::string response;                        ///< of several in a file: number, or nodes as "12/5"; empty: the first
-    bool fit = true;                             ///< find modes
-    receptance::ModalParameters modal;           ///< how many, in which range
-    std::vector<receptance::ModalMode> modes;    ///< in place of those of the fit; empty: the fit's
-    HandedOn handed_on = HandedOn::Measured;     ///< what goes to the lobes
-    receptance::ReceptanceParameters computing;  ///< of the shaft; its lines follow from the measured ones
+    std::string response;                        ///< selection in a file: number, or nodes as "12/5"; empty: the first
+    bool fit = true;                             ///< fit modes
+    receptance::ModalParameters modal;           ///< number of modes and range
+    std::vector<receptance::ModalMode> modes;    ///< modes replacing those of the fit; empty: fitted modes
+    HandedOn handed_on = HandedOn::Measured;     ///< response handed on to the lobes
+    receptance::ReceptanceParameters computing;  ///< computation of the shaft; its lines follow from the measured ones
 };
 
 const std::vector<Field<FrfQuestion>>& fieldsOf(const FrfQuestion*);

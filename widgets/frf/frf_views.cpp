@@ -13,7 +13,7 @@ FrfViews::FrfViews(QWidget* parent)
     : QWidget(parent),
       use_(new QToolButton),
       back_(new QToolButton),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       magnitude_(new plot::ChartView),
       phase_(new plot::ChartView),
       real_(new plot::ChartView),
@@ -28,7 +28,7 @@ FrfViews::FrfViews(QWidget* parent)
         {"nyquist", nyquist_},     {"imaginary", imaginary_}, {"coherence", coherence_}, {"error", error_}};
     for (const auto& [key, view] : views) {
         view->setObjectName(key);
-        heroes_->add(key, view);
+        primaryViews_->add(key, view);
     }
     use_->setObjectName("useThisResponse");
     back_->setObjectName("backToTheFit");
@@ -43,9 +43,9 @@ FrfViews::FrfViews(QWidget* parent)
     use_->setEnabled(false);
     back_->setEnabled(false);
     layout->addLayout(row);
-    layout->addWidget(heroes_, 1);
-    connect(use_, &QToolButton::clicked, this, &FrfViews::responseWanted);
-    connect(back_, &QToolButton::clicked, this, &FrfViews::fitWanted);
+    layout->addWidget(primaryViews_, 1);
+    connect(use_, &QToolButton::clicked, this, &FrfViews::responseRequested);
+    connect(back_, &QToolButton::clicked, this, &FrfViews::fitRequested);
     connect(magnitude_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double frequency_hz, double magnitude, bool dropped) {
                 if (const auto index = receptance::modeOfHandle(key.toStdString()))
@@ -56,23 +56,23 @@ FrfViews::FrfViews(QWidget* parent)
     retranslate();
 }
 
-void FrfViews::setPicture(const std::shared_ptr<const FrfPicture>& picture)
+void FrfViews::setOutcome(const std::shared_ptr<const FrfOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     show();
 }
 
 void FrfViews::show()
 {
-    if (!picture_) return;
-    const receptance::ResponseStudy& study = picture_->study;
+    if (!outcome_) return;
+    const receptance::ResponseStudy& study = outcome_->study;
     const bool has_fit = study.fit != nullptr;
-    use_->setEnabled(picture_->handedOn() != nullptr);
+    use_->setEnabled(outcome_->handedOn() != nullptr);
     back_->setEnabled(study.is_changed);
     const report::Plot coherence = coherencePlot(study);
-    heroes_->setAvailable("coherence", !coherence.curves.empty());
-    heroes_->setAvailable("error", has_fit);
-    heroes_->setAvailable("modes", has_fit && !study.model.modes.empty());
+    primaryViews_->setAvailable("coherence", !coherence.curves.empty());
+    primaryViews_->setAvailable("error", has_fit);
+    primaryViews_->setAvailable("modes", has_fit && !study.model.modes.empty());
     magnitude_->setData(magnitudePlot(study, true, screenLanguage()));
     phase_->setData(phasePlot(study));
     real_->setData(realPlot(study, screenLanguage()));
@@ -86,14 +86,14 @@ void FrfViews::show()
 
 void FrfViews::retranslate()
 {
-    heroes_->setTitle("magnitude", tr("Magnitude"));
-    heroes_->setTitle("modes", tr("Modes"));
-    heroes_->setTitle("real", tr("Real part"));
-    heroes_->setTitle("phase", tr("Phase"));
-    heroes_->setTitle("nyquist", tr("Nyquist"));
-    heroes_->setTitle("imaginary", tr("Imaginary part"));
-    heroes_->setTitle("coherence", tr("Coherence"));
-    heroes_->setTitle("error", tr("Error of the model"));
+    primaryViews_->setTitle("magnitude", tr("Magnitude"));
+    primaryViews_->setTitle("modes", tr("Modes"));
+    primaryViews_->setTitle("real", tr("Real part"));
+    primaryViews_->setTitle("phase", tr("Phase"));
+    primaryViews_->setTitle("nyquist", tr("Nyquist"));
+    primaryViews_->setTitle("imaginary", tr("Imaginary part"));
+    primaryViews_->setTitle("coherence", tr("Coherence"));
+    primaryViews_->setTitle("error", tr("Error of the model"));
     modes_->setAccessibleName(tr("Modes"));
     use_->setText(tr("Use this response"));
     use_->setToolTip(tr("Lobes of this response: as measured, or of its modal model (Use for lobes)"));

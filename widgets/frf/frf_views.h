@@ -1,4 +1,4 @@
-// The views of a response: magnitude with peaks to drag, phase, parts, Nyquist plot, coherence, error, modes.
+// The views of a response: magnitude with draggable peaks, phase, parts, Nyquist plot, coherence, error, modes.
 #pragma once
 
 #include <QToolButton>
@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
-#include "widgets/frf/frf_picture.h"
+#include "widgets/core/panel/primary_views.h"
+#include "widgets/frf/frf_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::frf_panel {
@@ -18,8 +18,8 @@ class FrfViews : public QWidget {
 public:
     explicit FrfViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const FrfPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const FrfOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* magnitude() const { return magnitude_; }
     plot::ChartView* nyquist() const { return nyquist_; }
     CopyTable* modes() const { return modes_; }
@@ -27,17 +27,17 @@ public:
 
 signals:
     void modeDragged(int index, double frequency_hz, double magnitude_mm_N, bool dropped);
-    void fitWanted();                      ///< back from modes changed by hand
-    void responseWanted();                 ///< for the lobes
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void fitRequested();                   ///< request to return to the fitted modes
+    void responseRequested();              ///< request to hand the response on
+    void notWritten(const QString& path);  ///< the file could not be written
 
 private:
     void show();
 
-    std::shared_ptr<const FrfPicture> picture_;
+    std::shared_ptr<const FrfOutcome> outcome_;
     QToolButton* use_;
     QToolButton* back_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* magnitude_;
     plot::ChartView* phase_;
     plot::ChartView* real_;

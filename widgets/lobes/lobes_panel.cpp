@@ -45,19 +45,19 @@ bool hasModes(const project::PanelState& state)
     return rows && !rows->rows.empty();
 }
 
-report::Document reportOf(const LobesPicture& picture, const Language& language)
+report::Document reportOf(const LobesOutcome& outcome, const Language& language)
 {
-    stability::LobeResult lobes = *picture.lobes;
-    lobes.notes = picture.notes;  // those of the file as well
+    stability::LobeResult lobes = *outcome.lobes;
+    lobes.notes = outcome.notes;  // including those of the file
     report::Document document =
-        lobesReport(lobes, *picture.frf, picture.speed ? &*picture.speed : nullptr, {}, language);
+        lobesReport(lobes, *outcome.frf, outcome.speed ? &*outcome.speed : nullptr, {}, language);
     if (!document.sections.empty())
         document.sections.front().blocks.insert(document.sections.front().blocks.begin(),
-                                                report::Block(answer(picture, language)));
-    document.inputs = picture.inputs;
-    document.synthetic = picture.synthetic;
+                                                report::Block(answer(outcome, language)));
+    document.inputs = outcome.inputs;
+    document.synthetic = outcome.synthetic;
     document.results = {report::toText(
-        report::wholeResult("lobes", picture.inputs, toValues(picture.question), toJson(*picture.lobes), lobes.notes))};
+        report::wholeResult("lobes", outcome.inputs, toValues(outcome.question), toJson(*outcome.lobes), lobes.notes))};
     return document;
 }
 
@@ -81,25 +81,27 @@ PanelFacts lobesPanelFacts()
             labels.push_back(LT_TEXT("Engine", "Frequency response or modes"));
         return labels;
     };
-    facts.hasWork = [](const project::PanelState& state) { return state.inputs.count(frfRole) > 0 || hasModes(state); };
+    facts.has_work = [](const project::PanelState& state) {
+        return state.inputs.count(frfRole) > 0 || hasModes(state);
+    };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(lobesPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(lobesOutcome(state, stores, progress), language); };
     return facts;
 }
 
 LobesPanel::LobesPanel(Session& owner, QWidget* parent)
     : Panel(owner, lobesPanelFacts(), panelInputs(), parent), views_(new LobesViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &LobesViews::operatingPointMoved, this, &LobesPanel::moveOperatingPoint);
-    connect(views_, &LobesViews::speedWanted, this,
+    connect(views_, &LobesViews::speedRequested, this,
             [this](double speed_rpm) { moveOperatingPoint(speed_rpm, {}, true); });
-    connect(views_, &LobesViews::notWritten, this, &LobesPanel::sayNotWritten);
+    connect(views_, &LobesViews::notWritten, this, &LobesPanel::reportWriteFailure);
 }
 
 void LobesPanel::moveOperatingPoint(double speed_rpm, std::optional<double> depth, bool dropped)
 {
-    constexpr double least = 1e-4;  // a depth that is cut; also the step
+    constexpr double least = 1e-4;  // least depth of cut and rounding step
     editState(
         tr("Move the operating point"),
         [&](project::PanelState& state) {
@@ -114,9 +116,9 @@ void LobesPanel::moveOperatingPoint(double speed_rpm, std::optional<double> dept
 
 LobesPanel::Compute LobesPanel::compute(const project::PanelState& state) const
 {
-    fromValues<LobesQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<LobesQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return lobesPicture(state, *stores, progress);
+        return lobesOutcome(state, *stores, progress);
     };
 }
 
@@ -134,32 +136,32 @@ QString LobesPanel::understood(const InputRole&, const project::Source& source) 
     return chatter_common::understoodResponse(source, session().stores());
 }
 
-void LobesPanel::showResult(const std::shared_ptr<const LobesPicture>& picture)
+void LobesPanel::showResult(const std::shared_ptr<const LobesOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer LobesPanel::answer(const LobesPicture& picture) const
+report::Answer LobesPanel::answer(const LobesOutcome& outcome) const
 {
-    return lobes_panel::answer(picture, screenLanguage());
+    return lobes_panel::answer(outcome, screenLanguage());
 }
 
-Notes LobesPanel::notes(const LobesPicture& picture) const
+Notes LobesPanel::notes(const LobesOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document LobesPanel::document(const LobesPicture& picture) const
+report::Document LobesPanel::document(const LobesOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> LobesPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    return {{tr("Limit and lobes (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), report::toCsv(lobesPlot(*picture->lobes)));
+    const auto outcome = result();
+    if (!outcome) return {};
+    return {{tr("Limit and lobes (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), report::toCsv(lobesPlot(*outcome->lobes)));
              }}};
 }
 

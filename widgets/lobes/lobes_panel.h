@@ -1,8 +1,8 @@
-// The panel "Lobes": how deep may be cut at which speed without chatter, and which speed is better?
+// The panel "Lobes": stable depth of cut over the speed, and a better speed.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/lobes/lobes_picture.h"
+#include "widgets/lobes/lobes_outcome.h"
 
 namespace lathelier::lobes_panel {
 
@@ -11,7 +11,7 @@ class LobesViews;
 /// The panel's line of the panel table.
 PanelFacts lobesPanelFacts();
 
-class LobesPanel : public Panel<LobesPicture> {
+class LobesPanel : public Panel<LobesOutcome> {
     Q_OBJECT
 
 public:
@@ -21,10 +21,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const LobesPicture>& picture) override;
-    report::Answer answer(const LobesPicture& picture) const override;
-    Notes notes(const LobesPicture& picture) const override;
-    report::Document document(const LobesPicture& picture) const override;
+    void showResult(const std::shared_ptr<const LobesOutcome>& outcome) override;
+    report::Answer answer(const LobesOutcome& outcome) const override;
+    Notes notes(const LobesOutcome& outcome) const override;
+    report::Document document(const LobesOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
@@ -34,7 +34,7 @@ private:
     void moveOperatingPoint(double speed_rpm, std::optional<double> depth, bool dropped);
 
     LobesViews* views_;
-    int gesture_ = 0;  ///< drags of the operating point so far: one undo step each
+    int gesture_ = 0;  ///< number of drags of the operating point, one undo step each
 };
 
 }  // namespace lathelier::lobes_panel

@@ -1,4 +1,4 @@
-// What the panel "Lobes" is asked: the modes where there is no file, the cut, the point of work, the tool's range.
+// Question of the panel Lobes: modes (without a file), cut, operating point, range of the tool.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@
 namespace lathelier::lobes_panel {
 
 struct LobesQuestion {
-    std::vector<stability::Mode> modes;         ///< of the point that is cut, when no file is given
+    std::vector<stability::Mode> modes;         ///< modes of the cutting point, without a file
     stability::LobeParameters lobes;            ///< coefficient, relation, range, process damping, uncertainties
-    std::optional<double> operating_speed_rpm;  ///< point of work; none: the middle of the range
+    std::optional<double> operating_speed_rpm;  ///< operating point; none: the middle of the range
     std::optional<double> operating_depth;      ///< mm, or multiples of the least limit; none: 1.5 of it
-    stability::SpeedParameters speed;           ///< diameter, the tool's range, rule; the rest follows
+    stability::SpeedParameters speed;           ///< diameter, range of the tool, rule; the rest is derived
 };
 
 const std::vector<Field<LobesQuestion>>& fieldsOf(const LobesQuestion*);

@@ -10,7 +10,7 @@ namespace lathelier::lobes_panel {
 
 LobesViews::LobesViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       lobes_(new plot::ChartView),
       chatter_(new plot::ChartView),
       parts_(new plot::ChartView),
@@ -22,61 +22,61 @@ LobesViews::LobesViews(QWidget* parent)
     parts_->setObjectName("realImaginary");
     magnitude_->setObjectName("magnitude");
     candidates_->setObjectName("candidates");
-    heroes_->add("lobes", lobes_);
-    heroes_->add("parts", parts_);
-    heroes_->add("magnitude", magnitude_);
-    heroes_->add("chatter", chatter_);
-    heroes_->add("candidates", candidates_);
+    primaryViews_->add("lobes", lobes_);
+    primaryViews_->add("parts", parts_);
+    primaryViews_->add("magnitude", magnitude_);
+    primaryViews_->add("chatter", chatter_);
+    primaryViews_->add("candidates", candidates_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     connect(lobes_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double speed_rpm, double depth, bool dropped) {
                 if (key == stability::operatingPointKey) emit operatingPointMoved(speed_rpm, depth, dropped);
             });
     connect(candidates_, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
-        if (!picture_ || !picture_->speed) return;
-        const auto& list = picture_->speed->candidates;
+        if (!outcome_ || !outcome_->speed) return;
+        const auto& list = outcome_->speed->candidates;
         if (row >= 0 && static_cast<std::size_t>(row) < list.size())
-            emit speedWanted(list[static_cast<std::size_t>(row)].speed_rpm);
+            emit speedRequested(list[static_cast<std::size_t>(row)].speed_rpm);
     });
     for (plot::ChartView* chart : {lobes_, chatter_, parts_, magnitude_})
         connect(chart, &plot::PlotWidget::notWritten, this, &LobesViews::notWritten);
     retranslate();
 }
 
-void LobesViews::setPicture(const std::shared_ptr<const LobesPicture>& picture)
+void LobesViews::setOutcome(const std::shared_ptr<const LobesOutcome>& outcome)
 {
-    picture_ = picture;
-    heroes_->setAvailable("candidates", picture->speed.has_value());
+    outcome_ = outcome;
+    primaryViews_->setAvailable("candidates", outcome->speed.has_value());
     show();
 }
 
 void LobesViews::show()
 {
-    if (!picture_) return;
-    const stability::LobeResult& result = *picture_->lobes;
+    if (!outcome_) return;
+    const stability::LobeResult& result = *outcome_->lobes;
     report::Plot lobes =
-        lobesPlot(result, picture_->speed ? &*picture_->speed : nullptr, picture_->point, screenLanguage());
+        lobesPlot(result, outcome_->speed ? &*outcome_->speed : nullptr, outcome_->point, screenLanguage());
     report::Plot frequencies = chatterFrequencyPlot(result);
-    if (picture_->marks) {
-        drawMarks(lobes, *picture_->marks, screenLanguage());
-        drawMarksFrequency(frequencies, *picture_->marks, screenLanguage());
+    if (outcome_->marks) {
+        drawMarks(lobes, *outcome_->marks, screenLanguage());
+        drawMarksFrequency(frequencies, *outcome_->marks, screenLanguage());
     }
     lobes_->setData(std::move(lobes));
     chatter_->setData(std::move(frequencies));
-    parts_->setData(receptance::realImaginaryPlot(*picture_->frf, result.frequency_of_minimum_hz, screenLanguage()));
-    magnitude_->setData(receptance::magnitudePlot(*picture_->frf));
-    if (picture_->speed) candidates_->setTable(stability::candidatesTable(*picture_->speed));
+    parts_->setData(receptance::realImaginaryPlot(*outcome_->frf, result.frequency_of_minimum_hz, screenLanguage()));
+    magnitude_->setData(receptance::magnitudePlot(*outcome_->frf));
+    if (outcome_->speed) candidates_->setTable(stability::candidatesTable(*outcome_->speed));
 }
 
 void LobesViews::retranslate()
 {
-    heroes_->setTitle("lobes", tr("Lobes"));
-    heroes_->setTitle("parts", tr("Real and imaginary"));
-    heroes_->setTitle("magnitude", tr("Magnitude"));
-    heroes_->setTitle("chatter", tr("Chatter frequency"));
-    heroes_->setTitle("candidates", tr("Stable speeds"));
+    primaryViews_->setTitle("lobes", tr("Lobes"));
+    primaryViews_->setTitle("parts", tr("Real and imaginary"));
+    primaryViews_->setTitle("magnitude", tr("Magnitude"));
+    primaryViews_->setTitle("chatter", tr("Chatter frequency"));
+    primaryViews_->setTitle("candidates", tr("Stable speeds"));
     candidates_->setAccessibleName(tr("Stable speeds"));
     candidates_->setToolTip(tr("Double click: work at this speed"));
     show();

@@ -1,12 +1,12 @@
-// The views of the lobes: the chart with the operating point to drag, the frequency response, the candidates.
+// The views of the lobes: the chart with a draggable operating point, the frequency response, the candidates.
 #pragma once
 
 #include <QWidget>
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
-#include "widgets/lobes/lobes_picture.h"
+#include "widgets/core/panel/primary_views.h"
+#include "widgets/lobes/lobes_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::lobes_panel {
@@ -17,21 +17,21 @@ class LobesViews : public QWidget {
 public:
     explicit LobesViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const LobesPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const LobesOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* chart() const { return lobes_; }
     void retranslate();
 
 signals:
     void operatingPointMoved(double speed_rpm, double depth, bool dropped);
-    void speedWanted(double speed_rpm);    ///< a candidate was chosen
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void speedRequested(double speed_rpm);  ///< request to use the speed of a candidate
+    void notWritten(const QString& path);   ///< the file could not be written
 
 private:
     void show();
 
-    std::shared_ptr<const LobesPicture> picture_;
-    HeroViews* heroes_;
+    std::shared_ptr<const LobesOutcome> outcome_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* lobes_;
     plot::ChartView* chatter_;
     plot::ChartView* parts_;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t angles = 360;
 constexpr double usualMagnification = 1000;
-constexpr double mostOfRadius = 0.5;  // that the largest deviation is drawn
+constexpr double mostOfRadius = 0.5;  // largest drawn deviation relative to the radius
 
 double turned(double angle_rad)
 {
@@ -112,7 +112,7 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
     stack.magnification =
         magnification.value_or(std::clamp(roundedDown(mostOfRadius * mean_mm / reach_mm), 1.0, usualMagnification));
 
-    // A long thin bar would be a line on the screen, a disc would hide its inside: z is drawn to fit the diameter.
+    // z is scaled relative to the diameter, so that neither a long bar nor a disc becomes unreadable.
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const trajectory::TrajectorySection& section : result.sections) {
         low = std::min(low, section.z_mm);
@@ -131,7 +131,7 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
         }
     }
     stack.length_mm = known ? high - low : static_cast<double>(count - 1) * mean_mm / 5;
-    // Outside is to the right of the way from one angle to the next when z rises.
+    // Orientation of the triangles: outward for increasing angle and z.
     const bool rises = scan->points_mm.back().z() > scan->points_mm.front().z();
     for (std::size_t i = 0; i + 1 < count; ++i)
         for (std::size_t k = 0; k < angles; ++k) {

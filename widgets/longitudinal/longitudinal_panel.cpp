@@ -18,14 +18,14 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Drop the record of a whole workpiece here, or one record for each section."));
 }
 
-report::Document reportOf(const trajectory_common::SpindlePicture& picture, const Language& language,
+report::Document reportOf(const trajectory_common::SpindleOutcome& outcome, const Language& language,
                           std::vector<report::Picture> pictures)
 {
-    report::Document document = trajectoryReport(*picture.trajectory, picture.inputs, language);
+    report::Document document = trajectoryReport(*outcome.trajectory, outcome.inputs, language);
     if (!pictures.empty() && !document.sections.empty())
         for (report::Picture& shown : pictures) document.sections.front().blocks.push_back(std::move(shown));
-    document.synthetic = document.synthetic || picture.synthetic;
-    document.results = {trajectory_common::trajectoryJson(picture)};
+    document.synthetic = document.synthetic || outcome.synthetic;
+    document.results = {trajectory_common::trajectoryJson(outcome)};
     return document;
 }
 
@@ -33,53 +33,54 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
 
 PanelFacts longitudinalPanelFacts()
 {
-    PanelFacts facts = trajectory_common::spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"),
-                                                       "longitudinal", trajectory_common::SpindleWant::Longitudinal);
+    PanelFacts facts =
+        trajectory_common::spindleFacts("longitudinal", LT_TEXT("Engine", "Longitudinal"), "longitudinal",
+                                        trajectory_common::SpindleStudyKind::Longitudinal);
     facts.make = [](Session& session) -> PanelBase* { return new LongitudinalPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
-        return reportOf(
-            trajectory_common::answeredPicture(state, trajectory_common::SpindleWant::Longitudinal, stores, progress),
-            language, {});
+        return reportOf(trajectory_common::outcomeOrThrow(state, trajectory_common::SpindleStudyKind::Longitudinal,
+                                                          stores, progress),
+                        language, {});
     };
     return facts;
 }
 
 LongitudinalPanel::LongitudinalPanel(Session& owner, QWidget* parent)
     : trajectory_common::SpindlePanel(owner, longitudinalPanelFacts(), panelInputs(),
-                                      trajectory_common::SpindleWant::Longitudinal, parent),
+                                      trajectory_common::SpindleStudyKind::Longitudinal, parent),
       views_(new LongitudinalViews(markedAngle()))
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &LongitudinalViews::sectionWanted, this, &LongitudinalPanel::chooseSection);
-    connect(views_, &LongitudinalViews::notWritten, this, &LongitudinalPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &LongitudinalViews::sectionRequested, this, &LongitudinalPanel::chooseSection);
+    connect(views_, &LongitudinalViews::notWritten, this, &LongitudinalPanel::reportWriteFailure);
 }
 
-void LongitudinalPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
+void LongitudinalPanel::showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome)
 {
-    views_->setPicture(picture, isSectionChosen());
+    views_->setOutcome(outcome, isSectionChosen());
 }
 
-report::Answer LongitudinalPanel::answer(const trajectory_common::SpindlePicture& picture) const
+report::Answer LongitudinalPanel::answer(const trajectory_common::SpindleOutcome& outcome) const
 {
-    return trajectory::answer(*picture.trajectory, screenLanguage());
+    return trajectory::answer(*outcome.trajectory, screenLanguage());
 }
 
-report::Document LongitudinalPanel::document(const trajectory_common::SpindlePicture& picture) const
+report::Document LongitudinalPanel::document(const trajectory_common::SpindleOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage(), views_->pictures());
+    return reportOf(outcome, screenLanguage(), views_->pictures());
 }
 
 std::vector<PanelExport> LongitudinalPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {
         {tr("Table of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
-         [picture](const QString& path) { writeSectionTable(path.toStdString(), *picture->trajectory); }},
-        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [picture](const QString& path) {
+         [outcome](const QString& path) { writeSectionTable(path.toStdString(), *outcome->trajectory); }},
+        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [outcome](const QString& path) {
              std::vector<form::RoundnessResult> results;
-             for (const trajectory::TrajectorySection& section : picture->trajectory->sections)
+             for (const trajectory::TrajectorySection& section : outcome->trajectory->sections)
                  results.push_back(section.roundness);
              io::writeDfq(path.toStdString(), qdasFile(results));
          }}};

@@ -19,9 +19,9 @@ public:
     LongitudinalViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture) override;
-    report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
-    report::Document document(const trajectory_common::SpindlePicture& picture) const override;
+    void showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome) override;
+    report::Answer answer(const trajectory_common::SpindleOutcome& outcome) const override;
+    report::Document document(const trajectory_common::SpindleOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

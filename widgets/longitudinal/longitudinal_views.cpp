@@ -26,7 +26,7 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
       scene_(new scene::SceneView),
       profile_(new plot::ChartView),
       table_(new SectionTable),
-      heroes_(new HeroViews)
+      primaryViews_(new PrimaryViews)
 {
     scene_->setObjectName("stack");
     profile_->setObjectName("profile");
@@ -35,13 +35,13 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     buildBar();
-    heroes_->add("stack", scene_);
-    heroes_->add("profile", profile_);
-    heroes_->add("sections", table_);
-    layout->addWidget(heroes_, 1);
+    primaryViews_->add("stack", scene_);
+    primaryViews_->add("profile", profile_);
+    primaryViews_->add("sections", table_);
+    layout->addWidget(primaryViews_, 1);
 
-    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &LongitudinalViews::sectionWanted);
-    connect(table_, &SectionTable::sectionPicked, this, &LongitudinalViews::sectionWanted);
+    connect(section_, &trajectory_common::SectionBar::sectionRequested, this, &LongitudinalViews::sectionRequested);
+    connect(table_, &SectionTable::sectionPicked, this, &LongitudinalViews::sectionRequested);
     connect(formOnly_, &QCheckBox::toggled, this, [this] {
         stacked_.reset();
         limit_um_.reset();
@@ -54,7 +54,7 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
         on.weights.maxCoeff(&corner);
         const std::size_t vertex = on.corners[static_cast<std::size_t>(corner)];
         const auto deviation_um = static_cast<double>((*stack_.deviation_um)[vertex]);
-        const double z_mm = picture_->trajectory->sections[stack_.sectionOf(vertex)].z_mm;
+        const double z_mm = outcome_->trajectory->sections[stack_.sectionOf(vertex)].z_mm;
         const QString turned = screenNumber(stack_.angle_deg(vertex), 0) + "°";
         scene_->setTag(
             screenQuantity(deviation_um, micrometre, 2, true),
@@ -72,11 +72,11 @@ LongitudinalViews::LongitudinalViews(trajectory_common::MarkedAngle& angle, QWid
         scene_->setColours(colours);
     });
     connect(profile_, &plot::PlotCanvas::clicked, this, [this](double z_mm, double) {
-        const auto& sections = picture_->trajectory->sections;
+        const auto& sections = outcome_->trajectory->sections;
         const auto nearest = std::min_element(sections.begin(), sections.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.z_mm - z_mm) < std::abs(b.z_mm - z_mm);
         });
-        if (nearest != sections.end()) emit sectionWanted(nearest->section);
+        if (nearest != sections.end()) emit sectionRequested(nearest->section);
     });
     connect(profile_, &plot::PlotWidget::notWritten, this, &LongitudinalViews::notWritten);
     connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &LongitudinalViews::markPlace);
@@ -109,27 +109,27 @@ void LongitudinalViews::buildBar()
     row->setTrailing(synthetic_);
 }
 
-void LongitudinalViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+void LongitudinalViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
                                    bool sectionChosen)
 {
-    const bool news = !picture_ || picture_->trajectory != picture->trajectory;
-    picture_ = picture;
-    section_->setPicture(*picture, sectionChosen);
-    synthetic_->setVisible(picture->synthetic);
+    const bool news = !outcome_ || outcome_->trajectory != outcome->trajectory;
+    outcome_ = outcome;
+    section_->setOutcome(*outcome, sectionChosen);
+    synthetic_->setVisible(outcome->synthetic);
     if (news) {
-        table_->setResult(*picture->trajectory);
-        const auto& along = picture->trajectory->longitudinal;
+        table_->setResult(*outcome->trajectory);
+        const auto& along = outcome->trajectory->longitudinal;
         profile_->setData(along ? longitudinalPlot(*along, screenLanguage()) : report::Plot());
     }
-    heroes_->setAvailable("profile", picture->trajectory->longitudinal.has_value());
+    primaryViews_->setAvailable("profile", outcome->trajectory->longitudinal.has_value());
     showStack();
     markPlace();
 }
 
 void LongitudinalViews::showStack()
 {
-    if (!picture_ || stacked_ == picture_->trajectory) return;
-    stacked_ = picture_->trajectory;
+    if (!outcome_ || stacked_ == outcome_->trajectory) return;
+    stacked_ = outcome_->trajectory;
     stack_ = stackedSections(*stacked_, formOnly_->isChecked(), chosenMagnification_);
     scene_->setVisible(stack_.scan != nullptr);
     if (!stack_.scan) return;
@@ -150,17 +150,17 @@ void LongitudinalViews::choose(std::size_t vertex)
 {
     angle_.set(stack_.angle_deg(vertex));
     const std::size_t index = stack_.sectionOf(vertex);
-    if (index != picture_->section) emit sectionWanted(picture_->trajectory->sections[index].section);
+    if (index != outcome_->section) emit sectionRequested(outcome_->trajectory->sections[index].section);
 }
 
 void LongitudinalViews::markPlace()
 {
-    if (!picture_ || !picture_->section) return;
-    const std::size_t index = *picture_->section;
-    const trajectory::TrajectorySection& section = picture_->trajectory->sections[index];
+    if (!outcome_ || !outcome_->section) return;
+    const std::size_t index = *outcome_->section;
+    const trajectory::TrajectorySection& section = outcome_->trajectory->sections[index];
     table_->markSection(index);
     profile_->setMarker(std::isfinite(section.z_mm) ? std::optional(section.z_mm) : std::nullopt);
-    if (!stack_.scan || stacked_ != picture_->trajectory) return;
+    if (!stack_.scan || stacked_ != outcome_->trajectory) return;
     if (!angle_.angle_deg()) return scene_->setMarker({});
     const std::size_t vertex = stack_.vertexAt(index, *angle_.angle_deg());
     const double deviation_um = (*stack_.deviation_um)[vertex];
@@ -214,15 +214,15 @@ void LongitudinalViews::retranslate()
     magnification_->setToolTip(tr("How many times larger the surface draws the deviation"));
     magnification_->setAccessibleName(magnification_->toolTip());
     synthetic_->setText(tr("Synthetic data"));
-    heroes_->setTitle("stack", tr("Form"));
-    heroes_->setTitle("profile", tr("Along the axis"));
-    heroes_->setTitle("sections", tr("Sections"));
+    primaryViews_->setTitle("stack", tr("Form"));
+    primaryViews_->setTitle("profile", tr("Along the axis"));
+    primaryViews_->setTitle("sections", tr("Sections"));
     scene_->setScale({LT_TEXT("Engine", "Deviation"), unit::um});
-    if (!picture_) return;
-    const auto picture = std::move(picture_);
-    picture_.reset();
+    if (!outcome_) return;
+    const auto outcome = std::move(outcome_);
+    outcome_.reset();
     stacked_.reset();
-    setPicture(picture, !section_->isWorst());
+    setOutcome(outcome, !section_->isWorst());
 }
 
 }  // namespace lathelier::longitudinal_panel

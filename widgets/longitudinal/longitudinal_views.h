@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "engine/report/document.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/longitudinal/longitudinal_charts.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/trajectory_common/section_bar.h"
@@ -26,22 +26,22 @@ class LongitudinalViews : public QWidget {
 public:
     explicit LongitudinalViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen);
+    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen);
     const StackedSections& stack() const { return stack_; }
 
     /// The 3-D view for the report; empty without OpenGL.
     std::vector<report::Picture> pictures();
 
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
 
-    /// Magnification, what is taken out, and camera, to be kept with the project.
+    /// Magnification, removed components and camera, saved with the project.
     Values view() const;
     void restoreView(const Values& kept);
 
     void retranslate();
 
 signals:
-    void sectionWanted(std::optional<int> section);
+    void sectionRequested(std::optional<int> section);
     void notWritten(const QString& path);
 
 private:
@@ -51,7 +51,7 @@ private:
     void choose(std::size_t vertex);
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
+    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
     StackedSections stack_;
     std::shared_ptr<const trajectory::TrajectoryResult> stacked_;
     std::optional<double> limit_um_;
@@ -60,12 +60,12 @@ private:
     QCheckBox* formOnly_;
     QLabel* magnificationLabel_;
     QDoubleSpinBox* magnification_;
-    std::optional<double> chosenMagnification_;  ///< by the user; none: what fits
+    std::optional<double> chosenMagnification_;  ///< magnification chosen by the user; none: automatic
     QLabel* synthetic_;
     scene::SceneView* scene_;
     plot::ChartView* profile_;
     SectionTable* table_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
 };
 
 }  // namespace lathelier::longitudinal_panel

@@ -6,8 +6,8 @@
 
 namespace lathelier::longitudinal_panel {
 
-/// Section, z, radius, RONt by the chosen circle, out-of-place, run-out, two-point range, revolutions, verdict; a
-/// section beyond the tolerance carries a symbol and a word.
+/// Section, z, radius, RONt by the chosen circle, out-of-place, run-out, two-point range, revolutions, verdict;
+/// out-of-tolerance sections are marked by symbol and text.
 class SectionTable : public CopyTable {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     void markSection(std::size_t index);
 
 signals:
-    void sectionPicked(int section);  ///< its number
+    void sectionPicked(int section);  ///< section number
 
 private:
     std::vector<int> numbers_;

@@ -1,4 +1,4 @@
-// What the title block and the numbers of a drawing take from the screen's language and the clock.
+// Language and date of the title block and the numbers of a drawing.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace lathelier::part_common {
 
-/// The date of today as ISO 8601 has it.
+/// Today's date in ISO 8601 format.
 std::string today();
 
-/// Of numbers in this language.
+/// Number format of this language.
 std::string decimalSeparator(const Language& language);
 
 }  // namespace lathelier::part_common

@@ -63,7 +63,7 @@ std::vector<PanelExport> exportsOf(const std::shared_ptr<const PartToWrite>& par
     const auto add = [&](const QString& label, const QString& filter, const QString& suffix, bool complete,
                          const std::function<std::string(const P&)>& content) {
         all.push_back({label, filter, suffix, [part, complete, content](const QString& path) {
-                           if (complete && part->requireComplete) part->requireComplete();
+                           if (complete && part->require_complete) part->require_complete();
                            io::writeFile(path.toStdString(), content(*part));
                        }});
     };

@@ -1,4 +1,4 @@
-// The files that are made of a shaft: drawing, CAD, tables. One list for all panels that have one.
+// Exports of a shaft (drawing, CAD, tables), common to all panels.
 #pragma once
 
 #include <functional>
@@ -13,19 +13,20 @@
 
 namespace lathelier::part_common {
 
-/// What is written.
+/// The part to be exported.
 struct PartToWrite {
-    Shaft shaft;  ///< keeps checkShaft()
-    Shaft stock;  ///< for the stock text: what is outside the chuck
+    Shaft shaft;  ///< shaft that satisfies checkShaft()
+    Shaft stock;  ///< shaft for the stock text: the part outside the chuck
     std::function<drawing::Drawing(const Language&)> drawing;
-    std::function<void()> requireComplete = {};  ///< before drawings, CAD and stock; throws Error. Empty: it is
-    std::function<std::string()> csv = {};       ///< table of rows; empty: cad::shaftCsv()
+    std::function<void()> require_complete = {};  ///< checked before drawings, CAD and stock are written; throws Error.
+                                                  ///< Empty: always complete
+    std::function<std::string()> csv = {};        ///< table of rows as CSV; empty: cad::shaftCsv()
 };
 
 /// The drawing as a PDF of one page, in the size of its sheet.
 std::string toPdf(const drawing::Drawing& drawing);
 
-/// In the language of the screen at the time of writing. Their labels are those of now.
+/// Written in the user's language at the time of writing; labels in the present language.
 std::vector<PanelExport> exportsOf(const std::shared_ptr<const PartToWrite>& part);
 
 }  // namespace lathelier::part_common

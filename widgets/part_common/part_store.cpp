@@ -6,13 +6,13 @@
 namespace lathelier::part_common {
 namespace {
 
-constexpr std::size_t kHead = 4096;
+constexpr std::size_t sniffedBytes = 4096;
 
-/// The bores of a SHAFT.json, which loadShaft() lays into the rows, as the file states them.
+/// The bores as stated in a SHAFT.json; loadShaft() merges them into the rows.
 io::ShaftFile withStatedBores(io::ShaftFile loaded, const io::FileToRead& file)
 {
     if (loaded.facts.format != "shaft_json") return loaded;
-    Notes again;  // are in `loaded`
+    Notes again;  // the same notes are in `loaded`
     const io::DecodedText text = io::decodeText(file.bytes, io::Encoding::Auto, file.progress);
     loaded.shaft = io::readShaft(std::string(text.view()), again);
     set(loaded.facts.details, "segments", static_cast<std::int64_t>(loaded.shaft.segments.size()));
@@ -24,7 +24,7 @@ io::ShaftFile withStatedBores(io::ShaftFile loaded, const io::FileToRead& file)
 io::ShaftFile PartStore::read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const
 {
     const io::FileToRead file{source.path, inputs.open(source.path, progress), source.import, inputs, progress};
-    if (!cad::looksLikeStep(file.bytes.substr(0, kHead))) return withStatedBores(io::loadShaft(file), file);
+    if (!cad::looksLikeStep(file.bytes.substr(0, sniffedBytes))) return withStatedBores(io::loadShaft(file), file);
     cad::StepFile step = cad::loadStep(file);
     return {std::move(step.part.shaft), std::move(step.facts), std::move(step.notes)};
 }

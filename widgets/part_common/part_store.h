@@ -1,4 +1,4 @@
-// Files that the panels "Drawing" and "Compare" take as a shaft, read with their bores as they are stated.
+// Cache of shaft files for the panels Drawing and Compare, with bores as stated.
 #pragma once
 
 #include "engine/cad/step_kind.h"
@@ -7,7 +7,7 @@
 
 namespace lathelier::part_common {
 
-/// SHAFT.json, stock text or STEP, told apart by the content. Errors: those of readShaft(), readStock(), readStep(),
+/// SHAFT.json, stock text or STEP, distinguished by content. Errors: those of readShaft(), readStock(), readStep(),
 /// with the path; fileEmpty.
 class PartStore : public FileCache<io::ShaftFile> {
 public:

@@ -1,4 +1,4 @@
-// A chart along the axis of a part whose context menu says what can be done with the row under the pointer.
+// A chart along the axis of a part with a context menu for the row under the pointer.
 #pragma once
 
 #include <QMenu>
@@ -14,7 +14,7 @@ public:
     using ChartView::ChartView;
 
 signals:
-    /// The menu is about to open at this x; beside the axes where it was opened with a key.
+    /// The menu opens at this x; outside the axes when opened with a key.
     void menuOpened(QMenu* menu, double x);
 
 protected:

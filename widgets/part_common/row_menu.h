@@ -1,4 +1,4 @@
-// What can be done with a row of a shaft, in a context menu and with keys: the same wherever rows are shown.
+// Commands of a row of a shaft, as context menu and keys, common to all views of rows.
 #pragma once
 
 #include <QKeyEvent>
@@ -12,27 +12,27 @@
 
 namespace lathelier::part_common {
 
-/// The verbs of one row. Empty ones are shown greyed; those of ties are left out where there are none.
+/// Commands of a row. Empty ones are disabled; those of ties are omitted where there are none.
 struct RowVerbs {
-    std::function<void()> remove;                                 ///< Delete
-    std::function<void()> merge;                                  ///< M: with the next one
-    std::function<void()> split;                                  ///< S: where the pointer is, else in its middle
-    std::function<void(RowForm)> change;                          ///< its kind
-    std::vector<RowForm> forms;                                   ///< that it can be made
-    std::optional<RowForm> now;                                   ///< what it is; none: something else
-    std::vector<std::pair<QString, std::function<void()>>> ties;  ///< rows whose diameter it can share
-    std::function<void()> untie;                                  ///< it shares one
+    std::function<void()> remove;                                 ///< key Delete
+    std::function<void()> merge;                                  ///< key M: merge with the next row
+    std::function<void()> split;                                  ///< key S: split at the pointer, else in the middle
+    std::function<void(RowForm)> change;                          ///< changes the kind of the row
+    std::vector<RowForm> forms;                                   ///< possible kinds
+    std::optional<RowForm> now;                                   ///< present kind; none: another one
+    std::vector<std::pair<QString, std::function<void()>>> ties;  ///< rows whose diameter can be shared
+    std::function<void()> untie;                                  ///< releases a shared diameter
 };
 
-/// What a row is: none for arcs and cones with a role of their own.
+/// Kind of a row; none for arcs and cones with a role.
 std::optional<RowForm> formOf(const ShaftSegment& row);
 
 QString formName(RowForm form);
 
-/// Adds "Row 3", then its verbs.
+/// Adds the title "Row 3" and its commands.
 void addRowVerbs(QMenu& menu, int number, const RowVerbs& verbs);
 
-/// Does what the key stands for; false: it stands for nothing here.
+/// Executes the command of a key; false: not handled.
 bool pressRowKey(const QKeyEvent& event, const RowVerbs& verbs);
 
 }  // namespace lathelier::part_common

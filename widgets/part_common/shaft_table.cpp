@@ -58,7 +58,7 @@ void openShaft(project::PanelState& state, const std::string& path)
     lathelier::set(state.parameters, segmentsKey, Rows{});
 }
 
-void sayChanged(const project::Source& source, Notes& notes)
+void noteShaftChanged(const project::Source& source, Notes& notes)
 {
     notes.push_back({notes::shaftChanged, {{"source", source.item.empty() ? source.path : source.item}}});
 }

@@ -1,5 +1,5 @@
-// A shaft as an input of a panel: a file or an item fills the table of segments; once the table is changed it rules
-// until another input is chosen or the table is emptied. What panels with such a table share.
+// A shaft as an input with a table of segments: a file or an item fills the table; once edited, the table has
+// precedence until another input is chosen or the table is emptied.
 #pragma once
 
 #include <string>
@@ -12,9 +12,10 @@
 
 namespace lathelier::part_common {
 
-inline constexpr const char* shaftRole = "shaft";            ///< of the input
-inline constexpr const char* segmentsKey = "segments";       ///< of the table
-inline constexpr const char* segmentsOfKey = "segments_of";  ///< identity() of the input it was changed from; no form
+inline constexpr const char* shaftRole = "shaft";            ///< role of the input
+inline constexpr const char* segmentsKey = "segments";       ///< key of the table
+inline constexpr const char* segmentsOfKey = "segments_of";  ///< key of the identity() of the edited table's input; not
+                                                             ///< in the form
 
 /// Captions of both parameters.
 Label segmentsLabel();
@@ -23,23 +24,23 @@ Label segmentsOfLabel();
 /// The segments as the value of the table.
 Value rowsOf(const std::vector<ShaftSegment>& segments);
 
-/// Is there an input or a table?
+/// Whether there is an input or a table.
 bool hasShaft(const project::PanelState& state);
 
-/// What tells the input of the shaft from another one; empty without one.
+/// Identity of the input of the shaft; empty without one.
 std::string identity(const project::PanelState& state);
 
-/// Puts the segments into the table, changed from the input that is there now.
+/// Stores the segments in the table, assigned to the present input.
 void setTable(project::PanelState& state, const std::vector<ShaftSegment>& segments);
 
-/// A table changed by hand is of the input that is there now.
+/// Assigns a table edited by hand to the present input.
 void takeTable(project::PanelState& state);
 
-/// A file that is opened is what is meant: an earlier table would hide it.
+/// Clears the table when a file is opened, which it would override.
 void openShaft(project::PanelState& state, const std::string& path);
 
-/// Puts the table in place of what `take` reads into the shaft, where it rules; there the source need not be readable
-/// any more. Gives whether it rules; the note shaftChanged where it says something else. Errors of `take`.
+/// Replaces the segments read by `take` by the table where it has precedence; the source need not be readable then.
+/// Returns whether it has precedence; the note shaftChanged where it differs. Errors of `take`.
 template <class Take>
 bool chooseSegments(const std::vector<ShaftSegment>& table, const std::string& table_of,
                     const project::PanelState& state, Shaft& shaft, Notes& notes, const Take& take);
@@ -48,7 +49,7 @@ bool chooseSegments(const std::vector<ShaftSegment>& table, const std::string& t
 bool chooseMaterial(chatter_common::MaterialChoice choice, Shaft& shaft, Notes& notes);
 
 /// Adds shaftChanged with the name of the source.
-void sayChanged(const project::Source& source, Notes& notes);
+void noteShaftChanged(const project::Source& source, Notes& notes);
 
 template <class Take>
 bool chooseSegments(const std::vector<ShaftSegment>& table, const std::string& table_of,
@@ -62,7 +63,7 @@ bool chooseSegments(const std::vector<ShaftSegment>& table, const std::string& t
         } catch (const Error&) {
             if (!rules) throw;
         }
-        if (rules && shaft.segments != table) sayChanged(source->second, notes);
+        if (rules && shaft.segments != table) noteShaftChanged(source->second, notes);
     }
     if (rules || shaft.segments.empty()) shaft.segments = table;
     return rules;

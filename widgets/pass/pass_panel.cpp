@@ -33,7 +33,7 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-/// What a pass cannot do without.
+/// Missing required inputs of a pass.
 std::vector<Text> missingValues(const project::PanelState& state)
 {
     std::vector<Text> labels;
@@ -62,21 +62,21 @@ PanelFacts passPanelFacts()
     facts.make = [](Session& session) -> PanelBase* { return new PassPanel(session); };
     facts.missing = missingValues;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(passPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(passOutcome(state, stores, progress), language); };
     return facts;
 }
 
 PassPanel::PassPanel(Session& owner, QWidget* parent)
     : Panel(owner, passPanelFacts(), panelInputs(), parent), views_(new PassViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &PassViews::pointMoved, this, &PassPanel::movePoint);
-    connect(views_, &PassViews::notWritten, this, &PassPanel::sayNotWritten);
+    connect(views_, &PassViews::notWritten, this, &PassPanel::reportWriteFailure);
 }
 
 void PassPanel::movePoint(double speed_rpm, double depth_mm, bool dropped)
 {
-    constexpr double least = 1e-3;  // mm; also the step
+    constexpr double least = 1e-3;  // least depth of cut and rounding step, mm
     editState(
         tr("Move the operating point"),
         [&](project::PanelState& state) {
@@ -89,9 +89,9 @@ void PassPanel::movePoint(double speed_rpm, double depth_mm, bool dropped)
 
 PassPanel::Compute PassPanel::compute(const project::PanelState& state) const
 {
-    fromValues<PassQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<PassQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return passPicture(state, *stores, progress);
+        return passOutcome(state, *stores, progress);
     };
 }
 
@@ -105,27 +105,27 @@ QString PassPanel::understood(const InputRole& role, const project::Source& sour
     return chatter_common::understoodModel(role.role, source, session().stores());
 }
 
-void PassPanel::showResult(const std::shared_ptr<const PassPicture>& picture)
+void PassPanel::showResult(const std::shared_ptr<const PassOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer PassPanel::answer(const PassPicture& picture) const
+report::Answer PassPanel::answer(const PassOutcome& outcome) const
 {
-    return passAnswer(*picture.pass, picture.speed_rpm, screenLanguage());
+    return passAnswer(*outcome.pass, outcome.speed_rpm, screenLanguage());
 }
 
-report::Document PassPanel::document(const PassPicture& picture) const
+report::Document PassPanel::document(const PassOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> PassPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    return {{tr("Least limit (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), report::toCsv(passPlot(*picture->pass)));
+    const auto outcome = result();
+    if (!outcome) return {};
+    return {{tr("Least limit (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), report::toCsv(passPlot(*outcome->pass)));
              }}};
 }
 

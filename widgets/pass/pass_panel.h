@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/pass/pass_picture.h"
+#include "widgets/pass/pass_outcome.h"
 
 namespace lathelier::pass_panel {
 
@@ -11,7 +11,7 @@ class PassViews;
 /// The panel's line of the panel table.
 PanelFacts passPanelFacts();
 
-class PassPanel : public Panel<PassPicture> {
+class PassPanel : public Panel<PassOutcome> {
     Q_OBJECT
 
 public:
@@ -21,10 +21,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const PassPicture>& picture) override;
-    report::Answer answer(const PassPicture& picture) const override;
-    Notes notes(const PassPicture& picture) const override { return picture.notes; }
-    report::Document document(const PassPicture& picture) const override;
+    void showResult(const std::shared_ptr<const PassOutcome>& outcome) override;
+    report::Answer answer(const PassOutcome& outcome) const override;
+    Notes notes(const PassOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const PassOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

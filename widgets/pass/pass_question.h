@@ -1,4 +1,4 @@
-// What the panel "Pass" is asked: the stretch that is cut and how deep, the coefficient, the speeds.
+// Question of the panel Pass: interval and depth of cut, cutting coefficient, speeds.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 namespace lathelier::pass_panel {
 
 struct PassQuestion {
-    stability::PassParameters pass;              ///< stretch, depth, stations
-    std::optional<double> operating_speed_rpm;   ///< that is judged; none: the best over the pass
+    stability::PassParameters pass;              ///< interval of the pass, depth, stations
+    std::optional<double> operating_speed_rpm;   ///< evaluated speed; none: the best over the pass
     stability::LobeParameters lobes;             ///< coefficient, relation, speeds, process damping
     receptance::ReceptanceParameters computing;  ///< shear coefficient, step correction
 

@@ -9,7 +9,7 @@ namespace lathelier::pass_panel {
 
 PassViews::PassViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       limit_(new plot::ChartView),
       map_(new plot::MapView),
       stations_(new CopyTable)
@@ -17,12 +17,12 @@ PassViews::PassViews(QWidget* parent)
     limit_->setObjectName("passLimit");
     map_->setObjectName("passMap");
     stations_->setObjectName("passStations");
-    heroes_->add("limit", limit_);
-    heroes_->add("map", map_);
-    heroes_->add("stations", stations_);
+    primaryViews_->add("limit", limit_);
+    primaryViews_->add("map", map_);
+    primaryViews_->add("stations", stations_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     connect(limit_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double speed_rpm, double depth_mm, bool dropped) {
                 if (key == stability::operatingPointKey) emit pointMoved(speed_rpm, depth_mm, dropped);
@@ -36,28 +36,28 @@ PassViews::PassViews(QWidget* parent)
     retranslate();
 }
 
-void PassViews::setPicture(const std::shared_ptr<const PassPicture>& picture)
+void PassViews::setOutcome(const std::shared_ptr<const PassOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     show();
 }
 
 void PassViews::show()
 {
-    if (!picture_) return;
-    limit_->setData(passPlot(*picture_->pass, picture_->speed_rpm));
-    report::ColourMap map = passMap(*picture_->pass);
+    if (!outcome_) return;
+    limit_->setData(passPlot(*outcome_->pass, outcome_->speed_rpm));
+    report::ColourMap map = passMap(*outcome_->pass);
     const double limit = map.limit;
     map_->setData(std::move(map));
     map_->setColours(report::DeviationColours{limit_mm_.value_or(limit)});
-    stations_->setTable(stationsTable(*picture_->pass));
+    stations_->setTable(stationsTable(*outcome_->pass));
 }
 
 void PassViews::retranslate()
 {
-    heroes_->setTitle("limit", tr("Least limit"));
-    heroes_->setTitle("map", tr("Along the pass"));
-    heroes_->setTitle("stations", tr("Stations"));
+    primaryViews_->setTitle("limit", tr("Least limit"));
+    primaryViews_->setTitle("map", tr("Along the pass"));
+    primaryViews_->setTitle("stations", tr("Stations"));
     stations_->setAccessibleName(tr("Stations"));
     show();
 }

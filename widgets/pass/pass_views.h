@@ -1,5 +1,5 @@
-// The views of lobes over a pass: the least limit with speed and depth to drag, the depth of cut beyond the limit over
-// speed and place, the stations.
+// The views of lobes over a pass: the least limit with draggable speed and depth, the depth of cut beyond the limit
+// over speed and place, the stations.
 #pragma once
 
 #include <QWidget>
@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
-#include "widgets/pass/pass_picture.h"
+#include "widgets/core/panel/primary_views.h"
+#include "widgets/pass/pass_outcome.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 
@@ -20,22 +20,22 @@ class PassViews : public QWidget {
 public:
     explicit PassViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const PassPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const PassOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* limit() const { return limit_; }
     plot::MapView* map() const { return map_; }
     void retranslate();
 
 signals:
     void pointMoved(double speed_rpm, double depth_mm, bool dropped);
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void notWritten(const QString& path);  ///< the file could not be written
 
 private:
     void show();
 
-    std::shared_ptr<const PassPicture> picture_;
-    std::optional<double> limit_mm_;  ///< of the map's scale, as the user has set it
-    HeroViews* heroes_;
+    std::shared_ptr<const PassOutcome> outcome_;
+    std::optional<double> limit_mm_;  ///< limit of the map's colour scale set by the user
+    PrimaryViews* primaryViews_;
     plot::ChartView* limit_;
     plot::MapView* map_;
     CopyTable* stations_;

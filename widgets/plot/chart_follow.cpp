@@ -1,4 +1,4 @@
-// Charts that stand one below the other and share the x axis.
+// Charts placed one below the other with a common x axis.
 #include "widgets/plot/chart_parts.h"
 
 namespace lathelier::plot {
@@ -21,7 +21,7 @@ void ChartView::followX(ChartView* leader)
     });
 }
 
-/// From the leader.
+/// Propagates the range of the leader.
 void ChartView::takeX(double lower, double upper)
 {
     if (plot().xAxis->range() == QCPRange(lower, upper)) return;
@@ -31,7 +31,7 @@ void ChartView::takeX(double lower, double upper)
     redraw();
 }
 
-/// From a follower that the user has zoomed or panned; scales that are equal stay so.
+/// Propagates the range of a zoomed or panned follower; equal scales are preserved.
 void ChartView::showX(double lower, double upper)
 {
     QCPAxis* const x = plot().xAxis;

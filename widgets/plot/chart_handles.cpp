@@ -1,4 +1,4 @@
-// The handles of a ChartView under mouse and keyboard.
+// Mouse and keyboard interaction of the handles of a ChartView.
 #include <algorithm>
 #include <cmath>
 
@@ -7,11 +7,11 @@
 namespace lathelier::plot {
 namespace {
 
-constexpr double nearEnough = 6;  ///< px from a line
-constexpr double keyStep = 0.01;  ///< of the visible range
+constexpr double nearEnough = 6;  ///< picking distance of a line in px
+constexpr double keyStep = 0.01;  ///< step of an arrow key relative to the visible range
 constexpr double fineKeyStep = 0.001;
 
-/// So much of the visible range further; by a factor on a logarithmic axis.
+/// Moves by a share of the visible range; by a factor on a logarithmic axis.
 double stepped(const QCPAxis& axis, double value, double share)
 {
     const QCPRange range = axis.range();
@@ -30,7 +30,7 @@ std::optional<std::size_t> ChartView::handleAt(const QPointF& place) const
         const report::Handle& handle = c.data.handles[i];
         const QPointF away = place - pixelAt(handle.x, handle.y);
         double distance = std::abs(handle.kind == report::Handle::Kind::Vertical ? away.x() : away.y());
-        // A point is larger than a line, and lies over it.
+        // Points have precedence over lines.
         if (handle.kind == report::Handle::Kind::Point) distance = std::hypot(away.x(), away.y()) - c.lines->reach();
         if (distance > least) continue;
         least = distance;
@@ -72,7 +72,7 @@ void ChartView::moveChosen(double x, double y)
     const QPointF before(handle.x, handle.y);
     report::moveHandle(handle, x, y);
     if (before.x() == handle.x && before.y() == handle.y) return;
-    c.hasMoved = true;
+    c.has_moved = true;
     setReadout(chartText(handle.name) + (report::captionText(handle.name).empty() ? "" : "  ·  ") +
                readoutAt(handle.x, handle.y));
     drawOverlay();
@@ -82,11 +82,11 @@ void ChartView::moveChosen(double x, double y)
 void ChartView::drop()
 {
     Content& c = *content_;
-    const bool moved = c.hasMoved;
-    c.holds = c.hasMoved = false;
+    const bool moved = c.has_moved;
+    c.holds = c.has_moved = false;
     if (!moved || !c.lines->chosen) return;
     refresh(true);
-    const report::Handle handle = c.data.handles[*c.lines->chosen];  // who listens may bring new data
+    const report::Handle handle = c.data.handles[*c.lines->chosen];  // copied, since a slot may set new data
     emit handleMoved(QString::fromStdString(handle.key), handle.x, handle.y, true);
 }
 
@@ -99,7 +99,7 @@ bool ChartView::beginDrag(const QPointF& place)
 
 void ChartView::continueDrag(double x, double y)
 {
-    if (content_->holds) moveChosen(x, y);  // else it is gone: new data came without it
+    if (content_->holds) moveChosen(x, y);  // otherwise new data no longer contain it
 }
 
 void ChartView::endDrag()
@@ -137,7 +137,7 @@ void ChartView::focusOutEvent(QFocusEvent* event)
     PlotCanvas::focusOutEvent(event);
 }
 
-/// Tab goes from handle to handle before it leaves the chart.
+/// Tab cycles through the handles before it leaves the chart.
 bool ChartView::focusNextPrevChild(bool next)
 {
     const int count = static_cast<int>(content_->data.handles.size());

@@ -7,7 +7,7 @@
 namespace lathelier::plot {
 namespace {
 
-constexpr double farAway = 1e5;  ///< px: beyond every screen, near enough for the painter
+constexpr double farAway = 1e5;  ///< px: beyond every screen, within the range of the painter
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void ChartLines::draw(QCPPainter* painter)
 {
     names_.clear();
     drawPointedOut(*painter);
-    const QPen dashed(style_.limit, style_.lineWidth, Qt::DashLine);
+    const QPen dashed(style_.limit, style_.line_width, Qt::DashLine);
     for (const report::Limit& limit : chart_.limits)
         drawLine(*painter, limit.direction == report::Limit::Direction::Vertical, limit.place, limit.name, dashed);
     const double size = 0.6 * reach();
@@ -49,11 +49,11 @@ void ChartLines::draw(QCPPainter* painter)
         drawName(*painter, place + QPointF(size, -size), mark.name);
     }
     for (std::size_t i = 0; i < chart_.handles.size(); ++i) drawHandle(*painter, chart_.handles[i], chosen == i);
-    if (markedX) drawLine(*painter, true, *markedX, {}, QPen(style_.marker, 1.2 * style_.lineWidth));
+    if (marked_x) drawLine(*painter, true, *marked_x, {}, QPen(style_.marker, 1.2 * style_.line_width));
     painter->setPen(QPen(style_.background, 1));
     painter->setBrush(style_.marker);
-    for (const QPointF& place : markedPlaces)
-        painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.lineWidth, 3 * style_.lineWidth);
+    for (const QPointF& place : marked_places)
+        painter->drawEllipse(pixel(place.x(), place.y()), 3 * style_.line_width, 3 * style_.line_width);
 }
 
 void ChartLines::drawPointedOut(QCPPainter& painter)
@@ -68,17 +68,17 @@ void ChartLines::drawPointedOut(QCPPainter& painter)
     };
     QColor ground = style_.limit;
     ground.setAlpha(70);
-    painter.setPen(QPen(style_.limit, style_.lineWidth));
+    painter.setPen(QPen(style_.limit, style_.line_width));
     painter.setBrush(ground);
-    for (const QPolygonF& shape : pointedOut.shapes) painter.drawPolygon(onScreen(shape));
-    painter.setPen(QPen(style_.marker, 2.5 * style_.lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const QPolygonF& shape : pointed_out.shapes) painter.drawPolygon(onScreen(shape));
+    painter.setPen(QPen(style_.marker, 2.5 * style_.line_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    for (const QPolygonF& line : pointedOut.lines) painter.drawPolyline(onScreen(line));
-    if (!pointedOut.place) return;
+    for (const QPolygonF& line : pointed_out.lines) painter.drawPolyline(onScreen(line));
+    if (!pointed_out.place) return;
     painter.setPen(QPen(style_.background, 1));
     painter.setBrush(style_.marker);
-    painter.drawEllipse(pixel(pointedOut.place->x(), pointedOut.place->y()), 3 * style_.lineWidth,
-                        3 * style_.lineWidth);
+    painter.drawEllipse(pixel(pointed_out.place->x(), pointed_out.place->y()), 3 * style_.line_width,
+                        3 * style_.line_width);
 }
 
 void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const report::Caption& name, const QPen& pen)
@@ -97,8 +97,8 @@ void ChartLines::drawLine(QCPPainter& painter, bool upright, double place, const
     }
 }
 
-/// Above and beside `place`; a name that would be cut off at the right edge stands at its left, one that would cover
-/// another below it.
+/// Above and beside `place`; a label that would be clipped at the right edge is placed to the left, one that would
+/// overlap another below it.
 void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const report::Caption& name)
 {
     const QString text = chartText(name);
@@ -106,7 +106,7 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const repor
     const QFontMetricsF metrics(font);
     const double width = metrics.horizontalAdvance(text) + 10;
     const bool cut = place.x() + width > clipRect().right();
-    const bool high = place.y() - metrics.height() < clipRect().top();  // then below
+    const bool high = place.y() - metrics.height() < clipRect().top();  // then placed below
     QRectF room(cut ? place.x() - width : place.x(), high ? place.y() + 2 : place.y() - metrics.height(), width,
                 metrics.height());
     constexpr int mostRows = 6;
@@ -124,7 +124,7 @@ void ChartLines::drawName(QCPPainter& painter, const QPointF& place, const repor
 
 void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, bool isChosen)
 {
-    const double width = (isChosen ? 2 : 1) * style_.lineWidth;
+    const double width = (isChosen ? 2 : 1) * style_.line_width;
     if (handle.kind != report::Handle::Kind::Point) {
         const bool upright = handle.kind == report::Handle::Kind::Vertical;
         return drawLine(painter, upright, upright ? handle.x : handle.y, handle.name,
@@ -138,7 +138,7 @@ void ChartLines::drawHandle(QCPPainter& painter, const report::Handle& handle, b
     painter.drawEllipse(place, reach(), reach());
     painter.setPen(Qt::NoPen);
     painter.setBrush(style_.limit);
-    painter.drawEllipse(place, style_.lineWidth, style_.lineWidth);
+    painter.drawEllipse(place, style_.line_width, style_.line_width);
     drawName(painter, place + QPointF(reach(), -reach()), handle.name);
 }
 

@@ -1,4 +1,4 @@
-// What a ChartView draws by itself over QCustomPlot. Included by its .cpp files only, because it shows QCustomPlot.
+// Elements drawn by ChartView on QCustomPlot. Included by its .cpp files only, because it shows QCustomPlot.
 #pragma once
 
 #include <qcustomplot.h>
@@ -10,14 +10,14 @@
 
 namespace lathelier::plot {
 
-/// A shaded polygon; corners at infinity lie on the edge of the axes.
+/// A shaded polygon; vertices at infinity are moved to the edge of the axes.
 class RegionFill : public QCPAbstractPlottable {
 public:
     RegionFill(QCPAxis* x, QCPAxis* y, const report::Region& region) : QCPAbstractPlottable(x, y), region_(region)
     {
         setLayer("background");
     }
-    /// Lines in this colour over the ground, and along the edge so that a small area is seen.
+    /// Hatching in this colour, and along the edge so that small areas are visible.
     void setHatch(const QColor& colour) { hatch_ = colour; }
     double selectTest(const QPointF&, bool, QVariant*) const override { return -1; }
     QCPRange getKeyRange(bool& found, QCP::SignDomain) const override { return found = false, QCPRange(); }
@@ -36,10 +36,10 @@ protected:
 
 private:
     const report::Region region_;
-    QColor hatch_;  ///< not valid: none
+    QColor hatch_;  ///< hatching colour; invalid: none
 };
 
-/// What lies over the curves: limits, marks, handles and the marked place, with their names.
+/// Layer above the curves: limits, marks, handles and the marked place, with labels.
 class ChartLines : public QCPLayerable {
 public:
     ChartLines(QCustomPlot* plot, const report::Plot& chart, const PlotStyle& style)
@@ -47,12 +47,12 @@ public:
     {
     }
     QFont font;
-    std::optional<double> markedX;      ///< an upright line
-    std::vector<QPointF> markedPlaces;  ///< on paths
-    std::optional<std::size_t> chosen;  ///< the handle that keys move
-    PointedOut pointedOut;              ///< by a linked view
+    std::optional<double> marked_x;      ///< marked x: vertical line
+    std::vector<QPointF> marked_places;  ///< marked places on paths
+    std::optional<std::size_t> chosen;   ///< handle moved by keys
+    PointedOut pointed_out;              ///< highlighted by a linked view
 
-    double reach() const { return 0.4 * QFontMetricsF(font).height(); }  ///< radius of a point's handle
+    double reach() const { return 0.4 * QFontMetricsF(font).height(); }  ///< picking radius of a point's handle
 
 protected:
     void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
@@ -71,22 +71,22 @@ private:
 
     const report::Plot& chart_;
     const PlotStyle& style_;
-    std::vector<QRectF> names_;  ///< drawn so far
+    std::vector<QRectF> names_;  ///< rectangles of the labels drawn so far
 };
 
 struct ChartView::Content {
-    report::Plot data;                         ///< what is shown
-    std::vector<std::vector<double>> places;   ///< where the samples of each curve stand
-    std::vector<QCPAbstractPlottable*> drawn;  ///< one for each curve; Band: the upper edge
-    std::vector<QCPGraph*> lowEdges;           ///< one for each curve, null but for bands
+    report::Plot data;                         ///< shown plot
+    std::vector<std::vector<double>> places;   ///< x of the samples by curve
+    std::vector<QCPAbstractPlottable*> drawn;  ///< graph by curve; Band: the upper edge
+    std::vector<QCPGraph*> low_edges;          ///< lower edge by curve; null except for bands
     std::vector<RegionFill*> regions;          ///< one for each region of `data`
     ChartLines* lines = nullptr;               ///< limits, marks and handles
     std::optional<double> marked;              ///< the marked place; none: no mark
-    bool holds = false;                        ///< the pointer has the chosen handle
-    bool hasMoved = false;                     ///< the chosen handle, since it was last let go
+    bool holds = false;                        ///< the chosen handle is being dragged
+    bool has_moved = false;                    ///< the chosen handle has moved in this drag
     ChartView* leader = nullptr;               ///< whose x axis this chart shares; null: it has its own
-    bool sharing = false;                      ///< the range of x is being handed on between leader and follower
-    bool levelling = false;  ///< scales are being made equal, so that the change of a range is not answered again
+    bool sharing = false;                      ///< guards against recursion between leader and follower
+    bool levelling = false;                    ///< guards against recursion while scales are equalised
 
     bool hasPaths() const { return !data.curves.empty() && !data.curves.back().along.empty(); }
 };

@@ -24,7 +24,7 @@ QColor faint(QColor colour, int alpha)
     return colour;
 }
 
-/// Index of the sample nearest to x; x rises.
+/// Index of the sample nearest to x, for ascending x.
 std::size_t nearest(const std::vector<double>& x, double place)
 {
     const auto after = std::lower_bound(x.begin(), x.end(), place);
@@ -36,10 +36,10 @@ std::size_t nearest(const std::vector<double>& x, double place)
 
 bool isRead(const report::Curve& curve)
 {
-    return curve.spoken && !curve.thin;
+    return curve.has_readout && !curve.thin;
 }
 
-/// A line whose x does not rise from sample to sample, such as an outline: a graph would sort it, or miss parts of it.
+/// A line with non-monotone x, such as an outline: a QCPGraph would sort it or omit parts.
 bool isPath(const report::Curve& curve)
 {
     if (!curve.along.empty()) return true;
@@ -57,7 +57,7 @@ std::size_t samplesOf(const report::Curve& curve)
     return std::min(curve.x.size(), curve.y.size());
 }
 
-/// A number in the unit of its axis, with the digits that this axis can show.
+/// A number in the unit of its axis, with the digits resolved by the axis.
 QString onAxis(const QCPAxis& axis, double value, Text unit, const QLocale& locale)
 {
     const bool logarithmic = axis.scaleType() == QCPAxis::stLogarithmic;
@@ -109,7 +109,7 @@ void ChartView::setData(report::Plot data)
         c.lines->chosen = i;
         if (c.holds) report::moveHandle(c.data.handles[i], chosen->x, chosen->y);
     }
-    if (!c.lines->chosen) c.holds = c.hasMoved = false;
+    if (!c.lines->chosen) c.holds = c.has_moved = false;
     build();
     setAxes(c.data.x, c.data.y);
     setTitles(chartText(c.data.title), chartText(c.data.remark), chartText(c.data.x), chartText(c.data.y));
@@ -122,7 +122,7 @@ void ChartView::build()
     Content& c = *content_;
     plot().clearPlottables();
     c.drawn.clear();
-    c.lowEdges.clear();
+    c.low_edges.clear();
     c.regions.clear();
     c.places.clear();
     bool named = false;
@@ -168,7 +168,7 @@ void ChartView::build()
             if (low) graph->setChannelFillGraph(low);
             c.drawn.push_back(graph);
         }
-        c.lowEdges.push_back(low);
+        c.low_edges.push_back(low);
         add(c.drawn.back(), curve.name);
     }
     showLegend(named);
@@ -186,7 +186,7 @@ void ChartView::applyStyle()
     for (std::size_t i = 0; i < c.drawn.size(); ++i) {
         const report::Curve& curve = c.data.curves[i];
         const QColor colour = style().colour(curve.colour, i);
-        const double width = curve.along.empty() ? style().lineWidth : 1.2 * style().lineWidth;
+        const double width = curve.along.empty() ? style().line_width : 1.2 * style().line_width;
         QCPAbstractPlottable* drawn = c.drawn[i];
         switch (curve.style) {
             case report::Curve::Style::Line:
@@ -199,7 +199,7 @@ void ChartView::applyStyle()
                 break;
             case report::Curve::Style::Band:
                 drawn->setPen(Qt::NoPen);
-                c.lowEdges[i]->setPen(Qt::NoPen);
+                c.low_edges[i]->setPen(Qt::NoPen);
                 drawn->setBrush(faint(colour, 90));
                 break;
             case report::Curve::Style::Points:
@@ -215,7 +215,7 @@ void ChartView::applyStyle()
 
 void ChartView::fitRanges()
 {
-    if (content_->holds) return;  // the ground must not move under the pointer
+    if (content_->holds) return;  // keep the range during a drag
     const Interval x = report::shownX(content_->data), y = report::shownY(content_->data);
     if (const ChartView* leader = content_->leader)
         takeX(leader->visibleRange().left(), leader->visibleRange().right());
@@ -224,7 +224,7 @@ void ChartView::fitRanges()
     plot().yAxis->setRange(y.from, y.to);
 }
 
-/// Widens the range of the axis that has more room, so that a circle looks like one.
+/// Widens one axis range for equal scales.
 void ChartView::keepScalesEqual()
 {
     if (content_->levelling || !content_->data.equal_scales) return;
@@ -236,7 +236,7 @@ void ChartView::keepScalesEqual()
     if (perX > 1.0001 * perY) plot().yAxis->setScaleRatio(plot().xAxis, 1);
     if (perY > 1.0001 * perX) plot().xAxis->setScaleRatio(plot().yAxis, 1);
     content_->levelling = false;
-    // The ticks of this drawing are those of the range before; a change of margins alone is not drawn again.
+    // The ticks are those of the previous range; a change of margins alone is not redrawn.
     constexpr double seen = 0.02;
     const QRectF after = visibleRange();
     if (std::abs(after.width() - before.width()) > seen * before.width() ||
@@ -251,7 +251,7 @@ QString ChartView::readoutAt(double x, double y) const
     if (c.hasPaths()) return pathReadout(x, y);
     const auto onX = [&](double value) { return onAxis(*plot().xAxis, value, data.x.unit, locale()); };
     const auto onY = [&](double value) { return onAxis(*plot().yAxis, value, data.y.unit, locale()); };
-    bool counts = false;  // an x that only takes whole numbers is spoken as one
+    bool counts = false;  // integer x is shown without decimals
     for (std::size_t k = 0; k < data.curves.size() && !counts; ++k) {
         const std::vector<double>& places = c.places[k];
         if (data.curves[k].style != report::Curve::Style::Bars || places.empty()) continue;
@@ -262,8 +262,8 @@ QString ChartView::readoutAt(double x, double y) const
     }
     QStringList parts;
     const QString place = withUnit(counts ? readable(x, 1000, locale()) : onX(x), data.x.unit);
-    // "5 UPR" says it all.
-    parts << (counts && !data.x.unit.empty() ? place : spokenTitle(data.x) + ' ' + place);
+    // With a unit, such as "5 UPR", the axis title is omitted.
+    parts << (counts && !data.x.unit.empty() ? place : shortAxisTitle(data.x) + ' ' + place);
     bool any = false;
     for (std::size_t k = 0; k < data.curves.size(); ++k) {
         const report::Curve& curve = data.curves[k];
@@ -271,21 +271,21 @@ QString ChartView::readoutAt(double x, double y) const
         if (!isRead(curve) || places.empty() || x < places.front() || x > places.back()) continue;
         const std::size_t i = nearest(places, x);
         if (i >= curve.y.size() || std::isnan(curve.y[i])) continue;
-        const QString name = report::captionText(curve.name).empty() ? spokenTitle(data.y) : chartText(curve.name);
+        const QString name = report::captionText(curve.name).empty() ? shortAxisTitle(data.y) : chartText(curve.name);
         any = true;
-        if (i < curve.said.size())
-            parts << name + ' ' + readable(curve.said[i], 0.1, curve.said_unit, locale());
+        if (i < curve.readout_y.size())
+            parts << name + ' ' + readable(curve.readout_y[i], 0.1, curve.readout_unit, locale());
         else if (curve.style == report::Curve::Style::Band)
             parts << name + ' ' + onY(curve.y_low[i]) + "…" + withUnit(onY(curve.y[i]), data.y.unit);
         else
             parts << name + ' ' + withUnit(onY(curve.y[i]), data.y.unit);
         if (i < curve.words.size() && !curve.words[i].empty()) parts << screenText(curve.words[i]);
     }
-    if (!any) parts << spokenTitle(data.y) + ' ' + withUnit(onY(y), data.y.unit);
+    if (!any) parts << shortAxisTitle(data.y) + ' ' + withUnit(onY(y), data.y.unit);
     return parts.join("  ·  ");
 }
 
-/// Of the curves that are read the one nearest above or below the pointer.
+/// The curve with readout nearest in y to the pointer.
 PointerTag::Words ChartView::tagAt(const QPointF& pointer, double x, double) const
 {
     const Content& c = *content_;
@@ -305,9 +305,10 @@ PointerTag::Words ChartView::tagAt(const QPointF& pointer, double x, double) con
         const double away = std::abs(plot().yAxis->coordToPixel(curve.y[i]) - pointer.y());
         if (away >= least) continue;
         least = away;
-        const bool is_said = i < curve.said.size();
-        words.value = is_said ? readable(curve.said[i], 0.1, curve.said_unit, locale())
-                              : withUnit(onAxis(*plot().yAxis, curve.y[i], data.y.unit, locale()), data.y.unit);
+        const bool has_readout_value = i < curve.readout_y.size();
+        words.value = has_readout_value
+                          ? readable(curve.readout_y[i], 0.1, curve.readout_unit, locale())
+                          : withUnit(onAxis(*plot().yAxis, curve.y[i], data.y.unit, locale()), data.y.unit);
         words.place = withUnit(onAxis(*plot().xAxis, places[i], data.x.unit, locale()), data.x.unit);
         const QString name = chartText(curve.name);
         if (!name.isEmpty()) words.place += "  ·  " + name;
@@ -344,21 +345,21 @@ QString ChartView::pathReadout(double x, double y) const
 
 void ChartView::pointOut(PointedOut what)
 {
-    content_->lines->pointedOut = std::move(what);
+    content_->lines->pointed_out = std::move(what);
     drawOverlay();
 }
 
 const PointedOut& ChartView::pointedOut() const
 {
-    return content_->lines->pointedOut;
+    return content_->lines->pointed_out;
 }
 
 void ChartView::setMarker(std::optional<double> place)
 {
     Content& c = *content_;
     c.marked = place;
-    c.lines->markedX = c.hasPaths() ? std::nullopt : place;
-    c.lines->markedPlaces.clear();
+    c.lines->marked_x = c.hasPaths() ? std::nullopt : place;
+    c.lines->marked_places.clear();
     for (const report::Curve& curve : c.data.curves) {
         if (!place || !isRead(curve) || curve.along.empty()) continue;
         std::size_t best = 0;
@@ -369,7 +370,7 @@ void ChartView::setMarker(std::optional<double> place)
             least = away;
             best = i;
         }
-        c.lines->markedPlaces.emplace_back(curve.x[best], curve.y[best]);
+        c.lines->marked_places.emplace_back(curve.x[best], curve.y[best]);
     }
     drawOverlay();
 }

@@ -1,5 +1,5 @@
-// A Plot of the engine on the screen: the same titles, colours, ranges and ticks as in the report, and besides a
-// pointer that reads, zoom and pan, a marked place, and handles to drag. 1e6 points draw smoothly.
+// A Plot of the engine on the screen: the same titles, colours, ranges and ticks as in the report, with pointer
+// readout, zoom and pan, a marked place, and draggable handles. Handles 1e6 points interactively.
 #pragma once
 
 #include <QPolygonF>
@@ -10,11 +10,11 @@
 
 namespace lathelier::plot {
 
-/// What a linked view points out in the plane: a stretch of a path, the outline of a tool. In data coordinates.
+/// Highlight set by a linked view: a section of a path, the outline of a tool. In data coordinates.
 struct PointedOut {
-    std::vector<QPolygonF> lines;   ///< drawn thick
-    std::vector<QPolygonF> shapes;  ///< closed and shaded
-    std::optional<QPointF> place;   ///< a dot
+    std::vector<QPolygonF> lines;   ///< thick lines
+    std::vector<QPolygonF> shapes;  ///< shaded polygons
+    std::optional<QPointF> place;   ///< dot
 };
 
 class ChartView : public PlotCanvas {
@@ -24,33 +24,33 @@ public:
     explicit ChartView(QWidget* parent = nullptr);
     ~ChartView() override;
 
-    /// Shows `data`; the user's zoom stays when the title is the same as before, a handle that is held stays with the
-    /// pointer.
+    /// Shows `data`; the user's zoom stays when the title is the same as before, a dragged handle stays at the pointer.
     void setData(report::Plot data);
     const report::Plot& data() const;
 
     /// Moves a handle alone, without touching the curves; inside its ranges. Unknown keys are ignored.
     void setHandle(const QString& key, double x, double y);
 
-    /// Marks one x, or one place along the paths of the chart; picked here or in a linked view.
+    /// Marks one x, or one place along the paths of the chart; set here or by a linked view.
     void setMarker(std::optional<double> place);
     std::optional<double> marker() const;
 
-    /// Drawn over the curves, which are not drawn again for it.
+    /// Drawn above the curves without redrawing them.
     void pointOut(PointedOut what);
     const PointedOut& pointedOut() const;
 
-    /// This chart stands under `leader` and shares its x axis: the same margins, the same range, whichever of them is
-    /// zoomed or panned. `leader` must live as long.
+    /// This chart shares the x axis of `leader` above it: equal margins and range under zoom and pan. `leader` must
+    /// outlive this chart.
     void followX(ChartView* leader);
 
     QString csv() const override;
     void resetView() override;
 
 signals:
-    void rangeChanged();  ///< another part of the plane is shown
+    void rangeChanged();  ///< the visible range has changed
 
-    /// A handle is dragged, or moved by the arrow keys after Tab or a click has chosen it; `dropped` when it is let go.
+    /// A handle is dragged, or moved by the arrow keys after Tab or a click has chosen it; `dropped` at the end of the
+    /// drag.
     void handleMoved(const QString& key, double x, double y, bool dropped);
 
 protected:

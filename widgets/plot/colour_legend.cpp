@@ -23,7 +23,8 @@ struct Tick {
     bool tolerance;
 };
 
-/// Round shares of the limit and the tolerance; numbers nearer than `apart` (in units of the value) give way to it.
+/// Round shares of the limit and the tolerance; numbers closer than `apart` (in the unit of the value) to the tolerance
+/// are omitted.
 std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
 {
     std::vector<Tick> ticks;
@@ -39,10 +40,10 @@ std::vector<Tick> ticksOf(const report::DeviationColours& colours, double apart)
     return ticks;
 }
 
-/// `limit` and the tick in the engine's unit, the number in the unit that is shown.
+/// `limit` and the tick in the engine's unit, the number in the display unit.
 QString signedNumber(const Tick& tick, double limit, Text unit, const QLocale& locale)
 {
-    // A tolerance was given: it is shown as it was.
+    // A tolerance is shown with the digits it was given with.
     const double value = tick.value * screenFactor(unit);
     const double least_digit = std::floor(std::log10(limit * screenFactor(unit)) + 1e-9);
     const int digits = static_cast<int>(std::clamp(2 - least_digit, 0.0, 7.0)) + 2 * tick.tolerance;

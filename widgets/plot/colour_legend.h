@@ -1,4 +1,4 @@
-// The colour scale of signed deviations, always shown beside what it colours, with its limit to edit.
+// Colour scale of signed deviations with an editable limit, shown beside the coloured view.
 #pragma once
 
 #include <QString>
@@ -13,21 +13,21 @@ class QPainter;
 
 namespace lathelier::plot {
 
-/// How many values there are of each size, drawn beside the scale.
+/// Histogram of the values, drawn beside the scale.
 struct ScaleCounts {
     std::vector<double> edges;   ///< ascending, one more than counts; empty: nothing is drawn
-    std::vector<double> counts;  ///< of each bin, of any sum
+    std::vector<double> counts;  ///< count by bin, in any normalisation
 };
 
-/// Counts of `values` in even bins of the scale; those beyond its ends in none.
+/// Counts of `values` in even bins of the scale; values beyond its ends are not counted.
 ScaleCounts countsOf(const std::vector<float>& values, const report::DeviationColours& colours);
 
-/// What a legend shows.
+/// Content of a legend.
 struct Legend {
     report::DeviationColours colours;
     ScaleCounts counts;
     QString title;
-    Text unit;  ///< of the values, by the engine; empty: none
+    Text unit;  ///< unit of the values in the engine; empty: none
 };
 
 /// Paints title, bar, numbers, the marks of the tolerance and the counts into `room`.
@@ -43,25 +43,25 @@ class LimitEdit : public QWidget {
 
 public:
     explicit LimitEdit(QWidget* parent = nullptr);
-    void setUnit(Text unit);  ///< of the limits, by the engine
+    void setUnit(Text unit);  ///< unit of the limits in the engine
     void setColours(const report::DeviationColours& colours);
 
 signals:
-    /// `lower`: how far the scale is to go below 0; 0: as far as above.
+    /// `lower`: extent of the scale below 0; 0: symmetric.
     void edited(double upper, double lower);
 
 private:
     void showSides();
     void announce();
 
-    Text unit_;                       ///< of the limits, by the engine
-    report::DeviationColours shown_;  ///< with the limits
+    Text unit_;                       ///< unit of the limits in the engine
+    report::DeviationColours shown_;  ///< shown colours with limits
     QDoubleSpinBox* upper_;
     QDoubleSpinBox* lower_;
     QAction* apart_;
 };
 
-/// Legend and limit as one widget, to lie over a picture.
+/// Legend and limit editor as one overlay widget.
 class ColourLegend : public QWidget {
     Q_OBJECT
 
@@ -73,7 +73,7 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    void limitEdited(double upper, double lower);  ///< as LimitEdit::edited()
+    void limitEdited(double upper, double lower);  ///< see LimitEdit::edited()
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -7,12 +7,12 @@
 
 namespace lathelier::plot {
 
-/// A picture stretched over a rectangle of plot coordinates, cells kept sharp.
+/// An image over a rectangle of plot coordinates, without interpolation between cells.
 class GridPicture : public QCPAbstractPlottable {
 public:
     GridPicture(QCPAxis* x, QCPAxis* y) : QCPAbstractPlottable(x, y) { removeFromLegend(); }
 
-    /// NaN is left blank; no map: nothing is drawn.
+    /// NaN is transparent; without a map nothing is drawn.
     void set(const report::ColourMap& map, const report::DeviationColours& colours);
     void setOpacity(double opacity) { opacity_ = opacity; }
 

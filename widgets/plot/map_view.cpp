@@ -19,7 +19,7 @@ struct MapView::Content {
         QFont font;
         QColor text;
         QLocale locale;
-        int narrowest = 0;  ///< the field of the limit stands above
+        int narrowest = 0;  ///< least width, required by the limit field above
 
         bool is_shown = true;
 
@@ -141,7 +141,7 @@ void MapView::applyStyle()
     legend.font = font();
     legend.text = style().text;
     legend.locale = locale();
-    content_->marker->setPen(QPen(style().marker, 1.2 * style().lineWidth));
+    content_->marker->setPen(QPen(style().marker, 1.2 * style().line_width));
     placeEdit();
 }
 
@@ -149,7 +149,7 @@ QString MapView::readoutAt(double x, double y) const
 {
     const report::ColourMap& d = content_->data;
     const auto axis = [&](const report::Axis& a, double value, double span) {
-        return spokenTitle(a) + ' ' + readable(value, span, a.unit, locale());
+        return shortAxisTitle(a) + ' ' + readable(value, span, a.unit, locale());
     };
     const double value = d.at(x, y);
     return axis(d.x, x, visibleRange().width()) + "  ·  " + axis(d.y, y, visibleRange().height()) + "  ·  " +
@@ -180,7 +180,7 @@ int MapView::besideAxes() const
 
 void MapView::placeEdit()
 {
-    // The field stands above the scale, in the line of the title, where the picture has nothing to cover.
+    // The field is above the scale, beside the title, where it covers nothing.
     LimitEdit* edit = content_->edit;
     content_->legend->is_shown = !isSmall();
     edit->setVisible(!content_->data.empty() && !isSmall());
@@ -188,7 +188,8 @@ void MapView::placeEdit()
     content_->legend->narrowest = edit->width();
     edit->move(width() - edit->width(), 0);
     leaveRoomInTitle(edit->width());
-    const int aside = isSmall() ? fontMetrics().height() : content_->legend->width();  // of the last tick's number
+    const int aside = isSmall() ? fontMetrics().height() : content_->legend->width();  // space for the label of the
+                                                                                       // last tick
     plot().axisRect()->setMargins(QMargins(0, 0, aside, 0));
 }
 

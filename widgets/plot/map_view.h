@@ -1,4 +1,4 @@
-// The unrolled map: a value on a grid as a colour picture, with axes, colour scale, crosshair and picking.
+// A colour map of a gridded value, with axes, colour scale, crosshair and picking.
 #pragma once
 
 #include "widgets/plot/plot_canvas.h"
@@ -14,15 +14,15 @@ public:
     explicit MapView(QWidget* parent = nullptr);
     ~MapView() override;
 
-    /// The colours of the scale are set apart: they follow the user at once.
+    /// The colour scale is set separately, so that it follows the user immediately.
     void setData(report::ColourMap data);
     const report::ColourMap& data() const;
 
-    /// Recolours at once.
+    /// Recolours immediately.
     void setColours(const report::DeviationColours& colours);
-    void setCounts(ScaleCounts counts);  ///< beside the scale
+    void setCounts(ScaleCounts counts);  ///< histogram beside the scale
 
-    /// Marks one place, picked here or in a linked view.
+    /// Marks one place, set here or by a linked view.
     void setMarker(std::optional<QPointF> place);
     std::optional<QPointF> marker() const;
 
@@ -32,7 +32,7 @@ public:
     QString csv() const override;
 
 signals:
-    void limitEdited(double upper, double lower);  ///< the user wants another scale; as LimitEdit::edited()
+    void limitEdited(double upper, double lower);  ///< request for another scale; see LimitEdit::edited()
 
 protected:
     void applyStyle() override;

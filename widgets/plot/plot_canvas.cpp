@@ -10,9 +10,9 @@
 namespace lathelier::plot {
 namespace {
 
-constexpr int lowestWithLegend = 10;  // lines of type
+constexpr int lowestWithLegend = 10;  // height in text lines below which the legend is omitted
 
-/// The ticks and numbers of the report.
+/// Ticker with the ticks and labels of the report.
 class ChartTicker : public QCPAxisTicker {
 public:
     ChartTicker(report::Axis::Scale scale, double factor) : scale_(scale), factor_(factor) {}
@@ -20,7 +20,7 @@ public:
     void generate(const QCPRange& range, const QLocale& locale, QChar, int, QVector<double>& ticks,
                   QVector<double>* subTicks, QVector<QString>* labels) override
     {
-        // Steps of 1, 2, 5 leave up to 2.5 times fewer ticks than asked for: so many that they lie about the count.
+        // Steps of 1, 2, 5 give up to 2.5 times fewer ticks than requested: the request is scaled accordingly.
         const report::Ticks found =
             report::axisTicks(scale_, {range.lower, range.upper}, tickCount() + (tickCount() + 1) / 2, factor_);
         ticks = {found.values.begin(), found.values.end()};
@@ -36,7 +36,7 @@ public:
 
 private:
     report::Axis::Scale scale_;
-    double factor_;  ///< number at a tick = its place × factor
+    double factor_;  ///< tick label = value × factor
 };
 
 }  // namespace
@@ -54,7 +54,7 @@ PlotCanvas::PlotCanvas(QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     plot_->setFocusProxy(this);
     plot_->setMouseTracking(true);
-    plot_->setMinimumSize(40, 30);  // it cannot paint on nothing
+    plot_->setMinimumSize(40, 30);  // QCustomPlot cannot paint on an empty area
     plot_->installEventFilter(this);
     plot_->setPlottingHint(QCP::phFastPolylines);
     plot_->setNoAntialiasingOnDrag(true);
@@ -99,8 +99,8 @@ PlotCanvas::~PlotCanvas() = default;
 void PlotCanvas::setTitles(const QString& title, const QString& remark, const QString& x, const QString& y)
 {
     parts_->title->set(title, remark);
-    parts_->xTitle = x;
-    parts_->yTitle = y;
+    parts_->x_title = x;
+    parts_->y_title = y;
     setAccessibleName(title);
 }
 
@@ -127,16 +127,16 @@ void PlotCanvas::setReadout(const QString& text)
 
 void PlotCanvas::showLegend(bool shown)
 {
-    parts_->legendWanted = shown;
+    parts_->legend_wanted = shown;
     placeLegend();
 }
 
 void PlotCanvas::placeLegend()
 {
-    // A low plot needs its room for the curves.
+    // In a low plot the space is used for the curves.
     const bool shown =
-        parts_->legendWanted && !isSmall() && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
-    // Below the axes, so that it never covers a curve; out of the layout when empty, where it would narrow the column.
+        parts_->legend_wanted && !isSmall() && (height() == 0 || height() > lowestWithLegend * fontMetrics().height());
+    // Below the axes, so that it covers no curve; removed from the layout when empty, since it would narrow the column.
     QCPLayoutGrid* grid = plot_->plotLayout();
     const bool there = grid->hasElement(2, 0);
     if (shown && !there) {
@@ -156,8 +156,8 @@ void PlotCanvas::leaveRoomInTitle(int pixels)
 
 void PlotCanvas::refresh(bool keepView)
 {
-    if (!keepView || !parts_->viewChosen) {
-        parts_->viewChosen = false;
+    if (!keepView || !parts_->view_chosen) {
+        parts_->view_chosen = false;
         fitRanges();
     }
     restyle(palette());
@@ -166,7 +166,7 @@ void PlotCanvas::refresh(bool keepView)
 
 void PlotCanvas::redraw()
 {
-    // A hidden plot has nothing to paint on; it is drawn when it is shown.
+    // A hidden plot is drawn when it is shown.
     if (isVisible()) plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -184,23 +184,23 @@ void PlotCanvas::showEvent(QShowEvent* event)
 
 void PlotCanvas::setDrawsStretch(bool on)
 {
-    parts_->drawsStretch = on;
+    parts_->draws_stretch = on;
     plot_->setCursor(on ? Qt::SplitHCursor : Qt::CrossCursor);
 }
 
 bool PlotCanvas::isViewChosen() const
 {
-    return parts_->viewChosen;
+    return parts_->view_chosen;
 }
 
 void PlotCanvas::chooseView()
 {
-    parts_->viewChosen = true;
+    parts_->view_chosen = true;
 }
 
 void PlotCanvas::resetView()
 {
-    parts_->viewChosen = false;
+    parts_->view_chosen = false;
     fitRanges();
     redraw();
 }
@@ -265,7 +265,7 @@ void PlotCanvas::fitTexts()
     const QFontMetrics metrics(font());
     const int height = metrics.height();
     const auto fit = [&](QCPAxis* axis, const QString& title, int length, int tickLength) {
-        // Where the title has no room, its unit says more than its first letters.
+        // Without space for the title its unit is shown.
         const qsizetype unit = title.lastIndexOf('(');
         const bool fits = metrics.horizontalAdvance(title) <= length;
         if (isSmall()) {
@@ -276,13 +276,13 @@ void PlotCanvas::fitTexts()
                                         : title.mid(static_cast<int>(unit)));
         axis->ticker()->setTickCount(std::clamp(length / std::max(tickLength, 1), 2, 9));
     };
-    fit(plot_->xAxis, parts_->xTitle, width() - 6 * height - besideAxes(), 5 * height);
-    fit(plot_->yAxis, parts_->yTitle, this->height() - (isSmall() ? 2 : 6) * height, (isSmall() ? 4 : 3) * height / 2);
+    fit(plot_->xAxis, parts_->x_title, width() - 6 * height - besideAxes(), 5 * height);
+    fit(plot_->yAxis, parts_->y_title, this->height() - (isSmall() ? 2 : 6) * height, (isSmall() ? 4 : 3) * height / 2);
     int widest = 1;
     for (QCPLayoutElement* item : plot_->legend->elements(false))
         if (item) widest = std::max(widest, item->minimumOuterSizeHint().width() + plot_->legend->columnSpacing());
     plot_->legend->setWrap(std::max(1, (width() - 20) / widest));
-    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst, true);  // puts what is there already into the new columns
+    plot_->legend->setFillOrder(QCPLegend::foColumnsFirst, true);  // rearranges existing items into the new columns
 }
 
 void PlotCanvas::sizeChosen()
@@ -313,7 +313,7 @@ void PlotCanvas::resizeEvent(QResizeEvent* event)
     QWidget::resizeEvent(event);
     placeLegend();
     fitTexts();
-    redraw();  // the plot itself was resized before this event, with the old texts
+    redraw();  // the plot was resized before this event, with the old texts
 }
 
 }  // namespace lathelier::plot

@@ -1,6 +1,5 @@
-// What every plot can do: title, crosshair with the values in the title's place (its remark stays), wheel zoom, drag to
-// pan, double click to reset, keyboard, context menu with copy and save. ChartView and MapView put their content into
-// it.
+// Common base of plots: title, crosshair with a readout in place of the title (its remark stays), wheel zoom, drag to
+// pan, double click to reset, keyboard, context menu with copy and save. ChartView and MapView add the content.
 #pragma once
 
 #include <memory>
@@ -24,13 +23,13 @@ public:
     void resetView() override;
     /// The visible ranges: x from the left, width, y from below, height.
     QRectF visibleRange() const;
-    /// The place of a data point in this widget, for tests and for callouts.
+    /// Position of a data point in this widget, for tests and callouts.
     QPointF pixelAt(double x, double y) const;
-    /// What stands in the title's place while the pointer is over the axes.
+    /// Readout shown in place of the title while the pointer is over the axes.
     QString readout() const;
-    /// While `on`, a drag draws a stretch of the x axis instead of moving the view.
+    /// While `on`, a drag selects an interval of the x axis instead of panning.
     void setDrawsStretch(bool on);
-    /// The value nearest to the pointer, beside it.
+    /// Tag with the value nearest to the pointer.
     const PointerTag& tag() const { return *tag_; }
 
     QSize sizeHint() const override { return {480, 320}; }
@@ -39,7 +38,7 @@ public:
 signals:
     void clicked(double x, double y);           ///< a click that was no drag, in data coordinates
     void stretchDrawn(double from, double to);  ///< on the x axis, from < to
-    void clickTakenBack();  ///< that click was the first half of a double click, which resets the view
+    void clickTakenBack();                      ///< the last click was the first half of a double click
 
 protected:
     explicit PlotCanvas(QWidget* parent);
@@ -50,20 +49,20 @@ protected:
     void setAxes(const report::Axis& x, const report::Axis& y);  ///< scales, and units of the numbers
     void setReadout(const QString& text);
     void showLegend(bool shown);
-    void leaveRoomInTitle(int pixels);  ///< at its right end
+    void leaveRoomInTitle(int pixels);  ///< space reserved at its right end
     /// Redraws; `keepView` leaves the ranges when the user has chosen them.
     void refresh(bool keepView);
-    void redraw();  ///< soon, if it is visible
+    void redraw();  ///< deferred redraw, if visible
     void drawOverlay();
     bool isViewChosen() const;  ///< the user has zoomed or panned
-    void chooseView();          ///< as if the user had zoomed
+    void chooseView();          ///< marks the view as chosen by the user
 
-    virtual void applyStyle() = 0;                            ///< colours, widths and fonts of the content
-    virtual QString readoutAt(double x, double y) const = 0;  ///< what the crosshair says
+    virtual void applyStyle() = 0;                            ///< applies colours, widths and fonts to the content
+    virtual QString readoutAt(double x, double y) const = 0;  ///< text of the crosshair readout
     virtual PointerTag::Words tagAt(const QPointF& pointer, double x, double y) const = 0;  ///< pointer in px
-    virtual void fitRanges() = 0;                                                           ///< the whole of the data
-    virtual int besideAxes() const { return 0; }              ///< pixels at the right that are not the axes
-    virtual bool beginDrag(const QPointF&) { return false; }  ///< true: the content takes the drag over
+    virtual void fitRanges() = 0;                             ///< sets the ranges to all data
+    virtual int besideAxes() const { return 0; }              ///< px at the right not used by the axes
+    virtual bool beginDrag(const QPointF&) { return false; }  ///< true: the content handles the drag
     virtual void continueDrag(double, double) {}
     virtual void endDrag() {}
     virtual bool isHandle(const QPointF&, Qt::CursorShape&) const { return false; }

@@ -1,4 +1,4 @@
-// How a PlotCanvas leaves the program: as picture and as vector file.
+// Export of a PlotCanvas as image and vector file.
 #include <QSvgGenerator>
 
 #include "widgets/plot/plot_parts.h"

@@ -1,4 +1,4 @@
-// What mouse and keyboard do in a PlotCanvas.
+// Mouse and keyboard interaction of a PlotCanvas.
 #include <cmath>
 
 #include "widgets/plot/plot_parts.h"
@@ -9,7 +9,7 @@ bool PlotCanvas::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched != plot_) return QWidget::eventFilter(watched, event);
     if (event->type() == QEvent::Leave) hideCrosshair();
-    // QCustomPlot keeps what the mouse does from its parent, the request for the menu too.
+    // QCustomPlot does not propagate mouse events, including the context menu, to its parent.
     if (event->type() == QEvent::ContextMenu) {
         const auto* request = static_cast<QContextMenuEvent*>(event);
         QContextMenuEvent here(request->reason(), plot_->mapTo(this, request->pos()), request->globalPos(),
@@ -34,36 +34,36 @@ void PlotCanvas::mousePressed(QMouseEvent* event)
     setFocus(Qt::MouseFocusReason);
     if (event->button() != Qt::LeftButton) return;
     parts_->pressed = true;
-    parts_->hasClicked = false;
-    parts_->pressedAt = event->pos();
-    if (parts_->drawsStretch && plot_->axisRect()->rect().contains(event->pos())) {
-        parts_->drawnFrom = plot_->xAxis->pixelToCoord(event->pos().x());
+    parts_->has_clicked = false;
+    parts_->pressed_at = event->pos();
+    if (parts_->draws_stretch && plot_->axisRect()->rect().contains(event->pos())) {
+        parts_->drawn_from = plot_->xAxis->pixelToCoord(event->pos().x());
         return plot_->setInteraction(QCP::iRangeDrag, false);
     }
-    parts_->dragsContent = beginDrag(event->pos());
-    plot_->setInteraction(QCP::iRangeDrag, !parts_->dragsContent);
+    parts_->drags_content = beginDrag(event->pos());
+    plot_->setInteraction(QCP::iRangeDrag, !parts_->drags_content);
 }
 
 void PlotCanvas::mouseMoved(QMouseEvent* event)
 {
     const double x = plot_->xAxis->pixelToCoord(event->pos().x());
     const double y = plot_->yAxis->pixelToCoord(event->pos().y());
-    if (parts_->drawnFrom) {
-        parts_->stretch->topLeft->setCoords(*parts_->drawnFrom, plot_->yAxis->range().upper);
+    if (parts_->drawn_from) {
+        parts_->stretch->topLeft->setCoords(*parts_->drawn_from, plot_->yAxis->range().upper);
         parts_->stretch->bottomRight->setCoords(x, plot_->yAxis->range().lower);
         parts_->stretch->setVisible(true);
         const auto number = [&](double v) {
             return readable(v * parts_->x_factor, visibleRange().width() * parts_->x_factor, locale());
         };
-        tag_->say({number(std::min(*parts_->drawnFrom, x)) + " … " + number(std::max(*parts_->drawnFrom, x)), {}},
+        tag_->say({number(std::min(*parts_->drawn_from, x)) + " … " + number(std::max(*parts_->drawn_from, x)), {}},
                   event->pos());
         return drawOverlay();
     }
-    if (parts_->dragsContent) return continueDrag(x, y);
-    if (parts_->pressed && (event->pos() - parts_->pressedAt).manhattanLength() > 3) parts_->viewChosen = true;
+    if (parts_->drags_content) return continueDrag(x, y);
+    if (parts_->pressed && (event->pos() - parts_->pressed_at).manhattanLength() > 3) parts_->view_chosen = true;
     if (!plot_->axisRect()->rect().contains(event->pos())) return hideCrosshair();
     Qt::CursorShape shape = Qt::CrossCursor;
-    if (parts_->drawsStretch)
+    if (parts_->draws_stretch)
         shape = Qt::SplitHCursor;
     else
         isHandle(event->pos(), shape);
@@ -84,31 +84,31 @@ void PlotCanvas::mouseReleased(QMouseEvent* event)
     if (event->button() != Qt::LeftButton || !parts_->pressed) return;
     parts_->pressed = false;
     plot_->setInteraction(QCP::iRangeDrag, true);
-    if (parts_->drawnFrom) {
-        const double from = *parts_->drawnFrom;
+    if (parts_->drawn_from) {
+        const double from = *parts_->drawn_from;
         const double to = plot_->xAxis->pixelToCoord(event->pos().x());
-        parts_->drawnFrom.reset();
+        parts_->drawn_from.reset();
         parts_->stretch->setVisible(false);
         hideCrosshair();
-        if (std::abs(event->pos().x() - parts_->pressedAt.x()) > 3)
+        if (std::abs(event->pos().x() - parts_->pressed_at.x()) > 3)
             emit stretchDrawn(std::min(from, to), std::max(from, to));
         return;
     }
-    if (parts_->dragsContent) {
-        parts_->dragsContent = false;
+    if (parts_->drags_content) {
+        parts_->drags_content = false;
         return endDrag();
     }
-    const bool still = (event->pos() - parts_->pressedAt).manhattanLength() <= 3;
+    const bool still = (event->pos() - parts_->pressed_at).manhattanLength() <= 3;
     if (!still || !plot_->axisRect()->rect().contains(event->pos())) return;
-    parts_->hasClicked = true;
+    parts_->has_clicked = true;
     emit clicked(plot_->xAxis->pixelToCoord(event->pos().x()), plot_->yAxis->pixelToCoord(event->pos().y()));
 }
 
 void PlotCanvas::mouseDoubleClicked(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton) return;
-    if (parts_->hasClicked) emit clickTakenBack();
-    parts_->hasClicked = false;
+    if (parts_->has_clicked) emit clickTakenBack();
+    parts_->has_clicked = false;
     resetView();
 }
 
@@ -123,7 +123,7 @@ void PlotCanvas::mouseWheel(QWheelEvent* event)
     else if (place.x() < inner.left())
         zoom = Qt::Vertical;
     plot_->axisRect()->setRangeZoom(zoom);
-    parts_->viewChosen = true;
+    parts_->view_chosen = true;
 }
 
 void PlotCanvas::keyPressEvent(QKeyEvent* event)
@@ -147,7 +147,7 @@ void PlotCanvas::keyPressEvent(QKeyEvent* event)
         case Qt::Key_Home: return resetView();
         default: return QWidget::keyPressEvent(event);
     }
-    parts_->viewChosen = true;
+    parts_->view_chosen = true;
     plot_->replot();
 }
 

@@ -1,4 +1,4 @@
-// What a PlotCanvas is made of. Included by its .cpp files only, because it shows QCustomPlot.
+// Parts of a PlotCanvas. Included by its .cpp files only, because it shows QCustomPlot.
 #pragma once
 
 #include <qcustomplot.h>
@@ -9,21 +9,21 @@
 namespace lathelier::plot {
 
 struct PlotCanvas::Parts {
-    TextLine* title;                  ///< above the plot
-    TextLine* readout;                ///< what the pointer reads
-    QCPItemStraightLine* vertical;    ///< through the pointer
-    QCPItemStraightLine* horizontal;  ///< through the pointer
-    QCPItemRect* stretch;             ///< that is being drawn
-    QString xTitle, yTitle;           ///< with units
-    double x_factor = 1;              ///< numbers at the x axis = values × factor
-    QPoint pressedAt;                 ///< in px of the widget
-    bool legendWanted = false;        ///< there is more than one curve with a name
-    bool pressed = false;             ///< a button of the mouse is held
-    bool hasClicked = false;          ///< with the last press
-    bool dragsContent = false;        ///< a handle follows the pointer, not the view
-    bool drawsStretch = false;        ///< a drag draws a stretch of the x axis
-    std::optional<double> drawnFrom;  ///< where it began, on the x axis; none: nothing is being drawn
-    bool viewChosen = false;          ///< the user has zoomed or panned
+    TextLine* title;                   ///< title above the plot
+    TextLine* readout;                 ///< pointer readout
+    QCPItemStraightLine* vertical;     ///< crosshair line
+    QCPItemStraightLine* horizontal;   ///< crosshair line
+    QCPItemRect* stretch;              ///< interval being drawn
+    QString x_title, y_title;          ///< axis titles with units
+    double x_factor = 1;               ///< tick label = value × factor
+    QPoint pressed_at;                 ///< position of the press, in px of the widget
+    bool legend_wanted = false;        ///< true: more than one named curve
+    bool pressed = false;              ///< a button of the mouse is held
+    bool has_clicked = false;          ///< the last press was a click
+    bool drags_content = false;        ///< the drag moves a handle, not the view
+    bool draws_stretch = false;        ///< a drag selects an interval of the x axis
+    std::optional<double> drawn_from;  ///< x at the start of the selection; none: no selection
+    bool view_chosen = false;          ///< the user has zoomed or panned
 };
 
 }  // namespace lathelier::plot

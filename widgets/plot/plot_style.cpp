@@ -21,7 +21,7 @@ PlotStyle::PlotStyle(const QPalette& palette, const QFont& font)
 {
     limit = colour(report::ColourRole::Limit);
     marker = colour(report::ColourRole::Mark);
-    lineWidth = std::max(1.4, QFontMetricsF(font).height() / 10);
+    line_width = std::max(1.4, QFontMetricsF(font).height() / 10);
 }
 
 QColor PlotStyle::colour(const report::ChartColour& meaning, std::size_t position) const
@@ -44,7 +44,7 @@ QString chartText(const report::Axis& axis)
     return QString::fromStdString(report::axisLabel(axis, screenLanguage()));
 }
 
-QString spokenTitle(const report::Axis& axis)
+QString shortAxisTitle(const report::Axis& axis)
 {
     return chartText(axis.title).section(',', 0, 0);
 }
@@ -60,8 +60,8 @@ QString readable(double value, double span, Text unit, const QLocale& locale)
 {
     QString number = readable(value * screenFactor(unit), span * screenFactor(unit), locale);
     if (unit.empty()) return number;
-    const QString said = screenUnit(unit);
-    return said == QStringLiteral("°") ? number + said : number + ' ' + said;
+    const QString unitText = screenUnit(unit);
+    return unitText == QStringLiteral("°") ? number + unitText : number + ' ' + unitText;
 }
 
 QString readable(double value, double span, const QLocale& locale)

@@ -17,7 +17,7 @@
 namespace lathelier::plot {
 namespace {
 
-/// Whole or not at all.
+/// Atomic writing.
 bool write(const QString& path, const QByteArray& bytes)
 {
     try {

@@ -1,4 +1,4 @@
-// A plot as its context menu and its exports see it: picture, vector file, data as CSV, "show all".
+// Interface of a plot for context menu and exports: image, vector file, data as CSV, "show all".
 #pragma once
 
 #include <QImage>
@@ -26,18 +26,18 @@ public:
     virtual void resetView() = 0;
 
 signals:
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void notWritten(const QString& path);  ///< the file could not be written
 
 protected:
     explicit PlotWidget(QWidget* parent);
 
-    /// The plot stands small beside a large view, whose frame says what it is (ViewFrame::smallView): it leaves out
-    /// titles, legend and fields, so that the data have the room.
+    /// The plot is a small view beside the large one (ViewFrame::smallView): titles, legend and fields are omitted in
+    /// favour of the data.
     bool isSmall() const;
     virtual void sizeChosen() {}  ///< isSmall() has changed
     bool event(QEvent* event) override;
-    virtual bool saveVector(const QString& path) = 0;  ///< .svg, .pdf
-    virtual void addToMenu(QMenu&) {}                  ///< what a kind of plot offers besides
+    virtual bool saveVector(const QString& path) = 0;  ///< saves .svg or .pdf
+    virtual void addToMenu(QMenu&) {}                  ///< further menu entries of a kind of plot
 
     void contextMenuEvent(QContextMenuEvent* event) override;
 

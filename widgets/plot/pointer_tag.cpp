@@ -8,7 +8,7 @@ namespace {
 
 constexpr int air_px = 6;
 constexpr int aside_px = 14;
-constexpr double valueSize = 1.35;  // of the type around it
+constexpr double valueSize = 1.35;  // font size of the value relative to the text
 
 }  // namespace
 

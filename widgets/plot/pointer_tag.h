@@ -1,4 +1,4 @@
-// What lies under the pointer, beside the pointer: the value large, its place below.
+// Tag beside the pointer: the value in large type, its place below.
 #pragma once
 
 #include <QWidget>
@@ -8,16 +8,16 @@ namespace lathelier::plot {
 class PointerTag : public QWidget {
     Q_OBJECT
 public:
-    /// The value that a person asks for by pointing, and where it is; no value: no tag.
+    /// Texts of the tag: value and place; no value: no tag.
     struct Words {
         QString value;
         QString place;
     };
 
-    /// Takes no pointer events.
+    /// Transparent for pointer events.
     explicit PointerTag(QWidget* parent);
 
-    /// Beside `pointer`, in coordinates of the parent, whole within it.
+    /// Placed beside `pointer` (coordinates of the parent), fully inside the parent.
     void say(const Words& words, const QPoint& pointer);
     const Words& words() const { return words_; }
 

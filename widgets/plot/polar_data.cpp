@@ -15,7 +15,7 @@ namespace lathelier::plot {
 namespace {
 
 constexpr int bins = 3600;
-constexpr double largestGap_deg = 15;  // a wider one is not closed by a line
+constexpr double largestGap_deg = 15;  // wider gaps are not closed by a line
 
 double radians(double degrees)
 {
@@ -113,10 +113,10 @@ double deviationAt(const report::PolarPlot::ReferenceLine& circle, double base_r
     return inside < 0 ? notANumber : along_um + std::sqrt(inside) - base_radius_mm * 1000;
 }
 
-PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t silent)
+PolarPicturePtr polarPicture(report::PolarPlot plot, std::size_t withoutReadout)
 {
     auto picture = std::make_shared<PolarPicture>();
-    picture->silent = silent;
+    picture->without_readout = withoutReadout;
     picture->plot = std::move(plot);
     double low = std::numeric_limits<double>::infinity(), high = -low;
     const auto see = [&](double value) {
@@ -157,7 +157,7 @@ std::optional<std::size_t> nearestSample(const report::PolarPlot::Trace& trace, 
 PolarScale::PolarScale(double share_per_um, const PolarPicture& picture, const QPointF& centre, double room_px)
     : share_(share_per_um), centre_(centre), room_px_(room_px)
 {
-    // The base circle gives way to what lies outside it, but never so far that nothing is left of it.
+    // The base circle is reduced to make space for outward deviations, down to a least radius.
     base_px_ = room_px / (1 + std::clamp(share_per_um * picture.highest_um * 1.06, 0.06, 1.2));
 }
 
@@ -175,7 +175,7 @@ double PolarScale::angleOf(const QPointF& place) const
 
 double fittingMagnification(const PolarPicture& picture)
 {
-    // What goes one way only may take the room of the other: deviations from an inscribed or circumscribed circle.
+    // One-sided deviations (inscribed or circumscribed circle) use the space of both sides.
     const double inward_um = std::max(-picture.lowest_um, 1e-6);
     const double range_um = std::max(picture.highest_um, 0.0) + inward_um;
     return rounded(std::min(1.0 / range_um, 0.65 / inward_um) * baseOf(picture.plot) * 1000, false);
@@ -215,7 +215,7 @@ QString toCsv(const report::PolarPlot& plot)
         QString name = chartText(circle.name);
         if (!name.isEmpty())
             named = &circle;
-        else if (named)  // the other circle of a zone, which the legend names once
+        else if (named)  // second circle of a zone, without a legend entry
             name = (circle.deviation_um < named->deviation_um ? PolarWords::tr("%1, inner circle")
                                                               : PolarWords::tr("%1, outer circle"))
                        .arg(chartText(named->name));

@@ -1,4 +1,4 @@
-// What the lines of a polar plot are: full names where there is room, short ones where the disc needs it.
+// Legend of a polar plot: full names, or short ones if the disc needs the space.
 #include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ std::vector<PolarPainter::LegendLine> PolarPainter::legendLines(bool shortNames)
     using Kind = LegendLine::Kind;
     std::vector<LegendLine> lines;
     const auto add = [&](QString text, const QColor& colour, Kind kind) {
-        if (shortNames) text = text.section("  ", 0, 0);  // what follows the name is a figure
+        if (shortNames) text = text.section("  ", 0, 0);  // a value follows the name
         const bool known =
             std::any_of(lines.begin(), lines.end(), [&](const LegendLine& line) { return line.text == text; });
         if (!text.isEmpty() && !known) lines.push_back({text, colour, kind});
@@ -57,7 +57,7 @@ PolarPainter::Legend PolarPainter::column(Legend legend) const
     return legend;
 }
 
-/// Columns of one width; where that would leave a single one, each entry behind the other.
+/// Columns of equal width; if only one fits, entries are set consecutively.
 PolarPainter::Legend PolarPainter::rows(Legend legend, double width_px) const
 {
     const QFontMetricsF metrics(font_);
@@ -95,14 +95,14 @@ PolarPainter::Split PolarPainter::split(const QRectF& room, const QSizeF& margin
     below.legend = rows(legend, room.width());
     below.disc = room.adjusted(0, 0, 0, -below.legend.size.height());
     below.disc_px = disc(below.disc);
-    below.legendAt = {room.center().x() - below.legend.size.width() / 2, below.disc.bottom()};
+    below.legend_at = {room.center().x() - below.legend.size.width() / 2, below.disc.bottom()};
     beside.legend = column(std::move(legend));
     if (beside.legend.size.height() > room.height()) return below;
     const double width = std::min(room.width() - beside.legend.size.width(), room.height() + 2 * margins.width());
     const double spare = std::max(0.0, room.width() - beside.legend.size.width() - width) / 2;
     beside.disc = QRectF(room.left() + spare, room.top(), width, room.height());
     beside.disc_px = disc(beside.disc);
-    beside.legendAt = beside.disc.topRight();
+    beside.legend_at = beside.disc.topRight();
     return beside.disc_px > below.disc_px ? beside : below;
 }
 
@@ -110,7 +110,7 @@ void PolarPainter::paintLegend(QPainter& painter) const
 {
     const double line = QFontMetricsF(font_).height();
     for (const LegendLine& entry : layout_.legend.lines) {
-        const QRectF place(layout_.legendAt + entry.place, QSizeF(layout_.legend.size.width(), line));
+        const QRectF place(layout_.legend_at + entry.place, QSizeF(layout_.legend.size.width(), line));
         const double half = layout_.legend.sample_px / 2 - 0.2 * line;
         const QPointF middle(place.left() + half, place.center().y());
         using Kind = LegendLine::Kind;
@@ -121,7 +121,7 @@ void PolarPainter::paintLegend(QPainter& painter) const
             fill.setAlphaF(0.3);
             painter.fillRect(QRectF(middle.x() - 0.9 * half, middle.y() - 0.3 * line, 1.8 * half, 0.6 * line), fill);
         } else {
-            painter.setPen(QPen(entry.colour, entry.kind == Kind::Thin ? 1 : 1.2 * style_.lineWidth,
+            painter.setPen(QPen(entry.colour, entry.kind == Kind::Thin ? 1 : 1.2 * style_.line_width,
                                 entry.kind == Kind::Dashed ? Qt::DashLine : Qt::SolidLine));
             painter.drawLine(middle - QPointF(0.9 * half, 0), middle + QPointF(0.9 * half, 0));
         }

@@ -72,7 +72,7 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
     } else if (bare() < smallestWithAllDegrees * line) {
         layout.degrees = 90;
     }
-    // The data come first: the legend is shortened, then left out, before it takes a large share of the disc.
+    // The legend is shortened, then omitted, before it takes a large share of the disc.
     Split best;
     for (const bool shortNames : {false, true}) {
         best = split(rest, margins, shortNames);
@@ -82,7 +82,7 @@ PolarPainter::Layout PolarPainter::layOut(const QRectF& room) const
     const double side = std::max(20.0, best.disc_px);
     layout.disc = QRectF(best.disc.center().x() - side / 2, best.disc.center().y() - side / 2, side, side);
     layout.legend = std::move(best.legend);
-    layout.legendAt = best.legendAt;
+    layout.legend_at = best.legend_at;
     return layout;
 }
 
@@ -123,7 +123,7 @@ void PolarPainter::paintTitle(QPainter& painter) const
     bold.setBold(true);
     const QFontMetricsF boldMetrics(bold), metrics(font_);
     const QString aside = remark();
-    // The magnification is part of what the plot says: the title gives way to it.
+    // The magnification is essential: the title is elided in favour of it.
     const double asideWidth = metrics.horizontalAdvance(aside) + metrics.height();
     const QString title = boldMetrics.elidedText(chartText(picture_.plot.title), Qt::ElideRight,
                                                  std::max(0.0, layout_.title.width() - asideWidth));
@@ -131,7 +131,7 @@ void PolarPainter::paintTitle(QPainter& painter) const
     painter.setFont(bold);
     painter.drawText(layout_.title, Qt::AlignLeft | Qt::AlignVCenter, title);
     painter.setFont(font_);
-    if (layout_.readout.isEmpty()) {  // the readout will stand at the left
+    if (layout_.readout.isEmpty()) {  // the readout is at the left
         painter.drawText(layout_.title, Qt::AlignRight | Qt::AlignVCenter, aside);
         return;
     }
@@ -170,7 +170,7 @@ void PolarPainter::paintGrid(QPainter& painter) const
         painter.drawLine(centre + (end - centre) * 0.05, end);
         if (layout_.degrees == 0 || angle % layout_.degrees != 0) continue;
         painter.setPen(style_.text);
-        // Clear of the disc by half a line in every direction, also where the label lies beside it.
+        // Keeps a distance of half a line from the disc in every direction.
         const QString label = QStringLiteral("%1°").arg(angle);
         const QPointF outward = (end - centre) / room;
         const double half = QFontMetricsF(font_).horizontalAdvance(label) / 2;
@@ -202,7 +202,7 @@ std::vector<report::PolarPlace> PolarPainter::drawnPlaces() const
     return places;
 }
 
-/// The numbers of the rings, along one ray where little is drawn. Painted before the data, which they must not hide.
+/// The numbers of the rings, along one ray where little is drawn. Painted below the data.
 void PolarPainter::paintScale(QPainter& painter) const
 {
     const QFontMetricsF metrics(font_);
@@ -219,7 +219,7 @@ void PolarPainter::paintScale(QPainter& painter) const
                             : signedDivision(ring * division_um_ * screenFactor(micrometre), locale_));
         labels.push_back({radius, metrics.horizontalAdvance(texts.back()) + 6, metrics.height()});
     };
-    add(0);  // the first to get a place
+    add(0);  // placed first
     for (int ring = every; ring <= outward; ring += every) add(ring);
     for (int ring = -every; ring >= -inward; ring -= every) add(ring);
     report::placeRingLabels(labels, drawnPlaces(), scale_.room_px());
@@ -243,7 +243,7 @@ void PolarPainter::paintLines(QPainter& painter, bool thin) const
         if (trace.thin != thin) continue;
         QColor colour = style_.colour(trace.colour, t);
         if (thin) colour.setAlphaF(0.35);
-        painter.setPen(QPen(colour, thin ? 1.0 : 1.2 * style_.lineWidth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.setPen(QPen(colour, thin ? 1.0 : 1.2 * style_.line_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         const PolarLine& line = picture_.lines[t];
         QPolygonF points;
         points.reserve(static_cast<int>(line.angle_deg.size()) + 1);
@@ -266,8 +266,8 @@ void PolarPainter::paintCircles(QPainter& painter) const
 {
     std::size_t position = picture_.plot.traces.size();
     for (const report::PolarPlot::ReferenceLine& line : picture_.plot.circles) {
-        painter.setPen(
-            QPen(style_.colour(line.colour, position++), style_.lineWidth, line.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.setPen(QPen(style_.colour(line.colour, position++), style_.line_width,
+                            line.dashed ? Qt::DashLine : Qt::SolidLine));
         if (isDrawn(line)) painter.drawPolyline(circle(line));
     }
 }
@@ -298,7 +298,7 @@ void PolarPainter::paintRings(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
 }
 
-/// What a contact is said to be, outside the profile at an outer one, else inside; none in a small plot.
+/// Label of a contact, outside the profile at an outer one, else inside; none in a small plot.
 void PolarPainter::paintContactNames(QPainter& painter) const
 {
     const QFontMetricsF metrics(font_);
@@ -313,7 +313,8 @@ void PolarPainter::paintContactNames(QPainter& painter) const
         const QPointF outward = arm / length;
         QRectF plate(0, 0, metrics.horizontalAdvance(name) + 6, metrics.height());
         const double away = 0.9 * metrics.height() + std::abs(outward.x()) * plate.width() / 2;
-        const bool has_room = length + away + metrics.height() / 2 < scale_.room_px();  // not over the degrees
+        // no overlap with the degree labels
+        const bool has_room = length + away + metrics.height() / 2 < scale_.room_px();
         plate.moveCenter(scale_.centre() + outward * (length + (mark.outer && has_room ? away : -away)));
         QColor ground = style_.background;
         ground.setAlphaF(0.75);
@@ -325,7 +326,7 @@ void PolarPainter::paintContactNames(QPainter& painter) const
 
 void PolarPainter::paintMark(QPainter& painter, const QPointF& place, bool outer, const QColor& colour) const
 {
-    const double size = 3.2 * style_.lineWidth;
+    const double size = 3.2 * style_.line_width;
     painter.setPen(QPen(style_.background, 1.5));
     painter.setBrush(colour);
     if (outer)
@@ -347,16 +348,16 @@ void PolarPainter::paintAngle(QPainter& painter, double angle_deg, const QColor&
     painter.setRenderHint(QPainter::Antialiasing);
     const QPointF centre = scale_.centre();
     const QPointF end = centre + (scale_.at(angle_deg, 0) - centre) * (scale_.room_px() / scale_.base_px());
-    painter.setPen(QPen(colour, strong ? style_.lineWidth : 1, strong ? Qt::SolidLine : Qt::DotLine));
+    painter.setPen(QPen(colour, strong ? style_.line_width : 1, strong ? Qt::SolidLine : Qt::DotLine));
     painter.drawLine(centre, end);
-    for (std::size_t t = 0; t < picture_.spoken(); ++t) {
+    for (std::size_t t = 0; t < picture_.readoutTraces(); ++t) {
         const report::PolarPlot::Trace& trace = picture_.plot.traces[t];
         if (trace.thin) continue;
         const auto nearest = nearestSample(trace, angle_deg);
         if (!nearest) continue;
         painter.setPen(QPen(style_.background, 1.5));
         painter.setBrush(colour);
-        const double size = 3 * style_.lineWidth;
+        const double size = 3 * style_.line_width;
         painter.drawEllipse(scale_.at(trace.angle_deg[*nearest], trace.deviation_um[*nearest]), size, size);
         painter.setBrush(Qt::NoBrush);
         return;

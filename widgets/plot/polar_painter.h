@@ -1,4 +1,4 @@
-// How a polar plot is drawn, on the screen and on paper alike.
+// Painter of polar plots for screen and paper.
 #pragma once
 
 #include <QLocale>
@@ -13,7 +13,7 @@ namespace lathelier::plot {
 /// Lays out and draws one picture in one rectangle.
 class PolarPainter {
 public:
-    /// `asked`: keys of the circles that are drawn only when asked for.
+    /// `asked`: keys of the requested optional circles.
     PolarPainter(const PolarPicture& picture, double magnification, const QRectF& room, const QFont& font,
                  const PlotStyle& style, const QLocale& locale, std::string asked = {});
 
@@ -25,35 +25,35 @@ public:
     /// The marked angle: a spoke, and a dot on the first trace.
     void paintAngle(QPainter& painter, double angle_deg, const QColor& colour, bool strong) const;
 
-    /// `text` on its own line under the title; in a low plot in the title's place. The magnification stays.
+    /// `text` on its own line under the title; in a low plot in place of the title. The magnification stays.
     void paintReadout(QPainter& painter, const QString& text) const;
 
 private:
     struct LegendLine {
         enum class Kind { Line, Thin, Dashed, Ring, Outer, Inner };
-        QString text;            ///< words of the line
-        QColor colour;           ///< of the sample
-        Kind kind = Kind::Line;  ///< shape of the sample
-        QPointF place{};         ///< left end, from the legend's corner
+        QString text;            ///< text of the line
+        QColor colour;           ///< colour of the sample line
+        Kind kind = Kind::Line;  ///< shape of the sample line
+        QPointF place{};         ///< left end relative to the legend
     };
     struct Legend {
-        std::vector<LegendLine> lines;  ///< in reading order
-        QSizeF size{0, 0};              ///< in px
-        double sample_px = 0;           ///< before the words
+        std::vector<LegendLine> lines;  ///< in display order
+        QSizeF size{0, 0};              ///< size in px
+        double sample_px = 0;           ///< length of the sample before the text, px
     };
     struct Layout {
-        QRectF title;      ///< in px of the widget
-        QRectF readout;    ///< empty: it stands in the title's place
-        QRectF disc;       ///< in px of the widget
-        QPointF legendAt;  ///< its upper left corner
-        Legend legend;     ///< laid out
-        int degrees = 30;  ///< between two labels of the rim; 0: none
+        QRectF title;       ///< in px of the widget
+        QRectF readout;     ///< readout area; empty: replaces the title
+        QRectF disc;        ///< in px of the widget
+        QPointF legend_at;  ///< upper left corner of the legend
+        Legend legend;      ///< legend with positions
+        int degrees = 30;   ///< degrees between two labels of the rim; 0: none
     };
-    struct Split {           ///< a room shared by disc and legend
-        double disc_px = 0;  ///< diameter
+    struct Split {           ///< division of the area between disc and legend
+        double disc_px = 0;  ///< diameter of the disc
         QRectF disc;         ///< in px of the widget
-        QPointF legendAt;    ///< its upper left corner
-        Legend legend;       ///< laid out
+        QPointF legend_at;   ///< upper left corner of the legend
+        Legend legend;       ///< legend with positions
     };
     Layout layOut(const QRectF& room) const;
     Split split(const QRectF& room, const QSizeF& margins, bool shortNames) const;
@@ -89,7 +89,7 @@ private:
     double division_um_;
 };
 
-/// The magnification as the share of the drawn base radius that one micrometre takes.
+/// The magnification as one micrometre relative to the drawn base radius.
 double sharePerUm(const PolarPicture& picture, double magnification);
 
 }  // namespace lathelier::plot

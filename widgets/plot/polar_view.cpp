@@ -15,7 +15,7 @@
 namespace lathelier::plot {
 namespace {
 
-/// Another reference circle of the same part, not another part.
+/// Whether the plot shows another reference circle of the same part.
 bool sizesAgree(double a_mm, double b_mm)
 {
     return std::abs(a_mm - b_mm) <= 0.01 * std::max(std::abs(a_mm), std::abs(b_mm));
@@ -83,13 +83,13 @@ void PolarView::forgetPixmap()
     update();
 }
 
-QString PolarView::spoken(double angle_deg) const
+QString PolarView::angleReadout(double angle_deg) const
 {
     const report::PolarPlot::Trace* first = firstTrace(picture_);
     if (!first) return {};
     const auto nearest = nearestSample(*first, angle_deg);
     QStringList parts{screenNumber(nearest ? first->angle_deg[*nearest] : angle_deg, 1) + "°"};
-    for (std::size_t t = 0; t < picture_->spoken(); ++t) {
+    for (std::size_t t = 0; t < picture_->readoutTraces(); ++t) {
         const report::PolarPlot::Trace& trace = picture_->plot.traces[t];
         if (trace.thin) continue;
         const auto sample = nearestSample(trace, angle_deg);
@@ -105,8 +105,8 @@ QString PolarView::spoken(double angle_deg) const
 
 QString PolarView::readout() const
 {
-    if (pointer_) return spoken(*pointer_);
-    return marker_ ? spoken(*marker_) : QString();
+    if (pointer_) return angleReadout(*pointer_);
+    return marker_ ? angleReadout(*marker_) : QString();
 }
 
 QPointF PolarView::pixelAt(double angle_deg, double deviation_um) const
@@ -242,7 +242,7 @@ void PolarView::mousePressEvent(QMouseEvent* event)
 void PolarView::mouseDoubleClickEvent(QMouseEvent* event)
 {
     if (event->button() != Qt::LeftButton) return;
-    if (pressed_ && marker_ != before_) choose(before_);  // it was no click, but the beginning of this
+    if (pressed_ && marker_ != before_) choose(before_);  // the click was the first half of this double click
     pressed_ = false;
     resetView();
 }
@@ -285,7 +285,7 @@ void PolarView::keyPressEvent(QKeyEvent* event)
 {
     if (!picture_) return QWidget::keyPressEvent(event);
     switch (event->key()) {
-        case Qt::Key_Left: return step(1);  // anticlockwise, as angles run
+        case Qt::Key_Left: return step(1);  // anticlockwise, in the sense of the angles
         case Qt::Key_Right: return step(-1);
         case Qt::Key_Plus: return setMagnification(steppedMagnification(magnification(), 1));
         case Qt::Key_Minus: return setMagnification(steppedMagnification(magnification(), -1));

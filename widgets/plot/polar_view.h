@@ -1,5 +1,5 @@
 // The polar plot of roundness: closed profiles around a base circle at a stated magnification, reference circles,
-// contact points, one marked angle. An own painter, because no library plot magnifies deviations.
+// contact points, one marked angle. Painted by PolarPainter, since no plot library magnifies deviations.
 #pragma once
 
 #include <QPixmap>
@@ -12,7 +12,7 @@
 namespace lathelier::plot {
 
 /// The wheel (or + and -) changes the magnification, a double click (or Home) fits it again; ← and → move the mark from
-/// sample to sample of the first trace, Escape or the menu takes it away.
+/// sample to sample of the first trace, Escape or the menu removes it.
 class PolarView : public PlotWidget {
     Q_OBJECT
 
@@ -23,24 +23,24 @@ public:
     void setPicture(const PolarPicturePtr& picture);
     const PolarPicturePtr& polar() const { return picture_; }
 
-    /// Drawn deviation over drawn radius; what the plot states.
+    /// Stated magnification: drawn deviation over drawn radius.
     double magnification() const;
-    void setMagnification(std::optional<double> magnification);  ///< none: one that fits
+    void setMagnification(std::optional<double> magnification);  ///< none: automatic
 
-    /// Draws the circles that have this key besides; empty: none of those that wait to be asked for.
+    /// Also draws the optional circles with this key; empty: none of them.
     void setAsked(const std::string& key);
 
-    /// Marks one angle, picked here or in a linked view.
+    /// Marks one angle, set here or by a linked view.
     void setMarker(std::optional<double> angle_deg);
     std::optional<double> marker() const { return marker_; }
 
     /// Angle and deviation under the pointer, else of the marker; empty when there is neither.
     QString readout() const;
 
-    /// Where a sample stands in this widget, for tests and for callouts.
+    /// Position of a sample in this widget, for tests and callouts.
     QPointF pixelAt(double angle_deg, double deviation_um) const;
-    QRectF discRect() const;  ///< inside the rim
-    /// The deviation at the pointer's angle, beside the pointer.
+    QRectF discRect() const;  ///< area inside the rim
+    /// Tag with the deviation at the pointer's angle.
     const PointerTag& tag() const { return *tag_; }
 
     QImage picture(double scale = 2) override;
@@ -51,8 +51,8 @@ public:
     QSize minimumSizeHint() const override { return {180, 180}; }
 
 signals:
-    void clicked(double angle_deg);  ///< or moved there by the keyboard
-    void unmarked();                 ///< the user took the mark away
+    void clicked(double angle_deg);  ///< clicked, or moved by keyboard
+    void unmarked();                 ///< the user removed the mark
     void pointed(double angle_deg);  ///< the pointer is over this angle
     void pointerLeft();
     void magnificationChanged(double magnification);
@@ -75,17 +75,17 @@ private:
     void point(std::optional<double> angle_deg);
     void step(int samples);
     void choose(std::optional<double> angle_deg);
-    QString spoken(double angle_deg) const;
+    QString angleReadout(double angle_deg) const;
 
     PointerTag* tag_;
     PolarPicturePtr picture_;
-    std::string asked_;              ///< key of circles
-    std::optional<double> chosen_;   ///< magnification
-    std::optional<double> marker_;   ///< degrees
-    std::optional<double> pointer_;  ///< degrees
-    std::optional<double> before_;   ///< the marker before the last press, which may be the first of a double click
+    std::string asked_;              ///< key of the requested circles
+    std::optional<double> chosen_;   ///< magnification chosen by the user; none: automatic
+    std::optional<double> marker_;   ///< marked angle in degrees
+    std::optional<double> pointer_;  ///< pointer angle in degrees
+    std::optional<double> before_;   ///< marker before the last press, restored by a double click
     bool pressed_ = false;
-    QPixmap pixmap_;  ///< everything that does not follow the pointer
+    QPixmap pixmap_;  ///< cached static part of the drawing
     int wheel_ = 0;
 };
 

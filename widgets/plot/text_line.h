@@ -1,4 +1,4 @@
-// One line of text in a QCustomPlot layout that is elided, never widens the plot. Included by .cpp files only.
+// One line of text in a QCustomPlot layout that is elided and never widens the plot. Included by .cpp files only.
 #pragma once
 
 #include <qcustomplot.h>
@@ -15,10 +15,10 @@ public:
         aside_ = aside;
     }
     QString text() const { return text_; }
-    void setShown(bool shown) { shown_ = shown; }  ///< false: takes no room
+    void setShown(bool shown) { shown_ = shown; }  ///< false: takes no space
     void leaveRoom(int atRight) { room_ = atRight; }
 
-    /// Stands in the place of `title` while it has a text; not part of the layout itself.
+    /// Replaces `title` while it has a text; not part of the layout.
     void coverTitle(const TextLine* title) { title_ = title; }
     void setBackground(const QColor& colour) { background_ = colour; }
     void setLook(const QFont& font, const QColor& colour, Qt::Alignment alignment)
@@ -53,7 +53,7 @@ protected:
     }
 
 private:
-    /// The title's remark, such as a magnification, stays readable beside what covers the title.
+    /// The title's remark, such as a magnification, stays visible.
     void drawOver(QCPPainter* painter, const QRect& place, const QRect& room, const QString& remark) const
     {
         const QFontMetrics metrics(font_);

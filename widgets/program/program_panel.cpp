@@ -25,10 +25,10 @@ PanelInputs panelInputs()
                                  "set-up (SETUP.json) it is checked against the stock."));
 }
 
-void forgetDraft(DeflectionQuestion& question, const ProgramPicture& picture)
+void forgetDraft(DeflectionQuestion& question, const ProgramOutcome& outcome)
 {
     std::erase_if(question.drafts,
-                  [&](const ProgramDraft& draft) { return isOf(draft, picture.file, picture.sha256); });
+                  [&](const ProgramDraft& draft) { return isOf(draft, outcome.file, outcome.sha256); });
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ PanelFacts programPanelFacts()
 {
     PanelFacts facts = turningFacts("program", LT_TEXT("Engine", "Program"), "program");
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(programPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(programOutcome(state, stores, progress), language); };
     facts.make = [](Session& session) -> PanelBase* { return new ProgramPanel(session); };
     return facts;
 }
@@ -45,40 +45,40 @@ PanelFacts programPanelFacts()
 ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
     : Panel(owner, programPanelFacts(), panelInputs(), parent), views_(new ProgramViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &ProgramViews::edited, this, &ProgramPanel::keepDraft);
-    connect(views_, &ProgramViews::saveWanted, this, &ProgramPanel::askAndSave);
-    connect(views_, &ProgramViews::discardWanted, this,
+    connect(views_, &ProgramViews::saveRequested, this, &ProgramPanel::askAndSave);
+    connect(views_, &ProgramViews::discardRequested, this,
             [this] { setDraft(tr("Discard the changes of the program"), std::nullopt); });
-    connect(views_, &ProgramViews::notWritten, this, &ProgramPanel::sayNotWritten);
+    connect(views_, &ProgramViews::notWritten, this, &ProgramPanel::reportWriteFailure);
 }
 
 ProgramPanel::Compute ProgramPanel::compute(const project::PanelState& state) const
 {
-    fromValues<DeflectionQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<DeflectionQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return programPicture(state, *stores, progress);
+        return programOutcome(state, *stores, progress);
     };
 }
 
-/// What is typed meanwhile stays; else the text follows the project, also when it is undone.
-void ProgramPanel::showResult(const std::shared_ptr<const ProgramPicture>& picture)
+/// Pending input is kept; else the text follows the project, including undo.
+void ProgramPanel::showResult(const std::shared_ptr<const ProgramOutcome>& outcome)
 {
     const auto source = state().inputs.find(programRole);
-    const bool is_asked = source != state().inputs.end() && source->second.item == picture->item &&
-                          (!picture->item.empty() || source->second.path == picture->file);
+    const bool is_asked = source != state().inputs.end() && source->second.item == outcome->item &&
+                          (!outcome->item.empty() || source->second.path == outcome->file);
     const auto asked = fromValues<DeflectionQuestion>(state().parameters);
-    const ProgramDraft* draft = draftOf(asked.drafts, picture->file, picture->sha256);
-    const bool is_newest = draft ? picture->isDraft() && draft->text == picture->text : !picture->isDraft();
-    views_->setPicture(picture, is_asked && is_newest && !views_->editor()->isTyping());
+    const ProgramDraft* draft = draftOf(asked.drafts, outcome->file, outcome->sha256);
+    const bool is_newest = draft ? outcome->isDraft() && draft->text == outcome->text : !outcome->isDraft();
+    views_->setOutcome(outcome, is_asked && is_newest && !views_->editor()->isTyping());
 }
 
 void ProgramPanel::keepDraft()
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     const std::string text = views_->editor()->program().toStdString();
-    if (text == picture->file_text)
+    if (text == outcome->file_text)
         setDraft(tr("Edit the program"), std::nullopt);
     else
         setDraft(tr("Edit the program"), text);
@@ -86,14 +86,14 @@ void ProgramPanel::keepDraft()
 
 void ProgramPanel::setDraft(const QString& step, const std::optional<std::string>& utf8)
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     editState(
         step,
         [&](project::PanelState& state) {
             auto question = fromValues<DeflectionQuestion>(state.parameters);
-            forgetDraft(question, *picture);
-            if (utf8) question.drafts.push_back({picture->file, picture->sha256, *utf8});
+            forgetDraft(question, *outcome);
+            if (utf8) question.drafts.push_back({outcome->file, outcome->sha256, *utf8});
             lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
         },
         utf8 ? "program.text" : QString());
@@ -102,28 +102,28 @@ void ProgramPanel::setDraft(const QString& step, const std::optional<std::string
 void ProgramPanel::saveTo(const QString& path)
 {
     views_->editor()->takeOver();
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     const std::string text = views_->editor()->program().toStdString();
-    // The bytes of the file say whether it is Latin-1.
+    // The bytes of the file decide whether it is Latin-1.
     const auto file = session().stores().of<ProgramStore>()->known(state().inputs.at(programRole));
     io::writeFile(path.toStdString(), bytesOf(text, file ? file->file.text : std::string()));
-    const bool is_same = QFileInfo(path) == QFileInfo(QString::fromStdString(picture->file));
+    const bool is_same = QFileInfo(path) == QFileInfo(QString::fromStdString(outcome->file));
     editState(tr("Save the program"), [&](project::PanelState& state) {
         auto question = fromValues<DeflectionQuestion>(state.parameters);
-        forgetDraft(question, *picture);
+        forgetDraft(question, *outcome);
         lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
         if (!is_same) state.inputs[programRole] = newSource(path);
     });
     if (is_same) session().takeNewFiles();
 }
 
-/// Under a name of its own; the dialog asks before it takes that of a file that is there.
+/// With a new name; the dialog confirms overwriting.
 void ProgramPanel::askAndSave()
 {
-    const auto picture = result();
-    if (!picture) return;
-    const QFileInfo file(QString::fromStdString(picture->file));
+    const auto outcome = result();
+    if (!outcome) return;
+    const QFileInfo file(QString::fromStdString(outcome->file));
     QFileDialog dialog(this, tr("Save the program"), file.dir().path(),
                        tr("NC program (*.nc *.ngc *.mpf *.tap);;All files (*)"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
@@ -139,26 +139,26 @@ void ProgramPanel::askAndSave()
     }
 }
 
-report::Answer ProgramPanel::answer(const ProgramPicture& picture) const
+report::Answer ProgramPanel::answer(const ProgramOutcome& outcome) const
 {
-    return stock::answer(*picture.check, screenLanguage());
+    return stock::answer(*outcome.check, screenLanguage());
 }
 
-report::Document ProgramPanel::document(const ProgramPicture& picture) const
+report::Document ProgramPanel::document(const ProgramOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> ProgramPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    auto* panel = const_cast<ProgramPanel*>(this);  // saving changes the project, as the button does
+    const auto outcome = result();
+    if (!outcome) return {};
+    auto* panel = const_cast<ProgramPanel*>(this);  // saving changes the project, like the button
     return {{tr("Program as it stands here…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
              [panel](const QString& path) { panel->saveTo(path); }},
-            {tr("Moves of the tool (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
+            {tr("Moves of the tool (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
                  std::string text;
-                 gcode::writeMoves(picture->check->path, [&text](std::string_view part) { text += part; });
+                 gcode::writeMoves(outcome->check->path, [&text](std::string_view part) { text += part; });
                  io::writeFile(path.toStdString(), text);
              }}};
 }
@@ -181,7 +181,7 @@ Worker::Job ProgramPanel::makeReadingJob(const project::PanelState& state) const
 void ProgramPanel::showPlace(const report::Place& place)
 {
     if (!place.line) return;
-    views_->heroes()->setHero("program");
+    views_->primaryViews()->setPrimary("program");
     views_->goToLine(*place.line);
 }
 

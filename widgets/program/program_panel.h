@@ -1,8 +1,8 @@
-// The panel "Program": what does the NC program do, is it sound, and what does it leave of the stock?
+// The panel "Program": moves, errors and remaining stock of an NC program.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/program/program_picture.h"
+#include "widgets/program/program_outcome.h"
 
 namespace lathelier::program_panel {
 
@@ -11,7 +11,7 @@ class ProgramViews;
 /// The panel's line of the panel table.
 PanelFacts programPanelFacts();
 
-class ProgramPanel : public Panel<ProgramPicture> {
+class ProgramPanel : public Panel<ProgramOutcome> {
     Q_OBJECT
 
 public:
@@ -24,10 +24,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ProgramPicture>& picture) override;
-    report::Answer answer(const ProgramPicture& picture) const override;
-    Notes notes(const ProgramPicture& picture) const override { return picture.notes; }
-    report::Document document(const ProgramPicture& picture) const override;
+    void showResult(const std::shared_ptr<const ProgramOutcome>& outcome) override;
+    report::Answer answer(const ProgramOutcome& outcome) const override;
+    Notes notes(const ProgramOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const ProgramOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

@@ -18,7 +18,8 @@ namespace lathelier::program_panel {
 namespace {
 
 constexpr int redrawPause_ms = 60;
-constexpr std::size_t largePath = 20000;  // corners; beyond, what is drawn depends on what is shown
+constexpr std::size_t largePath = 20000;  // largest number of corners drawn in full; beyond, drawing depends on the
+                                          // visible range
 constexpr int mostPiecesPointedOut = 5000;
 
 report::Table remarkTable(const std::vector<stock::Remark>& remarks)
@@ -34,7 +35,7 @@ report::Table remarkTable(const std::vector<stock::Remark>& remarks)
     return table;
 }
 
-/// The tool of this number as the check takes it.
+/// The tool of this number in the check.
 stock::TurningTool toolOf(const stock::StockParameters& parameters, int number)
 {
     for (const int wanted : {number, 0})
@@ -47,7 +48,7 @@ stock::TurningTool toolOf(const stock::StockParameters& parameters, int number)
 
 ProgramViews::ProgramViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       path_(new plot::ChartView),
       editor_(new ProgramEditor),
       where_(new QLabel),
@@ -71,20 +72,20 @@ ProgramViews::ProgramViews(QWidget* parent)
     remarks_->setObjectName("programRemarks");
     passes_->setObjectName("programPasses");
     tools_->setObjectName("programTools");
-    where_->setMinimumWidth(1);  // long text must not widen the panel
+    where_->setMinimumWidth(1);  // allows elision of long text
     auto* both = new QSplitter(Qt::Vertical);
     both->addWidget(path_);
     both->addWidget(makeTextSide());
     both->setChildrenCollapsible(false);
     both->setStretchFactor(0, 2);
     both->setStretchFactor(1, 3);
-    heroes_->add("program", both);
-    heroes_->add("remarks", remarks_);
-    heroes_->add("passes", passes_);
-    heroes_->add("tools", tools_);
+    primaryViews_->add("program", both);
+    primaryViews_->add("remarks", remarks_);
+    primaryViews_->add("passes", passes_);
+    primaryViews_->add("tools", tools_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     redraw_.setSingleShot(true);
     redraw_.setInterval(redrawPause_ms);
     connectParts();
@@ -123,12 +124,12 @@ void ProgramViews::connectParts()
     connect(editor_, &ProgramEditor::lineReached, this, &ProgramViews::pointOutLine);
     connect(path_, &plot::PlotCanvas::clicked, this, &ProgramViews::pick);
     connect(path_, &plot::ChartView::rangeChanged, this, [this] {
-        if (picture_ && picture_->check->drawn.corners() > largePath) redraw_.start();
+        if (outcome_ && outcome_->check->drawn.corners() > largePath) redraw_.start();
     });
     connect(path_, &plot::PlotWidget::notWritten, this, &ProgramViews::notWritten);
     connect(&redraw_, &QTimer::timeout, this, &ProgramViews::drawPathAgain);
-    connect(save_, &QPushButton::clicked, this, &ProgramViews::saveWanted);
-    connect(discard_, &QPushButton::clicked, this, &ProgramViews::discardWanted);
+    connect(save_, &QPushButton::clicked, this, &ProgramViews::saveRequested);
+    connect(discard_, &QPushButton::clicked, this, &ProgramViews::discardRequested);
     connect(search_, &QLineEdit::returnPressed, this, [this] { findNext(true); });
     connect(later_, &QToolButton::clicked, this, [this] { findNext(true); });
     connect(earlier_, &QToolButton::clicked, this, [this] { findNext(false); });
@@ -141,29 +142,29 @@ void ProgramViews::connectParts()
     });
     for (CopyTable* table : {remarks_, passes_, tools_})
         connect(table, &QTableWidget::currentCellChanged, this, [this, table](int row, int, int before, int) {
-            if (!picture_ || row < 0 || row == before) return;
+            if (!outcome_ || row < 0 || row == before) return;
             if (table == passes_) setPass(static_cast<std::size_t>(row));
             const QTableWidgetItem* cell = table->item(row, table == tools_ ? 1 : 0);
             if (cell) goToLine(cell->data(Qt::UserRole).toLongLong());
         });
 }
 
-void ProgramViews::setPicture(const std::shared_ptr<const ProgramPicture>& picture, bool takesText)
+void ProgramViews::setOutcome(const std::shared_ptr<const ProgramOutcome>& outcome, bool takesText)
 {
-    const bool is_other = !picture_ || picture_->file != picture->file;
-    picture_ = picture;
+    const bool is_other = !outcome_ || outcome_->file != outcome->file;
+    outcome_ = outcome;
     if (is_other) pass_.reset();
     if (takesText)
-        editor_->setProgram(QByteArray::fromStdString(picture->text), QString::fromStdString(picture->file),
-                            picture->check->program.dialect);
+        editor_->setProgram(QByteArray::fromStdString(outcome->text), QString::fromStdString(outcome->file),
+                            outcome->check->program.dialect);
     show();
     pointOutLine(editor_->line());
 }
 
 void ProgramViews::show()
 {
-    if (!picture_) return;
-    const stock::ProgramCheck& check = *picture_->check;
+    if (!outcome_) return;
+    const stock::ProgramCheck& check = *outcome_->check;
     const std::vector<stock::Remark> remarks = stock::remarksOf(check, screenLanguage());
     std::vector<program_common::LineRemark> marks;
     marks.reserve(remarks.size());
@@ -181,23 +182,23 @@ void ProgramViews::show()
     fill(remarks_, remarkTable(remarks), 0);
     fill(passes_, stock::passTable(check), 0);
     fill(tools_, stock::toolTable(check), 1);
-    heroes_->setAvailable("remarks", !remarks.empty());
-    heroes_->setAvailable("passes", check.stock && !check.stock->passes.empty());
-    heroes_->setAvailable("tools", !check.times.tools.empty());
-    state_->setText(picture_->isDraft() ? tr("changed, not saved") : tr("as on the disk"));
-    discard_->setVisible(picture_->isDraft());
+    primaryViews_->setAvailable("remarks", !remarks.empty());
+    primaryViews_->setAvailable("passes", check.stock && !check.stock->passes.empty());
+    primaryViews_->setAvailable("tools", !check.times.tools.empty());
+    state_->setText(outcome_->isDraft() ? tr("changed, not saved") : tr("as on the disk"));
+    discard_->setVisible(outcome_->isDraft());
     showPath();
 }
 
-/// Draws the whole path; a large one as finely as the screen is.
+/// Draws the whole path; a large one at screen resolution.
 void ProgramViews::showPath()
 {
-    if (!picture_) return;
-    const stock::DrawnPath& drawn = picture_->check->drawn;
+    if (!outcome_) return;
+    const stock::DrawnPath& drawn = outcome_->check->drawn;
     stock::StockPlotParts parts;
     parts.pass = pass_;
     parts.window = drawn.whole(std::max(200, path_->width()));
-    report::Plot plot = stock::meridianPlot(*picture_->check, parts, screenLanguage());
+    report::Plot plot = stock::meridianPlot(*outcome_->check, parts, screenLanguage());
     if (drawn.corners() > largePath) {
         plot.x.range = report::shownX(plot);
         plot.y.range = report::shownY(plot);
@@ -207,10 +208,10 @@ void ProgramViews::showPath()
     if (drawn.corners() > largePath) redraw_.start();
 }
 
-/// Of a large path what lies in the visible part, as finely as the screen is.
+/// Draws the visible part of a large path at screen resolution.
 void ProgramViews::drawPathAgain()
 {
-    if (!picture_ || path_->data().curves.empty()) return;
+    if (!outcome_ || path_->data().curves.empty()) return;
     const QRectF shown = path_->visibleRange();
     const bool is_same = std::abs(shown.x() - drawn_range_.x()) + std::abs(shown.y() - drawn_range_.y()) +
                              std::abs(shown.width() - drawn_range_.width()) <
@@ -223,7 +224,7 @@ void ProgramViews::drawPathAgain()
                     {shown.top(), shown.top() + shown.height()},
                     shown.width() / std::max(1, path_->width()),
                     shown.height() / std::max(1, path_->height())};
-    report::Plot plot = stock::meridianPlot(*picture_->check, parts, screenLanguage());
+    report::Plot plot = stock::meridianPlot(*outcome_->check, parts, screenLanguage());
     plot.x.range = path_->data().x.range;
     plot.y.range = path_->data().y.range;
     path_->setData(std::move(plot));
@@ -242,12 +243,12 @@ void ProgramViews::goToLine(std::int64_t line)
     pointOutLine(line);
 }
 
-/// The moves of a block, and the tool where it stands afterwards.
+/// The moves of a block, and the tool at its end.
 void ProgramViews::pointOutLine(std::int64_t line)
 {
     plot::PointedOut out;
-    if (picture_) {
-        const stock::DrawnPath& drawn = picture_->check->drawn;
+    if (outcome_) {
+        const stock::DrawnPath& drawn = outcome_->check->drawn;
         const auto pieces = drawn.piecesOf(line);
         const auto at = [&](std::size_t corner) {
             return QPointF(drawn.corner(corner).z_mm, drawn.corner(corner).x_mm);
@@ -271,14 +272,14 @@ void ProgramViews::pointOutLine(std::int64_t line)
 
 QString ProgramViews::whereText(std::int64_t line) const
 {
-    const stock::DrawnPath& drawn = picture_->check->drawn;
+    const stock::DrawnPath& drawn = outcome_->check->drawn;
     const auto pieces = drawn.piecesOf(line);
     if (pieces.empty()) return tr("Line %1: no move").arg(line);
     const stock::Corner end = drawn.corner(pieces.back());
     return tr("Line %1: %2 to Ø %3, Z %4 · tool %5")
         .arg(QString::number(line), drawn.isRapid(pieces.back()) ? tr("rapid") : tr("feed"),
              screenQuantity(2 * end.x_mm, unit::mm, 3),
-             screenQuantity(picture_->check->z_zero_mm - end.z_mm, unit::mm, 3),
+             screenQuantity(outcome_->check->z_zero_mm - end.z_mm, unit::mm, 3),
              QString::number(drawn.toolOf(pieces.back())));
 }
 
@@ -286,7 +287,7 @@ std::vector<QPolygonF> ProgramViews::toolAt(const QPointF& tip, int number) cons
 {
     std::vector<QPolygonF> shapes;
     try {
-        const stock::ToolOutline outline = stock::outlineOf(toolOf(picture_->parameters, number));
+        const stock::ToolOutline outline = stock::outlineOf(toolOf(outcome_->parameters, number));
         std::vector<stock::ConvexPolygon> bodies = outline.holders;
         bodies.push_back(outline.insert);
         for (const stock::ConvexPolygon& body : bodies) {
@@ -294,7 +295,7 @@ std::vector<QPolygonF> ProgramViews::toolAt(const QPointF& tip, int number) cons
             for (const stock::Corner& corner : body) shape << tip + QPointF(corner.z_mm, corner.x_mm);
         }
     } catch (const Error&) {
-        shapes.clear();  // said by the check already
+        shapes.clear();  // already shown by the check
     }
     return shapes;
 }
@@ -302,11 +303,11 @@ std::vector<QPolygonF> ProgramViews::toolAt(const QPointF& tip, int number) cons
 /// The block whose path lies nearest to a click.
 void ProgramViews::pick(double z_mm, double x_mm)
 {
-    if (!picture_) return;
+    if (!outcome_) return;
     const QRectF shown = path_->visibleRange();
-    const stock::PathPiece piece = picture_->check->drawn.nearest(
+    const stock::PathPiece piece = outcome_->check->drawn.nearest(
         {z_mm, x_mm}, shown.width() / std::max(1, path_->width()), shown.height() / std::max(1, path_->height()));
-    if (piece != stock::DrawnPath::none) goToLine(picture_->check->drawn.lineOf(piece));
+    if (piece != stock::DrawnPath::none) goToLine(outcome_->check->drawn.lineOf(piece));
 }
 
 void ProgramViews::findNext(bool forward)
@@ -326,10 +327,10 @@ void ProgramViews::changeEvent(QEvent* event)
 
 void ProgramViews::retranslate()
 {
-    heroes_->setTitle("program", tr("Program and path"));
-    heroes_->setTitle("remarks", tr("Remarks"));
-    heroes_->setTitle("passes", tr("Passes"));
-    heroes_->setTitle("tools", tr("Tools"));
+    primaryViews_->setTitle("program", tr("Program and path"));
+    primaryViews_->setTitle("remarks", tr("Remarks"));
+    primaryViews_->setTitle("passes", tr("Passes"));
+    primaryViews_->setTitle("tools", tr("Tools"));
     search_->setPlaceholderText(tr("Find"));
     search_->setToolTip(tr("Find in the program"));
     search_->setAccessibleName(tr("Find in the program"));
@@ -345,7 +346,7 @@ void ProgramViews::retranslate()
     passes_->setAccessibleName(tr("Passes"));
     tools_->setAccessibleName(tr("Tools"));
     show();
-    if (picture_) pointOutLine(editor_->line());
+    if (outcome_) pointOutLine(editor_->line());
 }
 
 }  // namespace lathelier::program_panel

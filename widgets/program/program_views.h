@@ -1,4 +1,4 @@
-// The views of a program: its text under its path, each pointing at the other; what is wrong; passes; tools.
+// The views of a program: text and path, linked; errors; passes; tools.
 #pragma once
 
 #include <QLabel>
@@ -11,9 +11,9 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/program/program_picture.h"
+#include "widgets/program/program_outcome.h"
 
 namespace lathelier::program_common {
 class ProgramEditor;
@@ -30,10 +30,10 @@ public:
     explicit ProgramViews(QWidget* parent = nullptr);
     ~ProgramViews() override;
 
-    /// Shows a picture; its text only when `takesText`: what is typed since it was asked for stays.
-    void setPicture(const std::shared_ptr<const ProgramPicture>& picture, bool takesText);
+    /// Shows an outcome; its text only with `takesText`, so that pending input is kept.
+    void setOutcome(const std::shared_ptr<const ProgramOutcome>& outcome, bool takesText);
 
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     ProgramEditor* editor() const { return editor_; }
     plot::ChartView* path() const { return path_; }
     CopyTable* remarks() const { return remarks_; }
@@ -41,17 +41,17 @@ public:
     CopyTable* tools() const { return tools_; }
 
     void goToLine(std::int64_t line);
-    /// Shows the stock after this pass; none: after all.
+    /// Shows the stock after this pass; none: after all passes.
     void setPass(std::optional<std::size_t> pass);
     std::optional<std::size_t> pass() const { return pass_; }
 
     void retranslate();
 
 signals:
-    void edited();                         ///< the text differs from that of the picture
-    void saveWanted();                     ///< under a new name
-    void discardWanted();                  ///< back to the file
-    void notWritten(const QString& path);  ///< the system refused to write a picture
+    void edited();                         ///< the text differs from that of the outcome
+    void saveRequested();                  ///< request to save under a new name
+    void discardRequested();               ///< request to discard the edits
+    void notWritten(const QString& path);  ///< an image could not be written
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -68,23 +68,23 @@ private:
     std::vector<QPolygonF> toolAt(const QPointF& tip, int number) const;
     void findNext(bool forward);
 
-    std::shared_ptr<const ProgramPicture> picture_;
+    std::shared_ptr<const ProgramOutcome> outcome_;
     std::optional<std::size_t> pass_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* path_;
     ProgramEditor* editor_;
-    QLabel* where_;  ///< what the block at the caret does
+    QLabel* where_;  ///< description of the block at the caret
     QLineEdit* search_;
     QToolButton* earlier_;
     QToolButton* later_;
-    QLabel* state_;  ///< changed or as on the disk
+    QLabel* state_;  ///< changed or as on disk
     QPushButton* save_;
     QPushButton* discard_;
     CopyTable* remarks_;
     CopyTable* passes_;
     CopyTable* tools_;
-    QTimer redraw_;       ///< a large path is thinned for what is shown
-    QRectF drawn_range_;  ///< that it was thinned for
+    QTimer redraw_;       ///< delays the redraw of a large path
+    QRectF drawn_range_;  ///< visible range of the last redraw
 };
 
 }  // namespace lathelier::program_panel

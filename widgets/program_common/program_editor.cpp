@@ -19,9 +19,9 @@ constexpr int errorMark = 2;
 constexpr int warningWave = 8;
 constexpr int errorWave = 9;
 constexpr int dwell_ms = 300;
-constexpr double fontSizes = 100;  // Scintilla counts hundredths of a point
+constexpr double fontSizes = 100;  // Scintilla's font size unit: 1/100 point
 constexpr std::size_t mostMarks = 2000;
-constexpr std::size_t mostStyledBytes = 20000;  // of one line
+constexpr std::size_t mostStyledBytes = 20000;  // largest number of styled bytes of one line
 
 ProgramEditor::Style styleOf(const gcode::Word& word)
 {
@@ -42,7 +42,7 @@ ProgramEditor::Style styleOf(const gcode::Word& word)
     }
 }
 
-/// Colours that stand out from white and from dark alike by their own pair.
+/// Colours for light and dark background.
 QColor colourOf(ProgramEditor::Style style, const QPalette& palette)
 {
     const bool dark = palette.color(QPalette::Base).lightness() < 128;
@@ -58,8 +58,8 @@ QColor colourOf(ProgramEditor::Style style, const QPalette& palette)
     }
 }
 
-/// What assistive technology is told: role, name, and the line of the caret. QScintilla's own interface counts all
-/// characters before the caret at every update, a tenth of a second in a program of a million lines.
+/// Accessibility interface: role, name, and the line of the caret. QScintilla's own interface counts all characters
+/// before the caret at every update, a tenth of a second in a program of a million lines.
 class EditorAccess : public QAccessibleWidget {
 public:
     explicit EditorAccess(ProgramEditor* editor) : QAccessibleWidget(editor, QAccessible::EditableText), editor_(editor)
@@ -87,7 +87,7 @@ long bgr(const QColor& colour)
     return colour.red() | colour.green() << 8 | colour.blue() << 16;
 }
 
-/// How far what begins at `from` in a line reaches: to a blank, or to the next word.
+/// End of the token that begins at `from` in a line: blank or next word.
 std::size_t endOfWord(std::string_view line, std::size_t from)
 {
     std::size_t at = from + 1;
@@ -116,12 +116,12 @@ ProgramEditor::ProgramEditor(QWidget* parent) : QsciScintilla(parent)
     indicatorDefine(SquiggleIndicator, warningWave);
     indicatorDefine(SquiggleIndicator, errorWave);
     setCaretLineVisible(true);
-    send(SCI_SETCARETLINEVISIBLEALWAYS, 1);  // a click on the path leaves the keyboard where it is
+    send(SCI_SETCARETLINEVISIBLEALWAYS, 1);  // visible without focus, for clicks on the path
     send(SCI_SETLEXER, SCLEX_CONTAINER);
     send(SCI_SETSCROLLWIDTH, 1);
     send(SCI_SETSCROLLWIDTHTRACKING, 1);
     send(SCI_SETMOUSEDWELLTIME, dwell_ms);
-    // Changes are announced before they happen: after them QScintilla counts all characters before the place.
+    // Changes are handled before they are applied: after them QScintilla counts all characters before the place.
     send(SCI_SETMODEVENTMASK, SC_MOD_BEFOREINSERT | SC_MOD_BEFOREDELETE);
     pause_.setSingleShot(true);
     pause_.setInterval(typingPause_ms);
@@ -139,7 +139,7 @@ ProgramEditor::ProgramEditor(QWidget* parent) : QsciScintilla(parent)
     });
     connect(this, &QsciScintillaBase::SCN_STYLENEEDED, this, [this](int) { styleVisible(); });
     connect(this, &QsciScintillaBase::SCN_UPDATEUI, this, [this](int) { styleVisible(); });
-    connect(this, &QsciScintillaBase::SCN_DWELLSTART, this, &ProgramEditor::sayRemark);
+    connect(this, &QsciScintillaBase::SCN_DWELLSTART, this, &ProgramEditor::showRemark);
     connect(this, &QsciScintillaBase::SCN_DWELLEND, this, [this](int, int, int) { send(SCI_CALLTIPCANCEL); });
     restyle();
 }
@@ -261,15 +261,15 @@ void ProgramEditor::markRemarks()
     }
 }
 
-void ProgramEditor::sayRemark(int position, int x, int y)
+void ProgramEditor::showRemark(int position, int x, int y)
 {
     if (position < 0) position = static_cast<int>(send(SCI_POSITIONFROMPOINT, static_cast<unsigned long>(x), y));
     const long line = send(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position)) + 1;
-    QStringList said;
+    QStringList remarkTexts;
     for (const LineRemark& remark : remarks_)
-        if (remark.line == line) said << remark.text;
-    if (said.isEmpty()) return;
-    const QByteArray text = said.join('\n').toUtf8();
+        if (remark.line == line) remarkTexts << remark.text;
+    if (remarkTexts.isEmpty()) return;
+    const QByteArray text = remarkTexts.join('\n').toUtf8();
     SendScintilla(SCI_CALLTIPSHOW, static_cast<unsigned long>(position), text.constData());
 }
 
@@ -278,7 +278,7 @@ void ProgramEditor::styleVisible()
     const long first = send(SCI_GETFIRSTVISIBLELINE);
     const long last = std::min<long>(first + send(SCI_LINESONSCREEN) + 1, lines() - 1);
     for (long line = first; line <= last; ++line) styleLine(line);
-    // What lies before counts as done: Scintilla asks no more for it, and it is styled when it comes into view.
+    // Earlier text is marked as styled, so that Scintilla does not request it; it is styled when it becomes visible.
     send(SCI_STARTSTYLING, static_cast<unsigned long>(send(SCI_GETLENGTH)));
 }
 
@@ -353,7 +353,7 @@ void ProgramEditor::showEvent(QShowEvent* event)
     styleVisible();
 }
 
-/// More lines may have come into view, which Scintilla does not say.
+/// More lines may have become visible, for which Scintilla emits no signal.
 void ProgramEditor::resizeEvent(QResizeEvent* event)
 {
     QsciScintilla::resizeEvent(event);

@@ -1,5 +1,5 @@
-// The text of an NC program: syntax colours, line numbers, remarks in place. Only visible lines are looked at, so a
-// million of them scroll.
+// The text of an NC program: syntax colours, line numbers, remarks in place. Only visible lines are processed, so that
+// a million lines can be scrolled.
 #pragma once
 
 #include <Qsci/qsciscintilla.h>
@@ -12,12 +12,12 @@
 
 namespace lathelier::program_common {
 
-/// Something to be shown at a line.
+/// A remark at a line.
 struct LineRemark {
-    std::int64_t line = 0;    ///< from 1
-    std::int64_t column = 0;  ///< in characters, from 1; 0: the whole line
-    bool is_error = false;    ///< else a warning
-    QString text;             ///< what people read
+    std::int64_t line = 0;    ///< line, from 1
+    std::int64_t column = 0;  ///< column in characters, from 1; 0: the whole line
+    bool is_error = false;    ///< true: error; false: warning
+    QString text;             ///< text of the remark
 };
 
 class ProgramEditor : public QsciScintilla, public TypingEditor {
@@ -26,30 +26,30 @@ class ProgramEditor : public QsciScintilla, public TypingEditor {
 public:
     explicit ProgramEditor(QWidget* parent = nullptr);
 
-    /// Shows another text, as if it had been loaded, or replaces the part that differs when the file is the same one.
+    /// Shows another text; for the same file only the differing part is replaced.
     void setProgram(const QByteArray& utf8, const QString& file, gcode::Dialect dialect);
     QByteArray program() const;  ///< UTF-8, line ends as they are
 
     void setRemarks(std::vector<LineRemark> remarks);
     const std::vector<LineRemark>& remarks() const { return remarks_; }
 
-    /// Puts the caret at the beginning of a line and shows it in the middle; the keyboard stays where it is.
+    /// Puts the caret at the beginning of a line and shows it in the middle; the keyboard focus is unchanged.
     void goToLine(std::int64_t line);
-    std::int64_t line() const;  ///< of the caret, from 1
+    std::int64_t line() const;  ///< line of the caret, from 1
 
-    bool isTyping() const { return pause_.isActive(); }  ///< typed, and not announced yet
+    bool isTyping() const { return pause_.isActive(); }  ///< pending input exists
     void takeOver() override;
 
-    /// The next or an earlier place of a text after the caret, round about; false when there is none.
+    /// Finds the next or previous occurrence of a text, cyclically; false when there is none.
     bool find(const QString& wanted, bool forward);
 
-    /// How a place of the text is drawn, for tests: index of the style.
+    /// Style index at a position, for tests.
     int styleAt(std::int64_t line, int column) const;
     enum Style { Plain, Comment, Preparatory, Miscellaneous, Coordinate, Technology, Number, Control, NotUnderstood };
 
 signals:
-    void edited();                     ///< a while after the last key, or by takeOver()
-    void lineReached(qlonglong line);  ///< the caret came to another line
+    void edited();                     ///< after a pause in typing, or by takeOver()
+    void lineReached(qlonglong line);  ///< the caret moved to another line
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -62,7 +62,7 @@ private:
     void styleLine(long line);
     void fitMargin();
     void markRemarks();
-    void sayRemark(int position, int x, int y);
+    void showRemark(int position, int x, int y);
     long send(unsigned int message, unsigned long w = 0, long l = 0) const { return SendScintilla(message, w, l); }
 
     gcode::Dialect dialect_ = gcode::Dialect::Fanuc;

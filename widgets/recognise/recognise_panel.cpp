@@ -36,25 +36,25 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-report::Document reportOf(const RecognisePicture& picture, const Language& language)
+report::Document reportOf(const RecogniseOutcome& outcome, const Language& language)
 {
-    features::Recognition result = *picture.result;
-    result.notes = picture.notes;  // those of the file as well
-    report::Document document = recognitionReport(result, picture.steps, picture.inputs, language);
-    document.synthetic = picture.synthetic;
+    features::Recognition result = *outcome.result;
+    result.notes = outcome.notes;  // those of the file as well
+    report::Document document = recognitionReport(result, outcome.steps, outcome.inputs, language);
+    document.synthetic = outcome.synthetic;
     Json json = features::toJson(result);
-    if (picture.result->paper_steps.empty()) {
+    if (outcome.result->paper_steps.empty()) {
         json["steps"] = Json::array();
-        for (const ShaftStep& step : picture.steps) json["steps"].push_back(nestedJson(describedValues(step)));
+        for (const ShaftStep& step : outcome.steps) json["steps"].push_back(nestedJson(describedValues(step)));
     }
     document.results = {report::toText(
-        report::wholeResult("recognize", picture.inputs, toValues(result.parameters), json, result.notes))};
+        report::wholeResult("recognize", outcome.inputs, toValues(result.parameters), json, result.notes))};
     return document;
 }
 
-void requireComplete(const RecognisePicture& picture)
+void requireComplete(const RecogniseOutcome& outcome)
 {
-    const features::Recognition& result = *picture.result;
+    const features::Recognition& result = *outcome.result;
     if (result.complete) return;
     throw Error(
         errors::shaftIncomplete,
@@ -87,26 +87,26 @@ RecognisePanel::RecognisePanel(Session& session, QWidget* parent)
       views_(new RecogniseViews),
       last_(std::make_shared<LastRecognition>())
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_->rows(), &RowsView::sizesAccepted, this, &RecognisePanel::toggle);
     connect(views_->rows(), &RowsView::allAccepted, this, &RecognisePanel::acceptAll);
-    connect(views_, &RecogniseViews::shaftWanted, this, &RecognisePanel::keepShaft);
-    connect(views_, &RecogniseViews::changeWanted, this, &RecognisePanel::change);
-    connect(views_, &RecogniseViews::foundWanted, this, [this] {
+    connect(views_, &RecogniseViews::shaftRequested, this, &RecognisePanel::keepShaft);
+    connect(views_, &RecogniseViews::changeRequested, this, &RecognisePanel::change);
+    connect(views_, &RecogniseViews::foundRequested, this, [this] {
         editState(tr("Take back all changes of the rows"), [](project::PanelState& state) {
             lathelier::set(state.parameters, changesKey, std::string());
             lathelier::set(state.parameters, acceptedKey, std::string());
         });
     });
-    connect(views_, &RecogniseViews::notWritten, this, &RecognisePanel::sayNotWritten);
+    connect(views_, &RecogniseViews::notWritten, this, &RecognisePanel::reportWriteFailure);
 }
 
-/// Accepts the sizes of a suggestion, or takes that back.
+/// Accepts the sizes of a suggestion, or revokes them.
 void RecognisePanel::toggle(const std::vector<features::AcceptedSize>& sizes)
 {
-    const auto picture = result();
-    if (!picture || sizes.empty()) return;
-    std::vector<features::AcceptedSize> accepted = picture->accepted;
+    const auto outcome = result();
+    if (!outcome || sizes.empty()) return;
+    std::vector<features::AcceptedSize> accepted = outcome->accepted;
     std::size_t taken_back = 0;
     for (const features::AcceptedSize& size : sizes) taken_back += std::erase(accepted, size);
     if (taken_back == 0) accepted.insert(accepted.end(), sizes.begin(), sizes.end());
@@ -116,20 +116,20 @@ void RecognisePanel::toggle(const std::vector<features::AcceptedSize>& sizes)
         [&](project::PanelState& state) { lathelier::set(state.parameters, acceptedKey, features::textOf(accepted)); });
 }
 
-/// The joint fit is run again with the changed rows; one that cannot be fitted is no step.
+/// The joint fit is run again with the changed rows; a failed fit creates no undo step.
 void RecognisePanel::change(const QString& step, const features::RowChange& asked)
 {
-    const auto picture = result();
-    if (!picture) return;
-    std::vector<features::RowChange> changes = picture->changes;
+    const auto outcome = result();
+    if (!outcome) return;
+    std::vector<features::RowChange> changes = outcome->changes;
     changes.push_back(asked);
     try {
-        refit(*picture->found, changes);
+        refit(*outcome->found, changes);
         editState(step, [&](project::PanelState& state) {
             lathelier::set(state.parameters, changesKey, features::textOf(changes));
             lathelier::set(state.parameters, changesOfKey, state.inputs.at(scanRole).path);
             lathelier::set(state.parameters, acceptedKey,
-                           features::textOf(features::afterChange(picture->accepted, asked)));
+                           features::textOf(features::afterChange(outcome->accepted, asked)));
         });
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
@@ -144,11 +144,11 @@ void RecognisePanel::acceptAll()
 
 void RecognisePanel::keepShaft()
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     try {
-        requireComplete(*picture);
-        keepItem(picture->shaft.name, shaftItem, itemValues(measuredRows(*picture), recoveredFrom(*picture)));
+        requireComplete(*outcome);
+        keepItem(outcome->shaft.name, shaftItem, itemValues(measuredRows(*outcome), recoveredFrom(*outcome)));
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -156,20 +156,20 @@ void RecognisePanel::keepShaft()
 
 RecognisePanel::Compute RecognisePanel::compute(const project::PanelState& state) const
 {
-    fromValues<features::RecognitionParameters>(state.parameters);  // refuses now what is out of range
+    fromValues<features::RecognitionParameters>(state.parameters);  // validates ranges before the computation
     return [state, last = last_, scans = session().stores().of<ScanStore>()](const Progress& progress) {
         return last->find(state, *scans, progress);
     };
 }
 
-void RecognisePanel::showResult(const std::shared_ptr<const RecognisePicture>& picture)
+void RecognisePanel::showResult(const std::shared_ptr<const RecogniseOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer RecognisePanel::answer(const RecognisePicture& picture) const
+report::Answer RecognisePanel::answer(const RecogniseOutcome& outcome) const
 {
-    return features::answer(*picture.result);
+    return features::answer(*outcome.result);
 }
 
 void RecognisePanel::showPlace(const report::Place& place)
@@ -177,38 +177,38 @@ void RecognisePanel::showPlace(const report::Place& place)
     if (place.z_mm) views_->markStretch(place.z_mm->from, place.z_mm->to);
 }
 
-Notes RecognisePanel::notes(const RecognisePicture& picture) const
+Notes RecognisePanel::notes(const RecogniseOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document RecognisePanel::document(const RecognisePicture& picture) const
+report::Document RecognisePanel::document(const RecogniseOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> RecognisePanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     const auto write = [](const QString& path, const std::string& text) { io::writeFile(path.toStdString(), text); };
-    const double chucked_mm = picture->result->parameters.length_of_chucked_mm.value_or(0);
+    const double chucked_mm = outcome->result->parameters.length_of_chucked_mm.value_or(0);
     part_common::PartToWrite part;
-    part.shaft = picture->shaft;
-    part.stock = picture->result->complete ? features::outOfChuck(picture->shaft, chucked_mm) : picture->shaft;
-    part.drawing = [picture](const Language& language) { return drawingOf(*picture, language); };
-    part.requireComplete = [picture] { requireComplete(*picture); };
-    part.csv = [picture] { return features::rowsCsv(*picture->result); };
+    part.shaft = outcome->shaft;
+    part.stock = outcome->result->complete ? features::outOfChuck(outcome->shaft, chucked_mm) : outcome->shaft;
+    part.drawing = [outcome](const Language& language) { return drawingOf(*outcome, language); };
+    part.require_complete = [outcome] { requireComplete(*outcome); };
+    part.csv = [outcome] { return features::rowsCsv(*outcome->result); };
     std::vector<PanelExport> all =
         part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
     all.push_back({tr("Meridian and residuals (CSV)…"), tr("Table (*.csv)"), "csv",
-                   [picture, write](const QString& path) { write(path, features::meridianCsv(*picture->result)); }});
+                   [outcome, write](const QString& path) { write(path, features::meridianCsv(*outcome->result)); }});
     all.push_back(
-        {tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
-             write(path, report::toSvg(features::meridianPlot(*picture->result, screenLanguage()), screenLanguage()));
+        {tr("Meridian (SVG)…"), tr("Picture (*.svg)"), "svg", [outcome, write](const QString& path) {
+             write(path, report::toSvg(features::meridianPlot(*outcome->result, screenLanguage()), screenLanguage()));
          }});
-    all.push_back({tr("Residuals (SVG)…"), tr("Picture (*.svg)"), "svg", [picture, write](const QString& path) {
-                       write(path, report::toSvg(features::residualPlot(*picture->result), screenLanguage()));
+    all.push_back({tr("Residuals (SVG)…"), tr("Picture (*.svg)"), "svg", [outcome, write](const QString& path) {
+                       write(path, report::toSvg(features::residualPlot(*outcome->result), screenLanguage()));
                    }});
     return all;
 }

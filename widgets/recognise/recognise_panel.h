@@ -1,8 +1,8 @@
-// The panel "Recognise": what table of cylinders, cones and arcs does this scanned part have, and what were its sizes?
+// The panel "Recognise": cylinders, cones and arcs of a scanned part and their sizes.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/recognise/recognise_picture.h"
+#include "widgets/recognise/recognise_outcome.h"
 
 namespace lathelier::recognise_panel {
 
@@ -11,7 +11,7 @@ class RecogniseViews;
 /// The panel's line of the panel table.
 PanelFacts recognisePanelFacts();
 
-class RecognisePanel : public Panel<RecognisePicture> {
+class RecognisePanel : public Panel<RecogniseOutcome> {
     Q_OBJECT
 
 public:
@@ -21,11 +21,11 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const RecognisePicture>& picture) override;
-    report::Answer answer(const RecognisePicture& picture) const override;
+    void showResult(const std::shared_ptr<const RecogniseOutcome>& outcome) override;
+    report::Answer answer(const RecogniseOutcome& outcome) const override;
     void showPlace(const report::Place& place) override;
-    Notes notes(const RecognisePicture& picture) const override;
-    report::Document document(const RecognisePicture& picture) const override;
+    Notes notes(const RecogniseOutcome& outcome) const override;
+    report::Document document(const RecogniseOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

@@ -16,13 +16,13 @@
 namespace lathelier::recognise_panel {
 namespace {
 
-constexpr double kFar_um = 1e6;  ///< beyond every residual that is shown
+constexpr double beyondChart_um = 1e6;  ///< larger than any shown residual
 
 }  // namespace
 
 RecogniseViews::RecogniseViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       charts_(new QSplitter(Qt::Vertical)),
       meridian_(new part_common::RowChart),
       residuals_(new part_common::RowChart),
@@ -42,7 +42,7 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     beside_->setObjectName("beside");
     numbers_->setObjectName("numbers");
     residuals_->followX(meridian_);
-    residuals_->setProperty(ViewFrame::onlyLarge, true);  // small, the shape says more
+    residuals_->setProperty(ViewFrame::onlyLarge, true);  // hidden when small, in favour of the shape
     charts_->setChildrenCollapsible(false);
     charts_->addWidget(meridian_);
     charts_->addWidget(residuals_);
@@ -55,11 +55,11 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     beside_->setWordWrap(true);
     beside_->setProperty(ViewFrame::onlyLarge, true);
     inside->addWidget(beside_);
-    heroes_->add("meridian", charts_);
-    heroes_->add("rows", rows_);
-    heroes_->add("part", scene_);
-    heroes_->add("steps", table);
-    heroes_->add("tables", numbers_);
+    primaryViews_->add("meridian", charts_);
+    primaryViews_->add("rows", rows_);
+    primaryViews_->add("part", scene_);
+    primaryViews_->add("steps", table);
+    primaryViews_->add("tables", numbers_);
     synthetic_->setFrameShape(QFrame::Box);
     synthetic_->setMargin(2);
     synthetic_->hide();
@@ -72,10 +72,10 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     found_->setObjectName("asFound");
     bar->addWidget(found_);
     found_->hide();
-    connect(found_, &QToolButton::clicked, this, &RecogniseViews::foundWanted);
+    connect(found_, &QToolButton::clicked, this, &RecogniseViews::foundRequested);
     bar->setTrailing(synthetic_);
     layout->addLayout(bar);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
 
     for (part_common::RowChart* chart : {meridian_, residuals_}) {
         connect(chart, &part_common::RowChart::menuOpened, this, &RecogniseViews::openChartMenu);
@@ -85,9 +85,9 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     }
     connect(scene_, &scene::SceneView::pointPicked, this, [this](int object, qint64 point) {
         const Scan& scan = *scene_->objects()[static_cast<std::size_t>(object)].scan;
-        pickAt((picture_->result->part_T_scan * scan.points_mm[static_cast<std::size_t>(point)]).z());
+        pickAt((outcome_->result->part_T_scan * scan.points_mm[static_cast<std::size_t>(point)]).z());
     });
-    connect(shaft_, &QToolButton::clicked, this, &RecogniseViews::shaftWanted);
+    connect(shaft_, &QToolButton::clicked, this, &RecogniseViews::shaftRequested);
     connect(scene_, &scene::SceneView::notWritten, this, &RecogniseViews::notWritten);
     connect(rows_, &RowsView::rowPointedAt, this, [this](int row) {
         row_ = row >= 0 ? std::optional(static_cast<std::size_t>(row)) : std::nullopt;
@@ -96,17 +96,17 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     rows_->table()->installEventFilter(this);
     rows_->table()->viewport()->installEventFilter(this);
     connect(steps_, &QTableWidget::currentCellChanged, this, [this](int step) {
-        if (!picture_ || step < 0 || step >= static_cast<int>(picture_->steps.size())) return;
-        const ShaftStep& at = picture_->steps[static_cast<std::size_t>(step)];
+        if (!outcome_ || step < 0 || step >= static_cast<int>(outcome_->steps.size())) return;
+        const ShaftStep& at = outcome_->steps[static_cast<std::size_t>(step)];
         pickAt((at.z_start_mm + at.z_end_mm) / 2);
     });
     retranslate();
 }
 
-void RecogniseViews::setPicture(const std::shared_ptr<const RecognisePicture>& picture)
+void RecogniseViews::setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome)
 {
-    const bool new_rows = !picture_ || picture_->result != picture->result;
-    picture_ = picture;
+    const bool new_rows = !outcome_ || outcome_->result != outcome->result;
+    outcome_ = outcome;
     if (new_rows) {
         row_.reset();
         showScan();
@@ -117,45 +117,46 @@ void RecogniseViews::setPicture(const std::shared_ptr<const RecognisePicture>& p
 
 void RecogniseViews::show()
 {
-    if (!picture_) return;
-    const features::Recognition& result = *picture_->result;
+    if (!outcome_) return;
+    const features::Recognition& result = *outcome_->result;
     meridian_->setData(meridianPlot(result, screenLanguage()));
     residuals_->setData(residualPlot(result));
-    rows_->setPicture(picture_);
+    rows_->setOutcome(outcome_);
     {
         const QSignalBlocker quiet(steps_);
-        steps_->setTable(features::stepsTable(picture_->steps));
+        steps_->setTable(features::stepsTable(outcome_->steps));
     }
     QStringList beside;
     double z_mm = 0;
-    for (std::size_t i = 0; i < picture_->shaft.segments.size(); ++i) {
-        const ShaftSegment& said = picture_->shaft.segments[i];
+    for (std::size_t i = 0; i < outcome_->shaft.segments.size(); ++i) {
+        const ShaftSegment& rowSegment = outcome_->shaft.segments[i];
         const double from_mm = z_mm;
-        z_mm += said.length_mm;
-        if (std::find(picture_->beside.begin(), picture_->beside.end(), i) == picture_->beside.end()) continue;
-        const features::RowKind kind = said.arc_radius_mm ? features::RowKind::Arc : features::RowKind::Cone;
-        const QString name = said.role.empty() ? screenText(kindName(kind)) : screenText(features::roleName(said.role));
+        z_mm += rowSegment.length_mm;
+        if (std::find(outcome_->beside.begin(), outcome_->beside.end(), i) == outcome_->beside.end()) continue;
+        const features::RowKind kind = rowSegment.arc_radius_mm ? features::RowKind::Arc : features::RowKind::Cone;
+        const QString name =
+            rowSegment.role.empty() ? screenText(kindName(kind)) : screenText(features::roleName(rowSegment.role));
         beside << tr("row %1: %2, z %3-%4")
                       .arg(i + 1)
                       .arg(name, screenNumber(from_mm, millimetre, 1), screenQuantity(z_mm, millimetre, 1));
     }
     beside_->setText(beside.isEmpty() ? tr("All rows are in this table.")
                                       : tr("Not in this table: %1").arg(beside.join("; ")));
-    numbers_->setQuantities(recognitionReport(result, picture_->steps, picture_->inputs, screenLanguage()));
-    synthetic_->setVisible(picture_->synthetic);
-    found_->setVisible(!picture_->changes.empty());
+    numbers_->setQuantities(recognitionReport(result, outcome_->steps, outcome_->inputs, screenLanguage()));
+    synthetic_->setVisible(outcome_->synthetic);
+    found_->setVisible(!outcome_->changes.empty());
 }
 
 part_common::RowVerbs RecogniseViews::verbsOf(std::size_t row, std::optional<double> z_mm)
 {
     part_common::RowVerbs verbs;
-    if (!picture_ || row >= picture_->result->segments.size()) return verbs;
-    if (picture_->result->parameters.method != features::RecognitionMethod::Robust) return verbs;
+    if (!outcome_ || row >= outcome_->result->segments.size()) return verbs;
+    if (outcome_->result->parameters.method != features::RecognitionMethod::Robust) return verbs;
     using What = features::RowChange::What;
-    const auto& rows = picture_->result->segments;
+    const auto& rows = outcome_->result->segments;
     const int number = static_cast<int>(row) + 1;
     const auto ask = [this, number](const QString& step, What what, double at_mm = 0) {
-        return [=, this] { emit changeWanted(step, {what, number, at_mm}); };
+        return [=, this] { emit changeRequested(step, {what, number, at_mm}); };
     };
     if (rows.size() > 1) verbs.remove = ask(tr("Delete row %1").arg(number), What::Delete);
     if (row + 1 < rows.size()) verbs.merge = ask(tr("Merge rows %1 and %2").arg(number).arg(number + 1), What::Merge);
@@ -173,16 +174,16 @@ part_common::RowVerbs RecogniseViews::verbsOf(std::size_t row, std::optional<dou
                           : form == RowForm::Cone   ? What::Cone
                           : form == RowForm::Round  ? What::Round
                                                     : What::Fillet;
-        emit changeWanted(tr("Make row %1 a %2").arg(number).arg(part_common::formName(form).toLower()),
-                          {what, number, 0});
+        emit changeRequested(tr("Make row %1 a %2").arg(number).arg(part_common::formName(form).toLower()),
+                             {what, number, 0});
     };
     return verbs;
 }
 
 void RecogniseViews::openChartMenu(QMenu* menu, double z_mm)
 {
-    if (!picture_ || picture_->result->ends.empty()) return;
-    const bool here = z_mm >= 0 && z_mm <= picture_->result->ends.back().z_mm;
+    if (!outcome_ || outcome_->result->ends.empty()) return;
+    const bool here = z_mm >= 0 && z_mm <= outcome_->result->ends.back().z_mm;
     if (here) pickAt(z_mm);
     if (row_)
         part_common::addRowVerbs(*menu, static_cast<int>(*row_) + 1,
@@ -200,7 +201,7 @@ bool RecogniseViews::eventFilter(QObject* watched, QEvent* event)
         const auto* const request = static_cast<QContextMenuEvent*>(event);
         const bool by_key = request->reason() == QContextMenuEvent::Keyboard;
         const int row = by_key ? table->currentRow() : table->rowAt(request->pos().y());
-        if (picture_ && row >= 0 && row < static_cast<int>(picture_->result->segments.size())) {
+        if (outcome_ && row >= 0 && row < static_cast<int>(outcome_->result->segments.size())) {
             QMenu menu(this);
             part_common::addRowVerbs(menu, row + 1, verbsOf(static_cast<std::size_t>(row)));
             menu.addSeparator();
@@ -215,14 +216,14 @@ bool RecogniseViews::eventFilter(QObject* watched, QEvent* event)
 /// In the colours of the meridian.
 void RecogniseViews::showScan()
 {
-    if (!picture_) return;
-    const features::Recognition& result = *picture_->result;
+    if (!outcome_) return;
+    const features::Recognition& result = *outcome_->result;
     const std::array<QString, 4> names{screenText(kindName(features::RowKind::Cylinder)),
                                        screenText(kindName(features::RowKind::Cone)),
                                        screenText(kindName(features::RowKind::Arc)), tr("on no row")};
     std::vector<scene::SceneObject> objects;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const ScanPtr& scan = picture_->by_kind[i];
+        const ScanPtr& scan = outcome_->by_kind[i];
         if (!scan || (scan->isMesh() ? scan->triangles.empty() : scan->points_mm.empty())) continue;
         scene::SceneObject object;
         object.name = names[i];
@@ -241,8 +242,8 @@ void RecogniseViews::showScan()
 
 void RecogniseViews::pickAt(double z_mm)
 {
-    if (!picture_) return;
-    const auto& rows = picture_->result->segments;
+    if (!outcome_) return;
+    const auto& rows = outcome_->result->segments;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (z_mm >= rows[i].z_start_mm && z_mm <= rows[i].z_end_mm) return markRow(i);
     markRow({});
@@ -250,7 +251,7 @@ void RecogniseViews::pickAt(double z_mm)
 
 void RecogniseViews::markRow(std::optional<std::size_t> row)
 {
-    if (!picture_ || (row && *row >= picture_->result->segments.size())) row.reset();
+    if (!outcome_ || (row && *row >= outcome_->result->segments.size())) row.reset();
     row_ = row;
     rows_->markRow(row);
     pointOut(row);
@@ -261,7 +262,7 @@ void RecogniseViews::markStretch(double from_mm, double to_mm)
     pickAt((from_mm + to_mm) / 2);
     if (row_) return;
     plot::PointedOut stretch;
-    stretch.shapes = {QPolygonF(QRectF(QPointF(from_mm, -kFar_um), QPointF(to_mm, kFar_um)))};
+    stretch.shapes = {QPolygonF(QRectF(QPointF(from_mm, -beyondChart_um), QPointF(to_mm, beyondChart_um)))};
     meridian_->pointOut(stretch);
     residuals_->pointOut(stretch);
 }
@@ -269,23 +270,24 @@ void RecogniseViews::markStretch(double from_mm, double to_mm)
 void RecogniseViews::pointOut(std::optional<std::size_t> row)
 {
     plot::PointedOut contour, stretch;
-    if (!picture_ || !row || *row >= picture_->result->segments.size()) {
+    if (!outcome_ || !row || *row >= outcome_->result->segments.size()) {
         meridian_->pointOut(contour);
         residuals_->pointOut(stretch);
         return scene_->setMarker({});
     }
-    const features::RecognizedRow& marked = picture_->result->segments[*row];
+    const features::RecognizedRow& marked = outcome_->result->segments[*row];
     for (const double sign : {1.0, -1.0}) {
         QPolygonF line;
         for (const Eigen::Vector2d& point : features::contourOf(marked)) line << QPointF(point.x(), sign * point.y());
         contour.lines.push_back(std::move(line));
     }
-    stretch.shapes = {QPolygonF(QRectF(QPointF(marked.z_start_mm, -kFar_um), QPointF(marked.z_end_mm, kFar_um)))};
+    stretch.shapes = {
+        QPolygonF(QRectF(QPointF(marked.z_start_mm, -beyondChart_um), QPointF(marked.z_end_mm, beyondChart_um)))};
     meridian_->pointOut(contour);
     residuals_->pointOut(stretch);
     const double z_mm = (marked.z_start_mm + marked.z_end_mm) / 2;
     const double radius_mm = (marked.start_diameter_mm + marked.end_diameter_mm) / 4;
-    scene_->setMarker(picture_->result->part_T_scan.inverse() * Eigen::Vector3d(0, radius_mm, z_mm),
+    scene_->setMarker(outcome_->result->part_T_scan.inverse() * Eigen::Vector3d(0, radius_mm, z_mm),
                       tr("row %1: ⌀ %2").arg(*row + 1).arg(screenQuantity(marked.start_diameter_mm, millimetre, 3)));
 }
 
@@ -304,11 +306,11 @@ void RecogniseViews::restoreView(const Values& kept)
 
 void RecogniseViews::retranslate()
 {
-    heroes_->setTitle("meridian", tr("Meridian"));
-    heroes_->setTitle("rows", tr("Rows"));
-    heroes_->setTitle("part", tr("Part"));
-    heroes_->setTitle("steps", tr("Table as published"));
-    heroes_->setTitle("tables", tr("Numbers"));
+    primaryViews_->setTitle("meridian", tr("Meridian"));
+    primaryViews_->setTitle("rows", tr("Rows"));
+    primaryViews_->setTitle("part", tr("Part"));
+    primaryViews_->setTitle("steps", tr("Table as published"));
+    primaryViews_->setTitle("tables", tr("Numbers"));
     steps_->setAccessibleName(tr("Table as published"));
     numbers_->setAccessibleName(tr("Numbers"));
     synthetic_->setText(tr("Synthetic data"));

@@ -1,5 +1,5 @@
-// The views of a recognition, linked: meridian with residuals, rows, 3-D, the published table, numbers. A row pointed
-// at in one is marked in all.
+// The views of a recognition, linked: meridian with residuals, rows, 3-D, the published table, numbers. A row selected
+// in one is marked in all.
 #pragma once
 
 #include <QLabel>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/part_common/row_chart.h"
 #include "widgets/part_common/row_menu.h"
 #include "widgets/recognise/rows_view.h"
@@ -23,28 +23,28 @@ class RecogniseViews : public QWidget {
 public:
     explicit RecogniseViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const RecognisePicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     RowsView* rows() const { return rows_; }
 
-    /// The camera, to be kept with the project.
+    /// The camera, saved with the project.
     Values view() const;
     void restoreView(const Values& kept);
 
     void markRow(std::optional<std::size_t> row);            ///< index into Recognition::segments
-    void markStretch(double from_mm, double to_mm);          ///< of z
-    std::optional<std::size_t> row() const { return row_; }  ///< that is marked
+    void markStretch(double from_mm, double to_mm);          ///< marks the row at an interval of z
+    std::optional<std::size_t> row() const { return row_; }  ///< marked row
 
-    /// What can be done with a row of the outside; `z_mm`: where it is cut.
+    /// Commands of a row of the outside; `z_mm`: position of a split.
     part_common::RowVerbs verbsOf(std::size_t row, std::optional<double> z_mm = {});
 
     void retranslate();
 
 signals:
-    void shaftWanted();  ///< keep it in the project
-    void changeWanted(const QString& step, const lathelier::features::RowChange& change);
-    void foundWanted();                    ///< the rows as they were recognised
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void shaftRequested();  ///< request to store the shaft in the project
+    void changeRequested(const QString& step, const lathelier::features::RowChange& change);
+    void foundRequested();                 ///< request to return to the recognised rows
+    void notWritten(const QString& path);  ///< the file could not be written
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -56,9 +56,9 @@ private:
     void pointOut(std::optional<std::size_t> row);
     void pickAt(double z_mm);
 
-    std::shared_ptr<const RecognisePicture> picture_;
+    std::shared_ptr<const RecogniseOutcome> outcome_;
     std::optional<std::size_t> row_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     QSplitter* charts_;
     part_common::RowChart* meridian_;
     part_common::RowChart* residuals_;

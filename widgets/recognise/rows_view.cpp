@@ -41,16 +41,16 @@ RowsView::RowsView(QWidget* parent)
     retranslate();
 }
 
-void RowsView::setPicture(const std::shared_ptr<const RecognisePicture>& picture)
+void RowsView::setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome)
 {
-    picture_ = picture;
+    outcome_ = outcome;
     const int at = table_->currentRow();
     {
         const QSignalBlocker quiet(table_);
-        report::Table table = rowsTable(*picture->result, screenLanguage());
+        report::Table table = rowsTable(*outcome->result, screenLanguage());
         table_->setTable(table);
         table_->horizontalHeader()->setStretchLastSection(false);
-        for (int row = 0; row < static_cast<int>(picture->result->segments.size()); ++row)
+        for (int row = 0; row < static_cast<int>(outcome->result->segments.size()); ++row)
             addChips(row, features::nominalColumn);
         if (at >= 0 && at < table_->rowCount()) table_->setCurrentCell(at, 0);
     }
@@ -59,16 +59,16 @@ void RowsView::setPicture(const std::shared_ptr<const RecognisePicture>& picture
 
 bool RowsView::isAccepted(const features::AcceptedSize& size) const
 {
-    if (picture_->result->parameters.snap == features::Snap::Apply) return true;
-    const auto& accepted = picture_->accepted;
+    if (outcome_->result->parameters.snap == features::Snap::Apply) return true;
+    const auto& accepted = outcome_->accepted;
     return std::find(accepted.begin(), accepted.end(), size) != accepted.end();
 }
 
-/// What is accepted with a suggestion: all sizes of a row that one standard gives.
+/// Sizes accepted together with a suggestion: all sizes of a row given by one standard.
 std::vector<features::AcceptedSize> RowsView::together(int row, const features::Suggestion& suggestion) const
 {
     std::vector<features::AcceptedSize> sizes;
-    for (const features::Suggestion& other : picture_->result->segments[static_cast<std::size_t>(row)].suggestions)
+    for (const features::Suggestion& other : outcome_->result->segments[static_cast<std::size_t>(row)].suggestions)
         if (other.quantity == suggestion.quantity ||
             (!suggestion.designation.empty() && other.designation == suggestion.designation))
             sizes.push_back({row + 1, other.quantity});
@@ -79,32 +79,32 @@ std::vector<features::AcceptedSize> RowsView::together(int row, const features::
 /// One button for each suggestion: pressed when it is accepted.
 void RowsView::addChips(int row, int column)
 {
-    const features::RecognizedRow& measured = picture_->result->segments[static_cast<std::size_t>(row)];
+    const features::RecognizedRow& measured = outcome_->result->segments[static_cast<std::size_t>(row)];
     if (measured.suggestions.empty()) return;
     auto* chips = new QWidget;
     auto* layout = new QHBoxLayout(chips);
     layout->setContentsMargins(2, 0, 2, 0);
     std::vector<features::AcceptedSize> offered;
     for (const features::Suggestion& suggestion : measured.suggestions) {
-        // Of several tapers that are as near the first is the one that is put in place.
+        // Of equally near tapers the first is used.
         const features::AcceptedSize size{row + 1, suggestion.quantity};
         if (std::find(offered.begin(), offered.end(), size) != offered.end()) continue;
         const std::vector<features::AcceptedSize> sizes = together(row, suggestion);
         offered.insert(offered.end(), sizes.begin(), sizes.end());
         auto* chip = new QToolButton;
-        const QString said = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
-        chip->setText(said.left(said.indexOf(" (")));
+        const QString suggestedText = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
+        chip->setText(suggestedText.left(suggestedText.indexOf(" (")));
         chip->setCheckable(true);
         chip->setChecked(isAccepted(size));
-        chip->setEnabled(picture_->result->parameters.snap == features::Snap::Suggest);
+        chip->setEnabled(outcome_->result->parameters.snap == features::Snap::Suggest);
         chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
-                             .arg(said, screenNumber(suggestion.chance_percent, 0)));
-        chip->setAccessibleName(said);
+                             .arg(suggestedText, screenNumber(suggestion.chance_percent, 0)));
+        chip->setAccessibleName(suggestedText);
         connect(chip, &QToolButton::clicked, this, [this, sizes] { emit sizesAccepted(sizes); });
         layout->addWidget(chip);
     }
     layout->addStretch();
-    table_->item(row, column)->setForeground(Qt::transparent);  // is there to be copied
+    table_->item(row, column)->setForeground(Qt::transparent);  // invisible text for copying
     table_->setCellWidget(row, column, chips);
     for (QToolButton* chip : chips->findChildren<QToolButton*>()) chip->ensurePolished();
     layout->invalidate();
@@ -114,9 +114,9 @@ void RowsView::addChips(int row, int column)
 
 void RowsView::acceptFirst(int row)
 {
-    if (!picture_ || row < 0 || row >= static_cast<int>(picture_->result->segments.size())) return;
-    if (picture_->result->parameters.snap != features::Snap::Suggest) return;
-    const auto& suggestions = picture_->result->segments[static_cast<std::size_t>(row)].suggestions;
+    if (!outcome_ || row < 0 || row >= static_cast<int>(outcome_->result->segments.size())) return;
+    if (outcome_->result->parameters.snap != features::Snap::Suggest) return;
+    const auto& suggestions = outcome_->result->segments[static_cast<std::size_t>(row)].suggestions;
     if (!suggestions.empty()) emit sizesAccepted(together(row, suggestions.front()));
 }
 
@@ -130,12 +130,12 @@ void RowsView::markRow(std::optional<std::size_t> row)
     show();
 }
 
-/// What the buttons can do.
+/// Enables the buttons.
 void RowsView::show()
 {
-    const bool suggests = picture_ && picture_->result->parameters.snap == features::Snap::Suggest;
+    const bool suggests = outcome_ && outcome_->result->parameters.snap == features::Snap::Suggest;
     const int at = table_->currentRow();
-    const auto& rows = picture_ ? picture_->result->segments : std::vector<features::RecognizedRow>();
+    const auto& rows = outcome_ ? outcome_->result->segments : std::vector<features::RecognizedRow>();
     const bool here = suggests && at >= 0 && at < static_cast<int>(rows.size()) &&
                       !rows[static_cast<std::size_t>(at)].suggestions.empty();
     accept_->setEnabled(here);
@@ -152,7 +152,7 @@ void RowsView::retranslate()
     accept_->setToolTip(tr("Put the suggested size of this row in place of the measured one"));
     all_->setText(tr("Accept all"));
     all_->setToolTip(tr("Put all suggested sizes in place of the measured ones, which stay beside them"));
-    if (picture_) setPicture(picture_);
+    if (outcome_) setOutcome(outcome_);
 }
 
 }  // namespace lathelier::recognise_panel

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/recognise/recognise_picture.h"
+#include "widgets/recognise/recognise_outcome.h"
 
 namespace lathelier::recognise_panel {
 
@@ -16,14 +16,14 @@ class RowsView : public QWidget {
 public:
     explicit RowsView(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const RecognisePicture>& picture);
+    void setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome);
     void markRow(std::optional<std::size_t> row);  ///< index into Recognition::segments
     CopyTable* table() const { return table_; }
     void retranslate();
 
 signals:
-    void rowPointedAt(int row);  ///< of the outside, from 0; -1: none, or a row of a bore
-    /// Those of one suggestion: a standard's sizes go together.
+    void rowPointedAt(int row);  ///< row of the outside, from 0; -1: none, or a row of a bore
+    /// The sizes of one suggestion, accepted together.
     void sizesAccepted(const std::vector<lathelier::features::AcceptedSize>& sizes);
     void allAccepted();
 
@@ -34,7 +34,7 @@ private:
     std::vector<features::AcceptedSize> together(int row, const features::Suggestion& suggestion) const;
     bool isAccepted(const features::AcceptedSize& size) const;
 
-    std::shared_ptr<const RecognisePicture> picture_;
+    std::shared_ptr<const RecogniseOutcome> outcome_;
     CopyTable* table_;
     QWidget* buttons_;
     QPushButton* accept_;

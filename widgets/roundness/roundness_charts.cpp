@@ -16,13 +16,13 @@ report::Table hintTable(const form::RoundnessResult& result)
                                                   {"upr", "amplitude_um", "share_percent", "meaning"});
 }
 
-plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const signal::Harmonic& harmonic)
+plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& outcome, const signal::Harmonic& harmonic)
 {
-    report::PolarPlot plot = picture->plot;
+    report::PolarPlot plot = outcome->plot;
     report::PolarPlot::Trace wave;
     const QString amplitude = screenQuantity(harmonic.amplitude, micrometre, 2);
     wave.name = QString("%1 UPR  %2").arg(harmonic.upr).arg(amplitude).toStdString();
-    wave.colour = 5;  // none of the circles has it
+    wave.colour = 5;  // a colour not used by the circles
     // A wave runs about the least-squares circle, the first of them, whatever circle deviations count from.
     const auto ground_um = [&](double angle_deg) {
         return plot.circles.empty() ? 0 : plot::deviationAt(plot.circles.front(), plot.base_radius_mm, angle_deg);
@@ -35,7 +35,7 @@ plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const s
                                     harmonic.amplitude * std::cos(harmonic.upr * angle - harmonic.phase_rad));
     }
     plot.traces.push_back(std::move(wave));
-    return plot::polarPicture(std::move(plot), 1);  // a part of the profile, not a second one
+    return plot::polarPicture(std::move(plot), 1);  // the last trace has no readout
 }
 
 }  // namespace lathelier::roundness_panel

@@ -1,4 +1,4 @@
-// A roundness result as tables, and what the panel adds to its polar plot.
+// Tables of a roundness result, and additions of the panel to its polar plot.
 #pragma once
 
 #include "engine/form/roundness/roundness.h"
@@ -11,6 +11,6 @@ namespace lathelier::roundness_panel {
 report::Table hintTable(const form::RoundnessResult& result);
 
 /// The polar plot with one harmonic drawn as a further trace.
-plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& picture, const signal::Harmonic& harmonic);
+plot::PolarPicturePtr withHarmonic(const plot::PolarPicturePtr& outcome, const signal::Harmonic& harmonic);
 
 }  // namespace lathelier::roundness_panel

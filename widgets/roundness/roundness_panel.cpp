@@ -21,13 +21,13 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Drop a measured profile or a probe record here."));
 }
 
-report::Document reportOf(const trajectory_common::SpindlePicture& picture, const Language& language)
+report::Document reportOf(const trajectory_common::SpindleOutcome& outcome, const Language& language)
 {
-    report::Document document = form::roundnessReport({*picture.roundness()}, picture.inputs, language);
-    trajectory_common::saySection(picture, document);
-    if (picture.superimposed) document.sections.push_back(superimposeSection(*picture.superimposed));
-    document.synthetic = document.synthetic || picture.synthetic;
-    document.results = {trajectory_common::roundnessJson(picture)};
+    report::Document document = form::roundnessReport({*outcome.roundness()}, outcome.inputs, language);
+    trajectory_common::addSectionSentence(outcome, document);
+    if (outcome.superimposed) document.sections.push_back(superimposeSection(*outcome.superimposed));
+    document.synthetic = document.synthetic || outcome.synthetic;
+    document.results = {trajectory_common::roundnessJson(outcome)};
     return document;
 }
 
@@ -36,12 +36,12 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
 PanelFacts roundnessPanelFacts()
 {
     PanelFacts facts = trajectory_common::spindleFacts("roundness", LT_TEXT("Engine", "Roundness"), "roundness",
-                                                       trajectory_common::SpindleWant::Roundness);
+                                                       trajectory_common::SpindleStudyKind::Roundness);
     facts.make = [](Session& session) -> PanelBase* { return new RoundnessPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         return reportOf(
-            trajectory_common::answeredPicture(state, trajectory_common::SpindleWant::Roundness, stores, progress),
+            trajectory_common::outcomeOrThrow(state, trajectory_common::SpindleStudyKind::Roundness, stores, progress),
             language);
     };
     return facts;
@@ -49,17 +49,17 @@ PanelFacts roundnessPanelFacts()
 
 RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
     : trajectory_common::SpindlePanel(owner, roundnessPanelFacts(), panelInputs(),
-                                      trajectory_common::SpindleWant::Roundness, parent),
+                                      trajectory_common::SpindleStudyKind::Roundness, parent),
       views_(new RoundnessViews(markedAngle()))
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &RoundnessViews::sectionWanted, this, &RoundnessPanel::chooseSection);
-    connect(views_, &RoundnessViews::notWritten, this, &RoundnessPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &RoundnessViews::sectionRequested, this, &RoundnessPanel::chooseSection);
+    connect(views_, &RoundnessViews::notWritten, this, &RoundnessPanel::reportWriteFailure);
 }
 
-void RoundnessPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
+void RoundnessPanel::showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome)
 {
-    views_->setPicture(picture, isSectionChosen());
+    views_->setOutcome(outcome, isSectionChosen());
 }
 
 void RoundnessPanel::showPlace(const report::Place& place)
@@ -67,36 +67,36 @@ void RoundnessPanel::showPlace(const report::Place& place)
     if (place.upr) views_->markHarmonic(place.upr);
 }
 
-report::Answer RoundnessPanel::answer(const trajectory_common::SpindlePicture& picture) const
+report::Answer RoundnessPanel::answer(const trajectory_common::SpindleOutcome& outcome) const
 {
-    report::Answer answer = form::answer(*picture.roundness(), screenLanguage());
-    if (const trajectory::TrajectorySection* section = picture.profile ? nullptr : picture.chosenSection()) {
-        answer.used = picture.trajectory->used;
+    report::Answer answer = form::answer(*outcome.roundness(), screenLanguage());
+    if (const trajectory::TrajectorySection* section = outcome.profile ? nullptr : outcome.chosenSection()) {
+        answer.used = outcome.trajectory->used;
         answer.subject = tr("section %1 of %2")
                              .arg(section->section)
-                             .arg(picture.trajectory->sections.size())
-                             .replace(' ', QChar::Nbsp)  // one thing, on one line
+                             .arg(outcome.trajectory->sections.size())
+                             .replace(' ', QChar::Nbsp)  // no break within the term
                              .toStdString();
     }
     return answer;
 }
 
-report::Document RoundnessPanel::document(const trajectory_common::SpindlePicture& picture) const
+report::Document RoundnessPanel::document(const trajectory_common::SpindleOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> RoundnessPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {
         {tr("Profile and circles as drawn (CSV)…"), tr("Table (*.csv)"), "csv",
-         [picture](const QString& path) {
-             io::writeFile(path.toStdString(), plot::toCsv(picture->polar->plot).toStdString());
+         [outcome](const QString& path) {
+             io::writeFile(path.toStdString(), plot::toCsv(outcome->polar->plot).toStdString());
          }},
-        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [picture](const QString& path) {
-             io::writeDfq(path.toStdString(), form::qdasFile({*picture->roundness()}));
+        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [outcome](const QString& path) {
+             io::writeDfq(path.toStdString(), form::qdasFile({*outcome->roundness()}));
          }}};
 }
 
@@ -113,7 +113,7 @@ void RoundnessPanel::restoreView(const Values& kept)
 void RoundnessPanel::retranslate()
 {
     views_->retranslate();
-    if (hasResult()) recompute();  // the polar plots carry words; the answers are there
+    if (hasResult()) recompute();  // the polar plots contain texts; results are cached
 }
 
 }  // namespace lathelier::roundness_panel

@@ -1,4 +1,4 @@
-// The panel "Roundness": how round is this section, by which circle and filter, and how sure is that?
+// The panel "Roundness": roundness of a section by circle and filter, with uncertainty.
 #pragma once
 
 #include "widgets/trajectory_common/spindle_panel.h"
@@ -19,10 +19,10 @@ public:
     RoundnessViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture) override;
+    void showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome) override;
     void showPlace(const report::Place& place) override;
-    report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
-    report::Document document(const trajectory_common::SpindlePicture& picture) const override;
+    report::Answer answer(const trajectory_common::SpindleOutcome& outcome) const override;
+    report::Document document(const trajectory_common::SpindleOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

@@ -25,7 +25,7 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
       synthetic_(new QLabel),
       polar_(new plot::PolarView),
       spectrum_(new plot::ChartView),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       tabs_(new QTabWidget),
       circles_(new CopyTable),
       methods_(new CopyTable),
@@ -44,12 +44,12 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
     buildBar();
     tabs_->setDocumentMode(true);
     for (CopyTable* table : {circles_, methods_, hints_, numbers_}) tabs_->addTab(table, QString());
-    heroes_->add("polar", polar_);
-    heroes_->add("spectrum", spectrum_);
-    heroes_->add("tables", tabs_);
-    layout->addWidget(heroes_, 1);
+    primaryViews_->add("polar", polar_);
+    primaryViews_->add("spectrum", spectrum_);
+    primaryViews_->add("tables", tabs_);
+    layout->addWidget(primaryViews_, 1);
 
-    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &RoundnessViews::sectionWanted);
+    connect(section_, &trajectory_common::SectionBar::sectionRequested, this, &RoundnessViews::sectionRequested);
     connect(polar_, &plot::PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
     connect(&angle_, &trajectory_common::MarkedAngle::changed, this, &RoundnessViews::markAngle);
     connect(polar_, &plot::PolarView::unmarked, this, [this] { angle_.set({}); });
@@ -67,7 +67,7 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
     });
     connect(circles_, &QTableWidget::itemSelectionChanged, this, &RoundnessViews::askCircle);
     connect(hints_, &QTableWidget::cellClicked, this, [this](int row, int) {
-        const auto& hints = picture_->roundness()->hints;
+        const auto& hints = outcome_->roundness()->hints;
         if (row < static_cast<int>(hints.size())) markHarmonic(hints[static_cast<std::size_t>(row)].upr);
     });
     for (plot::PlotWidget* plot : {static_cast<plot::PlotWidget*>(polar_), static_cast<plot::PlotWidget*>(spectrum_)})
@@ -100,34 +100,34 @@ void RoundnessViews::buildBar()
     connect(group, &QButtonGroup::idToggled, this, [this] { showPolar(); });
 }
 
-void RoundnessViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+void RoundnessViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
                                 bool sectionChosen)
 {
-    const bool newTrace = picture->trace && (!picture_ || picture_->trace != picture->trace);
-    picture_ = picture;
-    section_->setPicture(*picture, sectionChosen);
-    const bool laid = picture->superimposed != nullptr;
+    const bool newTrace = outcome->trace && (!outcome_ || outcome_->trace != outcome->trace);
+    outcome_ = outcome;
+    section_->setOutcome(*outcome, sectionChosen);
+    const bool laid = outcome->superimposed != nullptr;
     form_->setVisible(laid);
     laid_->setVisible(laid);
     difference_->setVisible(laid);
-    if (newTrace && laid) laid_->setChecked(true);  // what was just asked for is what is shown
+    if (newTrace && laid) laid_->setChecked(true);  // shows the newly added trace
     if (!laid) form_->setChecked(true);
     if (laid)
         difference_->setText(tr("largest difference %1, mean %2")
-                                 .arg(screenQuantity(picture->superimposed->largest_difference_um, micrometre, 2),
-                                      screenQuantity(picture->superimposed->mean_difference_um, micrometre, 2)));
-    synthetic_->setVisible(picture->synthetic);
-    spectrum_->setData(spectrumPlot(*picture->roundness(), screenLanguage()));
+                                 .arg(screenQuantity(outcome->superimposed->largest_difference_um, micrometre, 2),
+                                      screenQuantity(outcome->superimposed->mean_difference_um, micrometre, 2)));
+    synthetic_->setVisible(outcome->synthetic);
+    spectrum_->setData(spectrumPlot(*outcome->roundness(), screenLanguage()));
     showPolar();
     showTables();
 }
 
 void RoundnessViews::showPolar()
 {
-    if (!picture_) return;
-    plot::PolarPicturePtr shown = laid_->isChecked() && picture_->laid ? picture_->laid : picture_->polar;
-    if (harmonic_ && shown == picture_->polar) {
-        const std::vector<signal::Harmonic>& all = picture_->roundness()->harmonics;
+    if (!outcome_) return;
+    plot::PolarPicturePtr shown = laid_->isChecked() && outcome_->laid ? outcome_->laid : outcome_->polar;
+    if (harmonic_ && shown == outcome_->polar) {
+        const std::vector<signal::Harmonic>& all = outcome_->roundness()->harmonics;
         const auto wanted =
             std::find_if(all.begin(), all.end(), [&](const signal::Harmonic& h) { return h.upr == *harmonic_; });
         if (wanted != all.end()) shown = withHarmonic(shown, *wanted);
@@ -138,7 +138,7 @@ void RoundnessViews::showPolar()
 
 void RoundnessViews::showTables()
 {
-    const form::RoundnessResult& result = *picture_->roundness();
+    const form::RoundnessResult& result = *outcome_->roundness();
     circles_->setTable(circlesTable(result));
     const std::string_view chosen = name(result.parameters.circle);
     for (int row = 0; row < circles_->rowCount(); ++row)
@@ -147,9 +147,9 @@ void RoundnessViews::showTables()
             circle.setText(circle.text() + " ◀");
     methods_->setTable(methodTable(result, screenLanguage()));
     hints_->setTable(hintTable(result));
-    report::Document document = form::roundnessReport({result}, picture_->inputs, screenLanguage());
-    if (picture_->superimposed)
-        document.sections.insert(document.sections.begin(), superimposeSection(*picture_->superimposed));
+    report::Document document = form::roundnessReport({result}, outcome_->inputs, screenLanguage());
+    if (outcome_->superimposed)
+        document.sections.insert(document.sections.begin(), superimposeSection(*outcome_->superimposed));
     numbers_->setQuantities(document);
 }
 
@@ -158,15 +158,15 @@ void RoundnessViews::markHarmonic(std::optional<int> upr)
     harmonic_ = upr;
     spectrum_->setMarker(upr ? std::optional<double>(*upr) : std::nullopt);
     hints_->clearSelection();
-    if (picture_ && upr) {
-        const auto& hints = picture_->roundness()->hints;
+    if (outcome_ && upr) {
+        const auto& hints = outcome_->roundness()->hints;
         for (std::size_t row = 0; row < hints.size(); ++row)
             if (hints[row].upr == *upr) hints_->selectRow(static_cast<int>(row));
     }
     showPolar();
 }
 
-/// The circle whose row is pointed at, else that of the selected row, is drawn besides the chosen one.
+/// Besides the chosen circle that of the hovered row is drawn, else that of the selected row.
 void RoundnessViews::askCircle()
 {
     const QList<QTableWidgetSelectionRange> selected = circles_->selectedRanges();
@@ -213,15 +213,15 @@ void RoundnessViews::retranslate()
     laid_->setText(tr("Laid over"));
     laid_->setToolTip(tr("The profile and the trace over each other, and their difference"));
     synthetic_->setText(tr("Synthetic data"));
-    heroes_->setTitle("polar", tr("Roundness plot"));
-    heroes_->setTitle("spectrum", tr("Harmonic content"));
-    heroes_->setTitle("tables", tr("Tables"));
+    primaryViews_->setTitle("polar", tr("Roundness plot"));
+    primaryViews_->setTitle("spectrum", tr("Harmonic content"));
+    primaryViews_->setTitle("tables", tr("Tables"));
     const QStringList names{tr("Circles"), tr("Methods"), tr("Undulations"), tr("Numbers")};
     for (int i = 0; i < names.size(); ++i) {
         tabs_->setTabText(i, names[i]);
         tabs_->widget(i)->setAccessibleName(names[i]);
     }
-    if (picture_) setPicture(picture_, !section_->isWorst());
+    if (outcome_) setOutcome(outcome_, !section_->isWorst());
 }
 
 }  // namespace lathelier::roundness_panel

@@ -1,5 +1,5 @@
-// The views of one profile's roundness, linked: polar plot, spectrum, tables. An angle or an undulation picked in one
-// is marked in the others.
+// The views of one profile's roundness, linked: polar plot, spectrum, tables. An angle or harmonic selected in one is
+// marked in the others.
 #pragma once
 
 #include <QLabel>
@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/trajectory_common/section_bar.h"
@@ -21,21 +21,21 @@ class RoundnessViews : public QWidget {
 public:
     explicit RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen);
+    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen);
 
-    /// Draws this undulation in the polar plot too; none: takes it away.
+    /// Draws this harmonic in the polar plot; none: removes it.
     void markHarmonic(std::optional<int> upr);
 
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
 
-    /// The undulation that is drawn and the table that is open, to be kept with the project.
+    /// The drawn harmonic and the open table, saved with the project.
     Values view() const;
     void restoreView(const Values& kept);
 
     void retranslate();
 
 signals:
-    void sectionWanted(std::optional<int> section);
+    void sectionRequested(std::optional<int> section);
     void notWritten(const QString& path);
 
 private:
@@ -47,10 +47,10 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
-    int pointedRow_ = -1;  ///< of the table of circles; -1: none
+    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
+    int pointedRow_ = -1;  ///< hovered row of the table of circles; -1: none
     std::optional<int> harmonic_;
-    std::optional<int> harmonicBefore_;  ///< the last click
+    std::optional<int> harmonicBefore_;  ///< harmonic before the last click
     trajectory_common::SectionBar* section_;
     QToolButton* form_;
     QToolButton* laid_;
@@ -58,7 +58,7 @@ private:
     QLabel* synthetic_;
     plot::PolarView* polar_;
     plot::ChartView* spectrum_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     QTabWidget* tabs_;
     CopyTable* circles_;
     CopyTable* methods_;

@@ -57,7 +57,7 @@ void setTriangles(vtkPolyData* data, const std::vector<std::array<std::uint32_t,
     data->SetPolys(cells);
 }
 
-/// How bright a surface looks that faces along `normal`, so that a cloud of one colour still shows its shape.
+/// Shading factor of a surface with this normal, so that the shape of a uniformly coloured cloud is visible.
 double shade(const Eigen::Vector3d& normal)
 {
     static const Eigen::Vector3d light = Eigen::Vector3d(0.3, 0.45, 0.84).normalized();
@@ -146,8 +146,8 @@ void SceneActor::update(const SceneObject& object, const report::DeviationColour
         out[3 * i + 1] = c.green;
         out[3 * i + 2] = c.blue;
     };
-    // Clouds are not lit by VTK: what is known of their normals shades them here, and values only slightly, so that
-    // they keep the colours of the legend.
+    // Clouds are not lit by VTK: they are shaded here by their normals, with values only slightly, so that the legend's
+    // colours are preserved.
     const auto brightness = [&](std::size_t i) {
         if (scan.isMesh()) return 1.0;
         const double facing = shade(outward(object, axis, i));

@@ -1,4 +1,4 @@
-// One object of the scene in VTK: the full set, a thinned one for moving, and their colours. Included by .cpp files
+// One object of the scene in VTK: the full set, a decimated one for motion, and their colours. Included by .cpp files
 // only.
 #pragma once
 
@@ -21,7 +21,7 @@ namespace lathelier::scene {
 
 class SceneActor {
 public:
-    /// Uploads geometry relative to `origin`, so that single precision on the graphics side costs nothing.
+    /// Uploads geometry relative to `origin`, so that single precision in OpenGL is sufficient.
     SceneActor(vtkRenderer* renderer, const SceneObject& object, const Eigen::Vector3d& origin,
                const std::optional<SceneAxis>& axis);
     ~SceneActor();
@@ -31,7 +31,7 @@ public:
     const SceneObject& object() const { return object_; }
     bool sameGeometry(const SceneObject& other) const;
 
-    /// Takes over colour, values and visibility.
+    /// Applies colour, values and visibility.
     void update(const SceneObject& object, const report::DeviationColours& colours,
                 const std::optional<SceneAxis>& axis);
     void setMoving(bool moving);
@@ -45,7 +45,7 @@ private:
     struct Layer {
         vtkNew<vtkPolyData> data;              ///< points relative to the origin, and which of them are drawn
         vtkNew<vtkPolyDataMapper> mapper;      ///< draws `data` in `colours`
-        vtkNew<vtkActor> actor;                ///< stands in the renderer
+        vtkNew<vtkActor> actor;                ///< actor in the renderer
         vtkNew<vtkUnsignedCharArray> colours;  ///< red, green, blue of each point
     };
     void prepare(Layer& layer, double pointSize);

@@ -17,7 +17,7 @@ SceneBar::SceneBar(QWidget* parent) : QWidget(parent)
          {SceneViewpoint::Oblique, SceneViewpoint::Side, SceneViewpoint::Top, SceneViewpoint::End}) {
         auto* button = new QToolButton(this);
         button->setAutoRaise(true);
-        connect(button, &QToolButton::clicked, this, [this, viewpoint] { emit viewpointWanted(viewpoint); });
+        connect(button, &QToolButton::clicked, this, [this, viewpoint] { emit viewpointRequested(viewpoint); });
         layout->addWidget(button);
         viewpoints_.push_back(button);
     }
@@ -25,7 +25,7 @@ SceneBar::SceneBar(QWidget* parent) : QWidget(parent)
     parallel->setAutoRaise(true);
     parallel->setCheckable(true);
     parallel_ = parallel;
-    connect(parallel, &QToolButton::toggled, this, &SceneBar::parallelWanted);
+    connect(parallel, &QToolButton::toggled, this, &SceneBar::parallelRequested);
     layout->addWidget(parallel);
 
     section_ = new QComboBox(this);
@@ -39,7 +39,7 @@ SceneBar::SceneBar(QWidget* parent) : QWidget(parent)
     for (int i = 0; i < 4; ++i) section_->addItem({});
     const auto tell = [this] {
         slider_->setVisible(section_->currentIndex() > 0);
-        emit sectionWanted(section_->currentIndex() - 1, slider_->value() / 1000.0);
+        emit sectionRequested(section_->currentIndex() - 1, slider_->value() / 1000.0);
     };
     connect(section_, qOverload<int>(&QComboBox::currentIndexChanged), this, tell);
     connect(slider_, &QSlider::valueChanged, this, tell);

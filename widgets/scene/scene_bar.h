@@ -18,9 +18,9 @@ public:
     explicit SceneBar(QWidget* parent = nullptr);
 
 signals:
-    void viewpointWanted(lathelier::scene::SceneViewpoint viewpoint);
-    void parallelWanted(bool parallel);
-    void sectionWanted(int sceneAxis, double share);  ///< sceneAxis -1: whole
+    void viewpointRequested(lathelier::scene::SceneViewpoint viewpoint);
+    void parallelRequested(bool parallel);
+    void sectionRequested(int sceneAxis, double share);  ///< sceneAxis -1: whole
 
 protected:
     void changeEvent(QEvent* event) override;

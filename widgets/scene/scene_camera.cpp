@@ -11,7 +11,7 @@ namespace {
 constexpr double halfViewAngle = 15 * M_PI / 180;
 constexpr double margin = 1.06;
 
-/// Away from the part, toward the eye, in frame coordinates; and what is up there.
+/// Direction from the part to the eye and up direction, in frame coordinates.
 std::pair<Eigen::Vector3d, Eigen::Vector3d> directions(SceneViewpoint viewpoint)
 {
     switch (viewpoint) {
@@ -29,7 +29,7 @@ std::optional<Eigen::Vector2d> SceneCamera::project(const Eigen::Vector3d& scene
 {
     const Eigen::Vector3d view = view_T_scene * scene;
     if (view.z() >= 0) return std::nullopt;
-    const double half = parallel ? halfHeight_mm : halfHeight_mm * -view.z() / distance_mm;
+    const double half = parallel ? half_height_mm : half_height_mm * -view.z() / distance_mm;
     return Eigen::Vector2d(view.x() / (half * aspect), view.y() / half);
 }
 
@@ -56,7 +56,7 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     view_T_frame.row(1) = toEye.cross(view_T_frame.row(0).transpose());
     const Eigen::Vector3d centre = (low + high) / 2;
 
-    // The eye is as near as lets all eight corners of the box into the picture.
+    // Least distance at which all eight corners of the box are visible.
     const double slope = std::tan(halfViewAngle);
     double distance = 0, half = 0, front = 0;
     for (int corner = 0; corner < 8; ++corner) {
@@ -72,7 +72,7 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
     camera.parallel = parallel;
     camera.aspect = aspect;
     camera.distance_mm = std::max(parallel ? 2 * front + half / slope : distance, 1e-3);
-    camera.halfHeight_mm = std::max(parallel ? margin * half : camera.distance_mm * slope, 1e-6);
+    camera.half_height_mm = std::max(parallel ? margin * half : camera.distance_mm * slope, 1e-6);
     const Eigen::Matrix3d viewTurn = view_T_frame * frame.transpose();
     camera.view_T_scene.linear() = viewTurn;
     camera.view_T_scene.translation() = -(viewTurn * (frame * centre)) - Eigen::Vector3d(0, 0, camera.distance_mm);
@@ -81,7 +81,7 @@ SceneCamera cameraFor(SceneViewpoint viewpoint, const Eigen::Matrix3d& frame, co
 
 std::vector<std::uint32_t> thinnedOrder(std::size_t count, std::size_t most)
 {
-    // The head of a shuffle: any prefix covers the whole without the stripes that a regular step draws on a scan grid.
+    // Prefix of a random permutation: uniform coverage without the aliasing of a regular step on a scan grid.
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0U);
     std::mt19937 random(1);

@@ -30,7 +30,7 @@ struct SceneCanvas::Graphics {
     Graphics()
     {
         QSurfaceFormat format = QVTKRenderWindowAdapter::defaultFormat();
-        format.setSamples(0);  // software rendering pays for every sample
+        format.setSamples(0);  // no multisampling, which is slow in software rendering
         context.setFormat(format);
         context.create();
         surface.setFormat(context.format());

@@ -1,5 +1,5 @@
-// The picture of the 3-D view. VTK draws it aside, and this widget shows it like any other picture: composing a whole
-// window through OpenGL, as QOpenGLWidget does, costs a software renderer several times what drawing the scene does.
+// The picture of the 3-D view. VTK renders off screen and this widget shows the image: composing a whole window through
+// OpenGL, as QOpenGLWidget does, costs a software renderer several times what drawing the scene does.
 #pragma once
 
 #include <QElapsedTimer>
@@ -16,7 +16,7 @@ class SceneCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// Where canDraw() is true.
+    /// Precondition: canDraw().
     explicit SceneCanvas(QWidget* parent = nullptr);
     ~SceneCanvas() override;
 
@@ -24,10 +24,9 @@ public:
     static bool canDraw();
 
     vtkRenderer& renderer() const;
-    void makeCurrent();  ///< before objects of the scene go
+    void makeCurrent();  ///< required before objects of the scene are destroyed
 
-    /// Draws once the events that are waiting have been answered, however often it is called before; when hidden, once
-    /// it is shown.
+    /// Schedules one redraw after pending events; when hidden, as soon as it is shown.
     void drawSoon();
     /// Draws at once, also when hidden; the picture in pixels of the device.
     const QImage& drawNow();
@@ -36,7 +35,7 @@ public:
     void setDetail(double share);
 
 signals:
-    void drawn(double seconds);  ///< until the last pixel was there
+    void drawn(double seconds);  ///< seconds until completion
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -51,7 +50,7 @@ private:
     QImage picture_;
     QTimer soon_;
     double detail_ = 1;
-    bool current_ = false;  ///< the picture shows what is to be seen
+    bool current_ = false;  ///< the image is up to date
 };
 
 }  // namespace lathelier::scene

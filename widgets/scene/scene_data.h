@@ -1,4 +1,4 @@
-// What the 3-D view shows, as values.
+// Content of the 3-D view, as values.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,23 +15,21 @@ namespace lathelier::scene {
 
 /// A cloud or mesh in the scene. Equal `scan` and pose are uploaded once, however often the colours change.
 struct SceneObject {
-    QString name;                                                    ///< what people read
+    QString name;                                                    ///< shown name
     ScanPtr scan;                                                    ///< never null
     Eigen::Isometry3d scene_T_scan = Eigen::Isometry3d::Identity();  ///< pose of the scan in the scene
-    QColor colour;                                                   ///< where there are no values
+    QColor colour;                                                   ///< colour without values
     std::shared_ptr<const std::vector<float>> values;  ///< one for each point, in mm; NaN is drawn grey; null: plain
-    /// How far each point is drawn outward of where it lies, in mm; null or NaN: not at all. A deviation is exaggerated
-    /// by it, or taken away: points in excess stick out, hide their neighbours and make the part look larger than it
-    /// is.
+    /// Outward displacement of each drawn point in mm; null or NaN: none. Magnifies a deviation, or removes it, since
+    /// protruding points would hide their neighbours and enlarge the silhouette.
     std::shared_ptr<const std::vector<float>> outward_mm;
     /// Of a cloud without normals: 1 or -1 where outward is along the long axis or against it, as on the faces of a
     /// turned part; 0 or null: away from the axis.
     std::shared_ptr<const std::vector<std::int8_t>> along_axis;
-    bool visible = true;  ///< false: kept, but not drawn
+    bool visible = true;  ///< false: kept without being drawn
 };
 
-/// Where the long axis of the part runs; the standard views lay it level. Without one they lay the longest extent
-/// level.
+/// The long axis of the part, horizontal in the standard views. Without one the longest extent is horizontal.
 struct SceneAxis {
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();    ///< a point of the axis, in the scene
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector in the scene

@@ -25,7 +25,7 @@ QSize SceneRuler::sizeHint() const
 void SceneRuler::setCamera(const SceneCamera& camera, int pictureHeight_px)
 {
     camera_ = camera;
-    const double perPixel = 2 * camera.halfHeight_mm / std::max(1, pictureHeight_px);
+    const double perPixel = 2 * camera.half_height_mm / std::max(1, pictureHeight_px);
     const double factor = screenFactor(millimetre);
     const double longest = perPixel * 7 * fontMetrics().height() * factor;
     const double decade = std::pow(10.0, std::floor(std::log10(longest)));

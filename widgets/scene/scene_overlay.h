@@ -1,5 +1,4 @@
-// What lies over the 3-D picture as ordinary widgets: directions of the axes, a length scale, the label of a picked
-// point.
+// Widgets over the 3-D image: directions of the axes, a length scale, the label of a picked point.
 #pragma once
 
 #include <QLabel>
@@ -29,7 +28,7 @@ private:
     double length_px_ = 0;
 };
 
-/// Text on a light card, fed with the mouse events below it.
+/// Text on a light background that forwards mouse events.
 class SceneLabel : public QLabel {
     Q_OBJECT
 

@@ -51,7 +51,7 @@ SceneCamera SceneView::Parts::camera() const
     camera.view_T_scene.translation() = -(rows * place);
     camera.distance_mm = (place - target).norm();
     camera.parallel = eye->GetParallelProjection() != 0;
-    camera.halfHeight_mm =
+    camera.half_height_mm =
         camera.parallel ? eye->GetParallelScale() : camera.distance_mm * std::tan(eye->GetViewAngle() * M_PI / 360);
     camera.aspect = aspect();
     return camera;
@@ -68,8 +68,8 @@ void SceneView::Parts::aim(const SceneCamera& camera)
     eye->SetFocalPoint(target.data());
     eye->SetViewUp(up.data());
     eye->SetParallelProjection(camera.parallel);
-    eye->SetParallelScale(camera.halfHeight_mm);
-    eye->SetViewAngle(2 * std::atan(camera.halfHeight_mm / camera.distance_mm) * 180 / M_PI);
+    eye->SetParallelScale(camera.half_height_mm);
+    eye->SetViewAngle(2 * std::atan(camera.half_height_mm / camera.distance_mm) * 180 / M_PI);
 }
 
 }  // namespace lathelier::scene

@@ -1,4 +1,4 @@
-// What a SceneView is made of. Included by the .cpp files of SceneView only, because it shows VTK.
+// Parts of a SceneView. Included by the .cpp files of SceneView only, because it shows VTK.
 #pragma once
 
 #include <vtkNew.h>
@@ -31,7 +31,7 @@ struct SceneBox {
 SceneBox extent(const std::vector<SceneObject>& objects, const Eigen::Matrix3d& frame);
 
 struct SceneView::Parts {
-    SceneCanvas* canvas = nullptr;  ///< null where nothing can be drawn
+    SceneCanvas* canvas = nullptr;  ///< null without OpenGL
     vtkNew<vtkPlane> plane;         ///< of the section, relative to `origin`
 
     SceneBar* bar = nullptr;               ///< viewpoints, projection and section
@@ -46,25 +46,25 @@ struct SceneView::Parts {
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< middle of the objects: geometry is uploaded relative to it
     std::optional<SceneAxis> axis;                     ///< long axis of the part; none: `longest`
     report::DeviationColours colours;                  ///< from deviation to colour
-    std::optional<SceneSection> section;               ///< what is drawn; none: all
+    std::optional<SceneSection> section;               ///< drawn section; none: all
     std::optional<Eigen::Vector3d> marked;             ///< place of the marker in the scene; none: no marker
 
-    plot::PointerTag* tag = nullptr;  ///< what the pointer rests on
+    plot::PointerTag* tag = nullptr;  ///< tag of the object under the resting pointer
     QTimer pointing;                  ///< expires when the pointer rests
-    QPoint pointedAt;                 ///< where it rests
+    QPoint pointed_at;                ///< resting position of the pointer
 
-    QTimer rest;                      ///< expires some time after the last motion: all points are drawn again
-    bool moving = false;              ///< thinned sets are drawn
-    bool aimed = false;               ///< the camera has been set for the present objects
-    std::optional<SceneCamera> kept;  ///< camera for the objects that come next; none: a standard viewpoint
-    std::optional<QPoint> pressedAt;  ///< place of the pointer when a button went down; none: no button is down
-    QPoint movedTo;                   ///< last place of the pointer with a button down
-    bool dragging = false;            ///< the pointer has moved further than in a click
-    std::size_t budget = 80000;       ///< points drawn while moving, by all clouds together; follows the frame times
-    bool coarse = false;              ///< too slow even with the fewest points: half the resolution while moving
-    Speed speed;                      ///< times of the last frames
+    QTimer rest;                       ///< expires some time after the last motion: all points are drawn again
+    bool moving = false;               ///< decimated sets are drawn
+    bool aimed = false;                ///< the camera is set for the present objects
+    std::optional<SceneCamera> kept;   ///< camera for the next objects; none: a standard viewpoint
+    std::optional<QPoint> pressed_at;  ///< place of the pointer when a button went down; none: no button is down
+    QPoint moved_to;                   ///< last place of the pointer with a button down
+    bool dragging = false;             ///< the pointer has moved further than in a click
+    std::size_t budget = 80000;        ///< points drawn while moving, by all clouds together; follows the frame times
+    bool coarse = false;               ///< too slow even with the fewest points: half the resolution while moving
+    Speed speed;                       ///< times of the last frames
 
-    Eigen::Vector3d longest = Eigen::Vector3d::UnitX();  ///< scene axis along which there is most to see
+    Eigen::Vector3d longest = Eigen::Vector3d::UnitX();  ///< scene axis of the largest extent
 
     Eigen::Matrix3d frame() const { return levelFrame(axis ? axis->direction : longest); }
     double aspect() const

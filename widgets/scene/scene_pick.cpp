@@ -32,8 +32,8 @@ std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& poin
     if (near.empty()) return std::nullopt;
     double front = std::numeric_limits<double>::infinity();
     for (const ScenePick& pick : near) front = std::min(front, pick.depth_mm);
-    // What lies within two radii behind the frontmost point belongs to the same, perhaps slanting, surface.
-    const double perPixel = 2 * camera.halfHeight_mm * (camera.parallel ? 1 : front / camera.distance_mm) / height_px;
+    // Points within two radii behind the frontmost one belong to the same, possibly inclined, surface.
+    const double perPixel = 2 * camera.half_height_mm * (camera.parallel ? 1 : front / camera.distance_mm) / height_px;
     const double layer = front + 2 * radius_px * perPixel;
     std::optional<ScenePick> best;
     for (const ScenePick& pick : near) {
@@ -47,10 +47,10 @@ std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& poin
 std::optional<SceneHit> firstHit(const Scan& mesh, const Eigen::Isometry3d& scene_T_mesh, const SceneCamera& camera,
                                  const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer)
 {
-    // In view coordinates; `depth` of a hit is how far it is before the eye.
+    // In view coordinates; `depth` of a hit is its distance in front of the eye.
     const Eigen::Isometry3d view_T_mesh = camera.view_T_scene * scene_T_mesh;
-    const Eigen::Vector3d across(pointer.x() * camera.halfHeight_mm * camera.aspect, pointer.y() * camera.halfHeight_mm,
-                                 0);
+    const Eigen::Vector3d across(pointer.x() * camera.half_height_mm * camera.aspect,
+                                 pointer.y() * camera.half_height_mm, 0);
     const Eigen::Vector3d start = camera.parallel ? across : Eigen::Vector3d::Zero();
     const Eigen::Vector3d way = camera.parallel
                                     ? Eigen::Vector3d(0, 0, -1)

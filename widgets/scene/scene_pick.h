@@ -1,4 +1,4 @@
-// What lies under the pointer: the nearest point of a cloud's front, or the place on a mesh. No VTK here.
+// Picking: the nearest point of a cloud's front layer, or the place on a mesh. No VTK here.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct ScenePick {
 };
 
 /// The point nearest to the pointer among those of the front layer: all points within `radius_px` of it are projected
-/// exactly, and those clearly behind the frontmost of them are hidden. `pointer` as given by SceneCamera::project.
+/// exactly, and those clearly behind the frontmost are excluded. `pointer` as given by SceneCamera::project.
 std::optional<ScenePick> nearestVisible(const std::vector<Eigen::Vector3d>& points_mm,
                                         const Eigen::Isometry3d& scene_T_points, const SceneCamera& camera,
                                         const std::optional<SceneSection>& section, const Eigen::Vector2d& pointer,

@@ -38,7 +38,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     }
     p.bar = new SceneBar(this);
     setProperty(ViewFrame::smallView, false);
-    p.bar->setProperty(ViewFrame::onlyLarge, true);  // a small picture has no room for it
+    p.bar->setProperty(ViewFrame::onlyLarge, true);  // hidden in a small view
     p.canvas = new SceneCanvas(this);
     layout->addWidget(p.bar);
     auto* row = new QHBoxLayout;
@@ -61,9 +61,9 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.cross->setText(QStringLiteral("⊕"));
     p.legend->hide();
     connect(p.legend, &plot::ColourLegend::limitEdited, this, &SceneView::limitEdited);
-    connect(p.bar, &SceneBar::viewpointWanted, this, &SceneView::setViewpoint);
-    connect(p.bar, &SceneBar::parallelWanted, this, &SceneView::setParallel);
-    connect(p.bar, &SceneBar::sectionWanted, this, [this](int sceneAxis, double share) {
+    connect(p.bar, &SceneBar::viewpointRequested, this, &SceneView::setViewpoint);
+    connect(p.bar, &SceneBar::parallelRequested, this, &SceneView::setParallel);
+    connect(p.bar, &SceneBar::sectionRequested, this, [this](int sceneAxis, double share) {
         if (sceneAxis < 0)
             clearSection();
         else
@@ -73,12 +73,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), parts_(std::make_unique
     p.canvas->setMouseTracking(true);
     p.pointing.setSingleShot(true);
     p.pointing.setInterval(pointingAfter_ms);
-    connect(&p.pointing, &QTimer::timeout, this, [this] { hover(parts_->pointedAt); });
+    connect(&p.pointing, &QTimer::timeout, this, [this] { hover(parts_->pointed_at); });
     p.rest.setSingleShot(true);
     p.rest.setInterval(restAfter_ms);
     connect(&p.rest, &QTimer::timeout, this, [this] {
         if (parts_->dragging)
-            parts_->rest.start();  // held still in the middle of a drag
+            parts_->rest.start();  // restarted: the pointer rests during a drag
         else
             endMoving();
     });
@@ -197,7 +197,7 @@ std::vector<double> SceneView::view() const
     std::vector<double> numbers;
     for (Eigen::Index row = 0; row < 3; ++row)
         for (Eigen::Index column = 0; column < 4; ++column) numbers.push_back(camera.view_T_scene(row, column));
-    numbers.insert(numbers.end(), {camera.distance_mm, camera.halfHeight_mm, camera.parallel ? 1.0 : 0.0});
+    numbers.insert(numbers.end(), {camera.distance_mm, camera.half_height_mm, camera.parallel ? 1.0 : 0.0});
     return numbers;
 }
 
@@ -209,10 +209,10 @@ void SceneView::setView(const std::vector<double>& view)
     for (std::size_t i = 0; i < 12; ++i)
         camera.view_T_scene(static_cast<Eigen::Index>(i / 4), static_cast<Eigen::Index>(i % 4)) = view[i];
     camera.distance_mm = view[12];
-    camera.halfHeight_mm = view[13];
+    camera.half_height_mm = view[13];
     camera.parallel = view[14] != 0;
     const bool turns = camera.view_T_scene.linear().isUnitary(1e-6) && camera.view_T_scene.matrix().allFinite();
-    if (!turns || !(camera.distance_mm > 0) || !(camera.halfHeight_mm > 0)) return;
+    if (!turns || !(camera.distance_mm > 0) || !(camera.half_height_mm > 0)) return;
     Parts& p = *parts_;
     p.kept = camera;
     if (p.objects.empty()) return;
@@ -239,7 +239,7 @@ void SceneView::setColours(const report::DeviationColours& colours)
     p.legend->setColours(colours);
     for (std::size_t i = 0; i < p.actors.size(); ++i)
         if (p.objects[i].values) p.actors[i]->update(p.objects[i], colours, p.axis);
-    // The answer at once with the thinned set, the full one when nothing more comes.
+    // Immediate redraw with the decimated set, the full one after a pause.
     startMoving();
     p.rest.start();
     render();
@@ -252,7 +252,7 @@ void SceneView::setCounts(plot::ScaleCounts counts)
 
 void SceneView::setTag(const QString& value, const QString& place)
 {
-    if (canDraw()) parts_->tag->say({value, place}, parts_->pointedAt);
+    if (canDraw()) parts_->tag->say({value, place}, parts_->pointed_at);
 }
 
 void SceneView::setScale(const report::Axis& axis)
@@ -322,7 +322,7 @@ void SceneView::setMarker(const std::optional<Eigen::Vector3d>& place_mm, const 
     if (!canDraw()) return;
     p.label->setText(label);
     p.label->setVisible(place_mm && !label.isEmpty());
-    layOver();
+    placeOverlays();
 }
 
 void SceneView::render()

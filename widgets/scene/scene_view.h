@@ -1,5 +1,5 @@
-// The 3-D view of clouds and meshes: thinned while it moves, full at rest; colours by deviation; standard views,
-// section, picking, pictures. Where there is no OpenGL it says so instead of drawing.
+// The 3-D view of clouds and meshes: decimated during motion, complete at rest; colours by deviation; standard views,
+// section, picking, images. Without OpenGL it shows a message.
 #pragma once
 
 #include <QImage>
@@ -32,10 +32,10 @@ public:
     const std::vector<SceneObject>& objects() const;
     void setLongAxis(const std::optional<SceneAxis>& axis);
 
-    /// Thin lines in the scene, behind what lies before them: the right shape of a part that is drawn in its wrong one.
+    /// Thin lines in the scene with depth test: the nominal shape of a part drawn with magnified error.
     void setOutline(const std::vector<std::vector<Eigen::Vector3d>>& lines_mm);
 
-    /// Recolours at once. The legend stands beside the picture while an object has values.
+    /// Recolours immediately. The legend is shown while an object has values.
     void setColours(const report::DeviationColours& colours);
     void setCounts(plot::ScaleCounts counts);  ///< beside the scale
     void setScale(const report::Axis& axis);   ///< title and unit of the colour scale
@@ -48,10 +48,10 @@ public:
     /// in mm, 1 for parallel projection. Empty where nothing is drawn.
     std::vector<double> view() const;
 
-    /// Looks from there, at the present objects or the next ones. Numbers that view() has not given are ignored.
+    /// Sets the camera for the present or the next objects. Invalid numbers are ignored.
     void setView(const std::vector<double>& view);
 
-    /// Cuts away what lies before `share` (0…1) of the extent along the scene axis 0, 1 or 2 (x, y, z).
+    /// Removes the part before `share` (0…1) of the extent along the scene axis 0, 1 or 2 (x, y, z).
     void setSection(int sceneAxis, double share);
     void clearSection();
 
@@ -65,14 +65,14 @@ public:
     /// The same for paper: of one size and resolution whatever the window's, also while the view is hidden.
     QImage paperPicture(std::optional<SceneViewpoint> viewpoint = {});
 
-    /// Writes picture() as PNG, whole or not at all. Error fileNotWritable.
+    /// Writes picture() as PNG atomically. Error fileNotWritable.
     void savePicture(const QString& path);
 
     /// Seconds of the last frames drawn while moving and at rest, and the points drawn while moving.
     struct Speed {
-        double moving_s = 0;           ///< frame time while moving
-        double resting_s = 0;          ///< frame time at rest
-        std::size_t movingPoints = 0;  ///< of the thinned clouds; 0: nothing is thinned
+        double moving_s = 0;            ///< frame time while moving
+        double resting_s = 0;           ///< frame time at rest
+        std::size_t moving_points = 0;  ///< of the thinned clouds; 0: nothing is thinned
     };
     Speed speed() const;
 
@@ -85,16 +85,17 @@ public:
     QSize sizeHint() const override { return {560, 380}; }
     QSize minimumSizeHint() const override { return {200, 150}; }
 
-    /// What is said beside the pointer, in answer to pointHovered() or surfaceHovered().
+    /// Tag beside the pointer, set in response to pointHovered() or surfaceHovered().
     void setTag(const QString& value, const QString& place);
 
 signals:
     void pointHovered(int object, qint64 point);  ///< the pointer rests on a cloud, without a button
-    void surfaceHovered(int object, const lathelier::scene::PickedPlace& place);  ///< likewise, on a mesh
+    void surfaceHovered(int object, const lathelier::scene::PickedPlace& place);  ///< the pointer rests on a mesh,
+                                                                                  ///< without a button
     void pointPicked(int object, qint64 point);  ///< of a cloud: index into objects() and its scan
     void surfacePicked(int object, const lathelier::scene::PickedPlace& place);  ///< of a mesh
-    void limitEdited(double upper, double lower);  ///< the user wants another colour scale; as LimitEdit::edited()
-    void notWritten(const QString& path);          ///< the system refused to write this file
+    void limitEdited(double upper, double lower);  ///< the user wants another colour scale; see LimitEdit::edited()
+    void notWritten(const QString& path);          ///< the file could not be written
 
 protected:
     bool event(QEvent* event) override;
@@ -105,7 +106,7 @@ protected:
 private:
     struct Parts;
     void showAround();
-    void layOver();
+    void placeOverlays();
     void applyStyle(bool paper);
     void applySection();
     void render();

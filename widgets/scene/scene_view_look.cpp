@@ -1,4 +1,4 @@
-// How a SceneView looks: what lies over the picture, its colours, and the picture for a report.
+// Appearance of a SceneView: overlays, colours, and the image for a report.
 #include <QApplication>
 #include <QBuffer>
 #include <QClipboard>
@@ -24,7 +24,7 @@ constexpr double paperDetail = 2;
 
 }  // namespace
 
-void SceneView::layOver()
+void SceneView::placeOverlays()
 {
     Parts& p = *parts_;
     if (!canDraw()) return;
@@ -88,7 +88,7 @@ void SceneView::changeEvent(QEvent* event)
 void SceneView::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
-    layOver();
+    placeOverlays();
 }
 
 QImage SceneView::paperPicture(std::optional<SceneViewpoint> viewpoint)
@@ -107,7 +107,7 @@ QImage SceneView::paperPicture(std::optional<SceneViewpoint> viewpoint)
     p.canvas->setDetail(1);
     p.canvas->setGeometry(place);
     p.legend->resize(legend);
-    layOver();
+    placeOverlays();
     setUpdatesEnabled(updates);
     render();
     return image;
@@ -123,7 +123,7 @@ QImage SceneView::picture(std::optional<SceneViewpoint> viewpoint, bool legend)
     applyStyle(true);
     if (!legend) p.legend->hide();
     if (viewpoint) setViewpoint(*viewpoint);
-    layOver();
+    placeOverlays();
     const QImage drawn = p.canvas->drawNow();
     const double scale = static_cast<double>(drawn.width()) / p.canvas->width();
     const int beside = p.legend->isVisibleTo(this) ? p.legend->width() : 0;

@@ -1,4 +1,4 @@
-// SceneView while it is moved: mouse and keys, thinning, frame times, picking.
+// Interaction of a SceneView: mouse and keys, decimation, frame times, picking.
 #include <vtkCamera.h>
 
 #include <QContextMenuEvent>
@@ -16,7 +16,7 @@ constexpr double zoomOverNotch = 1.15;
 constexpr int clickReach_px = 3;
 constexpr double farReach_px = 24;
 constexpr double reach_px = 6;                // how far from the pointer a point of a cloud may lie
-constexpr std::size_t mostHovered = 3000000;  // looking through more points would be felt
+constexpr std::size_t mostHovered = 3000000;  // larger clouds are not searched while hovering, for responsiveness
 constexpr double slowFrame_s = 0.050;
 constexpr double quickFrame_s = 0.025;
 constexpr double slowestFrame_s = 0.066;  // 15 frames in a second
@@ -74,14 +74,14 @@ void SceneView::zoom(double factor)
 void SceneView::drag(const QPoint& to, Qt::MouseButtons buttons, Qt::KeyboardModifiers keys)
 {
     Parts& p = *parts_;
-    const QPointF way = QPointF(to - p.movedTo) / std::max(1, p.canvas->height());
-    p.movedTo = to;
+    const QPointF way = QPointF(to - p.moved_to) / std::max(1, p.canvas->height());
+    p.moved_to = to;
     startMoving();
     if (buttons & Qt::RightButton) return zoom(std::exp(-zoomOverHeight * way.y()));
     if (!(buttons & Qt::MiddleButton) && !(keys & Qt::ShiftModifier))
         return turn(turnOverHeight_deg * way.x(), -turnOverHeight_deg * way.y());
     SceneCamera camera = p.camera();
-    const Eigen::Vector3d shift(2 * camera.halfHeight_mm * way.x(), -2 * camera.halfHeight_mm * way.y(), 0);
+    const Eigen::Vector3d shift(2 * camera.half_height_mm * way.x(), -2 * camera.half_height_mm * way.y(), 0);
     camera.view_T_scene.pretranslate(shift);
     p.aim(camera);
     render();
@@ -100,10 +100,10 @@ void SceneView::frameDone(double taken_s)
     }
     if (p.moving && taken_s > slowestFrame_s && p.budget == fewestMoving)
         p.coarse = true;
-    else if (p.moving && taken_s < slowFrame_s / 4)  // four times the pixels would still be in time
+    else if (p.moving && taken_s < slowFrame_s / 4)  // full resolution would still be fast enough
         p.coarse = false;
     shareDetail();
-    layOver();
+    placeOverlays();
 }
 
 void SceneView::shareDetail()
@@ -118,16 +118,16 @@ void SceneView::shareBudget()
     Parts& p = *parts_;
     std::size_t clouds = 0;
     for (const auto& actor : p.actors) clouds += actor->object().visible && actor->isThinned();
-    p.speed.movingPoints = 0;
+    p.speed.moving_points = 0;
     for (const auto& actor : p.actors) {
         const std::size_t share = p.budget / std::max<std::size_t>(1, clouds);
         actor->setBudget(share);
         if (actor->object().visible && actor->isThinned())
-            p.speed.movingPoints += std::min(share, actor->thinnedCount());
+            p.speed.moving_points += std::min(share, actor->thinnedCount());
     }
 }
 
-/// What lies under a place of the picture: a point of a cloud, a place on a mesh, or nothing.
+/// Object at a position of the image: a point of a cloud, a place on a mesh, or nothing.
 struct SceneView::Under {
     int object = -1;
     std::optional<ScenePick> point;
@@ -181,7 +181,7 @@ void SceneView::hover(const QPoint& place)
     std::size_t points = 0;
     for (const SceneObject& object : p.objects) points += object.visible ? object.scan->points_mm.size() : 0;
     p.tag->say({}, {});
-    if (p.moving || p.pressedAt || points > mostHovered) return;
+    if (p.moving || p.pressed_at || points > mostHovered) return;
     const Under found = under(place);
     if (found.hit)
         emit surfaceHovered(found.object, found.hit->place);
@@ -195,27 +195,27 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
     switch (event->type()) {
         case QEvent::MouseButtonPress: {
             const QPoint place = static_cast<QMouseEvent*>(event)->pos();
-            p.pressedAt = place;
-            p.movedTo = place;
+            p.pressed_at = place;
+            p.moved_to = place;
             p.dragging = false;
             return false;
         }
         case QEvent::MouseMove: {
             auto* mouse = static_cast<QMouseEvent*>(event);
             p.tag->say({}, {});
-            if (!p.pressedAt || !mouse->buttons()) {
-                p.pointedAt = mouse->pos();
+            if (!p.pressed_at || !mouse->buttons()) {
+                p.pointed_at = mouse->pos();
                 p.pointing.start();
                 return true;
             }
-            p.dragging = p.dragging || (mouse->pos() - *p.pressedAt).manhattanLength() > clickReach_px;
+            p.dragging = p.dragging || (mouse->pos() - *p.pressed_at).manhattanLength() > clickReach_px;
             if (p.dragging) drag(mouse->pos(), mouse->buttons(), mouse->modifiers());
             return true;
         }
         case QEvent::MouseButtonRelease: {
             auto* mouse = static_cast<QMouseEvent*>(event);
-            const bool still = p.pressedAt && !p.dragging;
-            p.pressedAt.reset();
+            const bool still = p.pressed_at && !p.dragging;
+            p.pressed_at.reset();
             p.dragging = false;
             if (still && mouse->button() == Qt::LeftButton) pick(mouse->pos());
             if (still && mouse->button() == Qt::RightButton) showMenu(mouse->pos());  // moved: it has zoomed
@@ -234,7 +234,7 @@ bool SceneView::eventFilter(QObject* watched, QEvent* event)
             p.pointing.stop();
             p.tag->say({}, {});
             break;
-        case QEvent::Resize: layOver(); break;
+        case QEvent::Resize: placeOverlays(); break;
         case QEvent::KeyPress: {
             switch (static_cast<QKeyEvent*>(event)->key()) {
                 case Qt::Key_Left: turn(-5, 0); return true;

@@ -53,30 +53,30 @@ PanelInputs panelInputs()
     return inputs;
 }
 
-report::Document reportOf(const ShaftPicture& picture, const Language& language)
+report::Document reportOf(const ShaftOutcome& outcome, const Language& language)
 {
-    receptance::ShaftStudy study = picture.study;
-    study.response.notes = picture.notes;  // those of the files as well
-    report::Document document = shaftReport(study, picture.shaft, picture.holding, language);
-    document.inputs = picture.inputs;
-    document.synthetic = picture.synthetic;
+    receptance::ShaftStudy study = outcome.study;
+    study.response.notes = outcome.notes;  // those of the files as well
+    report::Document document = shaftReport(study, outcome.shaft, outcome.holding, language);
+    document.inputs = outcome.inputs;
+    document.synthetic = outcome.synthetic;
     document.results = {
-        report::toText(report::wholeResult("frf", picture.inputs, toValues(picture.question),
-                                           nestedJson(describedValues(study.response)), picture.notes))};
+        report::toText(report::wholeResult("frf", outcome.inputs, toValues(outcome.question),
+                                           nestedJson(describedValues(study.response)), outcome.notes))};
     return document;
 }
 
-std::string nameOf(const ShaftPicture& picture)
+std::string nameOf(const ShaftOutcome& outcome)
 {
-    if (!picture.shaft.name.empty()) return picture.shaft.name;
-    return ShaftPanel::tr("shaft, %1 mm").arg(screenNumber(picture.shaft.length_mm(), 1)).toStdString();
+    if (!outcome.shaft.name.empty()) return outcome.shaft.name;
+    return ShaftPanel::tr("shaft, %1 mm").arg(screenNumber(outcome.shaft.length_mm(), 1)).toStdString();
 }
 
 /// One response between two places, as files of responses have it.
-io::MeasuredFrf measuredOf(const ShaftPicture& picture)
+io::MeasuredFrf measuredOf(const ShaftOutcome& outcome)
 {
     io::MeasuredFrf response;
-    response.frf = usableResponse(picture);
+    response.frf = usableResponse(outcome);
     return response;
 }
 
@@ -98,20 +98,20 @@ PanelFacts shaftPanelFacts()
         return part_common::hasShaft(state) ? std::vector<Text>{}
                                             : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
     };
-    facts.hasWork = part_common::hasShaft;
+    facts.has_work = part_common::hasShaft;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(shaftPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(shaftOutcome(state, stores, progress), language); };
     return facts;
 }
 
 ShaftPanel::ShaftPanel(Session& owner, QWidget* parent)
     : Panel(owner, shaftPanelFacts(), panelInputs(), parent), views_(new ShaftViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &ShaftViews::endMoved, this, &ShaftPanel::moveEnd);
-    connect(views_, &ShaftViews::shaftWanted, this, &ShaftPanel::keepShaft);
-    connect(views_, &ShaftViews::responseWanted, this, &ShaftPanel::offerResponse);
-    connect(views_, &ShaftViews::notWritten, this, &ShaftPanel::sayNotWritten);
+    connect(views_, &ShaftViews::shaftRequested, this, &ShaftPanel::keepShaft);
+    connect(views_, &ShaftViews::responseRequested, this, &ShaftPanel::offerResponse);
+    connect(views_, &ShaftViews::notWritten, this, &ShaftPanel::reportWriteFailure);
     // A table changed by hand is of the input that is there now: the same undo step as the change itself.
     connect(&inputColumn(), &InputColumn::parameterEdited, this,
             [this](const std::string& key, const Value&, int gesture, const QString& step) {
@@ -122,9 +122,9 @@ ShaftPanel::ShaftPanel(Session& owner, QWidget* parent)
 
 void ShaftPanel::moveEnd(std::size_t segment, double z_mm, double radius_mm, bool dropped)
 {
-    const auto picture = result();
-    if (!picture) return;
-    const Shaft dragged = receptance::dragged(picture->shaft, segment, z_mm, radius_mm);
+    const auto outcome = result();
+    if (!outcome) return;
+    const Shaft dragged = receptance::dragged(outcome->shaft, segment, z_mm, radius_mm);
     editState(
         tr("Move the end of segment %1").arg(segment + 1),
         [&](project::PanelState& state) { part_common::setTable(state, dragged.segments); },
@@ -134,19 +134,19 @@ void ShaftPanel::moveEnd(std::size_t segment, double z_mm, double radius_mm, boo
 
 void ShaftPanel::keepShaft()
 {
-    const auto picture = result();
-    if (!picture) return;
-    keepItem(nameOf(*picture), shaftItem, toValues(picture->shaft));
+    const auto outcome = result();
+    if (!outcome) return;
+    keepItem(nameOf(*outcome), shaftItem, toValues(outcome->shaft));
 }
 
 void ShaftPanel::offerResponse()
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     try {
-        Frf frf = usableResponse(*picture);
-        frf.name = tr("response of %1").arg(QString::fromStdString(nameOf(*picture))).toStdString();
-        offerItem(frf.name, frfItem, toValues(frf), picture->synthetic);
+        Frf frf = usableResponse(*outcome);
+        frf.name = tr("response of %1").arg(QString::fromStdString(nameOf(*outcome))).toStdString();
+        offerItem(frf.name, frfItem, toValues(frf), outcome->synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -165,9 +165,9 @@ void ShaftPanel::assignFiles(project::PanelState& state, const std::vector<Found
 
 ShaftPanel::Compute ShaftPanel::compute(const project::PanelState& state) const
 {
-    fromValues<ShaftQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<ShaftQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return shaftPicture(state, *stores, progress);
+        return shaftOutcome(state, *stores, progress);
     };
 }
 
@@ -186,40 +186,40 @@ QString ShaftPanel::understood(const InputRole& role, const project::Source& sou
     return chatter_common::understoodModel(role.role, source, session().stores());
 }
 
-void ShaftPanel::showResult(const std::shared_ptr<const ShaftPicture>& picture)
+void ShaftPanel::showResult(const std::shared_ptr<const ShaftOutcome>& outcome)
 {
     inputColumn().form().setValues(
-        {{segmentsKey, part_common::rowsOf(picture->shaft.segments)}});  // also those of a file
-    views_->setPicture(picture);
+        {{segmentsKey, part_common::rowsOf(outcome->shaft.segments)}});  // also those of a file
+    views_->setOutcome(outcome);
 }
 
-report::Answer ShaftPanel::answer(const ShaftPicture& picture) const
+report::Answer ShaftPanel::answer(const ShaftOutcome& outcome) const
 {
-    return receptance::answer(picture.study, screenLanguage());
+    return receptance::answer(outcome.study, screenLanguage());
 }
 
-Notes ShaftPanel::notes(const ShaftPicture& picture) const
+Notes ShaftPanel::notes(const ShaftOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document ShaftPanel::document(const ShaftPicture& picture) const
+report::Document ShaftPanel::document(const ShaftOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> ShaftPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Shaft (SHAFT.json)…"), tr("JSON (*.json)"), "json",
-             [picture](const QString& path) { io::writeFile(path.toStdString(), io::shaftText(picture->shaft)); }},
+             [outcome](const QString& path) { io::writeFile(path.toStdString(), io::shaftText(outcome->shaft)); }},
             {tr("Stock text…"), tr("Text (*.txt)"), "txt",
-             [picture](const QString& path) { io::writeFile(path.toStdString(), io::stockText(picture->shaft)); }},
+             [outcome](const QString& path) { io::writeFile(path.toStdString(), io::stockText(outcome->shaft)); }},
             {tr("Receptance (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) { io::writeFrfCsv(path.toStdString(), usableResponse(*picture)); }},
-            {tr("Receptance (UFF)…"), tr("Universal file (*.uff)"), "uff", [picture](const QString& path) {
-                 const io::MeasuredFrf response = measuredOf(*picture);
+             [outcome](const QString& path) { io::writeFrfCsv(path.toStdString(), usableResponse(*outcome)); }},
+            {tr("Receptance (UFF)…"), tr("Universal file (*.uff)"), "uff", [outcome](const QString& path) {
+                 const io::MeasuredFrf response = measuredOf(*outcome);
                  io::writeUff(path.toStdString(), {&response, 1});
              }}};
 }

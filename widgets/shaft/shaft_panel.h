@@ -1,8 +1,8 @@
-// The panel "Shaft": at which frequencies does it swing, how far does its tip give way?
+// The panel "Shaft": natural frequencies, response and compliance of a shaft.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/shaft/shaft_picture.h"
+#include "widgets/shaft/shaft_outcome.h"
 
 namespace lathelier::shaft_panel {
 
@@ -13,7 +13,7 @@ PanelFacts shaftPanelFacts();
 
 /// A file or item fills the table of segments; once the table is changed, by hand or in the drawing, it rules until
 /// another input is chosen or the table is emptied.
-class ShaftPanel : public Panel<ShaftPicture> {
+class ShaftPanel : public Panel<ShaftOutcome> {
     Q_OBJECT
 
 public:
@@ -24,10 +24,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ShaftPicture>& picture) override;
-    report::Answer answer(const ShaftPicture& picture) const override;
-    Notes notes(const ShaftPicture& picture) const override;
-    report::Document document(const ShaftPicture& picture) const override;
+    void showResult(const std::shared_ptr<const ShaftOutcome>& outcome) override;
+    report::Answer answer(const ShaftOutcome& outcome) const override;
+    Notes notes(const ShaftOutcome& outcome) const override;
+    report::Document document(const ShaftOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

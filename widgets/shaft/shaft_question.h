@@ -1,4 +1,4 @@
-// What the panel "Shaft" is asked: the segments, what they are made of, what holds them, and which response.
+// Question of the panel Shaft: segments, material, supports and response.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,14 @@
 
 namespace lathelier::shaft_panel {
 
-/// What holds the shaft at its chuck face. Given: the spindle of the input, else nothing.
+/// Support of the shaft at its chuck face. Given: the spindle of the input, else none.
 enum class Hold { Given, Springs, Clamped, Free };
 
 /// A tailstock centre or a steady rest.
 struct Rest {
     double z_mm = 0;             ///< from the free end
-    double radial_N_mm = 10000;  ///< stiffness against deflection
-    double loss_factor = 0.05;   ///< it is × (1 + i·loss_factor)
+    double radial_N_mm = 10000;  ///< radial stiffness
+    double loss_factor = 0.05;   ///< complex stiffness k (1 + i·loss_factor)
     friend bool operator==(const Rest&, const Rest&) = default;
 };
 
@@ -28,11 +28,12 @@ const std::vector<Field<Rest>>& fieldsOf(const Rest*);
 struct ShaftQuestion {
     std::vector<ShaftSegment> segments;  ///< the table; empty: as the file has them
     std::string segments_of;             ///< identity() of the input they were changed from
-    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;  ///< unless an own one is there
-    std::optional<Material> own_material;                                              ///< stated by the user
-    Hold hold = Hold::Given;                                                           ///< at the chuck face
-    receptance::SpindleSprings springs;                                                ///< of Hold::Springs
-    std::vector<Rest> rests;                                                           ///< besides
+    /// library material, unless own_material is given
+    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;
+    std::optional<Material> own_material;       ///< stated by the user
+    Hold hold = Hold::Given;                    ///< at the chuck face
+    receptance::SpindleSprings springs;         ///< of Hold::Springs
+    std::vector<Rest> rests;                    ///< additional supports
     std::optional<double> from_hz;              ///< none: 50, or where the spindle's table begins
     std::optional<double> to_hz;                ///< none: 5000, or where the spindle's table ends
     receptance::ReceptanceParameters response;  ///< places, step, method; not its range

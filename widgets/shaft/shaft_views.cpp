@@ -21,7 +21,7 @@ constexpr int framesOfSwing = 50;
 
 ShaftViews::ShaftViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       drawing_(new plot::ChartView),
       shapes_(new plot::ChartView),
       magnitude_(new plot::ChartView),
@@ -40,11 +40,11 @@ ShaftViews::ShaftViews(QWidget* parent)
     play_->setObjectName("playShapes");
     shaft_->setObjectName("useShaft");
     response_->setObjectName("useResponse");
-    heroes_->add("drawing", drawing_);
-    heroes_->add("shapes", shapes_);
-    heroes_->add("magnitude", magnitude_);
-    heroes_->add("parts", parts_);
-    heroes_->add("frequencies", frequencies_);
+    primaryViews_->add("drawing", drawing_);
+    primaryViews_->add("shapes", shapes_);
+    primaryViews_->add("magnitude", magnitude_);
+    primaryViews_->add("parts", parts_);
+    primaryViews_->add("frequencies", frequencies_);
     play_->setCheckable(true);
     play_->setAutoRaise(true);
     play_->setIcon(icon("play"));
@@ -57,13 +57,13 @@ ShaftViews::ShaftViews(QWidget* parent)
     row->addWidget(response_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     layout->addWidget(buttons_);
     clock_.setInterval(frame_ms);
     connect(&clock_, &QTimer::timeout, this, &ShaftViews::swing);
     connect(play_, &QToolButton::toggled, this, &ShaftViews::play);
-    connect(shaft_, &QPushButton::clicked, this, &ShaftViews::shaftWanted);
-    connect(response_, &QPushButton::clicked, this, &ShaftViews::responseWanted);
+    connect(shaft_, &QPushButton::clicked, this, &ShaftViews::shaftRequested);
+    connect(response_, &QPushButton::clicked, this, &ShaftViews::responseRequested);
     connect(drawing_, &plot::ChartView::handleMoved, this,
             [this](const QString& key, double z_mm, double radius_mm, bool dropped) {
                 if (const auto segment = receptance::segmentOfHandle(key.toStdString()))
@@ -74,12 +74,12 @@ ShaftViews::ShaftViews(QWidget* parent)
     retranslate();
 }
 
-void ShaftViews::setPicture(const std::shared_ptr<const ShaftPicture>& picture)
+void ShaftViews::setOutcome(const std::shared_ptr<const ShaftOutcome>& outcome)
 {
-    picture_ = picture;
-    const bool has_modes = !picture->study.modes.empty();
-    heroes_->setAvailable("shapes", has_modes);
-    heroes_->setAvailable("frequencies", has_modes);
+    outcome_ = outcome;
+    const bool has_modes = !outcome->study.modes.empty();
+    primaryViews_->setAvailable("shapes", has_modes);
+    primaryViews_->setAvailable("frequencies", has_modes);
     play_->setVisible(has_modes);
     if (!has_modes) play_->setChecked(false);
     show();
@@ -87,9 +87,9 @@ void ShaftViews::setPicture(const std::shared_ptr<const ShaftPicture>& picture)
 
 void ShaftViews::show()
 {
-    if (!picture_) return;
-    const receptance::ShaftStudy& study = picture_->study;
-    drawing_->setData(receptance::shaftDrawing(picture_->shaft, picture_->holding, true, screenLanguage()));
+    if (!outcome_) return;
+    const receptance::ShaftStudy& study = outcome_->study;
+    drawing_->setData(receptance::shaftDrawing(outcome_->shaft, outcome_->holding, true, screenLanguage()));
     magnitude_->setData(receptance::magnitudePlot(study.response.frf));
     parts_->setData(receptance::realImaginaryPlot(study.response.frf, {}, screenLanguage()));
     if (study.response.natural_frequencies_hz)
@@ -111,13 +111,13 @@ void ShaftViews::play(bool on)
 /// At rest the shapes stand at their largest.
 void ShaftViews::swing()
 {
-    if (!picture_ || picture_->study.modes.empty()) return;
+    if (!outcome_ || outcome_->study.modes.empty()) return;
     if (clock_.isActive()) {
         if (!shapes_->isVisible()) return;
         tick_ = (tick_ + 1) % framesOfSwing;
     }
     const double share = std::cos(2 * std::numbers::pi * tick_ / framesOfSwing);
-    shapes_->setData(receptance::modeShapesPlot(picture_->study, share, screenLanguage()));
+    shapes_->setData(receptance::modeShapesPlot(outcome_->study, share, screenLanguage()));
 }
 
 void ShaftViews::setPresenting(bool presenting)
@@ -127,11 +127,11 @@ void ShaftViews::setPresenting(bool presenting)
 
 void ShaftViews::retranslate()
 {
-    heroes_->setTitle("drawing", tr("Shaft"));
-    heroes_->setTitle("shapes", tr("Mode shapes"));
-    heroes_->setTitle("magnitude", tr("Magnitude"));
-    heroes_->setTitle("parts", tr("Real and imaginary"));
-    heroes_->setTitle("frequencies", tr("Natural frequencies"));
+    primaryViews_->setTitle("drawing", tr("Shaft"));
+    primaryViews_->setTitle("shapes", tr("Mode shapes"));
+    primaryViews_->setTitle("magnitude", tr("Magnitude"));
+    primaryViews_->setTitle("parts", tr("Real and imaginary"));
+    primaryViews_->setTitle("frequencies", tr("Natural frequencies"));
     frequencies_->setAccessibleName(tr("Natural frequencies"));
     play_->setText(tr("Swing"));
     play_->setToolTip(tr("Let the mode shapes swing"));

@@ -1,4 +1,4 @@
-// The views of a shaft: its drawing with ends to drag, mode shapes that swing, its response and frequencies.
+// The views of a shaft: its drawing with draggable ends, animated mode shapes, response and frequencies.
 #pragma once
 
 #include <QPushButton>
@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/shaft/shaft_picture.h"
+#include "widgets/shaft/shaft_outcome.h"
 
 namespace lathelier::shaft_panel {
 
@@ -20,26 +20,26 @@ class ShaftViews : public QWidget {
 public:
     explicit ShaftViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const ShaftPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const ShaftOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* drawing() const { return drawing_; }
     plot::ChartView* shapes() const { return shapes_; }
-    void setPresenting(bool presenting);  ///< without the buttons
+    void setPresenting(bool presenting);  ///< hides the buttons
     void retranslate();
 
 signals:
     void endMoved(std::size_t segment, double z_mm, double radius_mm, bool dropped);
-    void shaftWanted();                    ///< keep it in the project
-    void responseWanted();                 ///< give it to another panel
-    void notWritten(const QString& path);  ///< the system refused to write this file
+    void shaftRequested();                 ///< request to store the shaft in the project
+    void responseRequested();              ///< request to hand the response to another panel
+    void notWritten(const QString& path);  ///< the file could not be written
 
 private:
     void show();
     void play(bool on);
     void swing();
 
-    std::shared_ptr<const ShaftPicture> picture_;
-    HeroViews* heroes_;
+    std::shared_ptr<const ShaftOutcome> outcome_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* drawing_;
     plot::ChartView* shapes_;
     plot::ChartView* magnitude_;
@@ -50,7 +50,7 @@ private:
     QPushButton* shaft_;
     QPushButton* response_;
     QTimer clock_;
-    int tick_ = 0;  ///< of the swing
+    int tick_ = 0;  ///< phase of the animation
 };
 
 }  // namespace lathelier::shaft_panel

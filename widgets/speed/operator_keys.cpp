@@ -10,8 +10,8 @@
 namespace lathelier::speed_panel {
 namespace {
 
-constexpr int mostSigns = 9;      // of an entry
-constexpr int shownDecimals = 3;  // of a value, without zeros at its end
+constexpr int mostSigns = 9;      // largest number of characters of an entry
+constexpr int shownDecimals = 3;  // decimals of a value, trailing zeros removed
 constexpr int gap_px = 6;
 constexpr char badInk[] = "color: #d0463b;";
 
@@ -124,12 +124,12 @@ void OperatorKeys::setReading(const QString& value, const QString& unit, const Q
     reading_->setText(good ? QString("%1 %2").arg(value, unit) : value);
     reading_line_ = line;
     good_ = good;
-    sayLine();
+    showReadingLine();
     setTypeSizes();
 }
 
-/// Under the reading: what there is to say of it, or why an entry is refused.
-void OperatorKeys::sayLine()
+/// Line under the reading: remark, or reason for a rejected entry.
+void OperatorKeys::showReadingLine()
 {
     const FieldInfo& info = asked_[chosen_];
     const double factor = screenFactor(info.unit);
@@ -173,7 +173,7 @@ void OperatorKeys::clear()
     relabel();
 }
 
-/// Takes over what was typed, and goes on to the next value.
+/// Commits the entry and moves to the next value.
 void OperatorKeys::enter()
 {
     const FieldInfo& info = asked_[chosen_];
@@ -234,11 +234,11 @@ void OperatorKeys::relabel()
         key->setToolTip(names[i]);
         key->setAccessibleName(names[i]);
     }
-    sayLine();
+    showReadingLine();
     setTypeSizes();
 }
 
-/// Type follows the room: read from two metres when it is large, a picture of itself when it is small.
+/// The font size follows the available space.
 void OperatorKeys::setTypeSizes()
 {
     const auto fitted = [](const QString& text, const QFont& font, int width, int most) {

@@ -1,4 +1,4 @@
-// The operator's screen beside a lathe: the recommended speed large, the values that are asked, and keys to type them.
+// The operator's screen beside a lathe: the recommended speed in large type, the input values, and keys to type them.
 #pragma once
 
 #include <QLabel>
@@ -18,12 +18,12 @@ public:
     /// `asked`: the values to type, in their order; `symbols`: as the operator knows them, "D", "v_c".
     OperatorKeys(std::vector<FieldInfo> asked, QStringList symbols, QWidget* parent = nullptr);
 
-    void setValues(const Values& values);  ///< by key; what is being typed stays
-    /// Above the keys: "2154", "1/min", and a line under it. `good` false: there is no such speed.
+    void setValues(const Values& values);  ///< values by key; pending input is kept
+    /// Above the keys: "2154", "1/min", and a line under it. `good` false: no stable speed.
     void setReading(const QString& value, const QString& unit, const QString& line, bool good);
 
-    QString entry() const { return entry_.value_or(QString()); }  ///< what is being typed
-    std::size_t chosen() const { return chosen_; }                ///< the value that the keys fill
+    QString entry() const { return entry_.value_or(QString()); }  ///< pending entry
+    std::size_t chosen() const { return chosen_; }                ///< value being edited
 
 signals:
     void valueEntered(const QString& key, double value);
@@ -42,14 +42,14 @@ private:
     void clear();
     void enter();
     void relabel();
-    void sayLine();
+    void showReadingLine();
     void setTypeSizes();
 
     std::vector<FieldInfo> asked_;
     QStringList symbols_;
     std::vector<Value> values_;
     std::size_t chosen_ = 0;
-    std::optional<QString> entry_;  ///< being typed; none: nothing was typed for the chosen value
+    std::optional<QString> entry_;  ///< pending entry; none: nothing typed for the chosen value
     bool refused_ = false;          ///< the entry is out of range
     QString reading_line_;          ///< under the reading, while nothing is refused
     bool good_ = true;              ///< the reading is a speed

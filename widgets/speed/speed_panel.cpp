@@ -46,9 +46,9 @@ PanelFacts speedPanelFacts()
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
-        const SpeedPicture picture = speedPicture(state, stores, progress);
-        if (picture.problem) throw Error(*picture.problem);
-        return reportOf(picture, language);
+        const SpeedOutcome outcome = speedOutcome(state, stores, progress);
+        if (outcome.problem) throw Error(*outcome.problem);
+        return reportOf(outcome, language);
     };
     return facts;
 }
@@ -56,10 +56,10 @@ PanelFacts speedPanelFacts()
 SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
     : Panel(owner, speedPanelFacts(), panelInputs(), parent), views_(new SpeedViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &SpeedViews::valueEntered, this, [this](const QString& key, double value) { take(key, value); });
     connect(views_, &SpeedViews::valueCleared, this, [this](const QString& key) { take(key, {}); });
-    connect(views_, &SpeedViews::notWritten, this, &SpeedPanel::sayNotWritten);
+    connect(views_, &SpeedViews::notWritten, this, &SpeedPanel::reportWriteFailure);
 }
 
 void SpeedPanel::take(const QString& key, const Value& value)
@@ -70,9 +70,9 @@ void SpeedPanel::take(const QString& key, const Value& value)
 
 SpeedPanel::Compute SpeedPanel::compute(const project::PanelState& state) const
 {
-    fromValues<SpeedQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<SpeedQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return speedPicture(state, *stores, progress);
+        return speedOutcome(state, *stores, progress);
     };
 }
 
@@ -86,21 +86,21 @@ QString SpeedPanel::understood(const InputRole& role, const project::Source& sou
     return chatter_common::understoodModel(role.role, source, session().stores());
 }
 
-void SpeedPanel::showResult(const std::shared_ptr<const SpeedPicture>& picture)
+void SpeedPanel::showResult(const std::shared_ptr<const SpeedOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer SpeedPanel::answer(const SpeedPicture& picture) const
+report::Answer SpeedPanel::answer(const SpeedOutcome& outcome) const
 {
-    report::Answer answer = stability::answer(*picture.speed, screenLanguage());
-    answer.used = picture.used;
+    report::Answer answer = stability::answer(*outcome.speed, screenLanguage());
+    answer.used = outcome.used;
     return answer;
 }
 
-report::Document SpeedPanel::document(const SpeedPicture& picture) const
+report::Document SpeedPanel::document(const SpeedOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 void SpeedPanel::retranslate()

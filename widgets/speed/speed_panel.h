@@ -4,7 +4,7 @@
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/speed/speed_picture.h"
+#include "widgets/speed/speed_outcome.h"
 
 namespace lathelier::speed_panel {
 
@@ -13,7 +13,7 @@ class SpeedViews;
 /// The panel's line of the panel table.
 PanelFacts speedPanelFacts();
 
-class SpeedPanel : public Panel<SpeedPicture> {
+class SpeedPanel : public Panel<SpeedOutcome> {
     Q_OBJECT
 
 public:
@@ -23,11 +23,11 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const SpeedPicture>& picture) override;
-    report::Answer answer(const SpeedPicture& picture) const override;
-    Notes notes(const SpeedPicture& picture) const override { return picture.notes; }
-    std::optional<Error> problem(const SpeedPicture& picture) const override { return picture.problem; }
-    report::Document document(const SpeedPicture& picture) const override;
+    void showResult(const std::shared_ptr<const SpeedOutcome>& outcome) override;
+    report::Answer answer(const SpeedOutcome& outcome) const override;
+    Notes notes(const SpeedOutcome& outcome) const override { return outcome.notes; }
+    std::optional<Error> problem(const SpeedOutcome& outcome) const override { return outcome.problem; }
+    report::Document document(const SpeedOutcome& outcome) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void retranslate() override;

@@ -1,4 +1,4 @@
-// What the panel "Speed" is asked: the bar, the selected cutting speed, the tool's range.
+// Question of the panel Speed: bar, selected cutting speed, range of the tool.
 #pragma once
 
 #include <optional>

@@ -24,7 +24,7 @@ std::vector<FieldInfo> askedValues()
 
 SpeedViews::SpeedViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       keys_(new OperatorKeys(askedValues(), {"D", "L", "v_c", "v_c min", "v_c max"})),
       lobes_(new plot::ChartView),
       parts_(new plot::ChartView),
@@ -34,13 +34,13 @@ SpeedViews::SpeedViews(QWidget* parent)
     lobes_->setObjectName("speedLobes");
     parts_->setObjectName("speedRealImaginary");
     candidates_->setObjectName("speedCandidates");
-    heroes_->add("keys", keys_);
-    heroes_->add("lobes", lobes_);
-    heroes_->add("parts", parts_);
-    heroes_->add("candidates", candidates_);
+    primaryViews_->add("keys", keys_);
+    primaryViews_->add("lobes", lobes_);
+    primaryViews_->add("parts", parts_);
+    primaryViews_->add("candidates", candidates_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     connect(keys_, &OperatorKeys::valueEntered, this, &SpeedViews::valueEntered);
     connect(keys_, &OperatorKeys::valueCleared, this, &SpeedViews::valueCleared);
     for (plot::ChartView* chart : {lobes_, parts_})
@@ -48,41 +48,41 @@ SpeedViews::SpeedViews(QWidget* parent)
     retranslate();
 }
 
-void SpeedViews::setPicture(const std::shared_ptr<const SpeedPicture>& picture)
+void SpeedViews::setOutcome(const std::shared_ptr<const SpeedOutcome>& outcome)
 {
-    picture_ = picture;
-    for (const char* key : {"lobes", "parts"}) heroes_->setAvailable(key, picture->lobes != nullptr);
-    heroes_->setAvailable("candidates", picture->speed.has_value());
+    outcome_ = outcome;
+    for (const char* key : {"lobes", "parts"}) primaryViews_->setAvailable(key, outcome->lobes != nullptr);
+    primaryViews_->setAvailable("candidates", outcome->speed.has_value());
     show();
 }
 
 void SpeedViews::show()
 {
-    if (!picture_) return;
-    keys_->setValues(toValues(picture_->question));
-    if (picture_->speed) {
-        const stability::SpeedResult& speed = *picture_->speed;
+    if (!outcome_) return;
+    keys_->setValues(toValues(outcome_->question));
+    if (outcome_->speed) {
+        const stability::SpeedResult& speed = *outcome_->speed;
         keys_->setReading(
             screenNumber(speed.recommended_rpm, 0), screenText(unit::rpm),
             tr("instead of %1 · %2 m/min")
                 .arg(screenNumber(speed.selected_rpm, 0), screenNumber(speed.recommended_cutting_speed_m_min, 0)),
             true);
         candidates_->setTable(stability::candidatesTable(speed));
-    } else if (picture_->problem) {
-        keys_->setReading("–", {}, screenText(*picture_->problem), false);
+    } else if (outcome_->problem) {
+        keys_->setReading("–", {}, screenText(*outcome_->problem), false);
     }
-    if (!picture_->lobes) return;
-    lobes_->setData(lobesPlot(*picture_->lobes, picture_->speed ? &*picture_->speed : nullptr, {}, screenLanguage()));
+    if (!outcome_->lobes) return;
+    lobes_->setData(lobesPlot(*outcome_->lobes, outcome_->speed ? &*outcome_->speed : nullptr, {}, screenLanguage()));
     parts_->setData(
-        receptance::realImaginaryPlot(*picture_->frf, picture_->lobes->frequency_of_minimum_hz, screenLanguage()));
+        receptance::realImaginaryPlot(*outcome_->frf, outcome_->lobes->frequency_of_minimum_hz, screenLanguage()));
 }
 
 void SpeedViews::retranslate()
 {
-    heroes_->setTitle("keys", tr("Operator"));
-    heroes_->setTitle("lobes", tr("Lobes"));
-    heroes_->setTitle("parts", tr("Real and imaginary"));
-    heroes_->setTitle("candidates", tr("Stable speeds"));
+    primaryViews_->setTitle("keys", tr("Operator"));
+    primaryViews_->setTitle("lobes", tr("Lobes"));
+    primaryViews_->setTitle("parts", tr("Real and imaginary"));
+    primaryViews_->setTitle("candidates", tr("Stable speeds"));
     candidates_->setAccessibleName(tr("Stable speeds"));
     show();
 }

@@ -5,10 +5,10 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/speed/operator_keys.h"
-#include "widgets/speed/speed_picture.h"
+#include "widgets/speed/speed_outcome.h"
 
 namespace lathelier::speed_panel {
 
@@ -18,8 +18,8 @@ class SpeedViews : public QWidget {
 public:
     explicit SpeedViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const SpeedPicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const SpeedOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     OperatorKeys* keys() const { return keys_; }
     void retranslate();
 
@@ -31,8 +31,8 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const SpeedPicture> picture_;
-    HeroViews* heroes_;
+    std::shared_ptr<const SpeedOutcome> outcome_;
+    PrimaryViews* primaryViews_;
     OperatorKeys* keys_;
     plot::ChartView* lobes_;
     plot::ChartView* parts_;

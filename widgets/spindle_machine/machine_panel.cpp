@@ -61,37 +61,37 @@ PanelFacts machinePanelFacts()
     facts.missing = [](const project::PanelState& state) {
         return isThere(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "Tap tests or springs")};
     };
-    facts.hasWork = isThere;
+    facts.has_work = isThere;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(machinePicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(machineOutcome(state, stores, progress), language); };
     return facts;
 }
 
 MachinePanel::MachinePanel(Session& owner, QWidget* parent)
     : Panel(owner, machinePanelFacts(), panelInputs(), parent), views_(new MachineViews)
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &MachineViews::spindleWanted, this, &MachinePanel::offerSpindle);
-    connect(views_, &MachineViews::notWritten, this, &MachinePanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &MachineViews::spindleRequested, this, &MachinePanel::offerSpindle);
+    connect(views_, &MachineViews::notWritten, this, &MachinePanel::reportWriteFailure);
 }
 
 void MachinePanel::offerSpindle()
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     QString name = tr("spindle");
-    if (!picture->inputs.empty())
+    if (!outcome->inputs.empty())
         name =
-            tr("spindle of %1").arg(QFileInfo(QString::fromStdString(picture->inputs.front().path)).completeBaseName());
+            tr("spindle of %1").arg(QFileInfo(QString::fromStdString(outcome->inputs.front().path)).completeBaseName());
     try {
-        offerItem(name.toStdString(), receptance::spindleItem, receptance::toValues(picture->spindle),
-                  picture->synthetic);
+        offerItem(name.toStdString(), receptance::spindleItem, receptance::toValues(outcome->spindle),
+                  outcome->synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
 }
 
-/// Tap tests that are opened are what is meant, whatever machine was chosen before.
+/// Opening tap tests selects them as the source.
 void MachinePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     if (files.empty()) return;
@@ -101,15 +101,15 @@ void MachinePanel::assignFiles(project::PanelState& state, const std::vector<Fou
 
 MachinePanel::Compute MachinePanel::compute(const project::PanelState& state) const
 {
-    fromValues<MachineQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<MachineQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return machinePicture(state, *stores, progress);
+        return machineOutcome(state, *stores, progress);
     };
 }
 
 Worker::Job MachinePanel::makeReadingJob(const project::PanelState&) const
 {
-    return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };  // what is there is computed
+    return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };  // nothing to read in advance
 }
 
 QString MachinePanel::understood(const InputRole&, const project::Source& source) const
@@ -121,36 +121,36 @@ QString MachinePanel::understood(const InputRole&, const project::Source& source
                           tr("%L1 rods, %L2 responses").arg(measured.rods.size()).arg(measured.frfs.size()));
 }
 
-void MachinePanel::showResult(const std::shared_ptr<const MachinePicture>& picture)
+void MachinePanel::showResult(const std::shared_ptr<const MachineOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer MachinePanel::answer(const MachinePicture& picture) const
+report::Answer MachinePanel::answer(const MachineOutcome& outcome) const
 {
-    return machine_panel::answer(picture, screenLanguage());
+    return machine_panel::answer(outcome, screenLanguage());
 }
 
-Notes MachinePanel::notes(const MachinePicture& picture) const
+Notes MachinePanel::notes(const MachineOutcome& outcome) const
 {
-    return picture.notes;
+    return outcome.notes;
 }
 
-report::Document MachinePanel::document(const MachinePicture& picture) const
+report::Document MachinePanel::document(const MachineOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> MachinePanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Spindle (SPINDLE.json)…"), tr("JSON (*.json)"), "json",
-             [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), receptance::spindleText(picture->spindle));
+             [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), receptance::spindleText(outcome->spindle));
              }},
-            {tr("Magnitude over frequency (CSV)…"), tr("Table (*.csv)"), "csv", [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), report::toCsv(receptance::spindleMagnitudePlot(picture->spindle)));
+            {tr("Magnitude over frequency (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), report::toCsv(receptance::spindleMagnitudePlot(outcome->spindle)));
              }}};
 }
 

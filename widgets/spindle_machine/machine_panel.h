@@ -1,8 +1,8 @@
-// The panel "Spindle": how does the chuck face of this machine give way, and how well is that known?
+// The panel "Spindle": receptance of the chuck face of a machine, and the quality of its identification.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/spindle_machine/machine_picture.h"
+#include "widgets/spindle_machine/machine_outcome.h"
 
 namespace lathelier::machine_panel {
 
@@ -11,7 +11,7 @@ class MachineViews;
 /// The panel's line of the panel table.
 PanelFacts machinePanelFacts();
 
-class MachinePanel : public Panel<MachinePicture> {
+class MachinePanel : public Panel<MachineOutcome> {
     Q_OBJECT
 
 public:
@@ -22,10 +22,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const MachinePicture>& picture) override;
-    report::Answer answer(const MachinePicture& picture) const override;
-    Notes notes(const MachinePicture& picture) const override;
-    report::Document document(const MachinePicture& picture) const override;
+    void showResult(const std::shared_ptr<const MachineOutcome>& outcome) override;
+    report::Answer answer(const MachineOutcome& outcome) const override;
+    Notes notes(const MachineOutcome& outcome) const override;
+    report::Document document(const MachineOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

@@ -1,4 +1,4 @@
-// What the panel "Spindle" is asked: where the chuck face is known from.
+// Question of the panel Spindle: source of the receptance of the chuck face.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ enum class MachineSource { Measured, Springs, Papers, Stiff, Soft };
 chatter_common::MachineChoice ofLibrary(MachineSource source);
 
 struct MachineQuestion {
-    MachineSource source = MachineSource::Measured;       ///< where it is known from
+    MachineSource source = MachineSource::Measured;       ///< source of the receptance
     receptance::SpindleSprings springs;                   ///< of MachineSource::Springs
     receptance::IdentificationParameters identification;  ///< of MachineSource::Measured
     std::optional<double> limit_percent;                  ///< largest residual that is accepted; none: no verdict
@@ -24,6 +24,6 @@ struct MachineQuestion {
 
 const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*);
 
-inline constexpr const char* sourceKey = "source";  ///< of the choice
+inline constexpr const char* sourceKey = "source";  ///< key of the choice
 
 }  // namespace lathelier::machine_panel

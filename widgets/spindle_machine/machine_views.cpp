@@ -9,7 +9,7 @@ namespace lathelier::machine_panel {
 
 MachineViews::MachineViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       magnitude_(new plot::ChartView),
       phase_(new plot::ChartView),
       heldOut_(new plot::ChartView),
@@ -25,41 +25,41 @@ MachineViews::MachineViews(QWidget* parent)
     condition_->setObjectName("condition");
     responses_->setObjectName("responses");
     use_->setObjectName("useSpindle");
-    heroes_->add("magnitude", magnitude_);
-    heroes_->add("phase", phase_);
-    heroes_->add("heldOut", heldOut_);
-    heroes_->add("residual", residual_);
-    heroes_->add("condition", condition_);
-    heroes_->add("responses", responses_);
+    primaryViews_->add("magnitude", magnitude_);
+    primaryViews_->add("phase", phase_);
+    primaryViews_->add("heldOut", heldOut_);
+    primaryViews_->add("residual", residual_);
+    primaryViews_->add("condition", condition_);
+    primaryViews_->add("responses", responses_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     layout->addWidget(use_, 0, Qt::AlignRight);
-    connect(use_, &QPushButton::clicked, this, &MachineViews::spindleWanted);
+    connect(use_, &QPushButton::clicked, this, &MachineViews::spindleRequested);
     for (plot::ChartView* chart : {magnitude_, phase_, heldOut_, residual_, condition_})
         connect(chart, &plot::PlotWidget::notWritten, this, &MachineViews::notWritten);
     retranslate();
 }
 
-void MachineViews::setPicture(const std::shared_ptr<const MachinePicture>& picture)
+void MachineViews::setOutcome(const std::shared_ptr<const MachineOutcome>& outcome)
 {
-    picture_ = picture;
-    const bool measured = picture->check != nullptr;
-    for (const char* key : {"residual", "condition", "responses"}) heroes_->setAvailable(key, measured);
-    heroes_->setAvailable("heldOut", measured && picture->identified->hold_out_rms_percent.has_value());
+    outcome_ = outcome;
+    const bool measured = outcome->check != nullptr;
+    for (const char* key : {"residual", "condition", "responses"}) primaryViews_->setAvailable(key, measured);
+    primaryViews_->setAvailable("heldOut", measured && outcome->identified->hold_out_rms_percent.has_value());
     show();
 }
 
 void MachineViews::show()
 {
-    if (!picture_) return;
-    magnitude_->setData(receptance::spindleMagnitudePlot(picture_->spindle));
-    phase_->setData(receptance::spindlePhasePlot(picture_->spindle));
-    if (!picture_->check) return;
-    heldOut_->setData(receptance::heldOutPlot(*picture_->check, screenLanguage()));
-    residual_->setData(receptance::residualPlot(*picture_->identified, *picture_->check));
-    condition_->setData(receptance::conditionPlot(*picture_->identified));
-    responses_->setTable(receptance::responsesTable(*picture_->check));
+    if (!outcome_) return;
+    magnitude_->setData(receptance::spindleMagnitudePlot(outcome_->spindle));
+    phase_->setData(receptance::spindlePhasePlot(outcome_->spindle));
+    if (!outcome_->check) return;
+    heldOut_->setData(receptance::heldOutPlot(*outcome_->check, screenLanguage()));
+    residual_->setData(receptance::residualPlot(*outcome_->identified, *outcome_->check));
+    condition_->setData(receptance::conditionPlot(*outcome_->identified));
+    responses_->setTable(receptance::responsesTable(*outcome_->check));
 }
 
 void MachineViews::setPresenting(bool presenting)
@@ -69,12 +69,12 @@ void MachineViews::setPresenting(bool presenting)
 
 void MachineViews::retranslate()
 {
-    heroes_->setTitle("magnitude", tr("Magnitude"));
-    heroes_->setTitle("phase", tr("Phase"));
-    heroes_->setTitle("heldOut", tr("Rod held out"));
-    heroes_->setTitle("residual", tr("Residual"));
-    heroes_->setTitle("condition", tr("Condition"));
-    heroes_->setTitle("responses", tr("Responses"));
+    primaryViews_->setTitle("magnitude", tr("Magnitude"));
+    primaryViews_->setTitle("phase", tr("Phase"));
+    primaryViews_->setTitle("heldOut", tr("Rod held out"));
+    primaryViews_->setTitle("residual", tr("Residual"));
+    primaryViews_->setTitle("condition", tr("Condition"));
+    primaryViews_->setTitle("responses", tr("Responses"));
     responses_->setAccessibleName(tr("Responses"));
     use_->setText(tr("Use this spindle"));
     use_->setToolTip(tr("Put a shaft on it"));

@@ -6,9 +6,9 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/spindle_machine/machine_picture.h"
+#include "widgets/spindle_machine/machine_outcome.h"
 
 namespace lathelier::machine_panel {
 
@@ -18,22 +18,22 @@ class MachineViews : public QWidget {
 public:
     explicit MachineViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const MachinePicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const MachineOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* magnitude() const { return magnitude_; }
     plot::ChartView* heldOut() const { return heldOut_; }
     void setPresenting(bool presenting);  ///< without the button
     void retranslate();
 
 signals:
-    void spindleWanted();                  ///< give it to another panel
+    void spindleRequested();               ///< give it to another panel
     void notWritten(const QString& path);  ///< the system refused to write this file
 
 private:
     void show();
 
-    std::shared_ptr<const MachinePicture> picture_;
-    HeroViews* heroes_;
+    std::shared_ptr<const MachineOutcome> outcome_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* magnitude_;
     plot::ChartView* phase_;
     plot::ChartView* heldOut_;

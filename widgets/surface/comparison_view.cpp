@@ -124,7 +124,7 @@ void ComparisonView::takePoint(bool first, const QPointF& pixel)
     if (!placeBefore_ || !placeAfter_) return;
     const QPointF further = *placeAfter_ - *placeBefore_;
     lay_->setChecked(false);
-    emit layWanted(further);
+    emit layRequested(further);
 }
 
 void ComparisonView::setSlides(bool slides)

@@ -1,4 +1,4 @@
-// Before and after: side by side, or one under a slider; what is zoomed in one is zoomed in the other.
+// Before and after: side by side, or one under a slider; zoom and pan are linked.
 #pragma once
 
 #include <QButtonGroup>
@@ -32,7 +32,7 @@ public:
 
 signals:
     void notWritten(const QString& path);
-    void layWanted(const QPointF& further_px);  ///< what was clicked lies so far from it in the second picture
+    void layRequested(const QPointF& further_px);  ///< request to shift the second picture by this offset
 
 private:
     void arrange();

@@ -91,9 +91,9 @@ GeneratorPane::GeneratorPane(QWidget* parent)
     layout->addWidget(scroll);
     setMinimumWidth(fontMetrics().averageCharWidth() * 40);
     connect(light_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
-        emit valueWanted("light", light_->itemData(index).toString().toStdString(), ++gesture_);
+        emit valueRequested("light", light_->itemData(index).toString().toStdString(), ++gesture_);
     });
-    connect(cylinder_, &QCheckBox::clicked, this, [this](bool on) { emit valueWanted("cylinder", on, ++gesture_); });
+    connect(cylinder_, &QCheckBox::clicked, this, [this](bool on) { emit valueRequested("cylinder", on, ++gesture_); });
     retranslate();
 }
 
@@ -118,11 +118,11 @@ void GeneratorPane::addRow(const FieldInfo& info, double from, double to, bool l
     connect(slider, &QSlider::valueChanged, this, [=, this](int place) {
         const double share = double(place) / sliderPlaces;
         const double value = logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
-        emit valueWanted(key, rounded(value), gesture_);
+        emit valueRequested(key, rounded(value), gesture_);
     });
     connect(slider, &QSlider::sliderReleased, this, [this] { ++gesture_; });
     connect(edit, &NumberEdit::numberChanged, this, [this, key, edit] {
-        if (edit->number()) emit valueWanted(key, *edit->number(), gesture_);
+        if (edit->number()) emit valueRequested(key, *edit->number(), gesture_);
     });
     connect(edit, &NumberEdit::finished, this, [this] { ++gesture_; });
 }

@@ -33,7 +33,7 @@ public:
 
 signals:
     /// Changes with the same gesture are one undo step. `key`: of the field of SyntheticParameters.
-    void valueWanted(const std::string& key, const lathelier::Value& value, int gesture);
+    void valueRequested(const std::string& key, const lathelier::Value& value, int gesture);
 
 private:
     struct Row {

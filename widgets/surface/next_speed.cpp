@@ -5,7 +5,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/surface/surface_words.h"
-#include "widgets/surface/surface_picture.h"
+#include "widgets/surface/surface_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -24,10 +24,10 @@ std::optional<stability::SpeedResult> nextSpeed(Frf response, const stability::S
     }
 }
 
-report::Table nextSpeedTable(const SurfacePicture& picture)
+report::Table nextSpeedTable(const SurfaceOutcome& outcome)
 {
-    report::Table table = surface::speedTable(picture.first());
-    if (!picture.next || table.rows.empty()) return table;
+    report::Table table = surface::speedTable(outcome.first());
+    if (!outcome.next || table.rows.empty()) return table;
     table.title = LT_TEXT("Engine", "Speeds by the marks, and by the model moved to the marks");
     table.columns = {LT_TEXT("Engine", "Waves, k"),
                      report::Labelled{LT_TEXT("Engine", "Whole waves, 60 f_c / k"), LT_TEXT("Engine", "rpm")},
@@ -35,7 +35,7 @@ report::Table nextSpeedTable(const SurfacePicture& picture)
     table.decimals = {0, 0, 0};
     for (std::vector<Value>& row : table.rows) {
         const auto k = std::get<std::int64_t>(row.front());
-        const auto& all = picture.next->candidates;
+        const auto& all = outcome.next->candidates;
         const auto best = std::find_if(all.begin(), all.end(), [&](const auto& each) { return each.k == k; });
         Value& cell = row.emplace_back();
         if (best != all.end()) cell = best->speed_rpm;
@@ -43,15 +43,15 @@ report::Table nextSpeedTable(const SurfacePicture& picture)
     return table;
 }
 
-std::optional<report::Finding> nextSpeedFinding(const SurfacePicture& picture, const Language& language)
+std::optional<report::Finding> nextSpeedFinding(const SurfaceOutcome& outcome, const Language& language)
 {
-    if (!picture.next) return std::nullopt;
+    if (!outcome.next) return std::nullopt;
     report::Finding finding;
     finding.pattern = LT_TEXT("Engine",
                               "Speed next: {speed} rpm, the best of pocket {k} by the exact relation, with the model "
                               "moved to the frequency of the marks.");
-    finding.values = {{"speed", fixed(picture.next->recommended_rpm, 0, language)},
-                      {"k", std::int64_t{picture.next->k}}};
+    finding.values = {{"speed", fixed(outcome.next->recommended_rpm, 0, language)},
+                      {"k", std::int64_t{outcome.next->k}}};
     return finding;
 }
 

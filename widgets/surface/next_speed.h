@@ -12,7 +12,7 @@
 
 namespace lathelier::surface_panel {
 
-struct SurfacePicture;
+struct SurfaceOutcome;
 
 /// The speed to choose in place of that of the cut, by the exact relation: the model's response is moved along the
 /// frequencies until it chatters where the marks say. Nothing where no speed is stable.
@@ -21,9 +21,9 @@ std::optional<stability::SpeedResult> nextSpeed(Frf response, const stability::S
 
 /// The speeds about that of the cut, with the best of each pocket where there is a model. No rows without a frequency.
 /// Precondition: a result.
-report::Table nextSpeedTable(const SurfacePicture& picture);
+report::Table nextSpeedTable(const SurfaceOutcome& outcome);
 
 /// "Speed next: 1979 rpm …"; nothing without a model that agrees.
-std::optional<report::Finding> nextSpeedFinding(const SurfacePicture& picture, const Language& language);
+std::optional<report::Finding> nextSpeedFinding(const SurfaceOutcome& outcome, const Language& language);
 
 }  // namespace lathelier::surface_panel

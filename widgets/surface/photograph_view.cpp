@@ -59,19 +59,19 @@ PhotographView::PhotographView(QWidget* parent)
     column->addWidget(bar_);
     column->addWidget(view_, 1);
     connect(tools_, &QButtonGroup::idClicked, this, &PhotographView::chooseTool);
-    connect(view_, &PictureView::regionDrawn, this, [this](const QRectF& region) { emit regionWanted(region); });
-    connect(view_, &PictureView::directionDrawn, this, &PhotographView::directionWanted);
+    connect(view_, &PictureView::regionDrawn, this, [this](const QRectF& region) { emit regionRequested(region); });
+    connect(view_, &PictureView::directionDrawn, this, &PhotographView::directionRequested);
     connect(view_, &PictureView::lengthDrawn, this, &PhotographView::takeLength);
-    connect(alike_, &QCheckBox::clicked, this, &PhotographView::alikeWanted);
-    connect(whole_, &QPushButton::clicked, this, [this] { emit regionWanted(std::nullopt); });
+    connect(alike_, &QCheckBox::clicked, this, &PhotographView::alikeRequested);
+    connect(whole_, &QPushButton::clicked, this, [this] { emit regionRequested(std::nullopt); });
     const auto send = [this] {
-        if (pixels_ > 0 && length_->number()) emit scaleWanted(pixels_, *length_->number());
+        if (pixels_ > 0 && length_->number()) emit scaleRequested(pixels_, *length_->number());
     };
     connect(set_, &QPushButton::clicked, this, send);
     connect(length_, &QLineEdit::returnPressed, this, send);
     connect(length_, &NumberEdit::numberChanged, this, &PhotographView::showLength);
     connect(isDiameter_, &QPushButton::clicked, this, [this] {
-        if (pixels_ > 0 && diameter_mm_) emit scaleWanted(pixels_, *diameter_mm_);
+        if (pixels_ > 0 && diameter_mm_) emit scaleRequested(pixels_, *diameter_mm_);
     });
     retranslate();
     chooseTool(0);

@@ -21,17 +21,17 @@ public:
 
     /// `diameter_mm`: offered as the length between two edges; none: not known.
     void setPicture(const QImage& image, double mm_per_px, const std::optional<double>& diameter_mm);
-    void setTools(bool usable);  ///< false: a picture that was made can be measured, and has nothing to be told
+    void setTools(bool usable);             ///< false: a generated picture can be measured, but has no import settings
     void setAlike(bool shown, bool alike);  ///< the tick: scale and direction go for both pictures
     PictureView* view() const { return view_; }
     NumberEdit* length() const { return length_; }
     void retranslate();
 
 signals:
-    void regionWanted(const std::optional<QRectF>& region);  ///< in pixels of the file; none: the whole picture
-    void scaleWanted(double pixels, double mm);
-    void directionWanted(double direction_deg);
-    void alikeWanted(bool alike);
+    void regionRequested(const std::optional<QRectF>& region);  ///< in pixels of the file; none: the whole picture
+    void scaleRequested(double pixels, double mm);
+    void directionRequested(double direction_deg);
+    void alikeRequested(bool alike);
 
 private:
     void chooseTool(int id);

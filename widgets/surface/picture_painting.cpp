@@ -32,7 +32,7 @@ void drawStripes(QPainter& painter, const Overlay& overlay, const plot::PlotStyl
     if (overlay.spacing_px * zoom < closestStripes) return;
     QColor colour = style.colour(overlay.colour);
     colour.setAlphaF(overlay.width > 1 ? 0.9 : 0.65);
-    painter.setPen(QPen(colour, overlay.width * style.lineWidth));
+    painter.setPen(QPen(colour, overlay.width * style.line_width));
     for (const auto& [a, b] : overlay.stripes) painter.drawLine(view.placeOf({a.x, a.y}), view.placeOf({b.x, b.y}));
 }
 
@@ -58,7 +58,7 @@ void drawRulers(QPainter& painter, const std::vector<Ruler>& rulers, double dire
     double top = 0;
     for (const Ruler& ruler : rulers) {
         const double step = ruler.pitch_px * zoom / share;
-        painter.setPen(QPen(style.colour(ruler.colour), style.lineWidth * 1.4));
+        painter.setPen(QPen(style.colour(ruler.colour), style.line_width * 1.4));
         if (step >= closestStripes)
             for (double x = step; x < length; x += step) painter.drawLine(QPointF(x, top + 2), QPointF(x, top + 11));
         painter.setPen(palette.color(QPalette::Text));

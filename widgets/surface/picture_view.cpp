@@ -112,7 +112,7 @@ void PictureView::showPart(double zoom, const QPointF& middle)
     update();
 }
 
-void PictureView::tellLinked()
+void PictureView::updateLinkedViews()
 {
     for (PictureView* other : linked_) {
         other->zoom_ = zoom_;
@@ -160,19 +160,19 @@ void PictureView::zoomAt(const QPointF& place, double factor)
     const QPointF held = pixelAt(place);
     const double next = std::min(zoom() * factor, mostZoom);
     showPart(next, held - (place - QPointF(width() / 2.0, height() / 2.0)) / next);
-    tellLinked();
+    updateLinkedViews();
 }
 
 void PictureView::panBy(const QPointF& by)
 {
     showPart(zoom(), middle_ - by / zoom());
-    tellLinked();
+    updateLinkedViews();
 }
 
 void PictureView::resetView()
 {
     showPart(0, {});
-    tellLinked();
+    updateLinkedViews();
 }
 
 void PictureView::mousePressEvent(QMouseEvent* event)

@@ -20,9 +20,9 @@ namespace lathelier::surface_panel {
 /// Lines over the picture.
 struct Overlay {
     QString name;                          ///< for the legend
-    report::ChartColour colour;            ///< what it stands for
+    report::ChartColour colour;            ///< colour role
     std::vector<surface::Stripe> stripes;  ///< in pixels of the picture
-    double spacing_px = 0;                 ///< of the lines; drawn only where they can be told apart
+    double spacing_px = 0;                 ///< line spacing; drawn only where lines are resolved
     double width = 1;                      ///< in widths of a line
 };
 
@@ -110,7 +110,7 @@ private:
     void zoomAt(const QPointF& place, double factor);
     void panBy(const QPointF& by);
     void showPart(double zoom, const QPointF& middle);
-    void tellLinked();
+    void updateLinkedViews();
 
     PicturePyramid picture_;
     PicturePyramid second_;
@@ -123,7 +123,7 @@ private:
     std::optional<double> arrow_deg_;
     Tool tool_ = Tool::None;
     double zoom_ = 0;                 ///< 0: the whole picture
-    QPointF middle_;                  ///< of what is shown, in pixels of the picture
+    QPointF middle_;                  ///< centre of the view, in pixels of the picture
     std::optional<QPointF> pressed_;  ///< where a drag began, in the widget
     std::optional<QPointF> pointer_;  ///< in the widget
     std::vector<QPointF> chosen_;     ///< ends of a length, or a point, in pixels of the picture

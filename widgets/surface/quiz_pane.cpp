@@ -40,13 +40,13 @@ QuizPane::QuizPane(QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(ask_);
     column->addWidget(body_);
-    connect(ask_, &QCheckBox::clicked, this, &QuizPane::quizWanted);
+    connect(ask_, &QCheckBox::clicked, this, &QuizPane::quizRequested);
     const auto answered = [this] {
-        if (answer_->number()) emit answerWanted(*answer_->number());
+        if (answer_->number()) emit answerRequested(*answer_->number());
     };
     connect(check_, &QPushButton::clicked, this, answered);
     connect(answer_, &QLineEdit::returnPressed, this, answered);
-    connect(next_, &QPushButton::clicked, this, [this] { emit questionWanted(question_.quiz_number + 1); });
+    connect(next_, &QPushButton::clicked, this, [this] { emit questionRequested(question_.quiz_number + 1); });
     retranslate();
 }
 

@@ -23,9 +23,9 @@ public:
     void retranslate();
 
 signals:
-    void quizWanted(bool on);
-    void answerWanted(double frequency_hz);
-    void questionWanted(int number);
+    void quizRequested(bool on);
+    void answerRequested(double frequency_hz);
+    void questionRequested(int number);
 
 private:
     void showWords();

@@ -19,24 +19,24 @@ report::Finding asFinding(report::Paragraph paragraph)
     return {paragraph.pattern, std::move(paragraph.values), {}, {}};
 }
 
-/// What the picture leaves open and the model can choose.
-std::optional<report::Finding> choiceByModel(const SurfacePicture& picture, const Language& language)
+/// Ambiguity of the picture that the model resolves.
+std::optional<report::Finding> choiceByModel(const SurfaceOutcome& outcome, const Language& language)
 {
-    const surface::ChatterMarks& chatter = *picture.first().chatter_marks;
-    if (!picture.check || chatter.m_certain || picture.question.surface.expect_hz) return std::nullopt;
+    const surface::ChatterMarks& chatter = *outcome.first().chatter_marks;
+    if (!outcome.check || chatter.m_certain || outcome.question.surface.expect_hz) return std::nullopt;
     report::Finding finding;
     finding.pattern = LT_TEXT("Engine", "Let the model choose among the candidates: near {model} Hz");
-    finding.values = {{"model", fixed(picture.check->model_hz, 1, language)}};
-    finding.offer = {{"expect_hz", std::round(10 * picture.check->model_hz) / 10}};
+    finding.values = {{"model", fixed(outcome.check->model_hz, 1, language)}};
+    finding.offer = {{"expect_hz", std::round(10 * outcome.check->model_hz) / 10}};
     return finding;
 }
 
-report::Answer openQuestion(const SurfacePicture& picture, const Language& language)
+report::Answer openQuestion(const SurfaceOutcome& outcome, const Language& language)
 {
-    const surface::SyntheticParameters made = pictureOf(picture.question);
+    const surface::SyntheticParameters made = pictureOf(outcome.question);
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Question");
-    answer.subject = std::to_string(picture.question.quiz_number);
+    answer.subject = std::to_string(outcome.question.quiz_number);
     answer.verdict_words = LT_TEXT("Engine", "not answered yet");
     answer.sentence = LT_TEXT("Engine",
                               "D {diameter} mm, f {feed} mm, N {speed} rpm, feed to the right, cut downward: which "
@@ -47,9 +47,9 @@ report::Answer openQuestion(const SurfacePicture& picture, const Language& langu
     return answer;
 }
 
-std::optional<report::Finding> checkedQuestion(const SurfacePicture& picture, const Language& language)
+std::optional<report::Finding> checkedQuestion(const SurfaceOutcome& outcome, const Language& language)
 {
-    const SurfaceQuestion& question = picture.question;
+    const SurfaceQuestion& question = outcome.question;
     if (!question.make_picture || !question.quiz || !question.quiz_answer_hz) return std::nullopt;
     const surface::QuizAnswer checked = surface::checkedAnswer(*question.quiz_answer_hz, pictureOf(question));
     report::Finding finding;
@@ -77,18 +77,18 @@ std::optional<report::Finding> checkedQuestion(const SurfacePicture& picture, co
     return finding;
 }
 
-/// How the light fell, as far as anyone has said.
-report::Paragraph lightSentence(const SurfacePicture& picture)
+/// Stated lighting.
+report::Paragraph lightSentence(const SurfaceOutcome& outcome)
 {
-    const std::string& light = picture.question.lighting;
+    const std::string& light = outcome.question.lighting;
     if (light.empty()) return {LT_TEXT("Engine", "How the light fell is not stated; state it in the field Light."), {}};
     return {LT_TEXT("Engine", "Light, as stated: {light}"), {{"light", light}}};
 }
 
-std::optional<report::Finding> truthOfMade(const SurfacePicture& picture, const Language& language)
+std::optional<report::Finding> truthOfMade(const SurfaceOutcome& outcome, const Language& language)
 {
-    if (!picture.question.make_picture) return std::nullopt;
-    const surface::SyntheticParameters made = pictureOf(picture.question);
+    if (!outcome.question.make_picture) return std::nullopt;
+    const surface::SyntheticParameters made = pictureOf(outcome.question);
     const surface::Waves waves = surface::wavesPerRevolution(made.frequency_hz, made.speed_rpm);
     report::Finding finding;
     finding.pattern = made.amplitude_um > 0
@@ -101,76 +101,76 @@ std::optional<report::Finding> truthOfMade(const SurfacePicture& picture, const 
 }
 
 /// The model's frequency beside that of the marks, as a sentence.
-void addModel(const SurfacePicture& picture, report::Section& section, const Language& language)
+void addModel(const SurfaceOutcome& outcome, report::Section& section, const Language& language)
 {
     const auto say = [&](report::Finding finding) {
         section.blocks.emplace_back(report::Paragraph{finding.pattern, std::move(finding.values)});
     };
-    say(modelFinding(*picture.marks, *picture.check, language));
-    if (auto next = nextSpeedFinding(picture, language)) say(*std::move(next));
+    say(modelFinding(*outcome.marks, *outcome.check, language));
+    if (auto next = nextSpeedFinding(outcome, language)) say(*std::move(next));
 }
 
 /// In place of the report of a question that is open.
-report::Document reportOfQuestion(const SurfacePicture& picture, const Language& language)
+report::Document reportOfQuestion(const SurfaceOutcome& outcome, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Marks of turned surfaces");
     document.synthetic = true;
     document.sections.push_back({LT_TEXT("Engine", "Question"),
-                                 {openQuestion(picture, language),
-                                  report::Picture{LT_TEXT("Engine", "Picture that is made"), picture.made_png}}});
+                                 {openQuestion(outcome, language),
+                                  report::Picture{LT_TEXT("Engine", "Picture that is made"), outcome.made_png}}});
     return document;
 }
 
 }  // namespace
 
-report::Answer answerOf(const SurfacePicture& picture, const Language& language)
+report::Answer answerOf(const SurfaceOutcome& outcome, const Language& language)
 {
-    if (picture.asks()) return openQuestion(picture, language);
-    report::Answer answer = surface::answer(picture.first(), language);
-    answer.subject = picture.shown.front().name;
-    if (picture.marks) answer.quantity = LT_TEXT("Engine", "Chatter frequency");
+    if (outcome.asks()) return openQuestion(outcome, language);
+    report::Answer answer = surface::answer(outcome.first(), language);
+    answer.subject = outcome.shown.front().name;
+    if (outcome.marks) answer.quantity = LT_TEXT("Engine", "Chatter frequency");
     const auto say = [&](std::optional<report::Finding> finding) {
         if (finding && answer.findings.size() < 3) answer.findings.push_back(*std::move(finding));
     };
-    say(checkedQuestion(picture, language));
-    say(truthOfMade(picture, language));
-    if (picture.result->images.size() > 1) say(asFinding(beforeAndAfter(*picture.result, language)[1]));
-    if (picture.marks) {
-        say(choiceByModel(picture, language));
-        if (picture.check) say(modelFinding(*picture.marks, *picture.check, language));
-        say(nextSpeedFinding(picture, language));
+    say(checkedQuestion(outcome, language));
+    say(truthOfMade(outcome, language));
+    if (outcome.result->images.size() > 1) say(asFinding(beforeAndAfter(*outcome.result, language)[1]));
+    if (outcome.marks) {
+        say(choiceByModel(outcome, language));
+        if (outcome.check) say(modelFinding(*outcome.marks, *outcome.check, language));
+        say(nextSpeedFinding(outcome, language));
     }
-    if (auto referee = refereeSentence(picture.first(), picture.result->parameters, language))
-        say(asFinding(*std::move(referee)));
+    if (auto relation_check = speedRelationSentence(outcome.first(), outcome.result->parameters, language))
+        say(asFinding(*std::move(relation_check)));
     return answer;
 }
 
-std::vector<report::Section> words(const SurfacePicture& picture, const Language& language)
+std::vector<report::Section> words(const SurfaceOutcome& outcome, const Language& language)
 {
-    std::vector<report::Section> sections = surfaceWords(*picture.result, language);
-    if (picture.marks && picture.check && sections.size() > 1) addModel(picture, sections[1], language);
-    if (!picture.question.make_picture) sections.back().blocks.emplace_back(lightSentence(picture));
+    std::vector<report::Section> sections = surfaceWords(*outcome.result, language);
+    if (outcome.marks && outcome.check && sections.size() > 1) addModel(outcome, sections[1], language);
+    if (!outcome.question.make_picture) sections.back().blocks.emplace_back(lightSentence(outcome));
     return sections;
 }
 
-report::Document reportOf(const SurfacePicture& picture, const Language& language)
+report::Document reportOf(const SurfaceOutcome& outcome, const Language& language)
 {
-    if (!picture.result) throw *picture.refused;
-    if (picture.asks()) return reportOfQuestion(picture, language);
-    surface::SurfaceResult result = *picture.result;
-    for (std::size_t i = 0; i < result.images.size(); ++i) result.images[i].path = picture.shown[i].name;
-    result.notes = picture.notes;  // those of the files as well
+    if (!outcome.result) throw *outcome.refused;
+    if (outcome.asks()) return reportOfQuestion(outcome, language);
+    surface::SurfaceResult result = *outcome.result;
+    for (std::size_t i = 0; i < result.images.size(); ++i) result.images[i].path = outcome.shown[i].name;
+    result.notes = outcome.notes;  // those of the files as well
     report::Document document = surfaceReport(result, language);
-    document.inputs = picture.inputs;
-    document.synthetic = picture.synthetic;
+    document.inputs = outcome.inputs;
+    document.synthetic = outcome.synthetic;
     report::Section& summary = document.sections.front();
-    if (!summary.blocks.empty()) summary.blocks.front() = report::Block(answerOf(picture, language));
-    if (picture.marks && picture.check) addModel(picture, document.sections.at(2), language);
-    if (picture.next) document.sections.at(2).blocks.emplace_back(nextSpeedTable(picture));
-    if (!picture.question.make_picture) summary.blocks.emplace_back(lightSentence(picture));
-    document.results = {report::toText(report::wholeResult("surface", picture.inputs, toValues(result.parameters),
-                                                           toJson(*picture.result), picture.notes))};
+    if (!summary.blocks.empty()) summary.blocks.front() = report::Block(answerOf(outcome, language));
+    if (outcome.marks && outcome.check) addModel(outcome, document.sections.at(2), language);
+    if (outcome.next) document.sections.at(2).blocks.emplace_back(nextSpeedTable(outcome));
+    if (!outcome.question.make_picture) summary.blocks.emplace_back(lightSentence(outcome));
+    document.results = {report::toText(report::wholeResult("surface", outcome.inputs, toValues(result.parameters),
+                                                           toJson(*outcome.result), outcome.notes))};
     return document;
 }
 

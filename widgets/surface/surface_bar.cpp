@@ -41,37 +41,37 @@ SurfaceBar::SurfaceBar(QWidget* parent)
     synthetic_->setMargin(2);
     row->setTrailing(synthetic_);
     connect(images_, &QButtonGroup::idClicked, this, &SurfaceBar::imageChosen);
-    connect(send_, &QPushButton::clicked, this, &SurfaceBar::sendWanted);
+    connect(send_, &QPushButton::clicked, this, &SurfaceBar::sendRequested);
     retranslate();
 }
 
-void SurfaceBar::setPicture(const SurfacePicture& picture, int chosen)
+void SurfaceBar::setOutcome(const SurfaceOutcome& outcome, int chosen)
 {
-    const bool two = picture.shown.size() > 1;
+    const bool two = outcome.shown.size() > 1;
     for (int i = 0; i < 2; ++i) {
         auto* button = images_->button(i);
         button->setVisible(two);
         button->setChecked(i == chosen);
-        if (two) button->setToolTip(QString::fromStdString(picture.shown[static_cast<std::size_t>(i)].name));
+        if (two) button->setToolTip(QString::fromStdString(outcome.shown[static_cast<std::size_t>(i)].name));
     }
-    showCandidates(picture);
-    send_->setVisible(picture.marks.has_value() && !picture.asks());
-    if (picture.marks)
-        send_->setText(tr("Send %1 to the lobe chart").arg(screenQuantity(picture.marks->frequency_hz, unit::hz, 1)));
-    synthetic_->setVisible(picture.synthetic);
+    showCandidates(outcome);
+    send_->setVisible(outcome.marks.has_value() && !outcome.asks());
+    if (outcome.marks)
+        send_->setText(tr("Send %1 to the lobe chart").arg(screenQuantity(outcome.marks->frequency_hz, unit::hz, 1)));
+    synthetic_->setVisible(outcome.synthetic);
 }
 
 /// One button for each reading that the picture leaves open.
-void SurfaceBar::showCandidates(const SurfacePicture& picture)
+void SurfaceBar::showCandidates(const SurfaceOutcome& outcome)
 {
     for (QWidget* chip : candidates_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         chip->hide();
         chip->setObjectName({});
         chip->deleteLater();
     }
-    const surface::ImageMarks* const first = picture.result ? &picture.first() : nullptr;
+    const surface::ImageMarks* const first = outcome.result ? &outcome.first() : nullptr;
     const bool open =
-        !picture.asks() && first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
+        !outcome.asks() && first && first->chatter_marks && first->chatter_marks->candidates_hz.size() > 1;
     candidates_->setVisible(open);
     if (!open) return;
     const std::vector<double>& all = first->chatter_marks->candidates_hz;
@@ -84,7 +84,7 @@ void SurfaceBar::showCandidates(const SurfacePicture& picture)
         chip->setChecked(i == 0);
         chip->setToolTip(i == 0 ? tr("The reading that is used") : tr("Use this reading of the marks"));
         candidates_->layout()->addWidget(chip);
-        connect(chip, &QToolButton::clicked, this, [this, hz] { emit candidateWanted(hz); });
+        connect(chip, &QToolButton::clicked, this, [this, hz] { emit candidateRequested(hz); });
     }
 }
 

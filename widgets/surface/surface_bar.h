@@ -1,11 +1,11 @@
-// The bar above the views of a surface: which picture, which reading of the marks, on to the lobes.
+// The bar above the views of a surface: selected picture, interpretation of the marks, transfer to the lobes.
 #pragma once
 
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
 
-#include "widgets/surface/surface_picture.h"
+#include "widgets/surface/surface_outcome.h"
 
 class QButtonGroup;
 
@@ -18,17 +18,17 @@ public:
     explicit SurfaceBar(QWidget* parent = nullptr);
 
     /// `chosen`: the picture that is shown, from 0.
-    void setPicture(const SurfacePicture& picture, int chosen);
+    void setOutcome(const SurfaceOutcome& outcome, int chosen);
     QPushButton* sendButton() const { return send_; }
     void retranslate();
 
 signals:
     void imageChosen(int image);
-    void candidateWanted(double frequency_hz);
-    void sendWanted();
+    void candidateRequested(double frequency_hz);
+    void sendRequested();
 
 private:
-    void showCandidates(const SurfacePicture& picture);
+    void showCandidates(const SurfaceOutcome& outcome);
 
     QButtonGroup* images_;
     QWidget* candidates_;

@@ -82,10 +82,10 @@ double rulerDirection_deg(const surface::ImageMarks& image)
     return image.view.feed ? surface::angle_deg(*image.view.feed) : 0;
 }
 
-QString foundWords(const SurfacePicture& picture)
+QString foundWords(const SurfaceOutcome& outcome)
 {
-    if (picture.asks()) return {};
-    const surface::ImageMarks& image = picture.first();
+    if (outcome.asks()) return {};
+    const surface::ImageMarks& image = outcome.first();
     const Language language = screenLanguage();
     const report::Answer answer = surface::answer(image, language);
     QString words =

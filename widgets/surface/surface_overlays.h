@@ -1,10 +1,10 @@
-// What is drawn over the picture of a surface, in the language of the screen.
+// Overlays of the picture of a surface, in the user's language.
 #pragma once
 
 #include <vector>
 
 #include "widgets/surface/picture_view.h"
-#include "widgets/surface/surface_picture.h"
+#include "widgets/surface/surface_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -19,7 +19,7 @@ std::vector<Ruler> rulersOf(const surface::ImageMarks& image, const surface::Sur
 /// Across the marks, in the picture as evaluated.
 double rulerDirection_deg(const surface::ImageMarks& image);
 
-/// What the evaluation says of a picture that was made.
-QString foundWords(const SurfacePicture& picture);
+/// Result of the evaluation of a generated picture, as text.
+QString foundWords(const SurfaceOutcome& outcome);
 
 }  // namespace lathelier::surface_panel

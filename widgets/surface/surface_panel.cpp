@@ -6,8 +6,8 @@
 #include "engine/io/file.h"
 #include "engine/io/image/image_kind.h"
 #include "engine/surface/surface_pictures.h"
+#include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
-#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
@@ -69,39 +69,39 @@ PanelFacts surfacePanelFacts()
         if (!hasPicture(state)) labels.push_back(LT_TEXT("Engine", "Picture (before)"));
         return labels;
     };
-    facts.hasWork = hasPicture;
+    facts.has_work = hasPicture;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(surfacePicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(surfaceOutcome(state, stores, progress), language); };
     return facts;
 }
 
 SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
     : Panel(owner, surfacePanelFacts(), panelInputs(), parent), views_(new SurfaceViews)
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &SurfaceViews::sendWanted, this, &SurfacePanel::sendMarks);
-    connect(views_, &SurfaceViews::candidateWanted, this, &SurfacePanel::chooseCandidate);
-    connect(views_, &SurfaceViews::regionWanted, this, &SurfacePanel::setRegion);
-    connect(views_, &SurfaceViews::scaleWanted, this, &SurfacePanel::setScale);
-    connect(views_, &SurfaceViews::directionWanted, this, &SurfacePanel::setDirection);
-    connect(views_, &SurfaceViews::alikeWanted, this, &SurfacePanel::setAlike);
-    connect(views_, &SurfaceViews::layWanted, this, &SurfacePanel::lay);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &SurfaceViews::sendRequested, this, &SurfacePanel::sendMarks);
+    connect(views_, &SurfaceViews::candidateRequested, this, &SurfacePanel::chooseCandidate);
+    connect(views_, &SurfaceViews::regionRequested, this, &SurfacePanel::setRegion);
+    connect(views_, &SurfaceViews::scaleRequested, this, &SurfacePanel::setScale);
+    connect(views_, &SurfaceViews::directionRequested, this, &SurfacePanel::setDirection);
+    connect(views_, &SurfaceViews::alikeRequested, this, &SurfacePanel::setAlike);
+    connect(views_, &SurfaceViews::layRequested, this, &SurfacePanel::lay);
     connectQuiz();
-    connect(views_, &SurfaceViews::madeWanted, this, &SurfacePanel::setMade);
-    connect(views_, &SurfaceViews::notWritten, this, &SurfacePanel::sayNotWritten);
+    connect(views_, &SurfaceViews::madeRequested, this, &SurfacePanel::setMade);
+    connect(views_, &SurfaceViews::notWritten, this, &SurfacePanel::reportWriteFailure);
 }
 
 /// One for each picture: the other picture's stays, or is the whole of it.
 void SurfacePanel::setRegion(int image, const std::optional<QRectF>& region)
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     const auto chosen = static_cast<std::size_t>(image);
     std::vector<surface::Region> all;
-    const std::vector<surface::Region> before = picture->question.surface.roi;
+    const std::vector<surface::Region> before = outcome->question.surface.roi;
     bool any = false;
-    for (std::size_t i = 0; i < picture->shown.size(); ++i) {
-        const QSize size = picture->shown[i].photograph.size();
+    for (std::size_t i = 0; i < outcome->shown.size(); ++i) {
+        const QSize size = outcome->shown[i].photograph.size();
         const surface::Region whole{0, 0, double(size.width()), double(size.height())};
         surface::Region each = before.empty() ? whole : before[std::min(i, before.size() - 1)];
         if (i == chosen)
@@ -151,9 +151,9 @@ void SurfacePanel::setAlike(bool alike)
 
 void SurfacePanel::lay(const QPointF& further_px)
 {
-    const auto picture = result();
-    if (!picture) return;
-    const double right = picture->laid.x + further_px.x(), down = picture->laid.y + further_px.y();
+    const auto outcome = result();
+    if (!outcome) return;
+    const double right = outcome->laid.x + further_px.x(), down = outcome->laid.y + further_px.y();
     editState(tr("Lay the pictures over each other"), [&](project::PanelState& state) {
         lathelier::set(state.parameters, layRightKey, std::round(10 * right) / 10);
         lathelier::set(state.parameters, layDownKey, std::round(10 * down) / 10);
@@ -163,17 +163,17 @@ void SurfacePanel::lay(const QPointF& further_px)
 void SurfacePanel::connectQuiz()
 {
     QuizPane* const quiz = views_->generator()->quiz();
-    connect(quiz, &QuizPane::quizWanted, this, [this](bool on) {
+    connect(quiz, &QuizPane::quizRequested, this, [this](bool on) {
         editState(on ? tr("Ask a question") : tr("Leave the questions"), [&](project::PanelState& state) {
             lathelier::set(state.parameters, quizKey, on);
             lathelier::set(state.parameters, quizAnswerKey, Value());
         });
     });
-    connect(quiz, &QuizPane::answerWanted, this, [this](double frequency_hz) {
+    connect(quiz, &QuizPane::answerRequested, this, [this](double frequency_hz) {
         editState(tr("Answer the question"),
                   [&](project::PanelState& state) { lathelier::set(state.parameters, quizAnswerKey, frequency_hz); });
     });
-    connect(quiz, &QuizPane::questionWanted, this, [this](int number) {
+    connect(quiz, &QuizPane::questionRequested, this, [this](int number) {
         editState(tr("Take the next question"), [&](project::PanelState& state) {
             lathelier::set(state.parameters, quizNumberKey, std::int64_t{number});
             lathelier::set(state.parameters, quizAnswerKey, Value());
@@ -198,10 +198,10 @@ void SurfacePanel::setMade(const std::string& key, const Value& value, int gestu
 
 void SurfacePanel::sendMarks()
 {
-    const auto picture = result();
-    if (!picture || !picture->marks) return;
-    offerItem(tr("Marks of %1").arg(QString::fromStdString(picture->marks->picture)).toStdString(),
-              stability::marksItem, toValues(*picture->marks), picture->synthetic);
+    const auto outcome = result();
+    if (!outcome || !outcome->marks) return;
+    offerItem(tr("Marks of %1").arg(QString::fromStdString(outcome->marks->picture)).toStdString(),
+              stability::marksItem, toValues(*outcome->marks), outcome->synthetic);
 }
 
 /// Pictures in their order: before, after; one more picture is the next one after.
@@ -227,9 +227,9 @@ void SurfacePanel::assignFiles(project::PanelState& state, const std::vector<Fou
 
 SurfacePanel::Compute SurfacePanel::compute(const project::PanelState& state) const
 {
-    fromValues<SurfaceQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<SurfaceQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return surfacePicture(state, *stores, progress);
+        return surfaceOutcome(state, *stores, progress);
     };
 }
 
@@ -256,41 +256,41 @@ QString SurfacePanel::understood(const InputRole& role, const project::Source& s
                           tr("%1 × %2 px, %3 bit").arg(image.width).arg(image.height).arg(image.bits));
 }
 
-void SurfacePanel::showResult(const std::shared_ptr<const SurfacePicture>& picture)
+void SurfacePanel::showResult(const std::shared_ptr<const SurfaceOutcome>& outcome)
 {
-    views_->setPicture(picture);
+    views_->setOutcome(outcome);
 }
 
-report::Answer SurfacePanel::answer(const SurfacePicture& picture) const
+report::Answer SurfacePanel::answer(const SurfaceOutcome& outcome) const
 {
-    return surface_panel::answerOf(picture, screenLanguage());
+    return surface_panel::answerOf(outcome, screenLanguage());
 }
 
-report::Document SurfacePanel::document(const SurfacePicture& picture) const
+report::Document SurfacePanel::document(const SurfaceOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> SurfacePanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     std::vector<PanelExport> all;
     const auto write = [](const QString& path, const std::string& text) { io::writeFile(path.toStdString(), text); };
     const QString svg = tr("Picture (*.svg)");
-    if (!picture->made_png.empty())
+    if (!outcome->made_png.empty())
         all.push_back({tr("Picture that was made (PNG)…"), tr("Picture (*.png)"), "png",
-                       [picture, write](const QString& path) { write(path, picture->made_png); }});
-    if (!picture->result || picture->asks()) return all;
-    for (std::size_t i = 0; i < picture->result->images.size(); ++i)
+                       [outcome, write](const QString& path) { write(path, outcome->made_png); }});
+    if (!outcome->result || outcome->asks()) return all;
+    for (std::size_t i = 0; i < outcome->result->images.size(); ++i)
         all.push_back({i == 0 ? tr("Picture with its marks (SVG)…") : tr("Picture after with its marks (SVG)…"), svg,
-                       "svg", [picture, write, i](const QString& path) {
-                           write(path, markedPictureSvg(picture->result->images[i], picture->result->parameters,
+                       "svg", [outcome, write, i](const QString& path) {
+                           write(path, markedPictureSvg(outcome->result->images[i], outcome->result->parameters,
                                                         screenLanguage()));
                        }});
-    if (picture->result->images.size() > 1)
-        all.push_back({tr("Before and after (SVG)…"), svg, "svg", [picture, write](const QString& path) {
-                           write(path, comparisonSvg(*picture->result, {picture->shown[0].name, picture->shown[1].name},
+    if (outcome->result->images.size() > 1)
+        all.push_back({tr("Before and after (SVG)…"), svg, "svg", [outcome, write](const QString& path) {
+                           write(path, comparisonSvg(*outcome->result, {outcome->shown[0].name, outcome->shown[1].name},
                                                      screenLanguage()));
                        }});
     return all;

@@ -1,8 +1,9 @@
-// The panel "Surface": are there chatter marks on this surface, which vibration made them, and are they gone after?
+// The panel "Surface": chatter marks on a surface, the vibration that caused them, and comparison with a second
+// picture.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/surface/surface_picture.h"
+#include "widgets/surface/surface_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -11,7 +12,7 @@ class SurfaceViews;
 /// The panel's line of the panel table.
 PanelFacts surfacePanelFacts();
 
-class SurfacePanel : public Panel<SurfacePicture> {
+class SurfacePanel : public Panel<SurfaceOutcome> {
     Q_OBJECT
 
 public:
@@ -22,11 +23,11 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const SurfacePicture>& picture) override;
-    report::Answer answer(const SurfacePicture& picture) const override;
-    Notes notes(const SurfacePicture& picture) const override { return picture.asks() ? Notes{} : picture.notes; }
-    report::Document document(const SurfacePicture& picture) const override;
-    std::optional<Error> problem(const SurfacePicture& picture) const override { return picture.refused; }
+    void showResult(const std::shared_ptr<const SurfaceOutcome>& outcome) override;
+    report::Answer answer(const SurfaceOutcome& outcome) const override;
+    Notes notes(const SurfaceOutcome& outcome) const override { return outcome.asks() ? Notes{} : outcome.notes; }
+    report::Document document(const SurfaceOutcome& outcome) const override;
+    std::optional<Error> problem(const SurfaceOutcome& outcome) const override { return outcome.refused; }
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;

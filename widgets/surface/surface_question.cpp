@@ -97,7 +97,7 @@ bool isAsking(const SurfaceQuestion& question)
     return question.make_picture && question.quiz && !question.quiz_answer_hz;
 }
 
-void giveOwn(surface::NamedImage& after, const SurfaceQuestion& question)
+void applyOwnScale(surface::NamedImage& after, const SurfaceQuestion& question)
 {
     if (question.taken_alike) return;
     after.mm_per_px = question.after_mm_per_px;

@@ -1,4 +1,4 @@
-// What the panel "Surface" is asked: how the pictures were taken and cut, or which picture is to be made.
+// Question of the panel Surface: acquisition and cutting data of the pictures, or parameters of a generated picture.
 #pragma once
 
 #include <optional>
@@ -36,26 +36,26 @@ struct SurfaceQuestion {
     bool make_picture = false;                       ///< a picture is made in place of the files
     surface::SyntheticParameters made = demonstration();  ///< how
     bool quiz = false;                                    ///< the picture that is made is a question
-    int quiz_number = 1;                                  ///< which one
+    int quiz_number = 1;                                  ///< number of the question
     std::optional<double> quiz_answer_hz;                 ///< of whoever was asked; none: not answered yet
 };
 
 const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*);
 
-/// Is a picture made, rather than taken from files?
+/// Whether a picture is generated instead of read from files.
 bool makesPicture(const Values& parameters);
 
-/// Do scale and direction go for both pictures?
+/// Whether scale and direction apply to both pictures.
 bool areTakenAlike(const Values& parameters);
 
-/// Is a question open, so that nothing may be told of the picture that is made?
+/// Whether a question is open, so that results of the generated picture are hidden.
 bool isAsking(const SurfaceQuestion& question);
 
 /// For the evaluation of so many pictures. Of a picture that is made, the cut is that of the picture.
 surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pictures);
 
 /// Scale and direction of the second picture where they are its own.
-void giveOwn(surface::NamedImage& after, const SurfaceQuestion& question);
+void applyOwnScale(surface::NamedImage& after, const SurfaceQuestion& question);
 
 /// The picture that is made: with room for the whole width of the part where that is asked; that of a question.
 surface::SyntheticParameters pictureOf(const SurfaceQuestion& question);

@@ -34,7 +34,7 @@ T kept(const Values& values, const char* key, T otherwise)
 
 SurfaceViews::SurfaceViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       marks_(new PictureView),
       showFeed_(new QToolButton),
       showChatter_(new QToolButton),
@@ -72,16 +72,16 @@ SurfaceViews::SurfaceViews(QWidget* parent)
     spectra->setStretchFactor(1, 2);
     spectra->setChildrenCollapsible(false);
     lines_->setProperty(ViewFrame::onlyLarge, true);
-    heroes_->add("marks", makeMarksSide());
-    heroes_->add("spectrum", spectra);
-    heroes_->add("comparison", comparison_);
-    heroes_->add("photograph", photograph_);
-    heroes_->add("unrolled", unrolled_);
-    heroes_->add("words", words_);
-    heroes_->add("model", model_);
-    heroes_->add("tables", tabs_);
+    primaryViews_->add("marks", makeMarksSide());
+    primaryViews_->add("spectrum", spectra);
+    primaryViews_->add("comparison", comparison_);
+    primaryViews_->add("photograph", photograph_);
+    primaryViews_->add("unrolled", unrolled_);
+    primaryViews_->add("words", words_);
+    primaryViews_->add("model", model_);
+    primaryViews_->add("tables", tabs_);
     auto* split = new QSplitter(Qt::Horizontal);
-    split->addWidget(heroes_);
+    split->addWidget(primaryViews_);
     split->addWidget(generator_);
     split->setStretchFactor(0, 1);
     split->setChildrenCollapsible(false);
@@ -124,8 +124,8 @@ QWidget* SurfaceViews::makeMarksSide()
 void SurfaceViews::connectParts()
 {
     connect(bar_, &SurfaceBar::imageChosen, this, &SurfaceViews::choose);
-    connect(bar_, &SurfaceBar::sendWanted, this, &SurfaceViews::sendWanted);
-    connect(bar_, &SurfaceBar::candidateWanted, this, &SurfaceViews::candidateWanted);
+    connect(bar_, &SurfaceBar::sendRequested, this, &SurfaceViews::sendRequested);
+    connect(bar_, &SurfaceBar::candidateRequested, this, &SurfaceViews::candidateRequested);
     for (QToolButton* button : {showFeed_, showChatter_})
         connect(button, &QToolButton::toggled, this, &SurfaceViews::showMarks);
     connect(spectrum_, &plot::PlotCanvas::clicked, this, [this](double x, double y) {
@@ -134,19 +134,19 @@ void SurfaceViews::connectParts()
         const int picked = surface::lineAt(*image, x, y);
         chooseLine(picked == line_ ? -1 : picked);
     });
-    connect(photograph_, &PhotographView::regionWanted, this,
-            [this](const std::optional<QRectF>& region) { emit regionWanted(chosen_, region); });
+    connect(photograph_, &PhotographView::regionRequested, this,
+            [this](const std::optional<QRectF>& region) { emit regionRequested(chosen_, region); });
     connect(measure_, &QToolButton::toggled, this, [this](bool on) {
         for (PictureView* view : {marks_, unrolled_})
             view->setTool(on ? PictureView::Tool::Length : PictureView::Tool::None);
     });
-    connect(photograph_, &PhotographView::scaleWanted, this,
-            [this](double pixels, double mm) { emit scaleWanted(chosen_, pixels, mm); });
-    connect(photograph_, &PhotographView::directionWanted, this,
-            [this](double direction_deg) { emit directionWanted(chosen_, direction_deg); });
-    connect(photograph_, &PhotographView::alikeWanted, this, &SurfaceViews::alikeWanted);
-    connect(comparison_, &ComparisonView::layWanted, this, &SurfaceViews::layWanted);
-    connect(generator_, &GeneratorPane::valueWanted, this, &SurfaceViews::madeWanted);
+    connect(photograph_, &PhotographView::scaleRequested, this,
+            [this](double pixels, double mm) { emit scaleRequested(chosen_, pixels, mm); });
+    connect(photograph_, &PhotographView::directionRequested, this,
+            [this](double direction_deg) { emit directionRequested(chosen_, direction_deg); });
+    connect(photograph_, &PhotographView::alikeRequested, this, &SurfaceViews::alikeRequested);
+    connect(comparison_, &ComparisonView::layRequested, this, &SurfaceViews::layRequested);
+    connect(generator_, &GeneratorPane::valueRequested, this, &SurfaceViews::madeRequested);
     connect(comparison_, &ComparisonView::notWritten, this, &SurfaceViews::notWritten);
     for (plot::PlotWidget* plot :
          {static_cast<plot::PlotWidget*>(marks_), static_cast<plot::PlotWidget*>(unrolled_),
@@ -155,10 +155,10 @@ void SurfaceViews::connectParts()
         connect(plot, &plot::PlotWidget::notWritten, this, &SurfaceViews::notWritten);
 }
 
-void SurfaceViews::setPicture(const std::shared_ptr<const SurfacePicture>& picture)
+void SurfaceViews::setOutcome(const std::shared_ptr<const SurfaceOutcome>& outcome)
 {
-    picture_ = picture;
-    if (chosen_ >= static_cast<int>(picture->shown.size())) chosen_ = 0;
+    outcome_ = outcome;
+    if (chosen_ >= static_cast<int>(outcome->shown.size())) chosen_ = 0;
     const surface::ImageMarks* const image = marksShown();
     if (!image || line_ >= static_cast<int>(image->view.lines.size())) line_ = -1;
     show();
@@ -166,12 +166,12 @@ void SurfaceViews::setPicture(const std::shared_ptr<const SurfacePicture>& pictu
 
 const surface::ImageMarks* SurfaceViews::marksShown() const
 {
-    return picture_ && picture_->result ? &picture_->result->images.at(static_cast<std::size_t>(chosen_)) : nullptr;
+    return outcome_ && outcome_->result ? &outcome_->result->images.at(static_cast<std::size_t>(chosen_)) : nullptr;
 }
 
 void SurfaceViews::choose(int image)
 {
-    if (!picture_ || image < 0 || image >= static_cast<int>(picture_->shown.size())) image = 0;
+    if (!outcome_ || image < 0 || image >= static_cast<int>(outcome_->shown.size())) image = 0;
     if (image != chosen_) line_ = -1;
     chosen_ = image;
     show();
@@ -184,35 +184,35 @@ void SurfaceViews::chooseLine(int line)
     showSpectrum();
 }
 
-/// Those that there is something for; of an open question only what tells nothing.
+/// Makes views with content available; for an open question only those without results.
 void SurfaceViews::chooseViews()
 {
-    const bool there = picture_->result != nullptr, told = there && !picture_->asks();
-    heroes_->setAvailable("marks", there);
-    for (const char* key : {"spectrum", "words", "tables"}) heroes_->setAvailable(key, told);
-    heroes_->setAvailable("comparison", !picture_->before.isNull());
-    heroes_->setAvailable("unrolled", there && marksShown()->unrolled);
-    heroes_->setAvailable("model", told && picture_->model != nullptr);
-    showChatter_->setVisible(!picture_->asks());
+    const bool there = outcome_->result != nullptr, told = there && !outcome_->asks();
+    primaryViews_->setAvailable("marks", there);
+    for (const char* key : {"spectrum", "words", "tables"}) primaryViews_->setAvailable(key, told);
+    primaryViews_->setAvailable("comparison", !outcome_->before.isNull());
+    primaryViews_->setAvailable("unrolled", there && marksShown()->unrolled);
+    primaryViews_->setAvailable("model", told && outcome_->model != nullptr);
+    showChatter_->setVisible(!outcome_->asks());
 }
 
 void SurfaceViews::show()
 {
-    if (!picture_) return;
+    if (!outcome_) return;
     chooseViews();
-    bar_->setPicture(*picture_, chosen_);
+    bar_->setOutcome(*outcome_, chosen_);
     bar_->setVisible(!presenting_);
     showPhotograph();
     showGenerator();
-    if (!picture_->result) return;
+    if (!outcome_->result) return;
     showMarks();
     showSpectrum();
     showComparison();
     showWords();
     showTables();
-    if (!picture_->model) return;
-    report::Plot plot = chatterFrequencyPlot(*picture_->model);
-    if (picture_->marks) drawMarksFrequency(plot, *picture_->marks, screenLanguage());
+    if (!outcome_->model) return;
+    report::Plot plot = chatterFrequencyPlot(*outcome_->model);
+    if (outcome_->marks) drawMarksFrequency(plot, *outcome_->marks, screenLanguage());
     model_->setData(std::move(plot));
 }
 
@@ -232,7 +232,7 @@ void SurfaceViews::restoreView(const Values& values)
     comparison_->setShare(kept(values, shareKey, 0.5));
     tabs_->setCurrentIndex(static_cast<int>(std::clamp<std::int64_t>(kept<std::int64_t>(values, tableKey, 0), 0, 1)));
     const int chosen = kept<std::int64_t>(values, chosenKey, 0) == 1 ? 1 : 0;
-    if (picture_)
+    if (outcome_)
         choose(chosen);  // one that there is
     else
         chosen_ = chosen;
@@ -242,19 +242,19 @@ void SurfaceViews::setPresenting(bool presenting)
 {
     presenting_ = presenting;
     bar_->setVisible(!presenting);
-    if (picture_) showGenerator();
+    if (outcome_) showGenerator();
 }
 
 void SurfaceViews::retranslate()
 {
-    heroes_->setTitle("marks", tr("Marks"));
-    heroes_->setTitle("spectrum", tr("Spectrum"));
-    heroes_->setTitle("comparison", tr("Before and after"));
-    heroes_->setTitle("photograph", tr("Photograph"));
-    heroes_->setTitle("unrolled", tr("Unrolled"));
-    heroes_->setTitle("words", tr("What the picture says"));
-    heroes_->setTitle("model", tr("Model"));
-    heroes_->setTitle("tables", tr("Tables"));
+    primaryViews_->setTitle("marks", tr("Marks"));
+    primaryViews_->setTitle("spectrum", tr("Spectrum"));
+    primaryViews_->setTitle("comparison", tr("Before and after"));
+    primaryViews_->setTitle("photograph", tr("Photograph"));
+    primaryViews_->setTitle("unrolled", tr("Unrolled"));
+    primaryViews_->setTitle("words", tr("What the picture says"));
+    primaryViews_->setTitle("model", tr("Model"));
+    primaryViews_->setTitle("tables", tr("Tables"));
     showFeed_->setText(tr("Feed marks"));
     showFeed_->setToolTip(tr("Draw the crests of the feed marks over the picture"));
     showChatter_->setText(tr("Chatter marks"));

@@ -9,13 +9,13 @@
 #include <memory>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/surface/comparison_view.h"
 #include "widgets/surface/generator_pane.h"
 #include "widgets/surface/photograph_view.h"
 #include "widgets/surface/surface_bar.h"
-#include "widgets/surface/surface_picture.h"
+#include "widgets/surface/surface_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -25,8 +25,8 @@ class SurfaceViews : public QWidget {
 public:
     explicit SurfaceViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const SurfacePicture>& picture);
-    HeroViews* heroes() const { return heroes_; }
+    void setOutcome(const std::shared_ptr<const SurfaceOutcome>& outcome);
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     PictureView* marks() const { return marks_; }
     plot::ChartView* spectrum() const { return spectrum_; }
     ComparisonView* comparison() const { return comparison_; }
@@ -35,9 +35,9 @@ public:
     QTextBrowser* words() const { return words_; }
     QPushButton* sendButton() const { return bar_->sendButton(); }
 
-    int chosen() const { return chosen_; }  ///< picture that is shown, from 0
+    int chosen() const { return chosen_; }  ///< shown picture, from 0
     void choose(int image);
-    int line() const { return line_; }  ///< of the spectrum, that is drawn over the picture; -1: none
+    int line() const { return line_; }  ///< line of the spectrum drawn over the picture; -1: none
     void chooseLine(int line);
 
     Values view() const;
@@ -46,14 +46,14 @@ public:
     void retranslate();
 
 signals:
-    void alikeWanted(bool alike);
-    void layWanted(const QPointF& further_px);
-    void sendWanted();
-    void candidateWanted(double frequency_hz);
-    void regionWanted(int image, const std::optional<QRectF>& region);
-    void scaleWanted(int image, double pixels, double mm);
-    void directionWanted(int image, double direction_deg);
-    void madeWanted(const std::string& key, const lathelier::Value& value, int gesture);
+    void alikeRequested(bool alike);
+    void layRequested(const QPointF& further_px);
+    void sendRequested();
+    void candidateRequested(double frequency_hz);
+    void regionRequested(int image, const std::optional<QRectF>& region);
+    void scaleRequested(int image, double pixels, double mm);
+    void directionRequested(int image, double direction_deg);
+    void madeRequested(const std::string& key, const lathelier::Value& value, int gesture);
     void notWritten(const QString& path);
 
 private:
@@ -70,11 +70,11 @@ private:
     void showGenerator();
     const surface::ImageMarks* marksShown() const;
 
-    std::shared_ptr<const SurfacePicture> picture_;
+    std::shared_ptr<const SurfaceOutcome> outcome_;
     int chosen_ = 0;
     int line_ = -1;
     bool presenting_ = false;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     PictureView* marks_;
     QToolButton* showFeed_;
     QToolButton* showChatter_;

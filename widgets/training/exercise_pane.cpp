@@ -32,7 +32,7 @@ ExercisePane::ExercisePane(QWidget* parent)
       listen_(new QPushButton),
       answer_(new NumberEdit(-largest, largest)),
       choice_(new QComboBox),
-      give_(new QPushButton),
+      submit_(new QPushButton),
       result_(new QTextBrowser),
       total_(new QLabel),
       sheet_(new QPushButton),
@@ -52,7 +52,7 @@ ExercisePane::ExercisePane(QWidget* parent)
     listen_->setObjectName("exerciseListen");
     answer_->setObjectName("exerciseAnswer");
     choice_->setObjectName("exerciseChoice");
-    give_->setObjectName("exerciseGive");
+    submit_->setObjectName("exerciseGive");
     result_->setObjectName("exerciseResult");
     sheet_->setObjectName("exerciseSheet");
     seed_->setRange(0, 999999);
@@ -80,7 +80,7 @@ ExercisePane::ExercisePane(QWidget* parent)
     layout->addWidget(listen_, row++, 0, 1, 2);
     addRow(answerLabel_, answer_);
     layout->addWidget(choice_, row - 1, 1);
-    layout->addWidget(give_, row++, 0, 1, 2);
+    layout->addWidget(submit_, row++, 0, 1, 2);
     layout->addWidget(result_, row, 0, 1, 2);
     layout->setRowStretch(row++, 1);
     layout->setRowStretch(row++, 0);
@@ -94,12 +94,12 @@ ExercisePane::ExercisePane(QWidget* parent)
         speed_->takeOver();
         listen(speed_->number().value_or(0));
     });
-    connect(give_, &QPushButton::clicked, this, [this] {
+    connect(submit_, &QPushButton::clicked, this, [this] {
         answer_->takeOver();
         const bool chooses = exercise_ && !exercise_->choices.empty();
-        give(chooses ? choice_->currentIndex() : answer_->number().value_or(NAN));
+        submitAnswer(chooses ? choice_->currentIndex() : answer_->number().value_or(NAN));
     });
-    connect(sheet_, &QPushButton::clicked, this, &ExercisePane::sheetWanted);
+    connect(sheet_, &QPushButton::clicked, this, &ExercisePane::sheetRequested);
     retranslate();
 }
 
@@ -133,7 +133,7 @@ void ExercisePane::listen(double speed_rpm)
     show();
 }
 
-void ExercisePane::give(double answer)
+void ExercisePane::submitAnswer(double answer)
 {
     if (!exercise_ || grade_ || !std::isfinite(answer)) return;
     grade_ = training::grade(*exercise_, answer);
@@ -170,7 +170,7 @@ void ExercisePane::show()
     const bool asked = exercise_.has_value();
     const bool chooses = asked && !exercise_->choices.empty();
     const bool listens = asked && exercise_->cuts > 0;
-    for (QWidget* widget : std::initializer_list<QWidget*>{answerLabel_, give_}) widget->setVisible(asked);
+    for (QWidget* widget : std::initializer_list<QWidget*>{answerLabel_, submit_}) widget->setVisible(asked);
     answer_->setVisible(asked && !chooses);
     choice_->setVisible(chooses);
     for (QWidget* widget : std::initializer_list<QWidget*>{speedLabel_, speed_, listen_}) widget->setVisible(listens);
@@ -194,7 +194,7 @@ void ExercisePane::show()
     listen_->setText(tr("Listen (%n left)", nullptr, cutsLeft_));
     answerLabel_->setText(screenText(exercise_->answer) +
                           (exercise_->unit.empty() ? QString() : " (" + screenText(exercise_->unit) + ")"));
-    give_->setEnabled(!grade_);
+    submit_->setEnabled(!grade_);
     if (grade_)
         result_->setHtml("<b>" + (grade_->correct ? tr("✓ Right.") : tr("✗ Not right.")) + "</b> " +
                          tr("%1 of 10 points. Right: %2.").arg(screenNumber(grade_->points, 0), expected()) + "<br/>" +
@@ -212,7 +212,7 @@ void ExercisePane::retranslate()
     seed_->setToolTip(tr("The same number gives the same exercise to everyone"));
     begin_->setText(tr("Begin the exercise"));
     speedLabel_->setText(tr("Speed (1/min)"));
-    give_->setText(tr("Answer"));
+    submit_->setText(tr("Answer"));
     sheet_->setText(tr("Sheet of results…"));
     kind_->setAccessibleName(tr("Exercise"));
     choice_->setAccessibleName(tr("Answer"));

@@ -28,8 +28,8 @@ public:
     void begin(training::ExerciseKind kind, std::uint32_t seed);
     const std::optional<training::Exercise>& exercise() const { return exercise_; }
     int cutsLeft() const { return cutsLeft_; }
-    void listen(double speed_rpm);  ///< one of the cuts that may be heard
-    void give(double answer);       ///< grades it; once for each exercise
+    void listen(double speed_rpm);     ///< one of the cuts that may be heard
+    void submitAnswer(double answer);  ///< grades the answer, once per exercise
     const std::optional<training::Grade>& grade() const { return grade_; }
     const std::vector<training::Answered>& answers() const { return answers_; }  ///< since the program began
     void retranslate();
@@ -40,7 +40,7 @@ signals:
     void blowHeard(const lathelier::training::Decay& blow);
     void graded(double points);
     void refused(const lathelier::Error& error);
-    void sheetWanted();
+    void sheetRequested();
 
 private:
     void show();
@@ -62,7 +62,7 @@ private:
     QPushButton* listen_;
     NumberEdit* answer_;
     QComboBox* choice_;
-    QPushButton* give_;
+    QPushButton* submit_;
     QTextBrowser* result_;  ///< scrolls: an explanation may be longer than its room
     QLabel* total_;
     QPushButton* sheet_;

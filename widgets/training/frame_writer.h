@@ -1,4 +1,4 @@
-// Writes a demonstration as numbered pictures, one for each beat of the event loop so that the window goes on.
+// Writes a demonstration as numbered images, one per event loop iteration, so that the window stays responsive.
 #pragma once
 
 #include <QDir>
@@ -18,7 +18,7 @@ public:
     /// `count` pictures of `view`, frame_0001.png and on, in `folder`; `prepare` puts the view to frame i of `count`.
     void begin(QWidget& view, const QString& folder, int count, std::function<void(int)> prepare);
     bool isWriting() const { return beat_.isActive(); }
-    void cancel();  ///< what was written stays
+    void cancel();  ///< stops; frames written are kept
 
 signals:
     void written(int frames, int count);

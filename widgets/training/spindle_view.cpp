@@ -101,7 +101,7 @@ void SpindleView::paintEvent(QPaintEvent*)
     const QPointF tip = middle + QPointF(tool, 0);
     insert << tip << tip + QPointF(0.30 * radius, -0.16 * radius) << tip + QPointF(0.8 * radius, -0.16 * radius)
            << tip + QPointF(0.8 * radius, 0.16 * radius) << tip + QPointF(0.30 * radius, 0.16 * radius);
-    painter.setPen(QPen(style.text, style.lineWidth));
+    painter.setPen(QPen(style.text, style.line_width));
     painter.setBrush(style.colour(report::ColourRole::Mark));
     painter.drawPolygon(insert);
     drawGauge(painter, QRectF(width() - gauge - air, (height() - gauge) / 2, gauge, gauge));
@@ -124,10 +124,10 @@ void SpindleView::drawPart(QPainter& painter, const QPointF& middle, double radi
         const double r = radius * (1 + drawnWave * std::clamp(height, -1.5, 1.5));
         outline << onCircle(middle, r, 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(steps));
     }
-    painter.setPen(QPen(style.text, 1.5 * style.lineWidth));
+    painter.setPen(QPen(style.text, 1.5 * style.line_width));
     painter.setBrush(style.grid);
     painter.drawPolygon(outline);
-    painter.setPen(QPen(style.text, style.lineWidth));
+    painter.setPen(QPen(style.text, style.line_width));
     for (int jaw = 0; jaw < 3; ++jaw) {  // three jaws show that it turns
         const double angle = turned + jaw * 2 * std::numbers::pi / 3;
         painter.setBrush(style.background);
@@ -146,7 +146,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
     const auto angleOf = [&](double share) {  // 0 stands upright
         return std::numbers::pi / 2 - share * sweep_deg / 2 * std::numbers::pi / 180;
     };
-    painter.setPen(QPen(style.text, 2 * style.lineWidth));
+    painter.setPen(QPen(style.text, 2 * style.line_width));
     painter.setBrush(style.background);
     painter.drawEllipse(place);
     QFont small = font();
@@ -156,7 +156,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
     for (int i = -divisions; i <= divisions; ++i) {
         const double share = static_cast<double>(i) / divisions;
         const bool is_long = i % (divisions / 2) == 0;
-        painter.setPen(QPen(style.text, (is_long ? 1.6 : 0.8) * style.lineWidth));
+        painter.setPen(QPen(style.text, (is_long ? 1.6 : 0.8) * style.line_width));
         painter.drawLine(onCircle(middle, (is_long ? 0.80 : 0.86) * radius, angleOf(share)),
                          onCircle(middle, 0.93 * radius, angleOf(share)));
         if (!is_long) continue;
@@ -168,7 +168,7 @@ void SpindleView::drawGauge(QPainter& painter, const QRectF& place) const
     painter.drawText(QRectF(place.left(), middle.y() + 0.35 * radius, place.width(), 0.2 * radius), Qt::AlignCenter,
                      screenUnit(unit::um));
     const double share = std::clamp(umPerMm * deflection_mm() / full_um, -1.05, 1.05);
-    painter.setPen(QPen(style.colour(report::ColourRole::Unstable), 2.5 * style.lineWidth));
+    painter.setPen(QPen(style.colour(report::ColourRole::Unstable), 2.5 * style.line_width));
     painter.drawLine(onCircle(middle, -0.15 * radius, angleOf(share)), onCircle(middle, 0.82 * radius, angleOf(share)));
     painter.setBrush(style.text);
     painter.setPen(Qt::NoPen);

@@ -68,7 +68,7 @@ TourPane::TourPane(QWidget* parent)
     connect(back_, &QPushButton::clicked, this, [this] { goTo(step_ - 1); });
     connect(next_, &QPushButton::clicked, this, [this] { goTo(step_ + 1); });
     connect(help_, &QPushButton::clicked, this, [this] { hint_->setVisible(!hint_->isVisible()); });
-    connect(other_, &QPushButton::clicked, this, &TourPane::lessonWanted);
+    connect(other_, &QPushButton::clicked, this, &TourPane::lessonRequested);
     open({});
     retranslate();
 }
@@ -94,11 +94,11 @@ void TourPane::goTo(int step)
     if (step < 0) return;
     const training::Step& now = lesson_.steps[static_cast<std::size_t>(step)];
     emit stepBegun();
-    emit settingWanted(now.set);
+    emit settingRequested(now.set);
     QStringList keys;
     for (const training::View view : now.show)
         keys << QString::fromStdString(training::viewChoices()[static_cast<std::size_t>(view)].key);
-    if (!keys.isEmpty()) emit viewsWanted(keys);
+    if (!keys.isEmpty()) emit viewsRequested(keys);
 }
 
 void TourPane::setState(const training::LessonState& state)

@@ -24,7 +24,7 @@ public:
 
     int step() const { return step_; }  ///< from 0; -1: not begun
     int steps() const { return static_cast<int>(lesson_.steps.size()); }
-    void goTo(int step);  ///< announces what the step sets and shows
+    void goTo(int step);  ///< emits the settings and views of the step
     bool isDone() const { return done_; }
 
     /// What the program knows now: fills the numbers of the text, and checks the task.
@@ -32,10 +32,10 @@ public:
     void retranslate();  ///< the program's own lesson is read again in the language of the screen
 
 signals:
-    void settingWanted(const lathelier::training::Setting& setting);
-    void viewsWanted(const QStringList& keys);
+    void settingRequested(const lathelier::training::Setting& setting);
+    void viewsRequested(const QStringList& keys);
     void stepBegun();  ///< seconds heard and points count from here
-    void lessonWanted();
+    void lessonRequested();
 
 private:
     void show();

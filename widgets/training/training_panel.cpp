@@ -55,10 +55,10 @@ PanelFacts trainingPanelFacts()
     facts.item_inputs = {{frfItem, frfRole}};
     facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
     facts.missing = [](const project::PanelState&) { return std::vector<Text>{}; };
-    facts.hasWork = isTouched;
+    facts.has_work = isTouched;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
-        return reportOf(trainingPicture(state, stores, progress.part(0, 0.5)), language, progress.part(0.5, 1));
+        return reportOf(trainingOutcome(state, stores, progress.part(0, 0.5)), language, progress.part(0.5, 1));
     };
     return facts;
 }
@@ -87,19 +87,19 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     layout->setSpacing(2);
     layout->addWidget(split, 1);
     layout->addWidget(transport_);
-    setViews(page, views_->heroes());
+    setViews(page, views_->primaryViews());
     connect(views_, &TrainingViews::pointMoved, this, &TrainingPanel::movePoint);
-    connect(views_, &TrainingViews::notWritten, this, &TrainingPanel::sayNotWritten);
-    connect(views_->heroes(), &HeroViews::heroChanged, this, &TrainingPanel::tellTour);
+    connect(views_, &TrainingViews::notWritten, this, &TrainingPanel::reportWriteFailure);
+    connect(views_->primaryViews(), &PrimaryViews::primaryChanged, this, &TrainingPanel::updateTour);
     connect(transport_, &TransportBar::timeChanged, views_, &TrainingViews::setTime);
-    connect(tour_, &TourPane::settingWanted, this, &TrainingPanel::takeSetting);
-    connect(tour_, &TourPane::viewsWanted, this,
-            [this](const QStringList& keys) { views_->heroes()->setHero(keys.front()); });
+    connect(tour_, &TourPane::settingRequested, this, &TrainingPanel::takeSetting);
+    connect(tour_, &TourPane::viewsRequested, this,
+            [this](const QStringList& keys) { views_->primaryViews()->setPrimary(keys.front()); });
     connect(tour_, &TourPane::stepBegun, this, [this] {
         player_.resetHeard();
         score_ = training::LessonState::unknown;
     });
-    connect(tour_, &TourPane::lessonWanted, this, &TrainingPanel::askForLesson);
+    connect(tour_, &TourPane::lessonRequested, this, &TrainingPanel::askForLesson);
     connect(exercises_, &ExercisePane::begun, this, [this] {
         views_->clearExercise();
         panes_->setCurrentWidget(exercises_);
@@ -113,20 +113,20 @@ TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
     connect(exercises_, &ExercisePane::graded, this, [this](double points) {
         score_ = points;
         playPicture();
-        tellTour();
+        updateTour();
     });
     connect(exercises_, &ExercisePane::refused, this, [this](const Error& error) {
         emit messageRaised({error, facts().title});
     });
-    connect(exercises_, &ExercisePane::sheetWanted, this, &TrainingPanel::askForSheet);
-    connect(frames_, &FrameWriter::notWritten, this, &TrainingPanel::sayNotWritten);
+    connect(exercises_, &ExercisePane::sheetRequested, this, &TrainingPanel::askForSheet);
+    connect(frames_, &FrameWriter::notWritten, this, &TrainingPanel::reportWriteFailure);
     connect(frames_, &FrameWriter::written, transport_, &TransportBar::showWriting);
     connect(transport_, &TransportBar::writingStopped, frames_, &FrameWriter::cancel);
     listening_.setInterval(listening_ms);
     connect(&listening_, &QTimer::timeout, this, [this] {
-        if (player_.isOn()) tellTour();
+        if (player_.isOn()) updateTour();
     });
-    connect(this, &PanelBase::resultShown, this, &TrainingPanel::tellTour);
+    connect(this, &PanelBase::resultShown, this, &TrainingPanel::updateTour);
     listening_.start();
     TrainingPanel::retranslate();
 }
@@ -176,14 +176,14 @@ void TrainingPanel::takeSetting(const training::Setting& setting)
     }
 }
 
-void TrainingPanel::tellTour()
+void TrainingPanel::updateTour()
 {
-    if (!isCurrent()) return;  // a step that has just begun is not done by what was before it
+    if (!isCurrent()) return;  // a new step is not completed by an earlier state
     training::LessonState state = result()->state;
     const auto& views = training::viewChoices();
-    const std::string hero = views_->heroes()->hero().toStdString();
+    const std::string primary = views_->primaryViews()->primary().toStdString();
     for (std::size_t i = 0; i < views.size(); ++i)
-        if (views[i].key == hero) state.view = static_cast<training::View>(i);
+        if (views[i].key == primary) state.view = static_cast<training::View>(i);
     state.heard_s = player_.isOn() ? player_.heard_s() : 0;
     state.score = score_;
     tour_->setState(state);
@@ -205,20 +205,20 @@ void TrainingPanel::playCut(const stability::SimulationResult& cut, const std::v
 /// The machine on screen; while it stays the same the sound only moves along.
 void TrainingPanel::playPicture()
 {
-    const TrainingPicture& picture = *result();
-    Json machine = {picture.scenario.cutting_coefficient_N_mm2, picture.scenario.feed_mm_rev};
-    for (const stability::Mode& mode : picture.scenario.modes) machine.push_back(toJson(toValues(mode)));
+    const TrainingOutcome& outcome = *result();
+    Json machine = {outcome.scenario.cutting_coefficient_N_mm2, outcome.scenario.feed_mm_rev};
+    for (const stability::Mode& mode : outcome.scenario.modes) machine.push_back(toJson(toValues(mode)));
     std::string name = machine.dump();
-    if (name != sounding_) playCut(*picture.cut, picture.scenario.modes);
-    player_.moveTo(picture.point.speed_rpm, picture.point.depth_mm);
+    if (name != sounding_) playCut(*outcome.cut, outcome.scenario.modes);
+    player_.moveTo(outcome.point.speed_rpm, outcome.point.depth_mm);
     sounding_ = std::move(name);
 }
 
 TrainingPanel::Compute TrainingPanel::compute(const project::PanelState& state) const
 {
-    fromValues<TrainingQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<TrainingQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return trainingPicture(state, *stores, progress);
+        return trainingOutcome(state, *stores, progress);
     };
 }
 
@@ -227,35 +227,35 @@ QString TrainingPanel::understood(const InputRole&, const project::Source& sourc
     return chatter_common::understoodResponse(source, session().stores());
 }
 
-void TrainingPanel::showResult(const std::shared_ptr<const TrainingPicture>& picture)
+void TrainingPanel::showResult(const std::shared_ptr<const TrainingOutcome>& outcome)
 {
-    views_->setPicture(picture);
-    transport_->setCut(picture->cut->seconds(), picture->cut->step_s * picture->cut->steps_per_revolution);
+    views_->setOutcome(outcome);
+    transport_->setCut(outcome->cut->seconds(), outcome->cut->step_s * outcome->cut->steps_per_revolution);
     playPicture();
 }
 
-report::Answer TrainingPanel::answer(const TrainingPicture& picture) const
+report::Answer TrainingPanel::answer(const TrainingOutcome& outcome) const
 {
-    return training_panel::answer(picture, screenLanguage());
+    return training_panel::answer(outcome, screenLanguage());
 }
 
-report::Document TrainingPanel::document(const TrainingPicture& picture) const
+report::Document TrainingPanel::document(const TrainingOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> TrainingPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
+    const auto outcome = result();
+    if (!outcome) return {};
     return {{tr("Sound of the cut (WAV)…"), tr("Sound (*.wav)"), "wav",
-             [picture](const QString& path) {
-                 io::writeFile(path.toStdString(), stability::soundOf(*picture->cut).bytes);
+             [outcome](const QString& path) {
+                 io::writeFile(path.toStdString(), stability::soundOf(*outcome->cut).bytes);
              }},
             {tr("Waveform (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) {
+             [outcome](const QString& path) {
                  io::writeFile(path.toStdString(),
-                               [&](const io::Append& append) { writeWaveform(*picture->cut, append); });
+                               [&](const io::Append& append) { writeWaveform(*outcome->cut, append); });
              }},
             {tr("Demonstration (sound and a folder of pictures)…"), tr("Sound (*.wav)"), "wav",
              [this](const QString& path) { writeDemonstration(path); }},
@@ -268,7 +268,7 @@ void TrainingPanel::writePictures(const QString& path) const
 {
     const QFileInfo file(path);
     for (const auto& [key, view] : views_->plots()) {
-        if (!views_->heroes()->keys().contains(key)) continue;
+        if (!views_->primaryViews()->keys().contains(key)) continue;
         const QString name = file.dir().filePath(file.completeBaseName() + "_" + key + ".svg");
         if (!view->savePicture(name))
             throw Error(errors::fileNotWritable, {{"path", name.toStdString()}, {"reason", std::string()}});
@@ -280,7 +280,7 @@ void TrainingPanel::writeDemonstration(const QString& path) const
 {
     io::writeFile(path.toStdString(), stability::soundOf(*result()->cut).bytes);
     const QFileInfo file(path);
-    QWidget* view = views_->heroes();
+    QWidget* view = views_->primaryViews();
     transport_->setPlaying(false);
     const double length_s = result()->cut->seconds();
     frames_->begin(*view, file.dir().filePath(file.completeBaseName() + "_frames"), demonstrationFrames,
@@ -322,7 +322,7 @@ void TrainingPanel::restoreView(const Values& kept)
 {
     const Value* const step = lathelier::find(kept, "tour_step");
     const auto* const number = step ? std::get_if<std::int64_t>(step) : nullptr;
-    const QSignalBlocker quiet(tour_);  // the project holds what the step has set
+    const QSignalBlocker quiet(tour_);  // the step's settings are already in the project
     tour_->goTo(number ? static_cast<int>(std::clamp<std::int64_t>(*number, -1, tour_->steps() - 1)) : -1);
 }
 

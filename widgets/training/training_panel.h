@@ -1,4 +1,4 @@
-// The panel "Training": a class sees, hears and computes why a lathe chatters.
+// The panel "Training": chatter of a lathe seen, heard and computed by a class.
 #pragma once
 
 #include <QTabWidget>
@@ -8,7 +8,7 @@
 #include "widgets/training/frame_writer.h"
 #include "widgets/training/sound_player.h"
 #include "widgets/training/tour_pane.h"
-#include "widgets/training/training_picture.h"
+#include "widgets/training/training_outcome.h"
 #include "widgets/training/training_views.h"
 #include "widgets/training/transport_bar.h"
 
@@ -17,7 +17,7 @@ namespace lathelier::training_panel {
 /// The panel's line of the panel table.
 PanelFacts trainingPanelFacts();
 
-class TrainingPanel : public Panel<TrainingPicture> {
+class TrainingPanel : public Panel<TrainingOutcome> {
     Q_OBJECT
 
 public:
@@ -32,10 +32,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const TrainingPicture>& picture) override;
-    report::Answer answer(const TrainingPicture& picture) const override;
-    Notes notes(const TrainingPicture& picture) const override { return picture.notes; }
-    report::Document document(const TrainingPicture& picture) const override;
+    void showResult(const std::shared_ptr<const TrainingOutcome>& outcome) override;
+    report::Answer answer(const TrainingOutcome& outcome) const override;
+    Notes notes(const TrainingOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const TrainingOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;
@@ -45,7 +45,7 @@ protected:
 private:
     void movePoint(double speed_rpm, double depth_mm, bool dropped);
     void takeSetting(const training::Setting& setting);
-    void tellTour();
+    void updateTour();
     void playCut(const stability::SimulationResult& cut, const std::vector<stability::Mode>& modes);
     void playPicture();
     void askForLesson();
@@ -60,8 +60,8 @@ private:
     ExercisePane* exercises_;
     QTabWidget* panes_;
     TransportBar* transport_;
-    QTimer listening_;                               ///< tells the tour what was heard meanwhile
-    std::string sounding_;                           ///< the machine that is heard
+    QTimer listening_;                               ///< updates the tour with the seconds played
+    std::string sounding_;                           ///< key of the machine being played
     double score_ = training::LessonState::unknown;  ///< of the last exercise since the step began
     int gesture_ = 0;                                ///< drags of the operating point so far: one undo step each
 };

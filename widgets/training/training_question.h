@@ -1,4 +1,4 @@
-// What the panel "Training" is asked: a scenario or the shop's own machine, the operating point, what the class sees.
+// Question of the panel Training: scenario or the shop's own machine, operating point, visibility of the chart.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct TrainingQuestion {
     std::optional<double> speed_rpm;  ///< operating point; none: that of the scenario
     std::optional<double> depth_mm;   ///< operating point; none: that of the scenario
     stability::SpeedRelation relation = stability::SpeedRelation::Exact;  ///< of the lobes in the chart
-    bool hide_chart = false;                          ///< teacher mode: the class hears and does not see the limit
+    bool hide_chart = false;                          ///< teacher mode: teacher mode: the stability chart is hidden
     std::optional<double> cutting_coefficient_N_mm2;  ///< K_r; none: that of the scenario
     std::optional<double> feed_mm_rev;                ///< none: that of the scenario
     std::vector<Interval> range_rpm;                  ///< speeds that are shown, at most one; none: of the scenario

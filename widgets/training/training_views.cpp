@@ -32,7 +32,7 @@ report::Plot responseAt(const Frf& frf, double frequency_hz, const Language& lan
 
 TrainingViews::TrainingViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       lobes_(new plot::ChartView),
       growth_(new plot::ChartView),
       waveform_(new plot::ChartView),
@@ -57,16 +57,16 @@ TrainingViews::TrainingViews(QWidget* parent)
     QWidget* const views[] = {lobes_, growth_,  waveform_, waves_,      surface_,
                               frf_,   spindle_, spectrum_, comparison_, why_};
     for (std::size_t i = 0; i < std::size(views); ++i)
-        heroes_->add(QString::fromStdString(training::viewChoices()[i].key), views[i]);
-    heroes_->add("exercise", exercise_);
-    heroes_->setAvailable("exercise", false);
+        primaryViews_->add(QString::fromStdString(training::viewChoices()[i].key), views[i]);
+    primaryViews_->add("exercise", exercise_);
+    primaryViews_->setAvailable("exercise", false);
     for (const auto& [key, view] : plots()) {
         view->setObjectName("training_" + key);
         connect(view, &plot::PlotWidget::notWritten, this, &TrainingViews::notWritten);
     }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     for (plot::ChartView* chart : {lobes_, comparison_})
         connect(chart, &plot::ChartView::handleMoved, this,
                 [this](const QString& key, double speed_rpm, double depth_mm, bool dropped) {
@@ -86,18 +86,18 @@ std::vector<std::pair<QString, plot::PlotWidget*>> TrainingViews::plots() const
             {"heardTurn", heardTurn_}};
 }
 
-void TrainingViews::setPicture(const std::shared_ptr<const TrainingPicture>& picture)
+void TrainingViews::setOutcome(const std::shared_ptr<const TrainingOutcome>& outcome)
 {
-    const bool same_chart = picture_ && picture_->limits == picture->limits &&
-                            picture_->question.relation == picture->question.relation &&
-                            picture_->scenario.greatest_depth_mm == picture->scenario.greatest_depth_mm;
-    picture_ = picture;
-    const bool open = !picture->question.hide_chart;
-    for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) heroes_->setAvailable(key, open);
-    if (open) filler_.ask(picture->scenario.modes, rasterOf(*picture));
+    const bool same_chart = outcome_ && outcome_->limits == outcome->limits &&
+                            outcome_->question.relation == outcome->question.relation &&
+                            outcome_->scenario.greatest_depth_mm == outcome->scenario.greatest_depth_mm;
+    outcome_ = outcome;
+    const bool open = !outcome->question.hide_chart;
+    for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) primaryViews_->setAvailable(key, open);
+    if (open) filler_.ask(outcome->scenario.modes, rasterOf(*outcome));
     if (same_chart) {
         for (plot::ChartView* chart : {lobes_, comparison_})
-            chart->setHandle(stability::operatingPointKey, picture->point.speed_rpm, picture->point.depth_mm);
+            chart->setHandle(stability::operatingPointKey, outcome->point.speed_rpm, outcome->point.depth_mm);
     } else {
         showLobes();
     }
@@ -107,7 +107,7 @@ void TrainingViews::setPicture(const std::shared_ptr<const TrainingPicture>& pic
 void TrainingViews::setTime(double time_s)
 {
     time_s_ = time_s;
-    if (!picture_) return;
+    if (!outcome_) return;
     waveform_->setMarker(time_s);
     spindle_->setTime(time_s);
     showRevolution();
@@ -117,8 +117,8 @@ void TrainingViews::setListened(std::shared_ptr<const stability::SimulationResul
 {
     listened_ = std::move(cut);
     blow_.reset();
-    heroes_->setAvailable("exercise", true);
-    heroes_->setHero("exercise");
+    primaryViews_->setAvailable("exercise", true);
+    primaryViews_->setPrimary("exercise");
     showListened();
 }
 
@@ -126,8 +126,8 @@ void TrainingViews::setBlow(const training::Decay& blow)
 {
     listened_.reset();
     blow_ = blow;
-    heroes_->setAvailable("exercise", true);
-    heroes_->setHero("exercise");
+    primaryViews_->setAvailable("exercise", true);
+    primaryViews_->setPrimary("exercise");
     showListened();
 }
 
@@ -135,19 +135,19 @@ void TrainingViews::clearExercise()
 {
     listened_.reset();
     blow_.reset();
-    heroes_->setAvailable("exercise", false);
+    primaryViews_->setAvailable("exercise", false);
 }
 
 /// All that follows the operating point.
 void TrainingViews::showCut()
 {
-    if (!picture_) return;
-    const stability::SimulationResult& cut = *picture_->cut;
+    if (!outcome_) return;
+    const stability::SimulationResult& cut = *outcome_->cut;
     growth_->setData(amplitudePlot(cut));
     waveform_->setData(waveformPlot(cut));
-    frf_->setData(responseAt(*picture_->frf, cut.frequency_hz, screenLanguage()));
-    spectrum_->setData(spectrumPlot(cut, highestShown(*picture_), screenLanguage()));
-    spindle_->setCut(picture_->cut);
+    frf_->setData(responseAt(*outcome_->frf, cut.frequency_hz, screenLanguage()));
+    spectrum_->setData(spectrumPlot(cut, highestShown(*outcome_), screenLanguage()));
+    spindle_->setCut(outcome_->cut);
     revolution_ = -1;
     setTime(time_s_);
     showWhy();
@@ -155,11 +155,11 @@ void TrainingViews::showCut()
 
 void TrainingViews::showLobes()
 {
-    if (!picture_) return;
+    if (!outcome_) return;
     const stability::RasterResult* const raster = filler_.raster();
     const auto within = [&](report::Plot plot) {
-        plot.x.range = picture_->scenario.speed_rpm;
-        plot.y.range = Interval{0, picture_->scenario.greatest_depth_mm};
+        plot.x.range = outcome_->scenario.speed_rpm;
+        plot.y.range = Interval{0, outcome_->scenario.greatest_depth_mm};
         for (report::Handle& handle : plot.handles) {
             handle.x_range = plot.x.range;
             handle.y_range = plot.y.range;
@@ -167,15 +167,15 @@ void TrainingViews::showLobes()
         return plot;
     };
     const Language language = screenLanguage();
-    lobes_->setData(within(growthChart(picture_->lobes(), raster, picture_->point, language)));
+    lobes_->setData(within(growthChart(outcome_->lobes(), raster, outcome_->point, language)));
     comparison_->setData(within(
-        comparisonChart(picture_->limits->exact, picture_->limits->published, raster, picture_->point, language)));
+        comparisonChart(outcome_->limits->exact, outcome_->limits->published, raster, outcome_->point, language)));
 }
 
 /// Waves and surface of the revolution that the time lies in.
 void TrainingViews::showRevolution()
 {
-    const stability::SimulationResult& cut = *picture_->cut;
+    const stability::SimulationResult& cut = *outcome_->cut;
     const int revolution = static_cast<int>(time_s_ / (cut.step_s * cut.steps_per_revolution));
     if (revolution == revolution_) return;
     revolution_ = revolution;
@@ -192,7 +192,7 @@ void TrainingViews::showListened()
     if (!listened_) return;
     heardWave_->setData(waveformPlot(*listened_));
     report::Plot turn = wavesPlot(*listened_, listened_->waves, screenLanguage());
-    turn.remark = report::Caption{};  // it would tell what is to be counted
+    turn.remark = report::Caption{};  // would reveal the answer
     heardTurn_->setData(std::move(turn));
 }
 
@@ -200,7 +200,7 @@ void TrainingViews::showWhy()
 {
     const Language language = screenLanguage();
     QString html;
-    for (const stability::WhyLine& line : whyOf(*picture_->cut, picture_->limits->exact, *picture_->frf, language))
+    for (const stability::WhyLine& line : whyOf(*outcome_->cut, outcome_->limits->exact, *outcome_->frf, language))
         html += QString(
                     "<p style='margin-bottom:2px'>%1</p><p style='margin-left:24px;margin-top:0px'><b>%2</b>"
                     "<br/>%3</p>")
@@ -211,8 +211,8 @@ void TrainingViews::showWhy()
 void TrainingViews::retranslate()
 {
     for (const FieldChoice& view : training::viewChoices())
-        heroes_->setTitle(QString::fromStdString(view.key), screenText(view.label));
-    heroes_->setTitle("exercise", tr("Cut of the exercise"));
+        primaryViews_->setTitle(QString::fromStdString(view.key), screenText(view.label));
+    primaryViews_->setTitle("exercise", tr("Cut of the exercise"));
     why_->setAccessibleName(tr("Why?"));
     spindle_->retranslate();
     showLobes();

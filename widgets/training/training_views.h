@@ -1,5 +1,5 @@
-// The looks at one cut: lobes over the growth with the point to drag, waveform, waves, surface, response, spectrum,
-// spindle, both relations, the reasons, and the cut of an exercise.
+// Views of one cut: lobes over the growth map with a draggable operating point, waveform, waves, surface, response,
+// spectrum, spindle, both relations, the reasons, and the cut of an exercise.
 #pragma once
 
 #include <QTextBrowser>
@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "engine/training/exercise.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/training/raster_filler.h"
 #include "widgets/training/spindle_view.h"
-#include "widgets/training/training_picture.h"
+#include "widgets/training/training_outcome.h"
 
 namespace lathelier::training_panel {
 
@@ -22,7 +22,7 @@ class TrainingViews : public QWidget {
 public:
     explicit TrainingViews(QWidget* parent = nullptr);
 
-    void setPicture(const std::shared_ptr<const TrainingPicture>& picture);
+    void setOutcome(const std::shared_ptr<const TrainingOutcome>& outcome);
     void setTime(double time_s);  ///< in the cut: marks it in the waveform, shows its revolution
 
     /// A cut or a blow of an exercise, on a machine that is hidden; null: none is shown.
@@ -30,7 +30,7 @@ public:
     void setBlow(const training::Decay& blow);
     void clearExercise();
 
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* lobes() const { return lobes_; }
     plot::ChartView* waves() const { return waves_; }
     const RasterFiller& filler() const { return filler_; }
@@ -49,12 +49,12 @@ private:
     void showListened();
     void showWhy();
 
-    std::shared_ptr<const TrainingPicture> picture_;
+    std::shared_ptr<const TrainingOutcome> outcome_;
     std::shared_ptr<const stability::SimulationResult> listened_;
     std::optional<training::Decay> blow_;
     double time_s_ = 0;
     int revolution_ = -1;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* lobes_;
     plot::ChartView* growth_;
     plot::ChartView* waveform_;

@@ -142,7 +142,7 @@ void TransportBar::step(int revolutions)
     setTime((std::floor(time_s_ / revolution_s_ + 0.01) + revolutions) * revolution_s_ + revolution_s_ / 100);
 }
 
-/// By the clock, not by beats: a slow picture makes the motion coarser, never slower. Round about at the end.
+/// Driven by time and not by timer ticks: slow drawing reduces the frame rate, not the speed. Cyclic.
 void TransportBar::advance()
 {
     const double gone_s = 1e-3 * static_cast<double>(since_.restart());

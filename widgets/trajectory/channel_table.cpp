@@ -117,7 +117,7 @@ QString ChannelTable::signalOf(int row) const
     return bare(static_cast<const QComboBox*>(cellWidget(row, signalColumn))->currentData().toString());
 }
 
-/// Cells of a probe in volts can be typed into; what is not stated of it is shown grey.
+/// Cells of a probe in volts are editable; assumed values are grey.
 void ChannelTable::showCalibration(int row, const io::ProbeChannel& channel,
                                    const trajectory::TrajectoryParameters& parameters)
 {
@@ -166,7 +166,7 @@ void ChannelTable::takeCalibration(int row)
 void ChannelTable::choose(int channel, const QString& signal)
 {
     const QString name = item(channel, 1)->text();
-    // The signal leaves its earlier channel, the channel its earlier signal; what is the other one's goes to it.
+    // Exchanges the assignment: the signal's earlier channel gets the channel's earlier signal.
     QString freed;
     for (const auto& [key, place] : entries_)
         if (place == QString::number(channel) || place == name) freed = key;

@@ -1,4 +1,4 @@
-// What was understood of a record, channel by channel: which of them is which signal, and how its probe is calibrated.
+// Channels of a record: their assignment to signals and the calibration of their probes.
 #pragma once
 
 #include <QTableWidget>

@@ -36,26 +36,26 @@ report::QuantityTable motionTable(const trajectory::TrajectorySection& section, 
 }
 
 /// The motion in the chosen section. The workpiece's form is the report of the other panels.
-report::Document reportOf(const trajectory_common::SpindlePicture& picture, const Language& language)
+report::Document reportOf(const trajectory_common::SpindleOutcome& outcome, const Language& language)
 {
-    const trajectory::TrajectoryResult& result = *picture.trajectory;
-    const trajectory::TrajectorySection& section = *picture.chosenSection();
+    const trajectory::TrajectoryResult& result = *outcome.trajectory;
+    const trajectory::TrajectorySection& section = *outcome.chosenSection();
     report::Document document;
     document.title = LT_TEXT("Engine", "Motion of spindle and tool");
     document.verification = {&form::formVerification()};
-    document.inputs = picture.inputs;
-    document.synthetic = picture.synthetic || contains(result.notes, notes::syntheticData);
+    document.inputs = outcome.inputs;
+    document.synthetic = outcome.synthetic || contains(result.notes, notes::syntheticData);
     report::Section motion{LT_TEXT("Engine", "Error motion (ISO 230-7)"), {trajectory::motionAnswer(result, section)}};
     for (std::size_t probe = 0; probe < probeNames.size(); ++probe)
         motion.blocks.push_back(motionTable(section, probe));
     motion.blocks.push_back(errorMotionPlot(section, result.workpiece_diameter_mm, trajectory::Probe::X3, language));
-    motion.blocks.push_back(picture.notes);
+    motion.blocks.push_back(outcome.notes);
     document.sections.push_back(std::move(motion));
     document.sections.push_back(
         {LT_TEXT("Engine", "Trajectories"), {trajectoryPlot(section, language), envelopePlot(section)}});
     document.sections.push_back(trajectoryMethod(result, language));
-    trajectory_common::saySection(picture, document);
-    document.results = {trajectory_common::trajectoryJson(picture)};
+    trajectory_common::addSectionSentence(outcome, document);
+    document.results = {trajectory_common::trajectoryJson(outcome)};
     return document;
 }
 
@@ -64,25 +64,25 @@ report::Document reportOf(const trajectory_common::SpindlePicture& picture, cons
 PanelFacts trajectoryPanelFacts()
 {
     PanelFacts facts = trajectory_common::spindleFacts("trajectory", LT_TEXT("Engine", "Trajectory"), "trajectory",
-                                                       trajectory_common::SpindleWant::Trajectory);
+                                                       trajectory_common::SpindleStudyKind::Trajectory);
     facts.make = [](Session& session) -> PanelBase* { return new TrajectoryPanel(session); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
-        const trajectory_common::SpindlePicture picture =
-            trajectory_common::answeredPicture(state, trajectory_common::SpindleWant::Longitudinal, stores, progress);
-        return reportOf(picture, language);
+        const trajectory_common::SpindleOutcome outcome = trajectory_common::outcomeOrThrow(
+            state, trajectory_common::SpindleStudyKind::Longitudinal, stores, progress);
+        return reportOf(outcome, language);
     };
     return facts;
 }
 
 TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
     : trajectory_common::SpindlePanel(owner, trajectoryPanelFacts(), panelInputs(),
-                                      trajectory_common::SpindleWant::Trajectory, parent),
+                                      trajectory_common::SpindleStudyKind::Trajectory, parent),
       views_(new TrajectoryViews(markedAngle()))
 {
-    setViews(views_, views_->heroes());
-    connect(views_, &TrajectoryViews::sectionWanted, this, &TrajectoryPanel::chooseSection);
-    connect(views_, &TrajectoryViews::notWritten, this, &TrajectoryPanel::sayNotWritten);
+    setViews(views_, views_->primaryViews());
+    connect(views_, &TrajectoryViews::sectionRequested, this, &TrajectoryPanel::chooseSection);
+    connect(views_, &TrajectoryViews::notWritten, this, &TrajectoryPanel::reportWriteFailure);
     connect(views_, &TrajectoryViews::mapEdited, this,
             [this](const std::string& map) { setParameter("channels", map, tr("Change the channels")); });
     connect(views_, &TrajectoryViews::calibrationsEdited, this,
@@ -93,28 +93,28 @@ TrajectoryPanel::TrajectoryPanel(Session& owner, QWidget* parent)
             });
 }
 
-void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture)
+void TrajectoryPanel::showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome)
 {
-    views_->setPicture(picture, isSectionChosen(), fromValues<trajectory::TrajectoryParameters>(state().parameters));
+    views_->setOutcome(outcome, isSectionChosen(), fromValues<trajectory::TrajectoryParameters>(state().parameters));
 }
 
-report::Answer TrajectoryPanel::answer(const trajectory_common::SpindlePicture& picture) const
+report::Answer TrajectoryPanel::answer(const trajectory_common::SpindleOutcome& outcome) const
 {
-    const trajectory::TrajectorySection* chosen = picture.chosenSection();
-    return chosen ? trajectory::motionAnswer(*picture.trajectory, *chosen) : report::Answer();
+    const trajectory::TrajectorySection* chosen = outcome.chosenSection();
+    return chosen ? trajectory::motionAnswer(*outcome.trajectory, *chosen) : report::Answer();
 }
 
-report::Document TrajectoryPanel::document(const trajectory_common::SpindlePicture& picture) const
+report::Document TrajectoryPanel::document(const trajectory_common::SpindleOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> TrajectoryPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture || !picture->trajectory) return {};
+    const auto outcome = result();
+    if (!outcome || !outcome->trajectory) return {};
     return {{tr("Trajectories and images of all sections (CSV)…"), tr("Table (*.csv)"), "csv",
-             [picture](const QString& path) { writeImages(path.toStdString(), *picture->trajectory); }}};
+             [outcome](const QString& path) { writeImages(path.toStdString(), *outcome->trajectory); }}};
 }
 
 Values TrajectoryPanel::view() const

@@ -1,4 +1,4 @@
-// The panel "Trajectory": what the probes recorded, how axis and tool move, and how well the spindle turns.
+// The panel "Trajectory": recorded signals, motions of axis and tool, error motion of the spindle.
 #pragma once
 
 #include "widgets/trajectory_common/spindle_panel.h"
@@ -19,9 +19,9 @@ public:
     TrajectoryViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture) override;
-    report::Answer answer(const trajectory_common::SpindlePicture& picture) const override;
-    report::Document document(const trajectory_common::SpindlePicture& picture) const override;
+    void showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome) override;
+    report::Answer answer(const trajectory_common::SpindleOutcome& outcome) const override;
+    report::Document document(const trajectory_common::SpindleOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

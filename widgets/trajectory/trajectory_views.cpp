@@ -22,7 +22,7 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
       angleBar_(new trajectory_common::AngleBar(angle)),
       all_(new QCheckBox),
       synthetic_(new QLabel),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       axes_(new plot::ChartView),
       probe_(new QComboBox),
       motionText_(new QLabel),
@@ -55,21 +55,21 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
                            static_cast<QWidget*>(probe_), static_cast<QWidget*>(motionText_)})
         words->setProperty(ViewFrame::onlyLarge, true);
     spaceLayout->addWidget(scene_, 1);
-    heroes_->add("motion", makeMotion());
-    heroes_->add("axes", axes_);
-    heroes_->add("coordinates", coordinates_);
-    heroes_->add("space", space);
-    heroes_->add("signals", signals_);
-    heroes_->add("record", makeRecord());
-    layout->addWidget(heroes_, 1);
+    primaryViews_->add("motion", makeMotion());
+    primaryViews_->add("axes", axes_);
+    primaryViews_->add("coordinates", coordinates_);
+    primaryViews_->add("space", space);
+    primaryViews_->add("signals", signals_);
+    primaryViews_->add("record", makeRecord());
+    layout->addWidget(primaryViews_, 1);
 
-    connect(section_, &trajectory_common::SectionBar::sectionWanted, this, &TrajectoryViews::sectionWanted);
+    connect(section_, &trajectory_common::SectionBar::sectionRequested, this, &TrajectoryViews::sectionRequested);
     connect(all_, &QCheckBox::toggled, this, [this] { showSection(); });
     connect(probe_, qOverload<int>(&QComboBox::activated), this, [this] { showMotion(); });
     connect(motion_, &plot::PolarView::clicked, this, [this](double deg) { angle_.set(deg); });
     connect(coordinates_, &plot::PlotCanvas::clicked, this, [this](double deg, double) {
-        if (!picture_ || !picture_->chosenSection()) return;
-        const trajectory::TrajectorySection& chosen = *picture_->chosenSection();
+        if (!outcome_ || !outcome_->chosenSection()) return;
+        const trajectory::TrajectorySection& chosen = *outcome_->chosenSection();
         const std::vector<double> angles = partAngles_deg(chosen);
         for (std::size_t i = 0; i < chosen.angle_deg.size(); ++i)
             if (chosen.angle_deg[i] >= deg) return angle_.set(angles[i]);
@@ -81,7 +81,7 @@ TrajectoryViews::TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget*
     connect(scene_, &scene::SceneView::pointPicked, this, [this](int path, qint64 dot) {
         const StackedPlace place = stackedPlace(*inScene_, static_cast<std::size_t>(path), dot);
         angle_.set(place.angle_deg);
-        if (place.section != picture_->section) emit sectionWanted(inScene_->sections[place.section].section);
+        if (place.section != outcome_->section) emit sectionRequested(inScene_->sections[place.section].section);
     });
     connect(channelTable_, &ChannelTable::mapEdited, this, &TrajectoryViews::mapEdited);
     connect(channelTable_, &ChannelTable::calibrationsEdited, this, &TrajectoryViews::calibrationsEdited,
@@ -134,20 +134,23 @@ QWidget* TrajectoryViews::makeRecord()
     return page;
 }
 
-void TrajectoryViews::setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture,
+void TrajectoryViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
                                  bool sectionChosen, const trajectory::TrajectoryParameters& parameters)
 {
-    const bool problem = picture->problem.has_value();
-    const bool news = !picture_ || picture_->problem.has_value() != problem;
-    picture_ = picture;
+    const bool problem = outcome->problem.has_value();
+    const bool news = !outcome_ || outcome_->problem.has_value() != problem;
+    outcome_ = outcome;
     parameters_ = parameters;
-    section_->setPicture(*picture, sectionChosen);
-    synthetic_->setVisible(picture->synthetic);
-    all_->setVisible(picture->trajectory && picture->trajectory->sections.size() > 1);
-    const QSignalBlocker quiet(heroes_);  // what nobody chose is not kept with the project
-    const QString before = heroes_->hero();
-    for (const char* key : {"motion", "axes", "coordinates", "space"}) heroes_->setAvailable(key, !problem);
-    if (news) heroes_->setHero(problem ? "record" : before == "record" ? "motion" : before);  // where it can be mended
+    section_->setOutcome(*outcome, sectionChosen);
+    synthetic_->setVisible(outcome->synthetic);
+    all_->setVisible(outcome->trajectory && outcome->trajectory->sections.size() > 1);
+    const QSignalBlocker quiet(primaryViews_);  // what nobody chose is not kept with the project
+    const QString before = primaryViews_->primary();
+    for (const char* key : {"motion", "axes", "coordinates", "space"}) primaryViews_->setAvailable(key, !problem);
+    if (news)
+        primaryViews_->setPrimary(problem              ? "record"
+                                  : before == "record" ? "motion"
+                                                       : before);  // where it can be mended
     showRecord();
     showSection();
     showSpace();
@@ -155,9 +158,9 @@ void TrajectoryViews::setPicture(const std::shared_ptr<const trajectory_common::
 
 void TrajectoryViews::showSection()
 {
-    if (!picture_ || !picture_->chosenSection()) return;
-    const trajectory::TrajectorySection& chosen = *picture_->chosenSection();
-    const auto& others = picture_->trajectory->sections;
+    if (!outcome_ || !outcome_->chosenSection()) return;
+    const trajectory::TrajectorySection& chosen = *outcome_->chosenSection();
+    const auto& others = outcome_->trajectory->sections;
     axes_->setData(all_->isChecked() ? trajectoryPlot(chosen, screenLanguage(), others)
                                      : trajectoryPlot(chosen, screenLanguage()));
     coordinates_->setData(coordinatesPlot(chosen, screenLanguage()));
@@ -166,10 +169,10 @@ void TrajectoryViews::showSection()
 
 void TrajectoryViews::showMotion()
 {
-    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = outcome_ ? outcome_->chosenSection() : nullptr;
     if (!chosen) return;
     const auto probe = static_cast<trajectory::Probe>(std::max(0, probe_->currentIndex()));
-    const double diameter_mm = picture_->trajectory->workpiece_diameter_mm;
+    const double diameter_mm = outcome_->trajectory->workpiece_diameter_mm;
     motion_->setPicture(plot::polarPicture(errorMotionPlot(*chosen, diameter_mm, probe, screenLanguage())));
     const QString text = motionText(chosen->error_motion[static_cast<std::size_t>(probe)]);
     motionText_->setText(text);
@@ -180,14 +183,14 @@ void TrajectoryViews::showMotion()
 
 void TrajectoryViews::showRecord()
 {
-    const auto& file = picture_->records.front()->file;
+    const auto& file = outcome_->records.front()->file;
     const auto* record = std::get_if<io::ProbeRecord>(&file.record);
-    heroes_->setAvailable("signals", record != nullptr);
+    primaryViews_->setAvailable("signals", record != nullptr);
     channelTable_->setVisible(record != nullptr);
     channelTable_->setRecord(record, parameters_);
-    if (picture_->time_signals) signals_->setData(signalsPlot(*picture_->time_signals, screenLanguage()));
+    if (outcome_->time_signals) signals_->setData(signalsPlot(*outcome_->time_signals, screenLanguage()));
     QStringList lines;
-    if (picture_->records.size() > 1) lines << tr("The first of %1 records:").arg(picture_->records.size());
+    if (outcome_->records.size() > 1) lines << tr("The first of %1 records:").arg(outcome_->records.size());
     if (record) {
         if (!record->device.empty()) lines << tr("Recorder: %1").arg(QString::fromStdString(record->device));
         if (!record->recorded.empty()) lines << tr("Recorded: %1").arg(QString::fromStdString(record->recorded));
@@ -201,17 +204,17 @@ void TrajectoryViews::showRecord()
                      .arg(std::get<io::AveragedRecord>(file.record).sections.size());
     }
     const Values& header = record ? record->header : std::get<io::AveragedRecord>(file.record).header;
-    QStringList said;
-    for (const auto& [name, value] : header) said << QString::fromStdString(name) + " = " + screenText(value);
-    if (!said.isEmpty()) lines << tr("The file says: %1").arg(said.join(QStringLiteral(" · ")));
+    QStringList headerEntries;
+    for (const auto& [name, value] : header) headerEntries << QString::fromStdString(name) + " = " + screenText(value);
+    if (!headerEntries.isEmpty()) lines << tr("The file says: %1").arg(headerEntries.join(QStringLiteral(" · ")));
     recordText_->setText(lines.join('\n'));
 }
 
 void TrajectoryViews::showSpace()
 {
-    if (!picture_ || !picture_->trajectory) return;
-    if (inScene_ == picture_->trajectory) return;
-    inScene_ = picture_->trajectory;
+    if (!outcome_ || !outcome_->trajectory) return;
+    if (inScene_ == outcome_->trajectory) return;
+    inScene_ = outcome_->trajectory;
     const double magnification = stackMagnification(*inScene_);
     spaceText_->setText(tr("Workpiece axis (blue) and tool (orange) of all sections along z; displacements × %1")
                             .arg(screenNumber(magnification, 0)));
@@ -223,7 +226,7 @@ void TrajectoryViews::showSpace()
 /// The angle at which axis or tool of the chosen section comes nearest to a place in the plane.
 void TrajectoryViews::markNear(double x_um, double y_um)
 {
-    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = outcome_ ? outcome_->chosenSection() : nullptr;
     if (!chosen) return;
     const std::vector<double> angles = partAngles_deg(*chosen);
     double least = HUGE_VAL;
@@ -247,9 +250,9 @@ void TrajectoryViews::markNear(double x_um, double y_um)
 void TrajectoryViews::markInSpace()
 {
     const auto angle = angle_.angle_deg();
-    if (!inScene_ || inScene_ != picture_->trajectory || !picture_->section) return;
+    if (!inScene_ || inScene_ != outcome_->trajectory || !outcome_->section) return;
     if (!angle) return scene_->setMarker({});
-    const auto section = *picture_->section;
+    const auto section = *outcome_->section;
     scene_->setMarker(
         placeInStack(*inScene_, {section, *angle}, stackMagnification(*inScene_)),
         tr("section %1, angle %2°").arg(inScene_->sections[section].section).arg(screenNumber(*angle, 1)));
@@ -261,7 +264,7 @@ void TrajectoryViews::markAngle()
     const auto angle = angle_.angle_deg();
     motion_->setMarker(angle);
     axes_->setMarker(angle);
-    const trajectory::TrajectorySection* chosen = picture_ ? picture_->chosenSection() : nullptr;
+    const trajectory::TrajectorySection* chosen = outcome_ ? outcome_->chosenSection() : nullptr;
     if (!angle || !chosen) return coordinates_->setMarker({});
     const std::size_t nearest = sampleAt(*chosen, *angle);
     if (nearest < chosen->angle_deg.size()) coordinates_->setMarker(chosen->angle_deg[nearest]);
@@ -294,14 +297,14 @@ void TrajectoryViews::retranslate()
     synthetic_->setText(tr("Synthetic data"));
     probe_->setToolTip(tr("The probe whose error motion is shown"));
     probe_->setAccessibleName(probe_->toolTip());
-    heroes_->setTitle("motion", tr("Error motion"));
-    heroes_->setTitle("axes", tr("Trajectories"));
-    heroes_->setTitle("coordinates", tr("Coordinates"));
-    heroes_->setTitle("space", tr("All sections in 3-D"));
-    heroes_->setTitle("signals", tr("Signals"));
-    heroes_->setTitle("record", tr("Record and channels"));
+    primaryViews_->setTitle("motion", tr("Error motion"));
+    primaryViews_->setTitle("axes", tr("Trajectories"));
+    primaryViews_->setTitle("coordinates", tr("Coordinates"));
+    primaryViews_->setTitle("space", tr("All sections in 3-D"));
+    primaryViews_->setTitle("signals", tr("Signals"));
+    primaryViews_->setTitle("record", tr("Record and channels"));
     inScene_.reset();
-    if (picture_) setPicture(picture_, !section_->isWorst(), parameters_);
+    if (outcome_) setOutcome(outcome_, !section_->isWorst(), parameters_);
 }
 
 }  // namespace lathelier::trajectory_panel

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
 #include "widgets/trajectory_common/section_bar.h"
@@ -27,15 +27,15 @@ public:
     explicit TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
     /// `parameters`: those in force.
-    void setPicture(const std::shared_ptr<const trajectory_common::SpindlePicture>& picture, bool sectionChosen,
+    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen,
                     const trajectory::TrajectoryParameters& parameters);
     Values view() const;                   ///< section mode, probe, camera: to be kept with the project
     void restoreView(const Values& kept);  ///< as view() gave it; what is missing goes back to its default
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     void retranslate();
 
 signals:
-    void sectionWanted(std::optional<int> section);
+    void sectionRequested(std::optional<int> section);
     void mapEdited(const std::string& map);
     void calibrationsEdited(const std::vector<trajectory::ProbeCalibration>& probes);
     void notWritten(const QString& path);
@@ -53,13 +53,13 @@ private:
     void markInSpace();
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindlePicture> picture_;
+    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
     trajectory::TrajectoryParameters parameters_;
     trajectory_common::SectionBar* section_;
     trajectory_common::AngleBar* angleBar_;
     QCheckBox* all_;
     QLabel* synthetic_;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* axes_;
     QComboBox* probe_;
     QLabel* motionText_;

@@ -47,19 +47,19 @@ SectionBar::SectionBar(QWidget* parent)
             [this](int index) { step(index - static_cast<int>(index_)); });
     connect(worst_, &QToolButton::clicked, this, [this](bool on) {
         if (!result_) return;
-        emit sectionWanted(on ? std::nullopt : std::optional(result_->sections[index_].section));
+        emit sectionRequested(on ? std::nullopt : std::optional(result_->sections[index_].section));
     });
     retranslate();
     hide();
 }
 
-void SectionBar::setPicture(const SpindlePicture& picture, bool chosen)
+void SectionBar::setOutcome(const SpindleOutcome& outcome, bool chosen)
 {
-    const bool there = picture.section.has_value() && !picture.profile;
-    const bool same = result_ == picture.trajectory;
+    const bool there = outcome.section.has_value() && !outcome.profile;
+    const bool same = result_ == outcome.trajectory;
     if (there) {
-        result_ = picture.trajectory;
-        index_ = *picture.section;
+        result_ = outcome.trajectory;
+        index_ = *outcome.section;
         if (!same) fill();
     }
     setVisible(there);
@@ -87,7 +87,7 @@ void SectionBar::step(int by)
 {
     if (!result_) return;
     const auto wanted = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(index_) + by);
-    if (wanted < result_->sections.size()) emit sectionWanted(result_->sections[wanted].section);
+    if (wanted < result_->sections.size()) emit sectionRequested(result_->sections[wanted].section);
 }
 
 void SectionBar::retranslate()

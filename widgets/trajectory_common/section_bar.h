@@ -1,4 +1,4 @@
-// Which section of a record is looked at, chosen once for all panels of the workspace; and which angle.
+// Selection of the section of a record and of the marked angle, common to the panels of the workspace.
 #pragma once
 
 #include <QComboBox>
@@ -18,11 +18,11 @@ class SectionBar : public QWidget {
 
 public:
     explicit SectionBar(QWidget* parent = nullptr);
-    void setPicture(const SpindlePicture& picture, bool chosen);
+    void setOutcome(const SpindleOutcome& outcome, bool chosen);
     bool isWorst() const { return worst_->isChecked(); }
 
 signals:
-    void sectionWanted(std::optional<int> section);  ///< its number; none: the worst one
+    void sectionRequested(std::optional<int> section);  ///< its number; none: the worst one
 
 protected:
     void changeEvent(QEvent* event) override;

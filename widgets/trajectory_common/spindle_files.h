@@ -1,4 +1,4 @@
-// Probe records and profiles that were read, kept until the user takes what has changed.
+// Caches of probe records and profiles, valid until the user accepts changes.
 #pragma once
 
 #include "engine/io/probe/probe_reader.h"

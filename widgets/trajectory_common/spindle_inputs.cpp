@@ -75,7 +75,7 @@ void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>
     }
     if (!records.empty()) {
         setSources(state, recordRole(), records);
-        if (others.empty()) {  // what is dropped is what is meant: an earlier profile would hide it
+        if (others.empty()) {  // removes an earlier profile, which would have precedence over the dropped file
             setSources(state, profileRole(), {});
             setSources(state, traceRole(), {});
         } else {

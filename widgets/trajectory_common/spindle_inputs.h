@@ -16,7 +16,7 @@ bool hasRecord(const project::PanelState& state);
 bool hasProfile(const project::PanelState& state);
 
 /// Records go to the record; other files are profiles: the first one is the profile, a second one the trace. Profiles
-/// go nowhere when `profiles` is false: then they are records, whose reader says what is wrong with them.
+/// go nowhere when `profiles` is false: then they are assigned to the record, whose reader reports the error.
 void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>& files, bool profiles);
 
 }  // namespace lathelier::trajectory_common

@@ -4,26 +4,26 @@
 #include "engine/form/roundness/roundness_quantities.h"
 #include "engine/report/result_json.h"
 #include "engine/trajectory/trajectory_quantities.h"
-#include "widgets/trajectory_common/spindle_picture.h"
+#include "widgets/trajectory_common/spindle_outcome.h"
 
 namespace lathelier::trajectory_common {
 
-std::string roundnessJson(const SpindlePicture& picture)
+std::string roundnessJson(const SpindleOutcome& outcome)
 {
-    const form::RoundnessResult& result = *picture.roundness();
-    Json profile{{"path", picture.inputs.empty() ? "" : picture.inputs.front().path}};
+    const form::RoundnessResult& result = *outcome.roundness();
+    Json profile{{"path", outcome.inputs.empty() ? "" : outcome.inputs.front().path}};
     profile.update(toJson(result));
     Json whole{{"profiles", Json::array({profile})}};
-    if (picture.superimposed) whole["superimposed"] = toJson(*picture.superimposed);
+    if (outcome.superimposed) whole["superimposed"] = toJson(*outcome.superimposed);
     return report::toText(
-        report::wholeResult("roundness", picture.inputs, toValues(result.parameters), whole, picture.notes));
+        report::wholeResult("roundness", outcome.inputs, toValues(result.parameters), whole, outcome.notes));
 }
 
-std::string trajectoryJson(const SpindlePicture& picture)
+std::string trajectoryJson(const SpindleOutcome& outcome)
 {
-    const trajectory::TrajectoryResult& result = *picture.trajectory;
+    const trajectory::TrajectoryResult& result = *outcome.trajectory;
     return report::toText(
-        report::wholeResult("trajectory", picture.inputs, toValues(result.parameters), toJson(result), picture.notes));
+        report::wholeResult("trajectory", outcome.inputs, toValues(result.parameters), toJson(result), outcome.notes));
 }
 
 }  // namespace lathelier::trajectory_common

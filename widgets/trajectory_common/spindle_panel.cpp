@@ -39,7 +39,7 @@ void MarkedAngle::set(std::optional<double> angle_deg)
     emit changed();
 }
 
-PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleWant want)
+PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleStudyKind studyKind)
 {
     PanelFacts facts;
     facts.id = id;
@@ -47,7 +47,7 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.icon = icon;
     facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
     facts.state = spindleState;
-    const bool roundness = want == SpindleWant::Roundness;
+    const bool roundness = studyKind == SpindleStudyKind::Roundness;
     facts.kinds = {&io::probeRecordFiles()};
     if (roundness) {
         facts.kinds.push_back(&io::profileFiles());
@@ -56,7 +56,7 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.part_inputs = {"record", "profile"};
     facts.roles = {recordRole()};
     if (roundness) facts.roles = {recordRole(), profileRole(), traceRole()};
-    facts.hasWork = [roundness](const project::PanelState& state) {
+    facts.has_work = [roundness](const project::PanelState& state) {
         return hasRecord(state) || (roundness && hasProfile(state));
     };
     facts.missing = [roundness](const project::PanelState& state) {
@@ -93,25 +93,24 @@ PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std:
     return inputs;
 }
 
-SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, SpindleWant want,
-                           QWidget* parent)
-    : Panel(owner, facts, inputs, parent), want_(want), angle_(owner.stores().of<MarkedAngle>())
+SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs,
+                           SpindleStudyKind studyKind, QWidget* parent)
+    : Panel(owner, facts, inputs, parent), studyKind_(studyKind), angle_(owner.stores().of<MarkedAngle>())
 {
 }
 
 SpindlePanel::Compute SpindlePanel::compute(const project::PanelState& state) const
 {
-    fromValues<trajectory::TrajectoryParameters>(
-        state.parameters);  // refuses now, not in the worker, what is out of range
+    fromValues<trajectory::TrajectoryParameters>(state.parameters);  // validates ranges before the computation
     bandOf(fromValues<form::RoundnessParameters>(state.parameters));
-    return [state, want = want_, stores = session().sharedStores()](const Progress& progress) {
-        return findPicture(state, want, *stores, progress);
+    return [state, studyKind = studyKind_, stores = session().sharedStores()](const Progress& progress) {
+        return findOutcome(state, studyKind, *stores, progress);
     };
 }
 
 void SpindlePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
-    assignSpindleFiles(state, files, want_ == SpindleWant::Roundness);
+    assignSpindleFiles(state, files, studyKind_ == SpindleStudyKind::Roundness);
 }
 
 Worker::Job SpindlePanel::makeReadingJob(const project::PanelState& state) const

@@ -1,11 +1,11 @@
-// What the three panels of workspace Roundness share: their state, where files go, what was understood of them, one
-// computation, one chosen section and one marked angle.
+// What the three panels of workspace Roundness share: their state, assignment and facts of files, one computation, one
+// chosen section and one marked angle.
 #pragma once
 
 #include <QObject>
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/trajectory_common/spindle_picture.h"
+#include "widgets/trajectory_common/spindle_outcome.h"
 
 namespace lathelier::trajectory_common {
 
@@ -17,7 +17,7 @@ class MarkedAngle : public QObject {
 public:
     std::optional<double> angle_deg() const { return angle_deg_; }
     void set(std::optional<double> angle_deg);
-    void takeBack();  ///< the last set(): it was the first half of a double click
+    void takeBack();  ///< the last set(): undoes the last set(), which was the first half of a double click
 
 signals:
     void changed();
@@ -27,19 +27,19 @@ private:
     std::optional<double> before_deg_;
 };
 
-/// The panel's line of the panel table, but for its maker and what it reports.
-PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleWant want);
+/// The panel's entry in the panel table without its factory and report.
+PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleStudyKind studyKind);
 
 /// The inputs of a panel; of the engine's parameters those with these keys, in this order, none of them folded away but
 /// the `advanced` ones.
 PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std::vector<std::string>& plain,
                           const std::vector<std::string>& advanced, Text invitation);
 
-class SpindlePanel : public Panel<SpindlePicture> {
+class SpindlePanel : public Panel<SpindleOutcome> {
     Q_OBJECT
 
 public:
-    SpindlePanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, SpindleWant want,
+    SpindlePanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, SpindleStudyKind studyKind,
                  QWidget* parent = nullptr);
 
     /// The section with this number for all panels of the workspace; none: the worst one. One undo step for a row of
@@ -51,8 +51,8 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    Notes notes(const SpindlePicture& picture) const override { return picture.notes; }
-    std::optional<Error> problem(const SpindlePicture& picture) const override { return picture.problem; }
+    Notes notes(const SpindleOutcome& outcome) const override { return outcome.notes; }
+    std::optional<Error> problem(const SpindleOutcome& outcome) const override { return outcome.problem; }
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
@@ -61,7 +61,7 @@ protected:
     void setParameter(const std::string& key, const Value& value, const QString& step, const QString& mergeKey = {});
 
 private:
-    SpindleWant want_;
+    SpindleStudyKind studyKind_;
     std::shared_ptr<MarkedAngle> angle_;
 };
 

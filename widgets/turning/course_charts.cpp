@@ -39,16 +39,16 @@ CourseCharts::CourseCharts(plot::ChartView* leader, QWidget* parent) : QWidget(p
     arrange();
 }
 
-void CourseCharts::setPicture(const TurningPicture& picture, std::size_t setup)
+void CourseCharts::setOutcome(const TurningOutcome& outcome, std::size_t setup)
 {
     for (std::size_t i = 0; i < count; ++i) {
-        plots_[i] = coursePlot(picture, setup, static_cast<Course>(i));
+        plots_[i] = coursePlot(outcome, setup, static_cast<Course>(i));
         boxes_[i]->setEnabled(!plots_[i].curves.empty());
     }
     arrange();
 }
 
-/// The lowest one alone says what the axis is.
+/// Only the lowest chart has an axis title.
 void CourseCharts::arrange()
 {
     bool is_lowest = true;

@@ -20,7 +20,7 @@ public:
     /// They share the x axis of `leader`, which must live as long.
     explicit CourseCharts(plot::ChartView* leader, QWidget* parent = nullptr);
 
-    void setPicture(const TurningPicture& picture, std::size_t setup);
+    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
     plot::ChartView* chart(Course course) const { return charts_[static_cast<std::size_t>(course)]; }
     QCheckBox* box(Course course) const { return boxes_[static_cast<std::size_t>(course)]; }
 

@@ -26,13 +26,13 @@ OperationsPane::OperationsPane(QWidget* parent)
       up_(new QToolButton),
       down_(new QToolButton),
       reset_(new QToolButton),
-      said_(new QLabel)
+      refusal_(new QLabel)
 {
     table_->setObjectName("turningOperations");
     up_->setObjectName("operationUp");
     down_->setObjectName("operationDown");
     reset_->setObjectName("operationsReset");
-    said_->setObjectName("operationsSaid");
+    refusal_->setObjectName("operationsSaid");
     up_->setArrowType(Qt::UpArrow);
     down_->setArrowType(Qt::DownArrow);
     up_->setShortcut(QKeySequence("Alt+Up"));
@@ -40,7 +40,7 @@ OperationsPane::OperationsPane(QWidget* parent)
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->verticalHeader()->show();
     table_->verticalHeader()->setSectionsMovable(true);
-    said_->setWordWrap(true);
+    refusal_->setWordWrap(true);
     auto* buttons = new QHBoxLayout;
     buttons->setContentsMargins(0, 0, 0, 0);
     buttons->addWidget(up_);
@@ -52,8 +52,8 @@ OperationsPane::OperationsPane(QWidget* parent)
     column->setSpacing(2);
     column->addLayout(buttons);
     column->addWidget(table_, 1);
-    column->addWidget(said_);
-    said_->hide();
+    column->addWidget(refusal_);
+    refusal_->hide();
     connect(up_, &QToolButton::clicked, this, [this] { moveBy(-1); });
     connect(down_, &QToolButton::clicked, this, [this] { moveBy(1); });
     connect(reset_, &QToolButton::clicked, this, &OperationsPane::orderReset);
@@ -74,22 +74,22 @@ OperationsPane::OperationsPane(QWidget* parent)
     });
 }
 
-void OperationsPane::setPicture(const TurningPicture& picture, std::size_t setup)
+void OperationsPane::setOutcome(const TurningOutcome& outcome, std::size_t setup)
 {
-    table_->setPicture(picture, setup);
-    steps_ = stepsOf(picture, setup);
+    table_->setOutcome(outcome, setup);
+    steps_ = stepsOf(outcome, setup);
     rows_.clear();
     row_steps_.clear();
-    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
         rows_.push_back(operation.which);
-        row_steps_.push_back(stepOf(operation.which, picture.plan->job));
+        row_steps_.push_back(stepOf(operation.which, outcome.plan->job));
     }
-    const auto& order = picture.plan->parameters.order;
+    const auto& order = outcome.plan->parameters.order;
     is_own_order_ = std::any_of(order.begin(), order.end(), [setup](const cam::OperationStep& step) {
         return step.setup == static_cast<int>(setup) + 1;
     });
-    said_->clear();
-    said_->hide();
+    refusal_->clear();
+    refusal_->hide();
     const auto kept = chosen_ ? std::find(rows_.begin(), rows_.end(), *chosen_) : rows_.end();
     if (kept != rows_.end()) {
         const QSignalBlocker quiet(table_);
@@ -134,15 +134,15 @@ void OperationsPane::moveStep(int row, std::size_t place)
     wanted.erase(wanted.begin() + static_cast<std::ptrdiff_t>(*from));
     wanted.insert(wanted.begin() + static_cast<std::ptrdiff_t>(place), step);
     if (const auto fault = cam::faultOf(wanted)) {
-        said_->setText(tr("✗ “%1” cannot run before “%2”: %3.")
-                           .arg(wordsOf(fault->step), wordsOf(fault->needs), screenText(fault->reason)));
-        said_->show();
+        refusal_->setText(tr("✗ “%1” cannot run before “%2”: %3.")
+                              .arg(wordsOf(fault->step), wordsOf(fault->needs), screenText(fault->reason)));
+        refusal_->show();
         return;
     }
-    said_->clear();
-    said_->hide();
+    refusal_->clear();
+    refusal_->hide();
     chosen_ = step;
-    emit orderWanted(wanted, step);
+    emit orderRequested(wanted, step);
 }
 
 void OperationsPane::retranslate()
@@ -157,8 +157,8 @@ void OperationsPane::retranslate()
     table_->setToolTip(
         tr("The box switches an operation off: what it would take off stays. Drag a row by its number, or use the "
            "arrows, to run an operation earlier or later."));
-    said_->clear();
-    said_->hide();
+    refusal_->clear();
+    refusal_->hide();
 }
 
 }  // namespace lathelier::turning_panel

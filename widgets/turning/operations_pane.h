@@ -1,5 +1,5 @@
-// The list of operations with buttons that move one up or down. An order that cannot be says why, below the list, and
-// changes nothing. Rows can be dragged by their numbers too.
+// The list of operations with buttons that move one up or down. An invalid order is rejected with its reason below the
+// list. Rows can be dragged by their numbers too.
 #pragma once
 
 #include <QLabel>
@@ -18,20 +18,24 @@ class OperationsPane : public QWidget {
 public:
     explicit OperationsPane(QWidget* parent = nullptr);
 
-    void setPicture(const TurningPicture& picture, std::size_t setup);
+    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
     OperationsTable* table() const { return table_; }
     QToolButton* up() const { return up_; }
     QToolButton* down() const { return down_; }
     QToolButton* reset() const { return reset_; }
-    QString said() const { return said_->text(); }  ///< why the last move cannot be; empty: it could
+    QString refusalText() const
+    {
+        return refusal_->text();
+    }  ///< reason why the last move was rejected; empty:
+       ///< accepted
 
     void moveStep(int row, std::size_t place);  ///< what stands in this row to a place among the steps
     void retranslate();
 
 signals:
-    /// All steps of the shown clamping as they are to run; `moved`: the one that the user took.
-    void orderWanted(const std::vector<lathelier::cam::OperationStep>& order,
-                     const lathelier::cam::OperationStep& moved);
+    /// All steps of the shown clamping in the new order; `moved`: the step moved by the user.
+    void orderRequested(const std::vector<lathelier::cam::OperationStep>& order,
+                        const lathelier::cam::OperationStep& moved);
     void orderReset();
 
 private:
@@ -44,12 +48,12 @@ private:
     QToolButton* up_;
     QToolButton* down_;
     QToolButton* reset_;
-    QLabel* said_;
+    QLabel* refusal_;
     std::vector<cam::OperationStep> steps_;
     std::vector<cam::OperationStep> rows_;       ///< of the table
     std::vector<cam::OperationStep> row_steps_;  ///< to which of `steps_` each row belongs
     std::optional<cam::OperationStep> chosen_;   ///< stays the current row
-    bool is_own_order_ = false;                  ///< not the usual one
+    bool is_own_order_ = false;                  ///< the order differs from the default
     bool puts_back_ = false;                     ///< the header's row goes back after a drag
 };
 

@@ -20,16 +20,16 @@ OperationsTable::OperationsTable(QWidget* parent) : CopyTable(parent)
     });
 }
 
-void OperationsTable::setPicture(const TurningPicture& picture, std::size_t setup)
+void OperationsTable::setOutcome(const TurningOutcome& outcome, std::size_t setup)
 {
     const QSignalBlocker quiet(this);
-    setTable(operationTable(picture, setup));
+    setTable(operationTable(outcome, setup));
     lines_.clear();
-    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
         Line& line = lines_.emplace_back();
         line.which = operation.which;
         line.is_planned = operation.planned.has_value();
-        if (operation.planned) line.first_line = picture.plan->setups[setup].operations[*operation.planned].first_line;
+        if (operation.planned) line.first_line = outcome.plan->setups[setup].operations[*operation.planned].first_line;
         QTableWidgetItem* cell = item(static_cast<int>(lines_.size()) - 1, 0);
         if (!cell) continue;
         cell->setFlags(cell->flags() | Qt::ItemIsUserCheckable);

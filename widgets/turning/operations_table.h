@@ -14,7 +14,7 @@ class OperationsTable : public CopyTable {
 public:
     explicit OperationsTable(QWidget* parent = nullptr);
 
-    void setPicture(const TurningPicture& picture, std::size_t setup);
+    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
 
 signals:
     void switched(const lathelier::cam::SkippedOperation& operation, bool on);

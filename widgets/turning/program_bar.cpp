@@ -28,16 +28,16 @@ ProgramBar::ProgramBar(QWidget* parent)
     column->setSpacing(2);
     column->addWidget(state_);
     column->addLayout(row);
-    connect(check_, &QToolButton::clicked, this, &ProgramBar::checkWanted);
-    connect(take_back_, &QToolButton::clicked, this, &ProgramBar::takeBackWanted);
-    connect(use_, &QToolButton::clicked, this, &ProgramBar::useWanted);
+    connect(check_, &QToolButton::clicked, this, &ProgramBar::checkRequested);
+    connect(take_back_, &QToolButton::clicked, this, &ProgramBar::takeBackRequested);
+    connect(use_, &QToolButton::clicked, this, &ProgramBar::useRequested);
 }
 
-void ProgramBar::setPicture(const TurningPicture& picture, std::size_t setup)
+void ProgramBar::setOutcome(const TurningOutcome& outcome, std::size_t setup)
 {
-    const ShownProgram& program = picture.programs[setup];
-    const cam::CheckResult& check = picture.plan->setups[setup].check;
-    const bool is_sound = isSound(picture, setup);
+    const ShownProgram& program = outcome.programs[setup];
+    const cam::CheckResult& check = outcome.plan->setups[setup].check;
+    const bool is_sound = isSound(outcome, setup);
     QString of = program.origin == ProgramOrigin::Planned     ? tr("planned")
                  : program.origin == ProgramOrigin::Corrected ? tr("compensated")
                                                               : screenFileName(QString::fromStdString(program.name));

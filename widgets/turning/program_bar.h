@@ -1,12 +1,11 @@
-// What the program that stands here is worth: planned, compensated or changed by hand; checked or not; and what can be
-// done with it.
+// Status of the shown program (planned, compensated or edited by hand; checked or not) and its commands.
 #pragma once
 
 #include <QLabel>
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
@@ -16,7 +15,7 @@ class ProgramBar : public QWidget {
 public:
     explicit ProgramBar(QWidget* parent = nullptr);
 
-    void setPicture(const TurningPicture& picture, std::size_t setup);
+    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
     QString state() const { return state_->text(); }
     QToolButton* check() const { return check_; }
     QToolButton* takeBack() const { return take_back_; }
@@ -24,9 +23,9 @@ public:
     void retranslate();
 
 signals:
-    void checkWanted();     ///< of the text that stands here
-    void takeBackWanted();  ///< the changes by hand
-    void useWanted();       ///< in the panels Deflection, Correction and Program
+    void checkRequested();     ///< request to check the shown text
+    void takeBackRequested();  ///< request to discard the edits
+    void useRequested();       ///< request to use the program in the panels Deflection, Correction and Program
 
 private:
     QLabel* state_;

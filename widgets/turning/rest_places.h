@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/report/chart.h"
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
@@ -15,10 +15,10 @@ struct RestPlace {
 };
 
 /// Of the clamping that finishes this stretch; `rest`: index into TurningPlan::rest.
-RestPlace placeOf(const TurningPicture& picture, std::size_t rest);
+RestPlace placeOf(const TurningOutcome& outcome, std::size_t rest);
 
 /// The area between the drawing and what is left of the stock at the end, in the stock of a clamping; without corners
 /// where neither is known.
-report::Region areaOf(const TurningPicture& picture, std::size_t rest, std::size_t clamping);
+report::Region areaOf(const TurningOutcome& outcome, std::size_t rest, std::size_t clamping);
 
 }  // namespace lathelier::turning_panel

@@ -19,10 +19,10 @@
 namespace lathelier::turning_panel {
 namespace {
 
-constexpr std::size_t mostFindingsSaid = 3;
+constexpr std::size_t mostReportedFindings = 3;
 
 /// Height of the drawing over a stretch, for the number of what stays there.
-double radiusAt(const ClampingPicture& clamping, const Interval& z_mm)
+double radiusAt(const ClampingOutcome& clamping, const Interval& z_mm)
 {
     double radius = 0;
     for (std::size_t i = 0; i < clamping.drawing_z_mm.size(); ++i)
@@ -40,19 +40,19 @@ std::string restName(std::size_t number, const cam::RestInterval& rest, const La
 }
 
 /// What stays there of the part that this clamping finishes, hatched, with number and cause.
-void addRest(report::Plot& plot, const TurningPicture& picture, std::size_t setup, const Language& language)
+void addRest(report::Plot& plot, const TurningOutcome& outcome, std::size_t setup, const Language& language)
 {
-    const auto& all = picture.plan->rest;
+    const auto& all = outcome.plan->rest;
     bool is_named = false;
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (placeOf(picture, i).clamping != setup) continue;
-        report::Region area = areaOf(picture, i, setup);
+        if (placeOf(outcome, i).clamping != setup) continue;
+        report::Region area = areaOf(outcome, i, setup);
         if (!is_named) area.name = LT_TEXT("Engine", "material stays");
         is_named = true;
         plot.regions.push_back(std::move(area));
-        const Interval at = inStock(picture, setup, {all[i].z_start_mm, all[i].z_end_mm});
+        const Interval at = inStock(outcome, setup, {all[i].z_start_mm, all[i].z_end_mm});
         plot.marks.push_back(
-            {(at.from + at.to) / 2, radiusAt(picture.clampings[setup], at), restName(i + 1, all[i], language)});
+            {(at.from + at.to) / 2, radiusAt(outcome.clampings[setup], at), restName(i + 1, all[i], language)});
     }
 }
 
@@ -82,10 +82,10 @@ bool isFinish(const cam::SetupPlan& setup, std::int64_t line, int tool)
            (in->kind == cam::OperationKind::Finish || in->kind == cam::OperationKind::FinishBack);
 }
 
-report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool is_cutting_speed)
+report::Curve speedCurve(const TurningOutcome& outcome, std::size_t setup, bool is_cutting_speed)
 {
-    const cam::SetupPlan& plan = picture.plan->setups.at(setup);
-    const stock::DrawnPath& drawn = picture.clampings.at(setup).drawn;
+    const cam::SetupPlan& plan = outcome.plan->setups.at(setup);
+    const stock::DrawnPath& drawn = outcome.clampings.at(setup).drawn;
     std::map<std::int64_t, BlockSpeed> speeds;
     for (const gcode::Move& move : plan.check.path.moves)
         speeds[move.line] = {move.speed_rpm, move.cutting_speed_m_min, move.speed_limit_rpm};
@@ -114,35 +114,35 @@ report::Curve speedCurve(const TurningPicture& picture, std::size_t setup, bool 
 
 /// A step for each section of this clamping.
 template <class Get>
-report::Curve sectionCurve(const TurningPicture& picture, std::size_t setup, Get get)
+report::Curve sectionCurve(const TurningOutcome& outcome, std::size_t setup, Get get)
 {
     report::Curve curve;
-    for (const cam::SectionSpeed& section : picture.plan->sections) {
+    for (const cam::SectionSpeed& section : outcome.plan->sections) {
         if (section.setup != static_cast<int>(setup) + 1) continue;
         const std::optional<double> value = get(section);
         if (!value || !std::isfinite(*value)) continue;
-        const Interval at = inStock(picture, setup, {section.z_start_mm, section.z_end_mm});
+        const Interval at = inStock(outcome, setup, {section.z_start_mm, section.z_end_mm});
         curve.x.insert(curve.x.end(), {at.from, at.to, at.to});
         curve.y.insert(curve.y.end(), {*value, *value, notANumber});
     }
     return curve;
 }
 
-report::Document withSheets(report::Document document, const TurningPicture& picture)
+report::Document withSheets(report::Document document, const TurningOutcome& outcome)
 {
-    for (std::size_t i = 0; i < picture.plan->setups.size(); ++i)
+    for (std::size_t i = 0; i < outcome.plan->setups.size(); ++i)
         for (report::Section& section : document.sections)
             if (section.title == report::Caption(LT_TEXT("Engine", "Set-up sheet")))
-                section.blocks.emplace_back(sheetOf(picture, i));
+                section.blocks.emplace_back(sheetOf(outcome, i));
     return document;
 }
 
 }  // namespace
 
-StockShown stockAt(const TurningPicture& picture, std::size_t setup, std::int64_t line, bool is_cutting)
+StockShown stockAt(const TurningOutcome& outcome, std::size_t setup, std::int64_t line, bool is_cutting)
 {
     StockShown shown{false, std::nullopt};
-    const auto& stock = picture.plan->setups.at(setup).check.stock;
+    const auto& stock = outcome.plan->setups.at(setup).check.stock;
     if (!stock) return shown;
     std::size_t begun = 0;
     while (begun < stock->passes.size() && stock->passes[begun].line <= line) ++begun;
@@ -155,11 +155,11 @@ StockShown stockAt(const TurningPicture& picture, std::size_t setup, std::int64_
     return shown;
 }
 
-report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const StockShown& shown, int pixels,
+report::Plot contourPlot(const TurningOutcome& outcome, std::size_t setup, const StockShown& shown, int pixels,
                          const Language& language)
 {
-    const ClampingPicture& clamping = picture.clampings.at(setup);
-    const cam::CheckResult& check = picture.plan->setups.at(setup).check;
+    const ClampingOutcome& clamping = outcome.clampings.at(setup);
+    const cam::CheckResult& check = outcome.plan->setups.at(setup).check;
     report::Plot plot;
     if (check.stock && clamping.bare) {
         stock::StockPlotParts parts;
@@ -173,19 +173,19 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
     if (!check.stock) plot.y = {LT_TEXT("Engine", "Radius"), unit::mm};  // the program is not checked, or has errors
     for (report::Curve& curve : clamping.drawn.curves(clamping.drawn.whole(pixels)))
         plot.curves.push_back(std::move(curve));
-    const bool is_one = picture.clampings.size() == 1;
+    const bool is_one = outcome.clampings.size() == 1;
     plot.title = is_one       ? LT_TEXT("Engine", "Drawing, stock and tool")
                  : setup == 0 ? LT_TEXT("Engine", "Drawing, stock and tool, first clamping")
                               : LT_TEXT("Engine", "Drawing, stock and tool, second clamping");
     plot.x = {LT_TEXT("Engine", "z from the raw end"), unit::mm};
     report::Curve drawing{LT_TEXT("Engine", "drawing"), clamping.drawing_z_mm, clamping.drawing_x_mm};
-    drawing.spoken = false;
+    drawing.has_readout = false;
     plot.curves.push_back(std::move(drawing));
     if (!is_one)
         plot.limits.push_back({report::Limit::Direction::Vertical,
-                               picture.plan->setups[setup].clamping.finished_to_mm + clamping.part_zero_mm,
+                               outcome.plan->setups[setup].clamping.finished_to_mm + clamping.part_zero_mm,
                                LT_TEXT("Engine", "finished up to here")});
-    addRest(plot, picture, setup, language);
+    addRest(plot, outcome, setup, language);
     for (const cam::CheckFinding& found : check.findings)
         if (found.kind == cam::CheckKind::InsertBelowDrawing)
             plot.marks.push_back({found.z_mm + clamping.part_zero_mm, found.x_mm,
@@ -194,7 +194,7 @@ report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const
     return plot;
 }
 
-report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course course)
+report::Plot coursePlot(const TurningOutcome& outcome, std::size_t setup, Course course)
 {
     report::Plot plot;
     plot.x = {LT_TEXT("Engine", "z from the raw end"), unit::mm};
@@ -203,22 +203,22 @@ report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course
         case Course::Speed:
             plot.title = LT_TEXT("Engine", "Speed N of the finish");
             plot.y = {unit::N, unit::rpm};
-            curve = speedCurve(picture, setup, false);
+            curve = speedCurve(outcome, setup, false);
             break;
         case Course::CuttingSpeed:
             plot.title = LT_TEXT("Engine", "Cutting speed v_c of the finish");
             plot.y = {LT_TEXT("Engine", "v_c"), unit::m_min};
-            curve = speedCurve(picture, setup, true);
+            curve = speedCurve(outcome, setup, true);
             break;
         case Course::Frequency:
             plot.title = LT_TEXT("Engine", "Frequency of chatter f_m");
             plot.y = {LT_TEXT("Engine", "f_m"), unit::hz};
-            curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return s.frequency_hz; });
+            curve = sectionCurve(outcome, setup, [](const cam::SectionSpeed& s) { return s.frequency_hz; });
             break;
         case Course::Roughness:
             plot.title = LT_TEXT("Engine", "Ideal roughness Rz of the finish");
             plot.y = {LT_TEXT("Engine", "Rz"), unit::um};
-            curve = sectionCurve(picture, setup, [](const cam::SectionSpeed& s) { return std::optional(s.Rz_um); });
+            curve = sectionCurve(outcome, setup, [](const cam::SectionSpeed& s) { return std::optional(s.Rz_um); });
             break;
     }
     double most = 0;
@@ -229,12 +229,12 @@ report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course
     return plot;
 }
 
-report::Plot whyPlot(const TurningPicture& picture, std::size_t section, const Language& language)
+report::Plot whyPlot(const TurningOutcome& outcome, std::size_t section, const Language& language)
 {
-    if (section >= picture.lobes.size() || !picture.lobes[section]) return {};
-    const SectionLobes& why = *picture.lobes[section];
+    if (section >= outcome.lobes.size() || !outcome.lobes[section]) return {};
+    const SectionLobes& why = *outcome.lobes[section];
     report::Plot plot = stability::lobesPlot(why.lobes, why.speed ? &*why.speed : nullptr, {}, language);
-    const cam::SectionSpeed& speed = picture.plan->sections[section];
+    const cam::SectionSpeed& speed = outcome.plan->sections[section];
     if (speed.speed_rpm && !why.speed)
         plot.limits.push_back({report::Limit::Direction::Vertical, *speed.speed_rpm, LT_TEXT("Engine", "this speed")});
     plot.title = fill(text(LT_TEXT("Engine", "Why this speed: z {from:1}-{to:1} mm"), language),
@@ -242,16 +242,16 @@ report::Plot whyPlot(const TurningPicture& picture, std::size_t section, const L
     return plot;
 }
 
-std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std::size_t setup)
+std::vector<ListedOperation> listedOperations(const TurningOutcome& outcome, std::size_t setup)
 {
     std::vector<ListedOperation> all;
     const int number = static_cast<int>(setup) + 1;
-    const auto& operations = picture.plan->setups.at(setup).operations;
+    const auto& operations = outcome.plan->setups.at(setup).operations;
     for (std::size_t i = 0; i < operations.size(); ++i)
         all.push_back({{number, operations[i].kind, operations[i].tool}, i});
-    const auto& order = picture.plan->parameters.order;
+    const auto& order = outcome.plan->parameters.order;
     const auto rank = [&](const cam::OperationStep& step) { return std::find(order.begin(), order.end(), step); };
-    for (const cam::SkippedOperation& skipped : picture.plan->parameters.skipped) {
+    for (const cam::SkippedOperation& skipped : outcome.plan->parameters.skipped) {
         if (skipped.setup != number) continue;
         const auto later = std::find_if(all.begin(), all.end(), [&](const ListedOperation& operation) {
             if (rank(operation.which) != order.end() && rank(skipped) != order.end())
@@ -263,11 +263,11 @@ std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std
     return all;
 }
 
-std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup)
+std::vector<cam::OperationStep> stepsOf(const TurningOutcome& outcome, std::size_t setup)
 {
     std::vector<cam::OperationStep> steps;
-    for (const ListedOperation& operation : listedOperations(picture, setup)) {
-        const cam::OperationStep step = stepOf(operation.which, picture.plan->job);
+    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
+        const cam::OperationStep step = stepOf(operation.which, outcome.plan->job);
         if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
     }
     return steps;
@@ -281,12 +281,12 @@ cam::OperationStep stepOf(cam::OperationStep operation, const cam::Job& job)
     return operation;
 }
 
-report::Table operationTable(const TurningPicture& picture, std::size_t setup)
+report::Table operationTable(const TurningOutcome& outcome, std::size_t setup)
 {
-    report::Table table = cam::operationTable(picture.plan->setups.at(setup));
+    report::Table table = cam::operationTable(outcome.plan->setups.at(setup));
     const std::vector<std::vector<Value>> planned = std::move(table.rows);
     table.rows.clear();
-    for (const ListedOperation& operation : listedOperations(picture, setup)) {
+    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
         if (operation.planned) {
             table.rows.push_back(planned[*operation.planned]);
             continue;
@@ -298,9 +298,9 @@ report::Table operationTable(const TurningPicture& picture, std::size_t setup)
     return table;
 }
 
-report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
+report::QuantityTable sheetOf(const TurningOutcome& outcome, std::size_t setup)
 {
-    const cam::TurningPlan& plan = *picture.plan;
+    const cam::TurningPlan& plan = *outcome.plan;
     const cam::SetupPlan& shown = plan.setups.at(setup);
     const cam::Clamping& clamping = shown.clamping;
     report::QuantityTable table;
@@ -308,7 +308,7 @@ report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
     const auto add = [&](Text name, Value value, Text unit = {}, int decimals = 2) {
         table.rows.push_back({name, std::move(value), unit, decimals});
     };
-    add(LT_TEXT("Engine", "Control"), picture.has_own_post ? Value(plan.post) : Value(labelOf(picture.question.post)));
+    add(LT_TEXT("Engine", "Control"), outcome.has_own_post ? Value(plan.post) : Value(labelOf(outcome.question.post)));
     add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, unit::mm, 3);
     if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, unit::mm);
     add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored
@@ -329,61 +329,61 @@ report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup)
     return table;
 }
 
-report::Answer answerOf(const TurningPicture& picture, const Language& language)
+report::Answer answerOf(const TurningOutcome& outcome, const Language& language)
 {
-    const cam::TurningPlan& plan = *picture.plan;
+    const cam::TurningPlan& plan = *outcome.plan;
     report::Answer answer = cam::answer(plan, language);
-    if (picture.isVoid()) {
+    if (outcome.isVoid()) {
         answer.verdict_words = LT_TEXT("Engine", "? check void");
         answer.sentence = LT_TEXT("Engine", "A program was changed after its check: check it again.");
         answer.value.reset();
         answer.values.clear();
         return answer;
     }
-    const bool is_corrected = std::any_of(picture.programs.begin(), picture.programs.end(),
+    const bool is_corrected = std::any_of(outcome.programs.begin(), outcome.programs.end(),
                                           [](const ShownProgram& p) { return p.origin == ProgramOrigin::Corrected; });
     if (is_corrected && plan.verdict && !plan.is_refused)
         answer.verdict_words = plan.rest.empty() ? LT_TEXT("Engine", "✓ compensated, checked")
                                                  : LT_TEXT("Engine", "✗ compensated; material stays");
     for (const cam::SetupPlan& setup : plan.setups)
         for (const cam::CheckFinding& found : setup.check.findings) {
-            if (answer.findings.size() == mostFindingsSaid) break;
-            report::Finding& said = answer.findings.emplace_back();
-            said.pattern = LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep");
-            said.values = {{"line", found.line},
-                           {"kind", cam::nameOf(found.kind)},
-                           {"z_mm", found.z_mm},
-                           {"depth_mm", found.depth_mm}};
-            said.verdict = Verdict::Fail;
-            said.place.line = found.line;
+            if (answer.findings.size() == mostReportedFindings) break;
+            report::Finding& reported = answer.findings.emplace_back();
+            reported.pattern = LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep");
+            reported.values = {{"line", found.line},
+                               {"kind", cam::nameOf(found.kind)},
+                               {"z_mm", found.z_mm},
+                               {"depth_mm", found.depth_mm}};
+            reported.verdict = Verdict::Fail;
+            reported.place.line = found.line;
         }
     std::vector<const cam::RestInterval*> largest;
     for (const cam::RestInterval& rest : plan.rest) largest.push_back(&rest);
     std::stable_sort(largest.begin(), largest.end(),
                      [](const auto* a, const auto* b) { return a->left_mm > b->left_mm + meet_mm; });
     for (const cam::RestInterval* rest : largest) {
-        if (answer.findings.size() == mostFindingsSaid) break;
-        report::Finding& said = answer.findings.emplace_back();
-        said.pattern = LT_TEXT("Engine", "Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}");
-        said.values = {{"left_mm", rest->left_mm},
-                       {"from", rest->z_start_mm},
-                       {"to", rest->z_end_mm},
-                       {"cause", cam::nameOf(rest->cause)}};
-        said.verdict = Verdict::Fail;
-        said.place.z_mm = Interval{rest->z_start_mm, rest->z_end_mm};
+        if (answer.findings.size() == mostReportedFindings) break;
+        report::Finding& reported = answer.findings.emplace_back();
+        reported.pattern = LT_TEXT("Engine", "Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}");
+        reported.values = {{"left_mm", rest->left_mm},
+                           {"from", rest->z_start_mm},
+                           {"to", rest->z_end_mm},
+                           {"cause", cam::nameOf(rest->cause)}};
+        reported.verdict = Verdict::Fail;
+        reported.place.z_mm = Interval{rest->z_start_mm, rest->z_end_mm};
     }
     return answer;
 }
 
-report::Document reportOf(const TurningPicture& picture, const Language& language)
+report::Document reportOf(const TurningOutcome& outcome, const Language& language)
 {
-    report::Document document = withSheets(cam::planReport(*picture.plan, language), picture);
+    report::Document document = withSheets(cam::planReport(*outcome.plan, language), outcome);
     if (!document.sections.empty() && !document.sections.front().blocks.empty())
-        document.sections.front().blocks.front() = answerOf(picture, language);
-    document.inputs = picture.inputs;
-    document.synthetic = picture.synthetic;
-    document.results = {report::toText(report::wholeResult("turn", picture.inputs, toValues(picture.question),
-                                                           cam::toJson(*picture.plan), picture.notes))};
+        document.sections.front().blocks.front() = answerOf(outcome, language);
+    document.inputs = outcome.inputs;
+    document.synthetic = outcome.synthetic;
+    document.results = {report::toText(report::wholeResult("turn", outcome.inputs, toValues(outcome.question),
+                                                           cam::toJson(*outcome.plan), outcome.notes))};
     return document;
 }
 

@@ -5,7 +5,7 @@
 
 #include "engine/report/chart.h"
 #include "engine/report/document.h"
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
@@ -17,37 +17,37 @@ struct StockShown {
 };
 
 /// The stock while the block at `line` runs: after the passes that are finished by then.
-StockShown stockAt(const TurningPicture& picture, std::size_t setup, std::int64_t line, bool is_cutting);
+StockShown stockAt(const TurningOutcome& outcome, std::size_t setup, std::int64_t line, bool is_cutting);
 
 /// Drawing, stock, path, findings; what stays with its number and cause. `pixels`: how finely the path is drawn.
-report::Plot contourPlot(const TurningPicture& picture, std::size_t setup, const StockShown& shown, int pixels,
+report::Plot contourPlot(const TurningOutcome& outcome, std::size_t setup, const StockShown& shown, int pixels,
                          const Language& language);
 
 /// What is drawn along the part below the contour.
 enum class Course { Speed, CuttingSpeed, Frequency, Roughness };
 
 /// Of the finish in this clamping, over the z of its stock. No curve where it is not known.
-report::Plot coursePlot(const TurningPicture& picture, std::size_t setup, Course course);
+report::Plot coursePlot(const TurningOutcome& outcome, std::size_t setup, Course course);
 
 /// "Why this speed": the lobes of the work at the moment when the section is cut. No curve without dynamics.
-report::Plot whyPlot(const TurningPicture& picture, std::size_t section, const Language& language);
+report::Plot whyPlot(const TurningOutcome& outcome, std::size_t section, const Language& language);
 
 /// An operation of the list: planned, or left out.
 struct ListedOperation {
     cam::SkippedOperation which;
     std::optional<std::size_t> planned;  ///< index; none: left out
 };
-std::vector<ListedOperation> listedOperations(const TurningPicture& picture, std::size_t setup);
+std::vector<ListedOperation> listedOperations(const TurningOutcome& outcome, std::size_t setup);
 /// The same as steps of the order, each once.
-std::vector<cam::OperationStep> stepsOf(const TurningPicture& picture, std::size_t setup);
+std::vector<cam::OperationStep> stepsOf(const TurningOutcome& outcome, std::size_t setup);
 /// The step that an operation belongs to: passes of the finishing tool over what is too deep for one are its finish.
 cam::OperationStep stepOf(cam::OperationStep operation, const cam::Job& job);
-report::Table operationTable(const TurningPicture& picture, std::size_t setup);  ///< a row for each of them
+report::Table operationTable(const TurningOutcome& outcome, std::size_t setup);  ///< a row for each of them
 
 /// Set-up sheet of one clamping: control, bar, zero, chuck, time, what stays.
-report::QuantityTable sheetOf(const TurningPicture& picture, std::size_t setup);
+report::QuantityTable sheetOf(const TurningOutcome& outcome, std::size_t setup);
 
-report::Answer answerOf(const TurningPicture& picture, const Language& language = {});
-report::Document reportOf(const TurningPicture& picture, const Language& language);
+report::Answer answerOf(const TurningOutcome& outcome, const Language& language = {});
+report::Document reportOf(const TurningOutcome& outcome, const Language& language);
 
 }  // namespace lathelier::turning_panel

@@ -20,18 +20,18 @@ struct ExportWords {
 
 }  // namespace
 
-void writePrograms(const TurningPicture& picture, const QString& path, QWidget* parent)
+void writePrograms(const TurningOutcome& outcome, const QString& path, QWidget* parent)
 {
-    for (std::size_t i = 0; i < picture.programs.size(); ++i) {
-        if (picture.programs[i].is_void)
+    for (std::size_t i = 0; i < outcome.programs.size(); ++i) {
+        if (outcome.programs[i].is_void)
             throw Error(errors::checkVoid, {{"clamping", static_cast<std::int64_t>(i) + 1}});
-        if (const int tool = cam::unknownToolOf(picture.plan->setups[i].check); tool != 0)
+        if (const int tool = cam::unknownToolOf(outcome.plan->setups[i].check); tool != 0)
             throw Error(errors::cutsNotChecked,
                         {{"clamping", static_cast<std::int64_t>(i) + 1}, {"tool", std::int64_t{std::max(0, tool)}}});
     }
-    cam::throwIfRefused(*picture.plan);
-    const std::vector<std::string> paths = cam::programPaths(path.toStdString(), picture.programs.size());
-    cam::refuseInputs(paths, picture.inputs, paths.front());
+    cam::throwIfRefused(*outcome.plan);
+    const std::vector<std::string> paths = cam::programPaths(path.toStdString(), outcome.programs.size());
+    cam::refuseInputs(paths, outcome.inputs, paths.front());
     // The dialog asked for one name, and two others are written.
     QStringList there;
     if (paths.size() > 1)
@@ -41,7 +41,7 @@ void writePrograms(const TurningPicture& picture, const QString& path, QWidget* 
         QMessageBox::question(parent, ExportWords::tr("Programs of both clampings"),
                               ExportWords::tr("Already there: %1. Replace?").arg(there.join(", "))) != QMessageBox::Yes)
         throw Error(errors::nothingReplaced, {{"path", paths.front()}});
-    cam::writePrograms(*picture.plan, paths);
+    cam::writePrograms(*outcome.plan, paths);
 }
 
 void writeMovesOf(const cam::SetupPlan& setup, const QString& path)

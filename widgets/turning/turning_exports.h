@@ -4,14 +4,14 @@
 #include <QString>
 #include <QWidget>
 
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
-/// What was not checked as it stands is not given out. Two programs get names of their own; what is there under these
-/// is replaced only where the user says so. Errors: checkVoid, cutsNotChecked, programRefused, outputIsInput,
-/// nothingReplaced, fileNotWritable.
-void writePrograms(const TurningPicture& picture, const QString& path, QWidget* parent);
+/// Unchecked programs are not exported. Two programs get separate names; existing files with these names are replaced
+/// only after confirmation. Errors: checkVoid, cutsNotChecked, programRefused, outputIsInput, nothingReplaced,
+/// fileNotWritable.
+void writePrograms(const TurningOutcome& outcome, const QString& path, QWidget* parent);
 
 /// The moves of one clamping as CSV. Error fileNotWritable.
 void writeMovesOf(const cam::SetupPlan& setup, const QString& path);

@@ -9,17 +9,17 @@
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
-#include "widgets/chatter_common/taken_input.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/deflection_common/turning_files.h"
+#include "widgets/part_common/part_input.h"
 #include "widgets/part_common/part_store.h"
 #include "widgets/part_common/shaft_table.h"
-#include "widgets/part_common/taken_part.h"
 #include "widgets/program_common/program_editor.h"
 #include "widgets/turning/job_store.h"
 #include "widgets/turning/turning_charts.h"
@@ -96,18 +96,18 @@ PanelFacts turningPanelFacts()
         {shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}, {gcode::correctedItem, programRole}};
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;
-    facts.hasWork = [](const project::PanelState& state) { return missingInputs(state).empty(); };
+    facts.has_work = [](const project::PanelState& state) { return missingInputs(state).empty(); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(turningPicture(state, stores, progress), language); };
+                      const Progress& progress) { return reportOf(turningOutcome(state, stores, progress), language); };
     return facts;
 }
 
 TurningPanel::TurningPanel(Session& owner, QWidget* parent)
     : Panel(owner, turningPanelFacts(), panelInputs(), parent), views_(new TurningViews)
 {
-    setViews(views_, views_->heroes());
+    setViews(views_, views_->primaryViews());
     connect(views_, &TurningViews::operationSwitched, this, &TurningPanel::switchOperation);
-    connect(views_->order(), &OperationsPane::orderWanted, this,
+    connect(views_->order(), &OperationsPane::orderRequested, this,
             [this](const std::vector<cam::OperationStep>& order, const cam::OperationStep& moved) {
                 setOrder(tr("Move: %1").arg(screenText(cam::nameOf(moved.kind))), moved.setup, order);
             });
@@ -115,21 +115,22 @@ TurningPanel::TurningPanel(Session& owner, QWidget* parent)
             [this] { setOrder(tr("Reset the order of operations"), static_cast<int>(views_->clamping()) + 1, {}); });
     connect(views_, &TurningViews::programEdited, this,
             [this](int clamping, const std::string& utf8) { keepDraft(clamping, utf8); });
-    connect(views_, &TurningViews::takeBackWanted, this, [this](int clamping) { keepDraft(clamping, std::nullopt); });
-    connect(views_, &TurningViews::checkWanted, this, &TurningPanel::checkAgain);
-    connect(views_, &TurningViews::useWanted, this, &TurningPanel::offerProgram);
-    connect(views_, &TurningViews::lobesWanted, this, &TurningPanel::offerLobes);
-    connect(views_, &TurningViews::notWritten, this, &TurningPanel::sayNotWritten);
+    connect(views_, &TurningViews::takeBackRequested, this,
+            [this](int clamping) { keepDraft(clamping, std::nullopt); });
+    connect(views_, &TurningViews::checkRequested, this, &TurningPanel::checkAgain);
+    connect(views_, &TurningViews::useRequested, this, &TurningPanel::offerProgram);
+    connect(views_, &TurningViews::lobesRequested, this, &TurningPanel::offerLobes);
+    connect(views_, &TurningViews::notWritten, this, &TurningPanel::reportWriteFailure);
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &TurningPanel::followForm);
 }
 
-/// A job changed by hand is of the file that is there now: the same undo step as the change itself. Once the form
-/// rules, nothing of the file is taken any more.
+/// A job edited by hand is assigned to the present file, within the same undo step. Once the form rules, nothing of the
+/// file is taken any more.
 void TurningPanel::followForm(const std::string& key, const Value& value, int gesture, const QString& step)
 {
-    const auto picture = result();
-    if (!isOfJob(key) || !picture || identity(state()).empty()) return;
-    Values job = jobValues(picture->plan->stated);
+    const auto outcome = result();
+    if (!isOfJob(key) || !outcome || identity(state()).empty()) return;
+    Values job = jobValues(outcome->plan->stated);
     lathelier::set(job, key, value);
     change(
         step,
@@ -139,7 +140,7 @@ void TurningPanel::followForm(const std::string& key, const Value& value, int ge
         QString("turning/%1/%2").arg(QString::fromStdString(key)).arg(gesture));
 }
 
-/// What a parameter of the project file makes impossible is said.
+/// Reports an error caused by a parameter of the project file.
 void TurningPanel::change(const QString& step, const std::function<void(project::PanelState&)>& how,
                           const QString& merge_key)
 {
@@ -175,44 +176,44 @@ void TurningPanel::setOrder(const QString& step, int clamping, const std::vector
 /// Typing is one undo step until something else is done.
 void TurningPanel::keepDraft(int clamping, const std::optional<std::string>& utf8)
 {
-    const auto picture = result();
-    if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
+    const auto outcome = result();
+    if (!outcome || clamping >= static_cast<int>(outcome->programs.size())) return;
     change(
         utf8 ? tr("Edit the program") : tr("Take back the changes of the program"),
-        [&](project::PanelState& state) { setDraft(state, *picture, static_cast<std::size_t>(clamping), utf8); },
+        [&](project::PanelState& state) { setDraft(state, *outcome, static_cast<std::size_t>(clamping), utf8); },
         utf8 ? QString("turning.program.%1").arg(clamping) : QString());
 }
 
 void TurningPanel::checkAgain(int clamping)
 {
-    const auto picture = result();
-    if (!picture || clamping >= static_cast<int>(picture->programs.size())) return;
+    const auto outcome = result();
+    if (!outcome || clamping >= static_cast<int>(outcome->programs.size())) return;
     change(tr("Check the program again"),
-           [&](project::PanelState& state) { askForCheck(state, *picture, static_cast<std::size_t>(clamping)); });
+           [&](project::PanelState& state) { askForCheck(state, *outcome, static_cast<std::size_t>(clamping)); });
 }
 
 /// Under the part's name, so that the next one takes its place.
 void TurningPanel::offerProgram(int clamping)
 {
-    const auto picture = result();
+    const auto outcome = result();
     const auto index = static_cast<std::size_t>(clamping);
-    if (!picture || index >= picture->programs.size() || !isSound(*picture, index)) return;
-    QString name = QString::fromStdString(turning_panel::nameOf(*picture));
+    if (!outcome || index >= outcome->programs.size() || !isSound(*outcome, index)) return;
+    QString name = QString::fromStdString(turning_panel::nameOf(*outcome));
     if (name.isEmpty()) name = tr("turning program");
-    if (picture->programs.size() > 1) name = tr("%1, clamping %2").arg(name).arg(clamping + 1);
-    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*picture, index)), picture->synthetic);
+    if (outcome->programs.size() > 1) name = tr("%1, clamping %2").arg(name).arg(clamping + 1);
+    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*outcome, index)), outcome->synthetic);
 }
 
 void TurningPanel::offerLobes(int section)
 {
-    const auto picture = result();
-    if (!picture || section < 0 || section >= static_cast<int>(picture->plan->sections.size())) return;
-    const cam::SectionSpeed& speed = picture->plan->sections[static_cast<std::size_t>(section)];
+    const auto outcome = result();
+    if (!outcome || section < 0 || section >= static_cast<int>(outcome->plan->sections.size())) return;
+    const cam::SectionSpeed& speed = outcome->plan->sections[static_cast<std::size_t>(section)];
     if (!speed.receptance) return;
     const std::string name =
         tr("part at z %1-%2 mm").arg(screenNumber(speed.z_start_mm, 1), screenNumber(speed.z_end_mm, 1)).toStdString();
     try {
-        offerItem(name, frfItem, toValues(*speed.receptance), picture->synthetic);
+        offerItem(name, frfItem, toValues(*speed.receptance), outcome->synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -234,9 +235,9 @@ void TurningPanel::assignFiles(project::PanelState& state, const std::vector<Fou
 
 TurningPanel::Compute TurningPanel::compute(const project::PanelState& state) const
 {
-    fromValues<TurningQuestion>(state.parameters);  // refuses now what is out of range
+    fromValues<TurningQuestion>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return turningPicture(state, *stores, progress);
+        return turningOutcome(state, *stores, progress);
     };
 }
 
@@ -282,51 +283,51 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
         tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
 }
 
-void TurningPanel::showResult(const std::shared_ptr<const TurningPicture>& picture)
+void TurningPanel::showResult(const std::shared_ptr<const TurningOutcome>& outcome)
 {
-    inputColumn().form().setValues(jobValues(picture->plan->stated));  // also those of a file
+    inputColumn().form().setValues(jobValues(outcome->plan->stated));  // also those of a file
     bool is_newest = false;
     try {
-        is_newest = picture->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
+        is_newest = outcome->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
     } catch (const Error&) {
-        is_newest = false;  // what is asked now cannot be: the request for it says so
+        is_newest = false;  // the present request is invalid and reports its error
     }
-    views_->setPicture(picture, is_newest && !views_->editor()->isTyping());
+    views_->setOutcome(outcome, is_newest && !views_->editor()->isTyping());
 }
 
-report::Answer TurningPanel::answer(const TurningPicture& picture) const
+report::Answer TurningPanel::answer(const TurningOutcome& outcome) const
 {
-    return turning_panel::answerOf(picture, screenLanguage());
+    return turning_panel::answerOf(outcome, screenLanguage());
 }
 
-report::Document TurningPanel::document(const TurningPicture& picture) const
+report::Document TurningPanel::document(const TurningOutcome& outcome) const
 {
-    return reportOf(picture, screenLanguage());
+    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> TurningPanel::exports() const
 {
-    const auto picture = result();
-    if (!picture) return {};
-    const bool two = picture->plan->setups.size() > 1;
+    const auto outcome = result();
+    if (!outcome) return {};
+    const bool two = outcome->plan->setups.size() > 1;
     std::vector<PanelExport> all{{two ? tr("Programs of both clampings…") : tr("Turning program…"),
                                   tr("NC program (*.nc *.ngc *.mpf *.tap)"),
-                                  picture->question.post == PostChoice::Sinumerik ? "mpf" : "nc",
-                                  [this, picture](const QString& path) { writePrograms(*picture, path, window()); }}};
-    for (std::size_t i = 0; i < picture->plan->setups.size(); ++i)
+                                  outcome->question.post == PostChoice::Sinumerik ? "mpf" : "nc",
+                                  [this, outcome](const QString& path) { writePrograms(*outcome, path, window()); }}};
+    for (std::size_t i = 0; i < outcome->plan->setups.size(); ++i)
         all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),
                        tr("Table (*.csv)"), "csv",
-                       [picture, i](const QString& path) { writeMovesOf(picture->plan->setups[i], path); }});
+                       [outcome, i](const QString& path) { writeMovesOf(outcome->plan->setups[i], path); }});
     return all;
 }
 
 /// A line is one of the clamping in whose check it was found.
 void TurningPanel::showPlace(const report::Place& place)
 {
-    const auto picture = result();
-    if (!picture) return;
+    const auto outcome = result();
+    if (!outcome) return;
     if (place.line) {
-        const auto& setups = picture->plan->setups;
+        const auto& setups = outcome->plan->setups;
         const auto has = [&](const cam::SetupPlan& setup) {
             const auto& found = setup.check.findings;
             return std::any_of(found.begin(), found.end(),
@@ -335,11 +336,11 @@ void TurningPanel::showPlace(const report::Place& place)
         if (!has(setups[views_->clamping()]))
             if (const auto setup = std::find_if(setups.begin(), setups.end(), has); setup != setups.end())
                 views_->setClamping(static_cast<std::size_t>(setup - setups.begin()));
-        views_->heroes()->setHero("program");
+        views_->primaryViews()->setPrimary("program");
         views_->goToLine(*place.line);
     } else if (place.z_mm) {
-        views_->heroes()->setHero("contour");
-        const auto& rests = picture->plan->rest;
+        views_->primaryViews()->setPrimary("contour");
+        const auto& rests = outcome->plan->rest;
         const auto rest = std::find_if(rests.begin(), rests.end(), [&](const cam::RestInterval& each) {
             return Interval{each.z_start_mm, each.z_end_mm} == *place.z_mm;
         });

@@ -1,8 +1,8 @@
-// The panel "Turning program": which program turns this shaft, what does it leave, and is it clean?
+// The panel "Turning program": program that turns a shaft, remaining material and findings of its check.
 #pragma once
 
 #include "widgets/core/panel/panel.h"
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
@@ -11,8 +11,8 @@ class TurningViews;
 /// The panel's line of the panel table.
 PanelFacts turningPanelFacts();
 
-/// A file fills the form of the job; once a field is changed, the form rules until another file is opened.
-class TurningPanel : public Panel<TurningPicture> {
+/// A file fills the form of the job; once a field is edited, the form has precedence until another file is opened.
+class TurningPanel : public Panel<TurningOutcome> {
     Q_OBJECT
 
 public:
@@ -23,10 +23,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const TurningPicture>& picture) override;
-    report::Answer answer(const TurningPicture& picture) const override;
-    Notes notes(const TurningPicture& picture) const override { return picture.notes; }
-    report::Document document(const TurningPicture& picture) const override;
+    void showResult(const std::shared_ptr<const TurningOutcome>& outcome) override;
+    report::Answer answer(const TurningOutcome& outcome) const override;
+    Notes notes(const TurningOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const TurningOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

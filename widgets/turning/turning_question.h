@@ -1,4 +1,4 @@
-// What the panel "Turning program" is asked: control, clampings, and the job, from its file or from the form.
+// Question of the panel Turning program: control, clampings, and the job, from its file or from the form.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace lathelier::turning_panel {
 
 inline constexpr const char* jobRole = "job";          ///< of the input; besides: shaftRole, spindleRole
-inline constexpr const char* jobOfKey = "job_of";      ///< what the job was changed from; no form
+inline constexpr const char* jobOfKey = "job_of";      ///< key of job_of; not in the form
 inline constexpr const char* toolsKey = "tools";       ///< of the job
 inline constexpr const char* skippedKey = "skipped";   ///< of the plan; edited in the list of operations
 inline constexpr const char* orderKey = "order";       ///< of the plan; edited in the list of operations
@@ -24,7 +24,7 @@ enum class PostChoice { FanucA, FanucB, Haas, Sinumerik, LinuxCnc, Grbl };
 
 /// As cam::postNamed() takes it.
 const char* nameOf(PostChoice post);
-Text labelOf(PostChoice post);  ///< what people read
+Text labelOf(PostChoice post);  ///< shown label
 
 /// A program that was changed by hand.
 struct TurningDraft {
@@ -40,7 +40,7 @@ const std::vector<Field<TurningDraft>>& fieldsOf(const TurningDraft*);
 struct TurningQuestion {
     PostChoice post = PostChoice::FanucA;  ///< control that the program is for
     cam::TurningParameters plan;           ///< clampings, relation, part, operations that are left out
-    cam::Job job;                          ///< as the form has it; rules where it has tools
+    cam::Job job;                          ///< job of the form; has precedence if it has tools
     std::string job_of;                    ///< identity() of the file that the form was changed from
     std::vector<TurningDraft> drafts;      ///< changes by hand, at most one for each clamping
 
@@ -49,27 +49,27 @@ struct TurningQuestion {
 
 const std::vector<Field<TurningQuestion>>& fieldsOf(const TurningQuestion*);
 
-/// Is this the key of a field of the job?
+/// Whether this is the key of a field of the job.
 bool isOfJob(const std::string& key);
 
 /// The job as values of the form.
 Values jobValues(const cam::Job& job);
 
-/// What tells the file of the job from another one; empty without one.
+/// Identity of the job file; empty without one.
 std::string identity(const project::PanelState& state);
 
-/// Does the form rule over the file?
+/// Whether the form has precedence over the file.
 bool formRules(const TurningQuestion& question, const project::PanelState& state);
 
 bool formRules(const project::PanelState& state);
 
-/// Puts the job into the form, changed from the file that is there now.
+/// Stores the job in the form, assigned to the present file.
 void setJob(project::PanelState& state, const Values& job);
 
-/// A file that is opened is what is meant: what the form says would hide it.
+/// Clears the form when a file is opened, which it would override.
 void openJob(project::PanelState& state, const std::string& path);
 
-/// Is there a job, and a part or a file that may hold one?
+/// Whether there is a job, and a part or a file that may contain one.
 std::vector<Text> missingInputs(const project::PanelState& state);
 
 }  // namespace lathelier::turning_panel

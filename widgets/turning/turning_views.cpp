@@ -34,7 +34,7 @@ QSplitter* stacked(std::initializer_list<QWidget*> parts)
 
 TurningViews::TurningViews(QWidget* parent)
     : QWidget(parent),
-      heroes_(new HeroViews),
+      primaryViews_(new PrimaryViews),
       contour_(new plot::ChartView),
       courses_(new CourseCharts(contour_)),
       path_(new plot::ChartView),
@@ -62,15 +62,15 @@ TurningViews::TurningViews(QWidget* parent)
     tools_->setObjectName("turningTools");
     sentence_->setObjectName("turningSentence");
     lobes_->setObjectName("turningOpenLobes");
-    heroes_->add("contour", makeContourSide());
-    heroes_->add("program", makeProgramSide());
-    heroes_->add("operations", operations_);
-    heroes_->add("sections", makeSectionsSide());
-    heroes_->add("rest", stacked({rest_, findings_}));
-    heroes_->add("sheet", stacked({sheet_, tools_}));
+    primaryViews_->add("contour", makeContourSide());
+    primaryViews_->add("program", makeProgramSide());
+    primaryViews_->add("operations", operations_);
+    primaryViews_->add("sections", makeSectionsSide());
+    primaryViews_->add("rest", stacked({rest_, findings_}));
+    primaryViews_->add("sheet", stacked({sheet_, tools_}));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(heroes_, 1);
+    layout->addWidget(primaryViews_, 1);
     layout->addWidget(scrubber_);
     connectParts();
     connectTables();
@@ -106,7 +106,7 @@ QWidget* TurningViews::makeProgramSide()
     return program;
 }
 
-/// Speeds with the lobes of the row that is chosen; without dynamics a sentence that says so.
+/// Speeds with the lobes of the row that is chosen; without dynamics an explanatory sentence.
 QWidget* TurningViews::makeSectionsSide()
 {
     sentence_->setWordWrap(true);
@@ -131,20 +131,20 @@ void TurningViews::connectParts()
     const auto at = [this] { return static_cast<int>(clamping_); };
     connect(editor_, &ProgramEditor::edited, this,
             [this, at] { emit programEdited(at(), editor_->program().toStdString()); });
-    connect(bar_, &ProgramBar::checkWanted, this, [this, at] {
+    connect(bar_, &ProgramBar::checkRequested, this, [this, at] {
         editor_->takeOver();
-        emit checkWanted(at());
+        emit checkRequested(at());
     });
-    connect(bar_, &ProgramBar::takeBackWanted, this, [this, at] {
-        editor_->takeOver();  // what was typed last would come back after it
-        emit takeBackWanted(at());
+    connect(bar_, &ProgramBar::takeBackRequested, this, [this, at] {
+        editor_->takeOver();  // commits pending input, which would otherwise be applied afterwards
+        emit takeBackRequested(at());
     });
-    connect(bar_, &ProgramBar::useWanted, this, [this, at] { emit useWanted(at()); });
-    connect(lobes_, &QToolButton::clicked, this, [this] { emit lobesWanted(std::max(0, sections_->currentRow())); });
+    connect(bar_, &ProgramBar::useRequested, this, [this, at] { emit useRequested(at()); });
+    connect(lobes_, &QToolButton::clicked, this, [this] { emit lobesRequested(std::max(0, sections_->currentRow())); });
     connect(scrubber_, &ToolScrubber::clampingChosen, this,
             [this](int id) { setClamping(static_cast<std::size_t>(id)); });
     connect(scrubber_, &ToolScrubber::moved, this, [this](int place) { moveTool(place); });
-    // The editor may say so while it is painted: charts must not be drawn anew then.
+    // The signal may be emitted during painting, when charts must not be redrawn.
     connect(
         editor_, &ProgramEditor::lineReached, this,
         [this] {
@@ -159,26 +159,26 @@ void TurningViews::connectParts()
         connect(chart, &plot::PlotWidget::notWritten, this, &TurningViews::notWritten);
 }
 
-void TurningViews::setPicture(const std::shared_ptr<const TurningPicture>& picture, bool takes_text)
+void TurningViews::setOutcome(const std::shared_ptr<const TurningOutcome>& outcome, bool takes_text)
 {
     scrubber_->setPlaying(false);
-    picture_ = picture;
+    outcome_ = outcome;
     takes_text_ = takes_text;
-    if (clamping_ >= picture->clampings.size()) clamping_ = 0;
+    if (clamping_ >= outcome->clampings.size()) clamping_ = 0;
     show();
 }
 
-const ClampingPicture* TurningViews::shownClamping() const
+const ClampingOutcome* TurningViews::shownClamping() const
 {
-    return picture_ ? &picture_->clampings[clamping_] : nullptr;
+    return outcome_ ? &outcome_->clampings[clamping_] : nullptr;
 }
 
 void TurningViews::setClamping(std::size_t clamping)
 {
-    if (picture_ && clamping >= picture_->clampings.size()) clamping = 0;
+    if (outcome_ && clamping >= outcome_->clampings.size()) clamping = 0;
     if (clamping == clamping_) return;
     scrubber_->setPlaying(false);
-    editor_->takeOver();  // what is typed belongs to the clamping that is left
+    editor_->takeOver();  // commits pending input to the previous clamping
     clamping_ = clamping;
     takes_text_ = true;
     line_ = 0;
@@ -188,12 +188,12 @@ void TurningViews::setClamping(std::size_t clamping)
 /// While the text is being changed, the tool stays at the line of the caret.
 void TurningViews::show()
 {
-    if (!picture_) return;
-    scrubber_->setClampings(picture_->clampings.size(), clamping_);
+    if (!outcome_) return;
+    scrubber_->setClampings(outcome_->clampings.size(), clamping_);
     const bool is_editing = editor_->hasFocus();
     showText();
     showTables();
-    courses_->setPicture(*picture_, clamping_);
+    courses_->setOutcome(*outcome_, clamping_);
     showStock(stock_, true);
     if (is_editing) return goToLine(editor_->line());
     scrubber_->setPlace(places);
@@ -202,14 +202,15 @@ void TurningViews::show()
 
 void TurningViews::showText()
 {
-    const cam::SetupPlan& setup = picture_->plan->setups[clamping_];
-    bar_->setPicture(*picture_, clamping_);
+    const cam::SetupPlan& setup = outcome_->plan->setups[clamping_];
+    bar_->setOutcome(*outcome_, clamping_);
     if (takes_text_)
         editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
                             setup.check.program.dialect);
     std::vector<LineRemark> remarks;
-    for (const gcode::Diagnostic& said : setup.check.path.diagnostics)
-        if (said.error) remarks.push_back({said.line, said.column, true, screenText(*said.error)});
+    for (const gcode::Diagnostic& diagnostic : setup.check.path.diagnostics)
+        if (diagnostic.error)
+            remarks.push_back({diagnostic.line, diagnostic.column, true, screenText(*diagnostic.error)});
     for (const cam::CheckFinding& found : setup.check.findings)
         remarks.push_back(
             {found.line, 0, true,
@@ -220,12 +221,12 @@ void TurningViews::showText()
 /// Draws contour and path where the stock is another one, or `again`.
 void TurningViews::showStock(const StockShown& shown, bool again)
 {
-    if (!picture_ || (shown == stock_ && !again)) return;
+    if (!outcome_ || (shown == stock_ && !again)) return;
     stock_ = shown;
     report::Plot plot =
-        contourPlot(*picture_, clamping_, shown, std::max(leastPixels, contour_->width()), screenLanguage());
+        contourPlot(*outcome_, clamping_, shown, std::max(leastPixels, contour_->width()), screenLanguage());
     report::Plot path = plot;
-    path.marks.clear();  // said in the other view; text and path have little room
+    path.marks.clear();  // shown in the other view
     for (report::Curve& curve : path.curves) curve.name = std::string();
     for (report::Region& region : path.regions) region.name = std::string();
     contour_->setData(std::move(plot));
@@ -235,7 +236,7 @@ void TurningViews::showStock(const StockShown& shown, bool again)
 /// The tool at a place of the scrubber: its outline, the stock by then, its block in the text.
 void TurningViews::moveTool(int place, bool moves_caret)
 {
-    const ClampingPicture* clamping = shownClamping();
+    const ClampingOutcome* clamping = shownClamping();
     if (!clamping || clamping->drawn.corners() == 0) return;
     const double way = clamping->length_mm() * place / places;
     const auto& travelled = clamping->travelled_mm;
@@ -253,7 +254,7 @@ void TurningViews::moveTool(int place, bool moves_caret)
     line_ = drawn.lineOf(at);
     if (moves_caret && editor_->line() != line_) editor_->goToLine(line_);
     StockShown shown;
-    if (place < places) shown = stockAt(*picture_, clamping_, line_, !drawn.isRapid(at));
+    if (place < places) shown = stockAt(*outcome_, clamping_, line_, !drawn.isRapid(at));
     showStock(shown, false);
     pointOutTool(tip, place < places ? drawn.toolOf(at) : 0);
     scrubber_->say(tr("Line %1 · %2 · tool %3 · Ø %4 · Z %5")
@@ -264,7 +265,7 @@ void TurningViews::moveTool(int place, bool moves_caret)
 
 void TurningViews::goToLine(std::int64_t line)
 {
-    const ClampingPicture* clamping = shownClamping();
+    const ClampingOutcome* clamping = shownClamping();
     if (!clamping) return;
     const auto pieces = clamping->drawn.piecesOf(line);
     if (pieces.empty()) {
@@ -294,15 +295,15 @@ void TurningViews::pointOutTool(const QPointF& tip, int number)
 
 void TurningViews::showStretch(const Interval& z_mm)
 {
-    if (!picture_) return;
-    const Interval at = inStock(*picture_, clamping_, z_mm);
+    if (!outcome_) return;
+    const Interval at = inStock(*outcome_, clamping_, z_mm);
     contour_->setMarker((at.from + at.to) / 2);
     courses_->setMarker((at.from + at.to) / 2);
 }
 
 void TurningViews::pick(plot::ChartView* chart, double z_mm, double x_mm)
 {
-    const ClampingPicture* clamping = shownClamping();
+    const ClampingOutcome* clamping = shownClamping();
     if (!clamping) return;
     const QRectF shown = chart->visibleRange();
     const stock::PathPiece piece = clamping->drawn.nearest({z_mm, x_mm}, shown.width() / std::max(1, chart->width()),
@@ -318,12 +319,12 @@ void TurningViews::setPresenting(bool presenting)
 
 void TurningViews::retranslate()
 {
-    heroes_->setTitle("contour", tr("Contour and stock"));
-    heroes_->setTitle("program", tr("Program and path"));
-    heroes_->setTitle("operations", tr("Operations"));
-    heroes_->setTitle("sections", tr("Speeds and why"));
-    heroes_->setTitle("rest", tr("What stays, findings"));
-    heroes_->setTitle("sheet", tr("Set-up sheet"));
+    primaryViews_->setTitle("contour", tr("Contour and stock"));
+    primaryViews_->setTitle("program", tr("Program and path"));
+    primaryViews_->setTitle("operations", tr("Operations"));
+    primaryViews_->setTitle("sections", tr("Speeds and why"));
+    primaryViews_->setTitle("rest", tr("What stays, findings"));
+    primaryViews_->setTitle("sheet", tr("Set-up sheet"));
     courses_->retranslate();
     operations_->retranslate();
     bar_->retranslate();

@@ -1,6 +1,6 @@
 // The views of a turning program, linked: the contour with its stock and what runs along it; the text, which can be
-// changed, beside its path; operations, speeds with their reason, what stays and what is met, the set-up sheet. Below
-// all of them a scrubber moves the tool along the program.
+// changed, beside its path; operations, speeds with reasons, remaining material and collisions, set-up sheet. Below all
+// of them a scrubber moves the tool along the program.
 #pragma once
 
 #include <QLabel>
@@ -10,14 +10,14 @@
 #include <optional>
 
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/turning/course_charts.h"
 #include "widgets/turning/operations_pane.h"
 #include "widgets/turning/program_bar.h"
 #include "widgets/turning/tool_scrubber.h"
 #include "widgets/turning/turning_charts.h"
-#include "widgets/turning/turning_picture.h"
+#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::program_common {
 class ProgramEditor;
@@ -32,10 +32,10 @@ public:
     explicit TurningViews(QWidget* parent = nullptr);
     ~TurningViews() override;
 
-    /// `takes_text`: the editor shows the texts of the picture; else it keeps what is typed meanwhile.
-    void setPicture(const std::shared_ptr<const TurningPicture>& picture, bool takes_text);
+    /// `takes_text`: the editor shows the texts of the outcome; else it keeps pending input.
+    void setOutcome(const std::shared_ptr<const TurningOutcome>& outcome, bool takes_text);
 
-    HeroViews* heroes() const { return heroes_; }
+    PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* contour() const { return contour_; }
     CourseCharts* courses() const { return courses_; }
     plot::ChartView* why() const { return why_; }
@@ -50,7 +50,7 @@ public:
     CopyTable* findings() const { return findings_; }
     ToolScrubber* scrubber() const { return scrubber_; }
 
-    std::size_t clamping() const { return clamping_; }  ///< that is shown, from 0
+    std::size_t clamping() const { return clamping_; }  ///< shown clamping, from 0
     void setClamping(std::size_t clamping);
 
     void goToLine(std::int64_t line);                   ///< the tool stands at the end of this block
@@ -65,10 +65,10 @@ signals:
     /// An operation is switched on or off.
     void operationSwitched(const lathelier::cam::SkippedOperation& operation, bool on);
     void programEdited(int clamping, const std::string& utf8);  ///< from 0
-    void checkWanted(int clamping);                             ///< of the text that stands there
-    void takeBackWanted(int clamping);                          ///< the changes by hand
-    void useWanted(int clamping);                               ///< the program, in other panels
-    void lobesWanted(int section);                              ///< in the panel of lobes, at that moment of the part
+    void checkRequested(int clamping);                          ///< of the text that stands there
+    void takeBackRequested(int clamping);                       ///< the changes by hand
+    void useRequested(int clamping);                            ///< the program, in other panels
+    void lobesRequested(int section);                           ///< in the panel of lobes, at that moment of the part
     void notWritten(const QString& path);                       ///< the system refused to write a picture
 
 private:
@@ -86,14 +86,14 @@ private:
     void moveTool(int place, bool moves_caret = true);
     void pointOutTool(const QPointF& tip, int number);
     void pick(plot::ChartView* chart, double z_mm, double x_mm);
-    const ClampingPicture* shownClamping() const;
+    const ClampingOutcome* shownClamping() const;
 
-    std::shared_ptr<const TurningPicture> picture_;
+    std::shared_ptr<const TurningOutcome> outcome_;
     std::size_t clamping_ = 0;
     bool takes_text_ = true;
     StockShown stock_;
     std::int64_t line_ = 0;
-    HeroViews* heroes_;
+    PrimaryViews* primaryViews_;
     plot::ChartView* contour_;
     CourseCharts* courses_;
     plot::ChartView* path_;

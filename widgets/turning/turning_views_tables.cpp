@@ -1,4 +1,4 @@
-// The tables of the views: operations, speeds with their reason, what stays and what is met, the set-up sheet.
+// The tables of the views: operations, speeds with reasons, remaining material and collisions, set-up sheet.
 #include <QSignalBlocker>
 #include <algorithm>
 
@@ -26,13 +26,13 @@ void TurningViews::connectTables()
 {
     const auto onRow = [this](CopyTable* table, auto chosen) {
         connect(table, &QTableWidget::currentCellChanged, this, [this, chosen](int row, int, int before, int) {
-            if (picture_ && row >= 0 && row != before) chosen(static_cast<std::size_t>(row));
+            if (outcome_ && row >= 0 && row != before) chosen(static_cast<std::size_t>(row));
         });
     };
     onRow(sections_, [this](std::size_t row) { showWhy(static_cast<int>(row)); });
     onRow(rest_, [this](std::size_t row) { showRest(row); });
     onRow(findings_, [this](std::size_t row) {
-        const auto& found = picture_->plan->setups[clamping_].check.findings;
+        const auto& found = outcome_->plan->setups[clamping_].check.findings;
         if (row < found.size()) goToLine(found[row].line);
     });
     connect(operations(), &OperationsTable::lineChosen, this, &TurningViews::goToLine);
@@ -41,24 +41,24 @@ void TurningViews::connectTables()
 
 void TurningViews::showTables()
 {
-    const cam::TurningPlan& plan = *picture_->plan;
+    const cam::TurningPlan& plan = *outcome_->plan;
     const cam::SetupPlan& setup = plan.setups[clamping_];
-    operations_->setPicture(*picture_, clamping_);
+    operations_->setOutcome(*outcome_, clamping_);
     showSections();
     fillTable(rest_, cam::restTable(plan));
     fillTable(findings_, cam::findingTable(setup.check));
     report::Document sheet;
-    sheet.sections.push_back({{}, {sheetOf(*picture_, clamping_)}});
+    sheet.sections.push_back({{}, {sheetOf(*outcome_, clamping_)}});
     sheet_->setQuantities(sheet);
     fillTable(tools_, cam::toolTable(plan));
     rest_->setVisible(!plan.rest.empty());
     findings_->setVisible(!setup.check.findings.empty());
-    heroes_->setAvailable("rest", !plan.rest.empty() || !setup.check.findings.empty());
+    primaryViews_->setAvailable("rest", !plan.rest.empty() || !setup.check.findings.empty());
 }
 
 void TurningViews::showSections()
 {
-    const cam::TurningPlan& plan = *picture_->plan;
+    const cam::TurningPlan& plan = *outcome_->plan;
     const auto& sections = plan.sections;
     const bool has_speeds = std::any_of(sections.begin(), sections.end(),
                                         [](const cam::SectionSpeed& s) { return s.speed_rpm || s.receptance; });
@@ -75,8 +75,8 @@ void TurningViews::showSections()
 
 void TurningViews::showWhy(int section)
 {
-    if (!picture_) return;
-    report::Plot plot = whyPlot(*picture_, static_cast<std::size_t>(section), screenLanguage());
+    if (!outcome_) return;
+    report::Plot plot = whyPlot(*outcome_, static_cast<std::size_t>(section), screenLanguage());
     why_->setVisible(!plot.curves.empty());
     lobes_->setVisible(!plot.curves.empty());
     if (!plot.curves.empty()) why_->setData(std::move(plot));
@@ -84,11 +84,11 @@ void TurningViews::showWhy(int section)
 
 void TurningViews::showRest(std::size_t rest)
 {
-    if (!picture_ || rest >= picture_->plan->rest.size()) return;
-    const RestPlace place = placeOf(*picture_, rest);
+    if (!outcome_ || rest >= outcome_->plan->rest.size()) return;
+    const RestPlace place = placeOf(*outcome_, rest);
     setClamping(place.clamping);
     if (place.line > 0) goToLine(place.line);
-    showStretch({picture_->plan->rest[rest].z_start_mm, picture_->plan->rest[rest].z_end_mm});
+    showStretch({outcome_->plan->rest[rest].z_start_mm, outcome_->plan->rest[rest].z_end_mm});
 }
 
 }  // namespace lathelier::turning_panel

@@ -1,4 +1,4 @@
-// Names of the check's numbers for JSON and tables: `check` and `rest`.
+// Keys of the quantities of the check for JSON and tables: `check` and `rest`.
 #pragma once
 
 #include "engine/cam/check/turning_check.h"

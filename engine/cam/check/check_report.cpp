@@ -14,11 +14,11 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr std::size_t mostFindingsSaid = 3;
+constexpr std::size_t mostReportedFindings = 3;
 constexpr int paper_px = 2000;
 constexpr double drawnSpacing_mm = 0.5;
 
-report::Finding saidOf(const CheckFinding& found)
+report::Finding findingOf(const CheckFinding& found)
 {
     report::Place place;
     place.line = found.line;
@@ -29,7 +29,7 @@ report::Finding saidOf(const CheckFinding& found)
             place};
 }
 
-report::Finding saidOf(const RestInterval& rest)
+report::Finding findingOf(const RestInterval& rest)
 {
     report::Place place;
     if (rest.line > 0) place.line = rest.line;
@@ -76,9 +76,9 @@ report::Answer answer(const CheckResult& result, const Language&)
                      {"rest", static_cast<std::int64_t>(result.rest.size())},
                      {"findings", static_cast<std::int64_t>(result.findings.size()) + result.findings_not_listed}};
     for (const CheckFinding* found : largestOf(result.findings, [](const CheckFinding& f) { return f.depth_mm; }))
-        if (answer.findings.size() < mostFindingsSaid) answer.findings.push_back(saidOf(*found));
+        if (answer.findings.size() < mostReportedFindings) answer.findings.push_back(findingOf(*found));
     for (const RestInterval* rest : largestOf(result.rest, [](const RestInterval& r) { return r.left_mm; }))
-        if (answer.findings.size() < mostFindingsSaid) answer.findings.push_back(saidOf(*rest));
+        if (answer.findings.size() < mostReportedFindings) answer.findings.push_back(findingOf(*rest));
     return answer;
 }
 

@@ -1,4 +1,4 @@
-// The check of a program for people: answer, tables, meridian plot, document; and as JSON.
+// Report of the check of a program: answer, tables, meridian plot, document, JSON.
 #pragma once
 
 #include "engine/cam/check/turning_check.h"
@@ -8,10 +8,10 @@
 
 namespace lathelier::cam {
 
-/// The largest that is left, with the verdict, and the three most important findings.
+/// The largest residual material with the verdict, and the three largest findings.
 report::Answer answer(const CheckResult& result, const Language& language = {});
 
-/// The part's drawing, what stays of the stock, chuck and tailstock, findings. z from the raw end of the stock.
+/// Nominal contour of the part, remaining stock, chuck, tailstock and findings. z from the raw end of the stock.
 report::Plot meridianPlot(const CheckResult& result, const Shaft& part, const Language& language = {});
 
 report::Table findingTable(const CheckResult& result);  ///< Line, Finding, z, Radius, Depth

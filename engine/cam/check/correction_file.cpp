@@ -11,8 +11,8 @@ namespace {
 constexpr std::size_t mostNodes = 1000000;
 constexpr double besideJump_mm = 1e-6;  ///< between both sides of a jump
 
-/// Lays a run over those before it.
-void lay(StatedCorrection& all, const StatedCorrection& run)
+/// Inserts a run; where it overlaps earlier runs it replaces them.
+void overlay(StatedCorrection& all, const StatedCorrection& run)
 {
     if (!run.isAny()) return;
     StatedCorrection merged;
@@ -40,7 +40,7 @@ StatedCorrection correctionOf(std::span<const CorrectedCorner> corners)
     StatedCorrection all, run;
     for (const CorrectedCorner& corner : corners) {
         if (run.isAny() && corner.z_mm < run.z_mm.back()) {
-            lay(all, run);
+            overlay(all, run);
             run = {};
         }
         if (run.isAny() && corner.z_mm == run.z_mm.back()) {
@@ -50,7 +50,7 @@ StatedCorrection correctionOf(std::span<const CorrectedCorner> corners)
         run.z_mm.push_back(corner.z_mm);
         run.radius_mm.push_back(corner.radius_mm);
     }
-    lay(all, run);
+    overlay(all, run);
     return all;
 }
 

@@ -1,4 +1,4 @@
-// What a correction for deflection says of a program, as a correction of the drawing.
+// The deflection correction of a program, as radii added to the nominal contour.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace lathelier::cam {
 /// A corner of a corrected run.
 struct CorrectedCorner {
     double z_mm = 0;       ///< from the free end of the clamping
-    double radius_mm = 0;  ///< what is added to the radius
+    double radius_mm = 0;  ///< added to the nominal radius
 };
 
 /// Corners of all corrected runs one after the other, each run from the free end toward the chuck; straight between the

@@ -52,7 +52,7 @@ double distanceToBody(const Corner& place, const ConvexPolygon& body)
     return nearest;
 }
 
-/// Makes the strokes of one program.
+/// Converts the moves of one program to cutter strokes.
 class PathMaker {
 public:
     PathMaker(const Job& job, const PathPlace& place, Notes& notes) : job_(job), place_(place), notes_(notes) {}
@@ -147,7 +147,7 @@ private:
             CutterStroke body = stroke;
             body.is_arc = false;
             body.body = stock::hullOf(corners);
-            if (body.body.size() < 3) {  // a blade as wide as its two corners stands still
+            if (body.body.size() < 3) {  // the width of the blade is twice its corner radius: the box degenerates
                 body.body.clear();
                 body.from = corners.front();
                 body.to = corners.back();
@@ -167,7 +167,7 @@ private:
         }
         add(std::move(first));
         add(std::move(last));
-        // Where the arc comes nearest to the axis, the floor stands between its corners.
+        // At the smallest radius of the arc the straight edge between both corners cuts.
         double lowest = -turn_rad / 4 - stroke.begin;
         if (stroke.sweep < 0) lowest = -lowest;
         lowest -= turn_rad * std::floor(lowest / turn_rad);

@@ -1,5 +1,5 @@
-// The drawing as a row of points: the free end's face from the axis outward, then the outside up to the end of the
-// part. Faces between rows are pieces of their own. Points are (z, radius) in mm, z from the free end.
+// The nominal contour as sampled points: the face of the free end from the axis outward, then the outside up to the end
+// of the part. Faces between rows are pieces of their own. Points are (z, radius) in mm, z from the free end.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,20 @@ namespace lathelier::cam {
 
 using stock::Corner;
 
-/// What a program stands off from the drawing on purpose, along the axis: straight between places, constant beyond the
-/// first and the last.
+/// Intended radial offset of a program from the drawing along the axis: linear between nodes, constant beyond the first
+/// and last.
 struct StatedCorrection {
     std::vector<double> z_mm;       ///< ascending
-    std::vector<double> radius_mm;  ///< what is added to the radius
+    std::vector<double> radius_mm;  ///< added to the nominal radius
     bool isAny() const { return !z_mm.empty(); }
     double at_mm(double z_mm) const;  ///< 0 without places
     friend bool operator==(const StatedCorrection&, const StatedCorrection&) = default;
 };
 
-/// A place on the drawing.
+/// A sample of the nominal contour.
 struct DrawnPoint {
     Corner at;                ///< with the correction
-    double along_mm = 0;      ///< length of the polyline of points before it
+    double along_mm = 0;      ///< arc length of the sampled polyline up to this point
     double t = 0;             ///< share of its piece, 0 … 1
     std::uint32_t piece = 0;  ///< of pieces()
 };
@@ -35,11 +35,11 @@ struct DrawnPoint {
 inline constexpr double usualSpacing_mm = 0.02;
 inline constexpr std::size_t mostDrawnPoints = 200000;
 
-/// Points no more than `spacing` apart, with all ends of pieces; farther apart where they would be more than
+/// Samples at most `spacing` apart, with all ends of pieces; farther apart where they would be more than
 /// mostDrawnPoints. A piece begins with the point that the one before ends with.
 class DrawnContour {
 public:
-    /// Precondition: checkPart() holds. Within a centre hole of this radius nothing of the end face is drawn.
+    /// Precondition: checkPart() holds. The end face within a centre hole of this radius is excluded.
     explicit DrawnContour(const Shaft& part, StatedCorrection correction = {}, double spacing_mm = usualSpacing_mm,
                           double hole_radius_mm = 0);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t blockPoints = 64;
 
-/// The points of the drawing, by z, with the largest radius of each block of them.
+/// Contour points sorted by z, with the maximum radius of each block of points for fast rejection.
 struct Skyline {
     explicit Skyline(const std::vector<DrawnPoint>& drawn)
     {
@@ -29,7 +29,7 @@ struct Skyline {
     std::vector<double> tops;
 };
 
-/// Way out of a convex polygon; 0 outside.
+/// Penetration depth: distance from a point inside a convex polygon to its boundary; 0 outside.
 double depthIn(const stock::ConvexPolygon& polygon, const Corner& place)
 {
     double depth = stock::endless_mm;

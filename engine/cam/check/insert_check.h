@@ -1,8 +1,8 @@
-// The whole insert against the drawing: a nose that stays off the drawing proves nothing about the edges behind it.
+// Check of the whole insert outline against the drawing: the edges may gouge where the nose does not.
 //
 // Each feed move sweeps the outline of the insert; a point of the drawing within it lies below the drawing's surface as
-// seen from the tool. Its depth is the way out of the swept outline. Outlines stay within the true insert by 2 µm
-// (turning_insert.h), arcs are chords within 5 µm.
+// seen from the tool. Its depth is the shortest distance to the boundary of the swept outline. Outlines stay within the
+// true insert by 2 µm (turning_insert.h), arcs are chords within 5 µm.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@
 
 namespace lathelier::cam {
 
-inline constexpr double insertTouch_mm = 0.01;  ///< what meets no deeper only touches
+inline constexpr double insertTouch_mm = 0.01;  ///< smaller penetration depths count as contact, not as a finding
 
-/// A move whose insert goes below the drawing, at its deepest place.
+/// A move whose insert penetrates the nominal contour, at the point of largest depth.
 struct InsertBelow {
     std::int64_t line = 0;  ///< of the block
     Corner at;              ///< on the drawing
-    double depth_mm = 0;    ///< way out of the swept insert
+    double depth_mm = 0;    ///< distance to the boundary of the swept insert
 };
 
 /// Of all feed moves with tools of the job, in order. `z_zero_mm`: z of the program's Z0. Throws Cancelled.

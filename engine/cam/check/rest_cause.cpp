@@ -10,8 +10,8 @@ namespace lathelier::cam {
 namespace {
 
 constexpr double touch_mm = 0.001;
-constexpr std::size_t mostTries = 24;   ///< points of one stretch
-constexpr std::size_t mostSeen = 4000;  ///< points of the drawing that are tried against a placed tool
+constexpr std::size_t mostStretchPoints = 24;   ///< sampled points of one stretch
+constexpr std::size_t mostTestedPoints = 4000;  ///< contour points tested against the tool at one position
 
 struct NamedCause {
     const char* key;
@@ -36,7 +36,7 @@ double dot(const Corner& a, const Corner& b)
     return a.z_mm * b.z_mm + a.x_mm * b.x_mm;
 }
 
-/// What hinders an insert whose nose touches the drawing at a place.
+/// The feature that prevents an insert from touching the drawing at a point: its edges, or its nose.
 RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnContour& drawing, const JobTool& tool,
                       double feed)
 {
@@ -47,16 +47,16 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
     const bool leads = kappa < 90 * rad_per_deg;
     const Corner of_main{feed * std::sin(kappa), -std::cos(kappa)}, of_back{-feed * std::sin(back), -std::cos(back)};
     const std::vector<DrawnPoint>& points = drawing.points();
-    const std::size_t every = points.size() / mostSeen + 1;
+    const std::size_t every = points.size() / mostTestedPoints + 1;
     RestCause found = RestCause::Uncut;
     for (std::size_t i = 0; i < points.size(); i += every) {
         const Corner off = points[i].at - centre;
-        // A nose that is in the way sinks its edges as well: it counts first.
+        // If the nose itself gouges, its edges gouge as well: the nose is reported.
         if (dot(off, off) < (r - touch_mm) * (r - touch_mm)) return RestCause::NoseRadius;
         if (dot(off, of_main) > r - touch_mm || dot(off, of_back) > r - touch_mm) continue;
         const double along = feed * off.z_mm;
         const bool is_behind = along < 0 && dot(off, {-feed * std::cos(back), std::sin(back)}) > 0;
-        // No wall is steeper than 90°: an edge that leads at more meets none before the nose does.
+        // Walls are at most vertical: an edge with an entering angle above 90° gouges none before the nose does.
         const bool is_ahead = leads && along > 0 && dot(off, {feed * std::cos(kappa), std::sin(kappa)}) > 0;
         if (is_behind) found = RestCause::BackAngle;
         if (is_ahead && found == RestCause::Uncut) found = RestCause::LeadingAngle;
@@ -86,7 +86,7 @@ RestCause causeOf(const LeftStretch& stretch, const DrawnContour& drawing, const
     const double feed = (tool->hand == Hand::FromChuck ? -1 : 1) * (was_before ? -1 : 1);
     RestCause cause = RestCause::Uncut;
     const std::size_t count = stretch.last - stretch.first + 1;
-    const std::size_t tries = std::min(count, mostTries);
+    const std::size_t tries = std::min(count, mostStretchPoints);
     for (std::size_t k = 0; k < tries; ++k) {
         const DrawnPoint& point = drawing.points()[stretch.first + (tries > 1 ? k * (count - 1) / (tries - 1) : 0)];
         const RestCause here = hindranceAt(point.at, drawing.normalAt(point.piece, point.t), drawing, *tool, feed);

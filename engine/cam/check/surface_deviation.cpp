@@ -9,11 +9,11 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr std::size_t fewPoints = 8;     ///< a stretch no longer than this is not halved
-constexpr std::size_t fewStrokes = 3;    ///< nor one that sees no more than these
-constexpr double refineTo_mm = 1e-5;     ///< along the drawing
-constexpr std::size_t mostRefined = 64;  ///< places where the deepest gouge may lie
-constexpr double rounding_mm = 1e-9;     ///< no gouge, but arithmetic
+constexpr std::size_t leastSplitPoints = 8;   ///< stretches with at most this many points are not bisected
+constexpr std::size_t leastSplitStrokes = 3;  ///< nor stretches with at most this many candidate strokes
+constexpr double refineTo_mm = 1e-5;          ///< along the drawing
+constexpr std::size_t mostRefined = 64;       ///< candidate intervals for the deepest gouge
+constexpr double rounding_mm = 1e-9;          ///< smaller gouges are rounding errors
 constexpr double goldenShare = 0.61803398874989485;
 
 class Surface {
@@ -32,7 +32,7 @@ public:
         if (!points_.empty()) halve(0, points_.size(), std::move(every));
     }
 
-    /// At a place near point number `near`.
+    /// Clearance at a point close to contour point `near`, from that point's candidate strokes.
     Clearance at(const Corner& place, std::size_t near) const { return clearanceOf(place, lists_[list_of_[near]]); }
 
     const std::vector<Clearance>& clearances() const { return clearances_; }
@@ -77,7 +77,7 @@ private:
                 strokes[kept++] = strokes[i];
         }
         strokes.resize(kept);
-        if (end - first > fewPoints && kept > fewStrokes) {
+        if (end - first > leastSplitPoints && kept > leastSplitStrokes) {
             halve(first, middle, strokes);
             halve(middle, end, std::move(strokes));
             return;
@@ -100,7 +100,7 @@ private:
     std::vector<double> each_;
 };
 
-/// A place between two points of one piece.
+/// A position between two samples of one contour piece.
 struct SurfacePlace {
     std::uint32_t piece = 0;
     double t = 0;
@@ -114,7 +114,7 @@ public:
     {
     }
 
-    /// The place around a point where `value` of the clearance is largest.
+    /// Position near a contour point that maximises `value` of the clearance.
     template <class Of>
     SurfacePlace largest(std::size_t point, Of value) const
     {

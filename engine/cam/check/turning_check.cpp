@@ -18,7 +18,7 @@
 namespace lathelier::cam {
 namespace {
 
-constexpr std::int32_t mostBetween = 8;  ///< strokes between those on both sides of a rest
+constexpr std::int32_t mostBetween = 8;  ///< largest number of strokes between the neighbours of a rest
 
 struct NamedCheck {
     const char* key;
@@ -75,7 +75,7 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
 }
 
 /// Does a block have a word of the address X?
-bool namesX(const gcode::Program& program, std::int64_t line)
+bool hasXWord(const gcode::Program& program, std::int64_t line)
 {
     if (line < 1 || line > static_cast<std::int64_t>(program.blocks.size())) return false;
     const gcode::Block& block = program.blocks[static_cast<std::size_t>(line - 1)];
@@ -83,20 +83,20 @@ bool namesX(const gcode::Program& program, std::int64_t line)
     return std::any_of(first, first + block.word_count, [](const gcode::Word& word) { return word.letter == 'X'; });
 }
 
-/// LinuxCNC counts from its zero before a program has named both axes. Where the tool really stands is unknown: a first
-/// rapid move along Z alone does not lead along the axis.
+/// LinuxCNC starts at (0, 0) before a program has stated both axes. The true start is unknown, so a first rapid move
+/// along Z alone must not be checked as a move along the axis.
 std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, const gcode::Program& program)
 {
     if (program.dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
     gcode::Move& first = moves.front();
     const gcode::Move& next = moves[1];
     if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
-        next.x_mm != 0 && first.z_mm == next.z_mm && !namesX(program, first.line))
+        next.x_mm != 0 && first.z_mm == next.z_mm && !hasXWord(program, first.line))
         first.x_mm = notANumber;
     return moves;
 }
 
-/// What belongs to one clamping: part, bar, bodies.
+/// Inputs of the check in one clamping: part, bar, bodies.
 struct CheckedClamping {
     Shaft part;
     stock::StockParameters bodies;
@@ -147,7 +147,7 @@ private:
             clamping.bodies.tailstock.reset();
         }
         clamping.part = is_second ? mirrored(part_) : part_;
-        if (is_second) turnRound(clamping);
+        if (is_second) reverseWork(clamping);
         if (parameters_.chuck_face_z_mm)
             clamping.bodies.chuck = stock::ChuckBody{*parameters_.chuck_face_z_mm + result_.stock_zero_mm,
                                                      job_.setup.jaw_diameter_mm.value_or(0) / 2};
@@ -157,8 +157,8 @@ private:
         return clamping;
     }
 
-    /// The bar as the first program leaves it, cut off where the second face gets its allowance.
-    void turnRound(CheckedClamping& clamping)
+    /// Stock after the first program, mirrored and cut to length with the face allowance of the second clamping.
+    void reverseWork(CheckedClamping& clamping)
     {
         const double length = part_.length_mm(), zero = result_.stock_zero_mm;
         stock::MeridianStock bar(stockOf(job_), clamping.bodies.step_mm);
@@ -213,7 +213,7 @@ private:
         result_.left_max_mm = found.left_max_mm;
         for (const LeftStretch& stretch : found.left) {
             addRest(stretch, drawing, all);
-            if (result_.rest.back().cause == RestCause::Uncut) nameBlock(stretch, found.clearances, all);
+            if (result_.rest.back().cause == RestCause::Uncut) assignBlock(stretch, found.clearances, all);
         }
         for (const InsertBelow& below :
              insertsBelow(result_.path.moves, job_, drawing, parameters_.z_zero_mm, progress_.part(0.5, 0.6)))
@@ -240,14 +240,13 @@ private:
         result_.rest.push_back(rest);
     }
 
-    /// Where nothing hinders the tool, the block that should have cut stands between those that cut on both sides of
-    /// the rest.
-    void nameBlock(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
+    /// If no geometry prevents the cut, the responsible block lies between those that cut both neighbours of the rest.
+    void assignBlock(const LeftStretch& stretch, const std::vector<Clearance>& clearances, const AllStrokes& all)
     {
         if (stretch.first == 0 || stretch.last + 1 >= clearances.size()) return;
         const std::int32_t before = clearances[stretch.first - 1].own, after = clearances[stretch.last + 1].own;
         if (before < 0 || after < before || after - before > mostBetween) return;
-        // Without one between them it is one of both.
+        // If no stroke lies between them, one of the two is responsible.
         const CutterStroke& block = all.strokes[static_cast<std::size_t>(std::min(before + 1, after))];
         result_.rest.back().line = block.line;
         result_.rest.back().tool = block.tool;
@@ -257,7 +256,7 @@ private:
     {
         const Progress progress = progress_.part(0.6, 1, LT_TEXT("Engine", "Checking against the stock"));
         const std::vector<gcode::Move> moves = fromUnknownStart(result_.path.moves, result_.program);
-        clamping.bodies.tailstock_from_move = tailstockComes(moves);
+        clamping.bodies.tailstock_from_move = firstMoveWithTailstock(moves);
         result_.stock = clamping.bar ? stock::simulateStock(*std::move(clamping.bar), moves, clamping.bodies, progress)
                                      : stock::simulateStock(stockOf(job_), moves, clamping.bodies, progress);
         const stock::StockResult& met = *result_.stock;
@@ -266,15 +265,15 @@ private:
             add({found.line, kindOf(found.kind), found.z_mm - zero, found.x_mm, found.depth_mm});
         result_.findings_not_listed += met.findings_not_listed;
         for (Note note : met.notes) {
-            if (saysNothing(note, moves)) continue;
+            if (isIrrelevant(note, moves)) continue;
             if (const Value* z = lathelier::find(note.values, "z_mm"))
                 if (const double* number = std::get_if<double>(z)) set(note.values, "z_mm", *number - zero);
             result_.notes.push_back(std::move(note));
         }
     }
 
-    /// Before its first tool a program has none; and a tool for threads leaves each pass along the stock.
-    bool saysNothing(const Note& note, const std::vector<gcode::Move>& moves) const
+    /// Notes without meaning here: no tool before the first tool call; small clearances of threading passes.
+    bool isIrrelevant(const Note& note, const std::vector<gcode::Move>& moves) const
     {
         const auto number = [&note](const char* name) -> std::int64_t {
             const Value* value = lathelier::find(note.values, name);
@@ -290,15 +289,15 @@ private:
         });
     }
 
-    /// The tailstock comes when its hole was drilled; without a drill in the program it is there from the start.
-    std::size_t tailstockComes(const std::vector<gcode::Move>& moves) const
+    /// Index of the first move after centre drilling, when the tailstock is engaged; 0 if the program drills no hole.
+    std::size_t firstMoveWithTailstock(const std::vector<gcode::Move>& moves) const
     {
         for (std::size_t i = moves.size(); i-- > 0;)
             if (const JobTool* tool = job_.tool(moves[i].tool); tool && tool->isDrill()) return i + 1;
         return 0;
     }
 
-    /// The deepest of a block and kind.
+    /// Keeps the deepest finding per block and kind.
     void add(const CheckFinding& finding)
     {
         for (CheckFinding& other : result_.findings)

@@ -1,4 +1,4 @@
-// Files of resources/ that the engine carries within itself, so that the command line needs none beside it.
+// Files of resources/ embedded in the engine, so that the command line needs no data files.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace lathelier::cam {
 /// A file by its name without extension.
 struct BuiltInText {
     const char* name;  ///< "fanuc_a"
-    std::string text;  ///< as it was when the engine was built
+    std::string text;  ///< content at build time
 };
 
 const std::vector<BuiltInText>& builtInPosts();      ///< resources/posts, by name

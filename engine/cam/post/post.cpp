@@ -14,10 +14,10 @@ namespace {
 
 using io::JsonCursor;
 
-constexpr std::size_t kMostLines = 100;
-constexpr std::size_t kMostKeys = 200;
-constexpr std::size_t kLongestTemplate = 200;
-constexpr int kMostDecimals = 6;
+constexpr std::size_t mostTemplateLines = 100;
+constexpr std::size_t mostPostKeys = 200;
+constexpr std::size_t longestTemplate = 200;
+constexpr int mostWordDecimals = 6;
 
 const Text textExpected = LT_TEXT("Engine", "a text");
 const Text listExpected = LT_TEXT("Engine", "a list of texts");
@@ -26,14 +26,14 @@ const Text listExpected = LT_TEXT("Engine", "a list of texts");
 std::string oneLine(const JsonCursor& cursor)
 {
     std::string text = cursor.string();
-    if (text.size() > kLongestTemplate) cursor.reject(LT_TEXT("Engine", "a text of at most 200 characters"));
+    if (text.size() > longestTemplate) cursor.reject(LT_TEXT("Engine", "a text of at most 200 characters"));
     for (const char c : text)
         if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
             cursor.reject(LT_TEXT("Engine", "printable ASCII characters"));
     return text;
 }
 
-/// A template: every brace names a value that the writer has.
+/// A template; each name in braces must be a value of the writer.
 std::string oneTemplate(const JsonCursor& cursor, bool of_cycle)
 {
     std::string text = oneLine(cursor);
@@ -154,7 +154,7 @@ private:
     static Templates templates(const JsonCursor& list, bool of_cycle = false)
     {
         Templates result;
-        list.items(kMostLines, [&](const JsonCursor& item) { result.push_back(oneTemplate(item, of_cycle)); });
+        list.items(mostTemplateLines, [&](const JsonCursor& item) { result.push_back(oneTemplate(item, of_cycle)); });
         return result;
     }
 
@@ -177,10 +177,10 @@ private:
         const Text number = LT_TEXT("Engine", "a number of decimals");
         const JsonCursor x = words.at("X", LT_TEXT("Engine", "an object with diameter and decimals"));
         post_.x_is_diameter = x.at("diameter", LT_TEXT("Engine", "true or false")).flag();
-        post_.x_decimals = whole(x.at("decimals", number), leastDecimals, kMostDecimals);
+        post_.x_decimals = whole(x.at("decimals", number), leastDecimals, mostWordDecimals);
         const Text object = LT_TEXT("Engine", "an object with decimals");
-        post_.z_decimals = whole(words.at("Z", object).at("decimals", number), leastDecimals, kMostDecimals);
-        post_.f_decimals = whole(words.at("F", object).at("decimals", number), 0, kMostDecimals);
+        post_.z_decimals = whole(words.at("Z", object).at("decimals", number), leastDecimals, mostWordDecimals);
+        post_.f_decimals = whole(words.at("F", object).at("decimals", number), 0, mostWordDecimals);
         if (const auto style = words.member("style"))
             post_.decimal_point = choice(*style, {"point", "plain"}, LT_TEXT("Engine", "point or plain")) == 0;
     }
@@ -229,7 +229,7 @@ private:
                                              "finish_cycle",
                                              "about",
                                              "source"};
-        root_.members(kMostKeys, [&](const std::string& key, const JsonCursor& value) {
+        root_.members(mostPostKeys, [&](const std::string& key, const JsonCursor& value) {
             if (std::any_of(std::begin(known), std::end(known), [&](const char* name) { return key == name; })) return;
             const io::JsonPlace place = value.place();
             notes.push_back({notes::unknownKey, {{"key", key}, {"line", place.line}, {"column", place.column}}});

@@ -1,10 +1,10 @@
-// A control as data: templates and rules by which moves become the text of a program. The writer holds no control's
-// name; another control is another JSON.
+// A control as data: templates and rules that convert moves to program text. The writer contains no code for single
+// controls; a further control is a further JSON file.
 //
 // {"name", "dialect"?, "program_start": [...], "header_comments", "safe_start", "tool_start", "tool_end",
 // "spindle_css",
 //  "spindle_rpm", "speed_change", "coolant_on", "stop", "program_end": lists of templates,
-//  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those, where a tailstock stands,
+//  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those with a tailstock,
 //  "cycles"?: "none" | "g71_g70", "rough_cycle"?, "finish_cycle"?: lists of templates; without them those of Fanuc,
 //  "rapid", "line", "arc_cw", "arc_ccw": words, "arc": "ik" | "r" | "cr", "thread"?: word, "thread_lead"?: "F" | "K",
 //  "words": {"X": {"diameter", "decimals"}, "Z": {"decimals"}, "F": {"decimals"}, "style": "point" | "plain"},
@@ -37,45 +37,45 @@ struct BlockNumbers {
 using Templates = std::vector<std::string>;
 
 struct Post {
-    std::string name;                           ///< for people and file names
-    std::optional<gcode::Dialect> dialect;      ///< that its programs are read in; none: what the text looks like
-    bool is_system_b = false;                   ///< its programs use Fanuc's G code system B ("dialect": "fanuc_b")
-    Templates program_start;                    ///< before everything, without block numbers
-    Templates header_comments;                  ///< comments at the top
-    Templates safe_start;                       ///< modes
-    Templates tool_start;                       ///< to the change point, and the tool
-    Templates tool_start_tailstock;             ///< the same where a tailstock stands; empty: tool_start
-    Templates tool_end;                         ///< after the last operation of a tool
-    Templates spindle_css;                      ///< constant cutting speed: limit first
-    Templates spindle_rpm;                      ///< fixed speed
-    Templates speed_change;                     ///< another fixed speed while cutting
-    Templates coolant_on;                       ///< before the first move
-    Templates stop{"M0"};                       ///< the operator acts, then goes on
-    Templates program_end;                      ///< without block numbers
-    Templates program_end_tailstock;            ///< the same where a tailstock stands; empty: program_end
-    bool cycles = false;                        ///< roughing and finish as cycles rather than as moves
-    Templates rough_cycle;                      ///< of roughing along a contour; empty: the control has none
-    Templates finish_cycle;                     ///< of a finish along the same contour
-    std::string rapid = "G0", line = "G1";      ///< words
-    std::string arc_cw = "G2", arc_ccw = "G3";  ///< words, seen with Z to the right and X upward
-    std::string thread;                         ///< word of one pass of a thread; empty: the control has none
-    std::string thread_lead = "F";              ///< address of its lead
-    ArcWords arc = ArcWords::CentreOffsets;     ///< how circles are stated
-    bool x_is_diameter = true;                  ///< X counts diameters
-    int x_decimals = 3, z_decimals = 3;         ///< of X and I, Z and K; at least leastDecimals
-    int f_decimals = 3;                         ///< of F
-    bool decimal_point = true;                  ///< "X30." rather than "X30"
-    bool modal = true;                          ///< what has not changed is left out
-    bool feed_per_min = false;                  ///< F in mm/min instead of mm/rev
-    bool css = true;                            ///< the control knows constant cutting speed
-    std::optional<BlockNumbers> block_numbers;  ///< none: no N words
+    std::string name;                       ///< label and file name
+    std::optional<gcode::Dialect> dialect;  ///< for reading its programs; none: detected from the text
+    bool is_system_b = false;               ///< its programs use Fanuc's G code system B ("dialect": "fanuc_b")
+    Templates program_start;                ///< before everything, without block numbers
+    Templates header_comments;              ///< comments at the top
+    Templates safe_start;                   ///< modes
+    Templates tool_start;                   ///< moves to the change point and calls the tool
+    Templates tool_start_tailstock;         ///< the same with a tailstock; empty: tool_start
+    Templates tool_end;                     ///< after the last operation of a tool
+    Templates spindle_css;                  ///< constant cutting speed, with the speed limit before it
+    Templates spindle_rpm;
+    Templates speed_change;                               ///< another fixed speed while cutting
+    Templates coolant_on;                                 ///< before the first move
+    Templates stop{"M0"};                                 ///< program stop for the operator
+    Templates program_end;                                ///< without block numbers
+    Templates program_end_tailstock;                      ///< the same with a tailstock; empty: program_end
+    bool cycles = false;                                  ///< roughing and finish as cycles rather than as moves
+    Templates rough_cycle;                                ///< of roughing along a contour; empty: the control has none
+    Templates finish_cycle;                               ///< of a finish along the same contour
+    std::string rapid = "G0", line = "G1";                ///< words
+    std::string arc_cw = "G2", arc_ccw = "G3";            ///< words, seen with Z to the right and X upward
+    std::string thread;                                   ///< word of one pass of a thread; empty: the control has none
+    std::string thread_lead = "F";                        ///< address of its lead
+    ArcWords arc = ArcWords::CentreOffsets;               ///< format of circle centres
+    bool x_is_diameter = true;                            ///< X counts diameters
+    int x_decimals = 3, z_decimals = 3;                   ///< of X and I, Z and K; at least leastDecimals
+    int f_decimals = 3;                                   ///< of F
+    bool decimal_point = true;                            ///< "X30." rather than "X30"
+    bool modal = true;                                    ///< unchanged words are omitted
+    bool feed_per_min = false;                            ///< F in mm/min instead of mm/rev
+    bool css = true;                                      ///< the control supports constant cutting speed
+    std::optional<BlockNumbers> block_numbers;            ///< none: no N words
     std::string comment_open = "(", comment_close = ")";  ///< around comments
     int comment_length = 60;                              ///< longest text of a comment
-    std::string end_of_line = "\n";                       ///< of every line
+    std::string end_of_line = "\n";
     friend bool operator==(const Post&, const Post&) = default;
 };
 
-inline constexpr int leastDecimals = 3;  ///< two decimals gouge up to 10 µm
+inline constexpr int leastDecimals = 3;  ///< with two decimals, rounding gouges up to 10 µm
 
 /// Errors with line and column: malformed, keyMissing, keyOutOfRange. Notes: unknownKey.
 Post readPost(const std::string& json, Notes& notes);
@@ -84,8 +84,8 @@ Post readPost(const std::string& json, Notes& notes);
 std::string postText(const Post& post);
 
 /// The text with the codes of Fanuc's system B replaced by those of system A, line by line: G90 is left out, G92 S
-/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. What has no such counterpart (G91) stays, and is
-/// then read as system A has it.
+/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. Codes without a counterpart (G91) are unchanged and
+/// read as in system A.
 std::string asSystemA(const std::string& text);
 
 /// Names of the posts that are built in, and one of them. Error postUnknown naming them.

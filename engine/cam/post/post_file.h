@@ -6,9 +6,9 @@
 
 namespace lathelier::cam {
 
-/// A post with what was understood of its file.
+/// A post with the facts and notes of its file.
 struct PostFile {
-    Post post;            ///< as read
+    Post post;
     io::FileFacts facts;  ///< as postFiles() has them
     Notes notes;          ///< of the reading, with the path
 };

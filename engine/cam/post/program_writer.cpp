@@ -16,8 +16,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kLargestNumber = 99999;  // of a block
-constexpr int kCycleDecimals = 3;
+constexpr int largestBlockNumber = 99999;  // of a block number
+constexpr int cycleDecimals = 3;
 
 class Writer {
 public:
@@ -137,7 +137,7 @@ private:
     {
         const CutMove start{CutKind::Rapid, {cycle_.start_z_mm, cycle_.start_x_mm}};
         std::int64_t blocks = writeAll({safe(), start});
-        // The templates name the numbers of the contour's blocks: written twice, they are known.
+        // The templates need the block numbers of the contour, so the cycle is written twice.
         Writer trial = *this;
         trial.writeContour();
         first_block_ = trial.first_block_;
@@ -164,7 +164,7 @@ private:
         last_block_ = numberOfNext(2);
         blocks += writeAll({cycle_.contour.back()});
         contour_last_line_ = line_;
-        // The control stands where it began.
+        // After the cycle the tool is at its start point.
         remember(unitsOf(x_scale_ * cycle_.start_x_mm, post_.x_decimals),
                  unitsOf(-cycle_.start_z_mm, post_.z_decimals));
         motion_.clear();
@@ -174,13 +174,13 @@ private:
 
     bool numbersSuffice() const
     {
-        constexpr int kFurtherBlocks = 20;
+        constexpr int furtherBlocks = 20;
         const auto blocks = static_cast<std::int64_t>(2 * cycle_.contour.size() + post_.rough_cycle.size());
         return !post_.block_numbers ||
-               number_ + post_.block_numbers->step * (blocks + kFurtherBlocks) <= kLargestNumber;
+               number_ + post_.block_numbers->step * (blocks + furtherBlocks) <= largestBlockNumber;
     }
 
-    /// A control without block numbers has them on both ends of the contour only.
+    /// Without block numbering only the first and last contour blocks are numbered.
     int numberOfNext(int otherwise)
     {
         if (post_.block_numbers) return number_ == 0 ? post_.block_numbers->start : number_;
@@ -242,17 +242,17 @@ private:
     {
         return kind == CutKind::Rapid ? post_.rapid : kind == CutKind::Thread ? post_.thread : post_.line;
     }
-    /// In every block, with four decimals: pitches of inch threads need them.
+    /// Repeated in every block, with four decimals: pitches of inch threads need them.
     std::string leadWord(double lead_mm)
     {
         feed_units_ = -1;
-        constexpr int kDecimals = 4;
-        return wordText(post_.thread_lead.c_str(), unitsOf(lead_mm, kDecimals), kDecimals, post_.decimal_point);
+        constexpr int leadDecimals = 4;
+        return wordText(post_.thread_lead.c_str(), unitsOf(lead_mm, leadDecimals), leadDecimals, post_.decimal_point);
     }
     std::string xWord(std::int64_t units) const { return wordText("X", units, post_.x_decimals, post_.decimal_point); }
     std::string zWord(std::int64_t units) const { return wordText("Z", units, post_.z_decimals, post_.decimal_point); }
 
-    /// Empty where a line does as well.
+    /// Empty where a line is sufficient.
     std::string circleWords(const CutMove& move, std::int64_t x, std::int64_t z) const
     {
         const double x_unit = std::pow(10, -post_.x_decimals) / x_scale_, z_unit = std::pow(10, -post_.z_decimals);
@@ -329,10 +329,10 @@ private:
         };
         if (name == "first") return std::to_string(first_block_);
         if (name == "last") return std::to_string(last_block_);
-        if (name == "depth") return length(cycle_.depth_mm, kCycleDecimals);
-        if (name == "retract") return length(retract_mm, kCycleDecimals);
-        if (name == "x_allowance") return length(x_scale_ * head_.cycles->allowance_mm, kCycleDecimals);
-        if (name == "z_allowance") return length(head_.cycles->allowance_mm, kCycleDecimals);
+        if (name == "depth") return length(cycle_.depth_mm, cycleDecimals);
+        if (name == "retract") return length(retract_mm, cycleDecimals);
+        if (name == "x_allowance") return length(x_scale_ * head_.cycles->allowance_mm, cycleDecimals);
+        if (name == "z_allowance") return length(head_.cycles->allowance_mm, cycleDecimals);
         if (name == "feed")
             return length(cycle_.feed_mm_rev * (post_.feed_per_min ? rpm_.value_or(0) : 1), post_.f_decimals);
         return {};
@@ -361,7 +361,7 @@ private:
         append(numbered, text);
         addPlain(numbered);
         number_ += post_.block_numbers->step;
-        if (number_ > kLargestNumber) number_ = post_.block_numbers->step;
+        if (number_ > largestBlockNumber) number_ = post_.block_numbers->step;
     }
 
     void addPlain(const std::string& text)

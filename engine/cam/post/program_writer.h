@@ -1,8 +1,7 @@
 // Operations of a plan as the text of a program, by the rules of a post.
 //
-// Every number is written from the rounded position before: I and K count from what was written, so roundings do not
-// add up. A move that rounding shortens to nothing is left out; an arc whose sagitta is below half a unit of the last
-// decimal becomes a line.
+// Incremental words (I, K) refer to the rounded start point, so rounding errors do not accumulate. Moves whose rounded
+// length is zero are omitted; an arc whose sagitta is below half a unit of the last decimal becomes a line.
 #pragma once
 
 #include <optional>
@@ -15,35 +14,36 @@
 
 namespace lathelier::cam {
 
-/// What the head of a program says.
+/// Data for the head of a program.
 struct ProgramHead {
-    std::string title;                  ///< of the job
-    int number = 100;                   ///< of the program
+    std::string title;
+    int number = 100;
     double max_rpm = 0;                 ///< limit of the spindle
-    bool has_tailstock = false;         ///< X alone leaves first
+    bool has_tailstock = false;         ///< retract X before Z
     std::vector<std::string> comments;  ///< further lines at the top
     std::optional<CycleData> cycles{};  ///< roughing and finish as cycles; none: as moves
 };
 
-/// Where an operation stands in the text.
+/// Position of an operation in the text.
 struct WrittenOperation {
     std::int64_t first_line = 0;  ///< from 1
     std::int64_t blocks = 0;      ///< of moves
-    /// Of a finish as a cycle: lines of the contour that it follows, which stands with roughing; 0: none.
+    /// Of a finish as a cycle: lines of its contour, written with the roughing cycle; 0: none.
     std::int64_t contour_first_line = 0, contour_last_line = 0;
 };
 
 struct WrittenProgram {
     std::string text;                          ///< ASCII
     std::vector<WrittenOperation> operations;  ///< as they were given
-    std::optional<Text> no_cycle;              ///< why moves stand where cycles were asked for
+    std::optional<Text> no_cycle;              ///< why moves were written although cycles were requested
 };
 
-/// A fixed speed takes the place of constant cutting speed where the control has none: that of the largest diameter
-/// cut. Error postCannot (feed per minute without a speed).
+/// A fixed speed replaces constant cutting speed where the control lacks it: that of the largest diameter cut. Error
+/// postCannot (feed per minute without a speed).
 WrittenProgram writeProgram(const Post& post, const ProgramHead& head, const std::vector<Operation>& operations);
 
-/// A text for a comment of this post: ASCII, upper case, nothing that ends it, no longer than it may be.
+/// A text for a comment of this post: ASCII, upper case, without characters that end it, truncated to the allowed
+/// length.
 std::string commentText(const Post& post, const std::string& text);
 
 }  // namespace lathelier::cam

@@ -10,10 +10,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kTurn_mm = 1e-4;
-constexpr double kWrittenUnit_mm = 1e-3;
+constexpr double leastReversal_mm = 1e-4;
+constexpr double writtenUnit_mm = 1e-3;
 
-/// Does the move only rise, in z and in x?
+/// True if the move is monotonic: z and x do not decrease.
 bool onlyRises(const Vector2d& from, const CutMove& move)
 {
     const Vector2d way = move.to - from;
@@ -22,7 +22,9 @@ bool onlyRises(const Vector2d& from, const CutMove& move)
     // An arc turns back where it passes a place whose tangent runs along an axis; by a tenth of a micrometre it falls
     // less than can be written.
     const Vector2d start = from - move.centre, end = move.to - move.centre;
-    const auto turns = [](double a, double b) { return a * b < 0 && std::min(std::abs(a), std::abs(b)) > kTurn_mm; };
+    const auto turns = [](double a, double b) {
+        return a * b < 0 && std::min(std::abs(a), std::abs(b)) > leastReversal_mm;
+    };
     return !turns(start.x(), end.x()) && !turns(start.y(), end.y());
 }
 
@@ -87,10 +89,10 @@ std::variant<RoughingCycle, Text> roughingCycle(const std::vector<Operation>& op
             move.cutting_speed_m_min.reset();
         }
     const double whole = cycle.start_x_mm - foot->to.y() - data.allowance_mm;
-    if (!(whole > kWrittenUnit_mm)) return LT_TEXT("Engine", "there is no more than one pass");
-    // Rounded up as it is written: else a last pass of less than a micrometre would remain.
+    if (!(whole > writtenUnit_mm)) return LT_TEXT("Engine", "there is no more than one pass");
+    // Rounded up to the written decimals; otherwise a last pass below 1 µm would remain.
     const double passes = std::ceil(whole / data.depth_mm - meet_mm);
-    cycle.depth_mm = std::ceil(whole / passes / kWrittenUnit_mm - meet_mm) * kWrittenUnit_mm;
+    cycle.depth_mm = std::ceil(whole / passes / writtenUnit_mm - meet_mm) * writtenUnit_mm;
     return cycle;
 }
 

@@ -1,8 +1,8 @@
 // Roughing and finish as the cycles of a control (G71 and G70) instead of moves.
 //
-// The contour of both is the path of the finishing tool: first X alone, then a contour of which both X and Z only rise
-// (type I). The cycle leaves the allowance in X and in Z. The control lays the passes by itself, so what it does is
-// known only as far as our reader's expansion goes (engine/gcode); the check looks at that.
+// The contour of both is the path of the finishing tool: first X alone, then a contour monotonic in X and Z (type I).
+// The cycle leaves the allowance in X and in Z. The control computes the passes itself; the check uses the expansion of
+// engine/gcode instead.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace lathelier::cam {
 
-/// What a cycle takes from the job.
+/// Job data of a cycle.
 struct CycleData {
     double depth_mm = 1;             ///< largest of a pass, on the radius
     double allowance_mm = 0;         ///< that it leaves, on the radius and along z
@@ -21,9 +21,9 @@ struct CycleData {
 };
 
 struct RoughingCycle {
-    std::size_t rough = 0, semi_finish = 0, finish = 0;  ///< operations that it stands for
+    std::size_t rough = 0, semi_finish = 0, finish = 0;  ///< indices of the operations it replaces
     double start_z_mm = 0, start_x_mm = 0;               ///< of the tip, where it begins and ends
-    double safe_x_mm = 0;                                ///< from where it gets there
+    double safe_x_mm = 0;                                ///< clearance radius from which the start is approached
     double depth_mm = 0;                                 ///< of equal passes
     double feed_mm_rev = 0;                              ///< of roughing
     std::vector<CutMove> before;                         ///< of the finish: up the face, back to the start
@@ -31,7 +31,7 @@ struct RoughingCycle {
     bool has_finish = true;                              ///< false: the finish changes between both kinds of speed
 };
 
-/// The cycle for these operations, or the reason why there is none.
+/// The cycle for these operations, or the reason why it is impossible.
 std::variant<RoughingCycle, Text> roughingCycle(const std::vector<Operation>& operations, const CycleData& data);
 
 }  // namespace lathelier::cam

@@ -18,18 +18,19 @@ namespace {
 using Eigen::Vector3d;
 using registration::RevolutionFit;
 
-constexpr std::size_t kRoughSample = 100000;
-constexpr std::size_t kFitSample = 60000;
-constexpr std::size_t kOutlineSample = 300000;
-constexpr std::size_t kLeastRest = 500;
-constexpr std::size_t kLeastGroup = 20;      // cubes
-constexpr std::size_t kMostTried = 6;        // groups that may be the part
-constexpr double kOnSurface_mm = 0.7;        // farther out than this is beyond the surface
-constexpr double kClampReach_mm = 5;         // a clamp reaches farther out than this somewhere
-constexpr double kNearContact_mm = 2.5;      // clamps as near to the surface as this show where they touch it
-constexpr double kContactDepth_mm = 1.5;     // of the surface below its outline
-constexpr double kOwnShare = 0.6;            // of a group's points on or inside the part's surface: it is the part's
-constexpr std::size_t mostNamedGroups = 12;  // groups; the small ones beyond are one
+constexpr std::size_t roughSample = 100000;
+constexpr std::size_t fitSample = 60000;
+constexpr std::size_t outlineSample = 300000;
+constexpr std::size_t leastPartPoints = 500;
+constexpr std::size_t leastGroupCubes = 20;    // cubes
+constexpr std::size_t mostPartCandidates = 6;  // groups that may be the part
+constexpr double surfaceMargin_mm = 0.7;       // points further out are outside the part's surface
+constexpr double clampReach_mm = 5;            // least height of a clamp above the surface
+constexpr double contactMargin_mm = 2.5;       // points of a clamp this near to the surface mark the contact
+constexpr double contactDepth_mm = 1.5;        // of the surface below its outline
+constexpr double ownPointShare =
+    0.6;  // least share of a group's points on or inside the part's surface for it to belong to the part
+constexpr std::size_t mostNamedGroups = 12;  // largest number of groups; smaller ones are joined into one
 
 enum Kind : std::uint16_t { Part = 0, Turntable = 1, FirstOther = 2 };
 
@@ -41,7 +42,7 @@ std::vector<Vector3d> chosen(const std::vector<Vector3d>& points, const std::vec
     return some;
 }
 
-/// The scan as it is taken apart: what is left of it once the turntable is gone, in groups.
+/// Decomposition of the scan: turntable, and groups of the remaining points.
 class SceneParts {
 public:
     SceneParts(const std::vector<Vector3d>& points, const Progress& progress) : points_(points), progress_(progress)
@@ -50,19 +51,19 @@ public:
         kinds_ = {"part", "turntable"};
     }
 
-    void takeOff(const SupportPlane& support)
+    void removeSupport(const SupportPlane& support)
     {
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (std::abs(support.normal.dot(points_[i]) - support.distance_mm) <= support.band_mm)
                 labels_[i] = Turntable;
     }
 
-    /// Groups of what is left. False: too little.
+    /// Groups of the remaining points. False: too few points.
     bool group(double extent_mm)
     {
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (labels_[i] == Part) rest_.push_back(static_cast<std::uint32_t>(i));
-        if (rest_.size() < kLeastRest) return false;
+        if (rest_.size() < leastPartPoints) return false;
         rest_points_ = chosen(points_, rest_);
         // Cubes that hold a few points each, so that neighbours on a surface lie in neighbouring cubes.
         double edge_mm = std::max(0.5, extent_mm / 250);
@@ -70,7 +71,7 @@ public:
             thin_ = thinned(rest_points_, edge_mm, progress_);
             edge_mm *= 1.5;
         } while (4 * thin_.points.size() > rest_points_.size() && thin_.points.size() > 200);
-        groups_ = groupsOf(thin_.points, 3 * thin_.edge_mm, kLeastGroup);
+        groups_ = groupsOf(thin_.points, 3 * thin_.edge_mm, leastGroupCubes);
         group_of_cube_.assign(thin_.points.size(), -1);
         for (std::size_t g = 0; g < groups_.size(); ++g)
             for (const std::uint32_t cube : groups_[g]) group_of_cube_[cube] = static_cast<int>(g);
@@ -80,7 +81,7 @@ public:
     /// The part among the groups, its axis, its surface.
     void findPart()
     {
-        const std::size_t tried = std::min(groups_.size(), kMostTried);
+        const std::size_t tried = std::min(groups_.size(), mostPartCandidates);
         for (std::size_t g = 0; g < tried && !turned_; ++g)
             if (33 * groups_[g].size() > groups_[0].size()) tryAsPart(static_cast<int>(g));
         if (!turned_) part_ = 0;
@@ -100,20 +101,20 @@ public:
             const int g = groupOf(i);
             if (g < 0) continue;
             all[static_cast<std::size_t>(g)] += 1;
-            own[static_cast<std::size_t>(g)] += turned_ && beyond[i] <= kOnSurface_mm;
+            own[static_cast<std::size_t>(g)] += turned_ && beyond[i] <= surfaceMargin_mm;
         }
         std::vector<std::uint16_t> label_of(groups_.size(), Part);
         for (int g = 0; g < group_count; ++g) {
             const auto at = static_cast<std::size_t>(g);
-            if (g != part_ && own[at] < kOwnShare * all[at]) label_of[at] = newLabel("clutter");
+            if (g != part_ && own[at] < ownPointShare * all[at]) label_of[at] = newLabel("clutter");
         }
         std::vector<std::uint32_t> outside;  // of the part's own group
         const std::uint16_t stray = newLabel("clutter");
         for (std::size_t i = 0; i < rest_.size(); ++i) {
             const int g = groupOf(i);
             if (g >= 0) labels_[rest_[i]] = label_of[static_cast<std::size_t>(g)];
-            if (g < 0 && beyond[i] > kClampReach_mm) labels_[rest_[i]] = stray;
-            if (g >= 0 && label_of[static_cast<std::size_t>(g)] == Part && beyond[i] > kOnSurface_mm)
+            if (g < 0 && beyond[i] > clampReach_mm) labels_[rest_[i]] = stray;
+            if (g >= 0 && label_of[static_cast<std::size_t>(g)] == Part && beyond[i] > surfaceMargin_mm)
                 outside.push_back(static_cast<std::uint32_t>(i));
         }
         labelClamps(outside, beyond);
@@ -162,14 +163,14 @@ private:
         return static_cast<std::uint16_t>(kinds_.size() - 1);
     }
 
-    /// Fits an axis to the group, again without what lies outside its surface, until it is a body of revolution.
+    /// Fits an axis to the group, repeatedly without the points outside its surface, until it is a body of revolution.
     void tryAsPart(int group)
     {
         std::vector<Vector3d> own;
         for (std::size_t i = 0; i < rest_.size(); ++i)
             if (groupOf(i) == group) own.push_back(rest_points_[i]);
-        const std::vector<Vector3d> all = everyNth(rest_points_, kOutlineSample);
-        std::vector<Vector3d> used = everyNth(own, kFitSample);
+        const std::vector<Vector3d> all = everyNth(rest_points_, outlineSample);
+        std::vector<Vector3d> used = everyNth(own, fitSample);
         for (int round = 0; round < 3; ++round) {
             progress_.check();
             RevolutionFit fit;
@@ -191,13 +192,13 @@ private:
             }
             std::vector<Vector3d> inside;
             for (const Vector3d& point : own)
-                if (outline.beyond_mm(fit.axis_T_scan * point) <= kOnSurface_mm) inside.push_back(point);
-            if (inside.size() < kLeastRest) return;
-            used = everyNth(inside, kFitSample);
+                if (outline.beyond_mm(fit.axis_T_scan * point) <= surfaceMargin_mm) inside.push_back(point);
+            if (inside.size() < leastPartPoints) return;
+            used = everyNth(inside, fitSample);
         }
     }
 
-    /// What reaches far beyond the part's surface, down to where it touches it.
+    /// Labels points far outside the part's surface, down to the contact.
     void labelClamps(const std::vector<std::uint32_t>& outside, const std::vector<double>& beyond)
     {
         const std::vector<Vector3d> points = chosen(rest_points_, outside);
@@ -214,18 +215,19 @@ private:
                     std::max(reach[static_cast<std::size_t>(at(i))], beyond[outside[i]]);
         std::vector<std::uint16_t> label(groups.size(), Part);
         for (std::size_t g = 0; g < groups.size(); ++g)
-            if (reach[g] >= kClampReach_mm) label[g] = newLabel(groups[g].size() >= kLeastGroup ? "clamp" : "clutter");
+            if (reach[g] >= clampReach_mm)
+                label[g] = newLabel(groups[g].size() >= leastGroupCubes ? "clamp" : "clutter");
         std::map<std::uint16_t, SceneFootprint> footprints;
         for (std::size_t i = 0; i < outside.size(); ++i) {
             const std::uint16_t own = at(i) >= 0 ? label[static_cast<std::size_t>(at(i))] : std::uint16_t{Part};
             labels_[rest_[outside[i]]] = own;
-            if (own != Part && beyond[outside[i]] < kNearContact_mm)
+            if (own != Part && beyond[outside[i]] < contactMargin_mm)
                 footprints[own].add(fit_.axis_T_scan * rest_points_[outside[i]]);
         }
         labelContacts(footprints);
     }
 
-    /// Points of the surface about a contact are not told from those of what touches it: they go with that.
+    /// Points of the surface about a contact cannot be separated from those of the clamp: they are labelled as clamp.
     void labelContacts(std::map<std::uint16_t, SceneFootprint>& footprints)
     {
         for (auto& labelled : footprints) {
@@ -236,7 +238,7 @@ private:
                 for (std::size_t i = begin; i < end; ++i) {
                     if (labels_[rest_[i]] != Part) continue;
                     const Vector3d p = fit_.axis_T_scan * rest_points_[i];
-                    const bool at_surface = std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - kContactDepth_mm;
+                    const bool at_surface = std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - contactDepth_mm;
                     if (at_surface && footprint.contains(p)) labels_[rest_[i]] = own;
                 }
             });
@@ -250,9 +252,9 @@ private:
     std::vector<std::uint32_t> rest_;  ///< points that are not the turntable's
     std::vector<Vector3d> rest_points_;
     Thinned thin_;                                    ///< of rest_points_
-    std::vector<std::vector<std::uint32_t>> groups_;  ///< of its cubes
+    std::vector<std::vector<std::uint32_t>> groups_;  ///< indices of the cubes of each group
     std::vector<int> group_of_cube_;                  ///< -1: a stray
-    int part_ = 0;                                    ///< which group
+    int part_ = 0;                                    ///< index into groups_
     bool turned_ = false;
     RevolutionFit fit_;
     std::optional<SceneOutline> outline_;
@@ -262,14 +264,14 @@ private:
 
 Scene findScene(const std::vector<Vector3d>& points, SceneUse use, const Progress& progress)
 {
-    if (use == SceneUse::Keep || points.size() < kLeastRest) return {};
+    if (use == SceneUse::Keep || points.size() < leastPartPoints) return {};
     const double extent_mm = usualExtent_mm(points);
     if (!(extent_mm > 0)) return {};
-    const Thinned rough = thinned(everyNth(points, kRoughSample), std::max(0.5, extent_mm / 128), progress);
+    const Thinned rough = thinned(everyNth(points, roughSample), std::max(0.5, extent_mm / 128), progress);
     const std::optional<SupportPlane> support = findSupport(rough.points, rough.edge_mm);
     if (!support && use == SceneUse::Auto) return {};
     SceneParts parts(points, progress);
-    if (support) parts.takeOff(*support);
+    if (support) parts.removeSupport(*support);
     if (!parts.group(extent_mm)) return {};
     progress.report(0.3);
     parts.findPart();

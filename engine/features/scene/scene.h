@@ -1,9 +1,9 @@
-// What a scan holds besides the part: the turntable that it stands on, jaws or blocks that hold it, loose things.
+// Objects in a scan besides the part: turntable, jaws or blocks that hold it, loose objects.
 //
 // The turntable is a plane with all the rest on one side of it, three times as large as what stands on it (convex hulls
-// in the plane). What is left falls into groups by distance; the part is the largest group that is a body of
-// revolution, with those that lie on or inside its surface about the same axis. Clamps touch the part: they are what
-// reaches more than 5 mm beyond the surface that is seen around the axis, down to where they touch it.
+// in the plane). The other points are grouped by distance; the part is the largest group that is a body of
+// revolution, with those that lie on or inside its surface about the same axis. Clamps touch the part: they are points
+// more than 5 mm outside the surface of revolution, down to the contact.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@
 
 namespace lathelier::features {
 
-/// Auto: cut only where a turntable is found; else not a point of the scan is touched.
+/// Auto: cut only where a turntable is found; else all points are kept.
 enum class SceneUse { Auto, Keep, Cut };
 
 /// Points that belong together.
@@ -26,7 +26,7 @@ struct SceneGroup {
     std::int64_t points = 0;                           ///< number of points
     Eigen::Vector3d min_mm = Eigen::Vector3d::Zero();  ///< its box in the frame of the scan
     Eigen::Vector3d max_mm = Eigen::Vector3d::Zero();  ///< the other corner of the box
-    bool kept = true;                                  ///< is part of what is recognised
+    bool kept = true;                                  ///< input of the recognition
     std::string reason;  ///< of the part: body_of_revolution (the largest one) | largest (none is one); else empty
 };
 
@@ -35,10 +35,10 @@ struct SupportPlane {
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit vector toward the part
     double distance_mm = 0;                             ///< along the normal
     double sigma_mm = 0;                                ///< robust scatter of its points
-    double band_mm = 0;                                 ///< points this near to it are its own
+    double band_mm = 0;                                 ///< points this near to it belong to it
 };
 
-/// Groups and what becomes of each point. Nothing besides the part: all three are empty.
+/// Groups and the label of each point. All three are empty when there is only the part.
 struct Scene {
     std::vector<SceneGroup> groups;       ///< the part first, then by falling number of points
     std::vector<std::uint8_t> kept;       ///< one per point: 1 for the part's

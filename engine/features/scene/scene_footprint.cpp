@@ -19,7 +19,7 @@ std::size_t sectorOf(const Eigen::Vector3d& p, std::size_t sectors)
 
 void SceneFootprint::add(const Eigen::Vector3d& on_axis)
 {
-    rings_[std::lround(on_axis.z())].set(sectorOf(on_axis, kSectors));
+    rings_[std::lround(on_axis.z())].set(sectorOf(on_axis, footprintSectors));
 }
 
 void SceneFootprint::close()
@@ -27,13 +27,14 @@ void SceneFootprint::close()
     std::map<long, Ring> wider;
     for (const auto& [z, ring] : rings_) {
         Ring filled = ring;
-        for (std::size_t k = 0; k < kSectors; ++k) {
+        for (std::size_t k = 0; k < footprintSectors; ++k) {
             if (!ring[k]) continue;
             for (std::size_t gap = 2; gap <= filledSectors; ++gap)
-                if (ring[(k + gap) % kSectors])
-                    for (std::size_t j = 1; j < gap; ++j) filled.set((k + j) % kSectors);
+                if (ring[(k + gap) % footprintSectors])
+                    for (std::size_t j = 1; j < gap; ++j) filled.set((k + j) % footprintSectors);
         }
-        const Ring dilated = filled | filled << 1 | filled >> 1 | filled << (kSectors - 1) | filled >> (kSectors - 1);
+        const Ring dilated =
+            filled | filled << 1 | filled >> 1 | filled << (footprintSectors - 1) | filled >> (footprintSectors - 1);
         for (const long beside : {z - 1, z, z + 1}) wider[beside] |= dilated;
     }
     rings_ = std::move(wider);
@@ -42,7 +43,7 @@ void SceneFootprint::close()
 bool SceneFootprint::contains(const Eigen::Vector3d& on_axis) const
 {
     const auto ring = rings_.find(std::lround(on_axis.z()));
-    return ring != rings_.end() && ring->second[sectorOf(on_axis, kSectors)];
+    return ring != rings_.end() && ring->second[sectorOf(on_axis, footprintSectors)];
 }
 
 }  // namespace lathelier::features

@@ -1,4 +1,4 @@
-// Where on the surface of a turned part something else touches it.
+// Contact area of other objects on the surface of a turned part.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,16 +10,16 @@ namespace lathelier::features {
 /// Cells of 1 mm along the axis by 5° around it.
 class SceneFootprint {
 public:
-    /// A point, in the frame of the axis, of what touches the part, near to it.
+    /// Adds a point, in the frame of the axis, of an object near its contact with the part.
     void add(const Eigen::Vector3d& on_axis);
-    /// Fills up to 60° of the circle between cells, for near a contact no point tells which of the two it is of, and
-    /// adds the cells beside.
+    /// Fills gaps of up to 60° between cells, since points near a contact cannot be assigned to either body, and adds
+    /// the neighbouring cells.
     void close();
     bool contains(const Eigen::Vector3d& on_axis) const;
 
 private:
-    static constexpr std::size_t kSectors = 72;
-    using Ring = std::bitset<kSectors>;
+    static constexpr std::size_t footprintSectors = 72;
+    using Ring = std::bitset<footprintSectors>;
     std::map<long, Ring> rings_;  ///< by whole millimetres along the axis
 };
 

@@ -10,17 +10,17 @@ namespace lathelier::features {
 namespace {
 
 constexpr std::size_t outlineSectors = 72;
-constexpr double leastSeenShare = 0.6;  // of the directions that the part shows at all
-constexpr double kLeastInStep = 300;
-constexpr std::size_t kMostCells = 4000000;
-constexpr double kNone = -std::numeric_limits<double>::infinity();
+constexpr double leastSeenShare = 0.6;  // of the directions from which the part is seen
+constexpr double leastPointsPerStep = 300;
+constexpr std::size_t mostOutlineCells = 4000000;
+constexpr double notSeen_mm = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double coverage_deg)
 {
     if (on_axis.size() < 50) return;
-    double last = kNone, largest = 0;
+    double last = notSeen_mm, largest = 0;
     first_mm_ = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : on_axis) {
         first_mm_ = std::min(first_mm_, p.z());
@@ -28,9 +28,9 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
         largest = std::max(largest, std::hypot(p.x(), p.y()));
     }
     const double length = last - first_mm_;
-    step_mm_ = std::max({1.0, length / 4000, length * kLeastInStep / static_cast<double>(on_axis.size())});
+    step_mm_ = std::max({1.0, length / 4000, length * leastPointsPerStep / static_cast<double>(on_axis.size())});
     const auto steps = static_cast<std::size_t>(length / step_mm_) + 1;
-    const double cell_mm = std::max(0.5, largest * static_cast<double>(steps) / static_cast<double>(kMostCells));
+    const double cell_mm = std::max(0.5, largest * static_cast<double>(steps) / static_cast<double>(mostOutlineCells));
     const auto rings = static_cast<std::size_t>(largest / cell_mm) + 2;
     std::vector<std::bitset<outlineSectors>> cells(steps * rings);
     for (const Eigen::Vector3d& p : on_axis) {
@@ -40,7 +40,7 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
         cells[step * rings + static_cast<std::size_t>(std::hypot(p.x(), p.y()) / cell_mm)].set(sector);
     }
     const auto need = static_cast<std::size_t>(leastSeenShare * outlineSectors * std::min(1.0, coverage_deg / 360));
-    std::vector<double> own(steps, kNone);
+    std::vector<double> own(steps, notSeen_mm);
     for (std::size_t s = 0; s < steps; ++s)
         for (std::size_t k = rings - 1; k-- > 0;) {
             const auto& inner = cells[s * rings + k];
@@ -49,13 +49,13 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
             own[s] = cell_mm * static_cast<double>(outer.count() > outlineSectors / 20 ? k + 2 : k + 1);
             break;
         }
-    const auto seen = [](double reach) { return reach > kNone; };
+    const auto seen = [](double reach) { return reach > notSeen_mm; };
     const auto from = std::find_if(own.begin(), own.end(), seen);
     if (from == own.end()) return;
     const auto to = std::find_if(own.rbegin(), own.rend(), seen).base();
     first_mm_ += step_mm_ * static_cast<double>(from - own.begin());
     own = {from, to};
-    // A stretch that is not seen around reaches as far as the larger of its neighbours.
+    // A stretch not seen all round takes the larger radius of its neighbours.
     for (std::size_t s = 0; s < own.size();) {
         std::size_t next = s;
         while (!seen(own[next])) ++next;

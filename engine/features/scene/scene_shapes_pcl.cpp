@@ -19,8 +19,8 @@ namespace {
 using Eigen::Vector3d;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-constexpr int kMostTries = 500;
-constexpr double kSure = 0.999;  // chance that a sample of inliers only was among the tries
+constexpr int ransacIterations = 500;
+constexpr double ransacConfidence = 0.999;  // probability that at least one sample holds inliers only
 
 /// Single precision about the middle of the points.
 Cloud::Ptr cloudOf(const std::vector<Vector3d>& points, const Vector3d& middle)
@@ -60,8 +60,8 @@ std::optional<ScenePlane> planeByConsensus(const std::vector<Vector3d>& points, 
     const pcl::SampleConsensusModelPlane<pcl::PointXYZ>::Ptr model(
         new pcl::SampleConsensusModelPlane<pcl::PointXYZ>(cloudOf(points, middle)));
     pcl::RandomSampleConsensus<pcl::PointXYZ> consensus(model, tolerance_mm);
-    consensus.setMaxIterations(kMostTries);
-    consensus.setProbability(kSure);
+    consensus.setMaxIterations(ransacIterations);
+    consensus.setProbability(ransacConfidence);
     if (!consensus.computeModel()) return std::nullopt;
     Eigen::VectorXf found;
     consensus.getModelCoefficients(found);

@@ -13,10 +13,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kTolerance_mm = 0.5;
+constexpr double planeTolerance_mm = 0.5;
 constexpr double leastPlaneShare = 0.1;
-constexpr double kMostBehind = 0.05;
-constexpr double kLarger = 3;
+constexpr double largestShareBehind = 0.05;
+constexpr double leastAreaRatio = 3;
 
 double cross(const Vector2d& a, const Vector2d& b, const Vector2d& c)
 {
@@ -62,7 +62,7 @@ double largestGroup_mm2(const std::vector<Vector3d>& points, double gap_mm, cons
 
 std::optional<SupportPlane> findSupport(const std::vector<Vector3d>& points, double spacing_mm)
 {
-    std::optional<ScenePlane> plane = largestPlane(points, kTolerance_mm);
+    std::optional<ScenePlane> plane = largestPlane(points, planeTolerance_mm);
     if (!plane || static_cast<double>(plane->inliers.size()) < leastPlaneShare * static_cast<double>(points.size()))
         return std::nullopt;
     std::vector<Vector3d> on, off;
@@ -70,31 +70,31 @@ std::optional<SupportPlane> findSupport(const std::vector<Vector3d>& points, dou
     double above = 0, below = 0;
     for (const Vector3d& point : points) {
         const double height = plane->height_mm(point);
-        (std::abs(height) <= kTolerance_mm ? on : off).push_back(point);
-        if (std::abs(height) <= kTolerance_mm) heights.push_back(std::abs(height));
-        above += height > 2 * kTolerance_mm;
-        below += height < -2 * kTolerance_mm;
+        (std::abs(height) <= planeTolerance_mm ? on : off).push_back(point);
+        if (std::abs(height) <= planeTolerance_mm) heights.push_back(std::abs(height));
+        above += height > 2 * planeTolerance_mm;
+        below += height < -2 * planeTolerance_mm;
     }
-    if (std::min(above, below) > kMostBehind * (above + below)) return std::nullopt;
+    if (std::min(above, below) > largestShareBehind * (above + below)) return std::nullopt;
     const double gap_mm = 3 * spacing_mm;
     const double own = largestGroup_mm2(on, gap_mm, plane->normal);
-    if (!(own > kLarger * largestGroup_mm2(off, gap_mm, plane->normal))) return std::nullopt;
+    if (!(own > leastAreaRatio * largestGroup_mm2(off, gap_mm, plane->normal))) return std::nullopt;
     SupportPlane support;
     const double sense = above >= below ? 1 : -1;
     support.normal = sense * plane->normal;
     support.distance_mm = sense * plane->distance_mm;
-    support.sigma_mm = mad_to_sigma * median(std::move(heights));
-    support.band_mm = std::clamp(4 * support.sigma_mm, 0.1, 2 * kTolerance_mm);
+    support.sigma_mm = madToSigma * median(std::move(heights));
+    support.band_mm = std::clamp(4 * support.sigma_mm, 0.1, 2 * planeTolerance_mm);
     return support;
 }
 
 bool endOnSupport(const SupportPlane& support, const registration::RevolutionFit& fit, Outline& outline,
                   const Progress& progress)
 {
-    constexpr double most_lean_deg = 1;
+    constexpr double largestLean_deg = 1;
     const Vector3d axis = fit.axis_T_scan.linear().transpose().col(2);
     const double cosine = support.normal.dot(axis);
-    if (std::abs(cosine) < std::cos(most_lean_deg * std::numbers::pi / 180)) return false;
+    if (std::abs(cosine) < std::cos(largestLean_deg * std::numbers::pi / 180)) return false;
     // Where the axis meets the plane.
     const Vector3d origin = fit.axis_T_scan.inverse().translation();
     const double z = (support.distance_mm - support.normal.dot(origin)) / cosine;
@@ -106,7 +106,7 @@ bool endOnSupport(const SupportPlane& support, const registration::RevolutionFit
     if (missing < -1 || missing > 2 * support.band_mm + 1) return false;
     if (run.elements[first ? 0 : run.elements.size() - 1].arc) return false;  // it may end before the plane
     plane.z_mm = plane.seen_mm = z;
-    // The plane is fitted to thousands of points: how flat it is counts for more than their noise.
+    // The plane is fitted to thousands of points: its flatness error exceeds their noise.
     plane.sigma_mm = std::max(0.01, support.sigma_mm / 4);
     plane.data_end = false;
     resolve(model, run);

@@ -1,4 +1,4 @@
-// The plane that a part stands or lies on, and what it says of the part's end.
+// The plane that a part stands or lies on, and the part's end in it.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@ namespace lathelier::features {
 /// of them.
 std::optional<SupportPlane> findSupport(const std::vector<Eigen::Vector3d>& points, double spacing_mm);
 
-/// Puts the end of the outside that stands on the plane onto it: the points between were cut with the plane. Does
-/// nothing when the axis leans from the normal by more than 1°, or no end is near. True: an end was put there.
+/// Moves the end of the outside on the plane into it: the points between were removed with the plane. Does
+/// nothing when the axis leans from the normal by more than 1°, or no end is near. True: an end was moved.
 bool endOnSupport(const SupportPlane& support, const registration::RevolutionFit& fit, Outline& outline,
                   const Progress& progress = {});
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kBits = 21;  // of a key for each axis
+constexpr int keyBitsPerAxis = 21;  // of a key for each axis
 
 struct Mix {
     std::size_t operator()(std::uint64_t key) const
@@ -24,7 +24,7 @@ struct Mix {
 
 std::uint64_t keyOf(double offset_mm, double edge_mm)
 {
-    constexpr double last = (1 << kBits) - 1;
+    constexpr double last = (1 << keyBitsPerAxis) - 1;
     return static_cast<std::uint64_t>(std::clamp(offset_mm / edge_mm, 0.0, last));
 }
 
@@ -41,8 +41,8 @@ Thinned thinned(const std::vector<Vector3d>& points, double edge_mm, const Progr
     parallelFor(points.size(), 32768, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Vector3d offset = points[i] - low;
-            keys[i] = keyOf(offset.x(), edge_mm) << (2 * kBits) | keyOf(offset.y(), edge_mm) << kBits |
-                      keyOf(offset.z(), edge_mm);
+            keys[i] = keyOf(offset.x(), edge_mm) << (2 * keyBitsPerAxis) |
+                      keyOf(offset.y(), edge_mm) << keyBitsPerAxis | keyOf(offset.z(), edge_mm);
         }
     });
     std::unordered_map<std::uint64_t, std::uint32_t, Mix> cubes;

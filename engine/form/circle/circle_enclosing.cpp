@@ -63,7 +63,7 @@ EnclosingCircle grow(At at, Farthest farthest)
         std::vector<std::size_t> few = circle.contacts;
         few.push_back(index);
         EnclosingCircle next = smallestOfFew(at, few);
-        if (!(next.radius > circle.radius)) break;  // no more than rounding is left
+        if (!(next.radius > circle.radius)) break;  // no increase beyond rounding
         circle = std::move(next);
     }
     return circle;

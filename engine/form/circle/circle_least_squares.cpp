@@ -14,17 +14,18 @@ namespace {
 
 constexpr Eigen::Index circleBlockSize = 512;
 constexpr std::size_t circlePointsPerTask = 1 << 15;
-constexpr Eigen::Index enoughToBegin = 8192;  ///< of many points, so that all are gone through twice only
+constexpr Eigen::Index enoughToBegin = 8192;  ///< points used for the start values, so that the full set is traversed
+                                              ///< only twice
 
-/// Coordinates, near 0 and in units near their size.
+/// Coordinates centred at 0 and scaled to order 1.
 using Coordinates = Eigen::Ref<const Eigen::ArrayXd>;
 
 /// The sums of one pass: half the gradient and half the Hessian of Σ(d - R)² in centre and radius.
 struct CircleSums {
     double squares = 0;
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();       ///< Newton's
-    Eigen::Matrix3d gauss_newton = Eigen::Matrix3d::Zero();  ///< never indefinite
+    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();       ///< for Newton's method
+    Eigen::Matrix3d gauss_newton = Eigen::Matrix3d::Zero();  ///< Gauss-Newton approximation, positive semidefinite
 
     CircleSums operator+(const CircleSums& other) const
     {
@@ -87,7 +88,7 @@ CircleSums circleSumsAt(const Coordinates& x, const Coordinates& y, const Eigen:
         [](const CircleSums& all, const CircleSums& part) { return all + part; });
 }
 
-/// The circle that minimises Σ(d² - R²)²: near enough to start from.
+/// The circle that minimises Σ(d² - R²)²: start value for the geometric fit.
 Eigen::Vector3d algebraicCircle(const Coordinates& all_x, const Coordinates& all_y)
 {
     const double mx = all_x.mean(), my = all_y.mean();
@@ -124,11 +125,13 @@ Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circl
         const Eigen::Vector3d step = factors.solve(-now.gradient);
         if (!step.allFinite()) break;
         const Eigen::Vector3d trial = circle + step;
-        // What this step leaves is rounding, and so is what the sum of squares is off its parabola.
+        // The remaining step is of the size of rounding, as is the deviation of the sum of squares from its quadratic
+        // model.
         if (newton && step.norm() <= 1e-9 * std::abs(circle[2]))
             return {trial, std::max(0.0, now.squares + now.gradient.dot(step))};
         const CircleSums next = circleSumsAt(x, y, trial);
-        const bool fine = step.norm() <= 1e-8 * std::abs(circle[2]);  // Newton's last step squares this
+        const bool fine = step.norm() <= 1e-8 * std::abs(circle[2]);  // quadratic convergence: the next Newton step
+                                                                      // squares this error
         if (next.squares <= now.squares || fine) {
             circle = trial;
             now = next;
@@ -140,7 +143,7 @@ Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circl
         }
         if (std::abs(circle[2]) > runawayCircle) break;
     }
-    // One more plain step: where Gauss-Newton stopped first, Newton finishes.
+    // One more step without line search: Newton completes what Gauss-Newton left.
     if (const Eigen::LLT<Eigen::Matrix3d> factors(now.hessian); factors.info() == Eigen::Success) {
         const Eigen::Vector3d step = factors.solve(-now.gradient);
         if (step.norm() <= 1e-6 * std::abs(circle[2])) {
@@ -151,7 +154,7 @@ Found minimise(const Coordinates& x, const Coordinates& y, Eigen::Vector3d circl
     return {circle, now.squares};
 }
 
-/// Where to begin: the circle of some of the points, if they are many.
+/// Start value: the circle of a subset, if there are many points.
 Eigen::Vector3d firstCircle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
 {
     const Eigen::Index stride = x.size() / enoughToBegin;
@@ -159,7 +162,7 @@ Eigen::Vector3d firstCircle(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
     const Eigen::Index count = x.size() / stride;
     Eigen::ArrayXd some_x(count), some_y(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        // Anywhere in its stretch: what repeats with the stride is seen whole all the same.
+        // At a random place of its stretch, so that a period equal to the stride is not aliased.
         const std::uint64_t drawn = randomBits(1, 0, static_cast<std::uint64_t>(i));
         const Eigen::Index place = i * stride + static_cast<Eigen::Index>(drawn % static_cast<std::uint64_t>(stride));
         some_x[i] = x[place];

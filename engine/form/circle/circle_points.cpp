@@ -42,7 +42,7 @@ double widthAcross(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y)
 /// Whether the points lie on a line, no wider than `width`.
 bool areStraight(const Eigen::ArrayXd& x, const Eigen::ArrayXd& y, double width)
 {
-    // A few of many are not wider than all.
+    // A subset cannot be wider than the whole set.
     constexpr Eigen::Index few = 1024;
     if (const Eigen::Index stride = x.size() / few; stride > 1) {
         using Some = Eigen::Map<const Eigen::ArrayXd, 0, Eigen::InnerStride<>>;
@@ -61,7 +61,7 @@ CirclePoints::CirclePoints(std::span<const Eigen::Vector2d> points_mm, std::size
     for (const Eigen::Vector2d& point : points_mm) {
         low = low.min(point.array());
         high = high.max(point.array());
-        // Compared so that what is no number is refused as well: minima and maxima do not keep it.
+        // Comparison in this form also rejects NaN, which minimum and maximum would discard.
         if (const double size = point.cwiseAbs().maxCoeff(); !(size <= largestCoordinate_mm) || !point.allFinite())
             throw Error(errors::coordinateTooLarge, {{"found", size}, {"maximum", largestCoordinate_mm}});
     }
@@ -136,8 +136,8 @@ CirclePoints::Extremes CirclePoints::extremes(const Eigen::Vector2d& centre) con
         for (Eigen::Index begin = 0; begin < x_.size(); begin += blockSize)
             search(centre, begin, std::min(blockSize, x_.size() - begin), low, high, low_block, high_block);
     } else {
-        // |p - c| with p = d v, |v| = 1: no less than d - v·c and no more than that + c²/2(d - |c|). Bundles that may
-        // hold an extreme are looked at.
+        // |p - c| with p = d v, |v| = 1: no less than d - v·c and no more than that + c²/2(d - |c|). Only bundles that
+        // may contain an extreme are searched.
         const double length = centre.norm();
         const double rounding = 1e-14 * (1 + length);
         double nearest = std::numeric_limits<double>::infinity(), farthest = -1;

@@ -1,4 +1,4 @@
-// Where the centre of the maximum inscribed circle may lie.
+// Feasible region for the centre of the maximum inscribed circle.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace lathelier::form {
 
-/// The convex hull of the points and of `centre` (the least-squares circle's: an arc of less than half a turn does not
-/// hold it) as half planes. Where the points surround `centre` closely, a polygon of some of them stands for the hull:
-/// what lies between the two is nearer to a point than the circle may be. A circle whose centre could be outside would
-/// grow into the open side of an arc without limit.
+/// The convex hull of the points and of `centre` (the least-squares circle's: not inside the hull for an arc of less
+/// than half a turn) as half planes. Where the points closely surround `centre`, a polygon through a subset replaces
+/// the hull: a centre between the two is nearer to a point than the optimal radius. Without this region the inscribed
+/// circle of an arc would be unbounded on its open side.
 std::vector<HalfPlane> inscribedRegion(const CirclePoints& points, const Eigen::Vector2d& centre,
                                        const std::array<CirclePoints::Sector, CirclePoints::sectorCount>& sectors);
 

@@ -64,7 +64,7 @@ const std::vector<HalfPlane>& ZoneProblem::limitsNear(const Vector2d& centre, do
     limits_.clear();
     for (const HalfPlane& edge : region_)
         if (const double room = edge.offset - edge.normal.dot(centre); room < reach)
-            limits_.push_back({edge.normal, std::abs(room) < 1e-11 ? 0 : room});  // on the edge but for rounding
+            limits_.push_back({edge.normal, std::abs(room) < 1e-11 ? 0 : room});  // on the edge within rounding
     return limits_;
 }
 
@@ -85,7 +85,7 @@ ZoneOptimum ZoneProblem::descend(const Vector2d& start)
         if (active.inner != MinimaxStep<2>::none) addTo(result.inner, working_[active.inner]);
         if (active.outer != MinimaxStep<2>::none) addTo(result.outer, working_[active.outer]);
     }
-    // The last step may end before all that holds it is known: it was good enough.
+    // The last step may stop, as sufficient, before all active constraints are known.
     constexpr std::size_t generic = 4;  // contacts of a minimum zone
     if (goal_ == MinimaxGoal::Width && !result.held && result.outer.size() + result.inner.size() < generic) {
         const CirclePoints::Extremes e = points_.extremes(found.place);

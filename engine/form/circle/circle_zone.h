@@ -1,11 +1,11 @@
 // Minimum zone and maximum inscribed circle: minimax exchange, and proof by branch and bound.
 //
 // A distance |p - c| is convex in c, and lies between its tangent and its tangent + |step|² / (2 (distance - |step|)).
-// So the best step of the linear problem over a square, less that term, bounds what any centre in the square can do;
-// the bound is sharp to second order, and squares far from the optimum are few. Both the exchange and the proof work
-// on a small set of points that grows by the extreme points of each centre tried: a bound from some of the points
-// is a bound for all, and each circle claimed has been measured on all.
-// Source of branch and bound: Land and Doig, Econometrica 28 (1960) 497-520. The bound is derived above.
+// So the optimum of the linear problem over a square, less that term, is a lower bound for all centres in the square;
+// the bound is accurate to second order, so that few squares far from the optimum are examined. Both the exchange and
+// the proof work on a small set of points that grows by the extreme points of each centre tried: a bound from some of
+// the points is a bound for all, and each circle returned has been evaluated on all. Source of branch and bound: Land
+// and Doig, Econometrica 28 (1960) 497-520. The bound is derived above.
 #pragma once
 
 #include <optional>
@@ -17,18 +17,18 @@
 
 namespace lathelier::form {
 
-/// A centre, what it reaches, and what it rests on.
+/// A centre with its objective value and its contact points.
 struct ZoneOptimum {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of both circles, in the units of CirclePoints
-    double value = 0;                                  ///< of the goal: width, or minus the inner radius
+    double value = 0;                                  ///< objective: width, or minus the inner radius
     double width = 0;                                  ///< farthest - nearest
-    std::vector<std::size_t> outer;                    ///< contacts
+    std::vector<std::size_t> outer;                    ///< contacts of the outer circle
     std::vector<std::size_t> inner;                    ///< contacts of the inner circle, as `outer`
-    bool held = false;  ///< by the edge of the region: the points alone would carry it on
+    bool held = false;  ///< true: the region's edge is an active constraint; without it the centre would move on
 };
 
 struct ZoneProof {
-    double gap = 0;      ///< no centre of the region is better by more than this
+    double gap = 0;      ///< certified optimality gap: no centre of the region is better by more
     bool unique = true;  ///< false: another centre reaches the same value within the tolerance
     int nodes = 0;       ///< number of squares whose bound was computed
 };
@@ -38,21 +38,21 @@ public:
     /// `region` bounds the centre (may be empty).
     ZoneProblem(const CirclePoints& points, MinimaxGoal goal, std::vector<HalfPlane> region, const Progress& progress);
 
-    /// Puts the extreme points of the sectors into the working set.
+    /// Adds the extreme points of the sectors to the working set.
     void seed(const std::array<CirclePoints::Sector, CirclePoints::sectorCount>& sectors);
 
-    /// Exchange from `start`: the local optimum, to rounding.
+    /// Exchange from `start`: the local optimum, to rounding accuracy.
     ZoneOptimum descend(const Eigen::Vector2d& start);
 
-    /// Proves `best` over the square around `middle`, or finds a better one and proves that.
+    /// Certifies `best` over the square around `middle`, or finds a better optimum and certifies that.
     ZoneProof prove(ZoneOptimum& best, const Eigen::Vector2d& middle, double half, double tolerance, int most_nodes);
 
     struct Measured {
-        double value = 0;   ///< of the goal: width, or minus the inner radius
+        double value = 0;   ///< objective: width, or minus the inner radius
         double width = 0;   ///< farthest - nearest, on all points
         bool grew = false;  ///< the working set gained a point
     };
-    // What exchange() asks for.
+    // Interface required by exchange().
     Measured measure(const Eigen::Vector2d& centre);  ///< on all points; the working set grows by the extremes
     const LinearDistances<2>& linearise(const Eigen::Vector2d& centre);
     const std::vector<HalfPlane>& limitsNear(const Eigen::Vector2d& centre, double reach);
@@ -61,7 +61,7 @@ public:
 
 private:
     struct Cell {
-        Eigen::Vector2d centre;  ///< of the square
+        Eigen::Vector2d centre;  ///< centre of the square
         double half;             ///< half the side of the square
         double bound;            ///< lower bound of the goal for all centres in the square
     };

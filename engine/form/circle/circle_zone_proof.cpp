@@ -8,7 +8,7 @@ namespace lathelier::form {
 
 using Eigen::Vector2d;
 
-/// What a proof knows as it goes.
+/// State of the branch and bound.
 struct ZoneProblem::Search {
     ZoneOptimum& best;
     double tolerance;
@@ -27,7 +27,7 @@ bool ZoneProblem::isOutside(const Vector2d& centre, double reach) const
                        [&](const HalfPlane& edge) { return edge.normal.dot(centre) - edge.offset > reach; });
 }
 
-/// A centre measured on the way: perhaps the door to a better optimum, or to another one just as good.
+/// A centre evaluated during the search: a candidate start for a better optimum, or for a second one of equal value.
 void ZoneProblem::visit(const Vector2d& centre, const Measured& measured, double curvature, Search& search)
 {
     constexpr int mostDescents = 40;
@@ -96,13 +96,14 @@ ZoneProof ZoneProblem::prove(ZoneOptimum& best, const Vector2d& middle, double h
     std::priority_queue<Cell, std::vector<Cell>, decltype(worse)> cells(worse);
     Search search{best, tolerance, {best.centre}};
     ZoneProof proof;
-    double lowest = std::numeric_limits<double>::infinity();  // bound of what was set aside
-    // The optimum tends to lie near the middle: set off the middle, so that it falls into one cell, not between four.
+    double lowest = std::numeric_limits<double>::infinity();  // smallest bound among the discarded cells
+    // The grid is shifted off the middle, near which the optimum usually lies, so that the optimum falls into one cell
+    // and not between four.
     cells.push({middle + Vector2d(0.137, 0.211) * half, 1.25 * half, -std::numeric_limits<double>::infinity()});
     while (!cells.empty()) {
         const Cell cell = cells.top();
         if (cell.bound >= search.threshold() || proof.nodes >= most_nodes) {
-            lowest = std::min(lowest, cell.bound);  // the smallest of all that are left
+            lowest = std::min(lowest, cell.bound);  // smallest bound of the remaining cells
             break;
         }
         cells.pop();

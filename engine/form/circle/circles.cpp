@@ -58,7 +58,7 @@ FittedCircle toResult(const CirclePoints& points, const ZoneOptimum& fit)
     return circle;
 }
 
-/// How near a proof has to come, in the points' own unit.
+/// Gap at which the certificate is complete, in the unit of the points.
 double toleranceOf(const CirclePoints& points, const ZoneOptimum& best, const CircleOptions& options)
 {
     const double rounding = 1e-15 * (1 + best.centre.norm());
@@ -137,7 +137,7 @@ ReferenceCircles fitCircles(std::span<const Vector2d> points_mm, const CircleOpt
     ZoneProblem zone(points, MinimaxGoal::Width, {}, progress);
     zone.seed(sectors);
     ZoneOptimum narrowest = zone.descend(least_squares.centre);
-    // Never worse than any other of the circles, proof or no proof.
+    // Invariant with or without a certificate: no other reference circle has a smaller zone.
     for (const Vector2d& centre : {largest.centre, enclosing.centre})
         if (points.extremes(centre).width() < narrowest.value)
             if (const ZoneOptimum other = zone.descend(centre); other.value < narrowest.value) narrowest = other;

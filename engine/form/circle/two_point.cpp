@@ -16,7 +16,7 @@ namespace {
 using Eigen::Vector2d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The hull's next corner on the way anticlockwise; corners between which the way would turn right are none.
+/// The hull's next corner on the way anticlockwise; corners at which the path turns right are removed.
 void add(std::vector<Vector2d>& hull, std::size_t start, const Vector2d& point)
 {
     while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0)
@@ -24,8 +24,8 @@ void add(std::vector<Vector2d>& hull, std::size_t start, const Vector2d& point)
     hull.push_back(point);
 }
 
-/// Whether the points go round their centroid anticlockwise, one after the other and with no step of a quarter turn;
-/// steps back by 1e-12 rad are rounding.
+/// Whether the points are in anticlockwise order about their centroid with steps below a quarter turn; backward steps
+/// up to 1e-12 rad are rounding.
 bool goesRound(std::span<const Vector2d> points)
 {
     Vector2d centroid = Vector2d::Zero();
@@ -39,7 +39,7 @@ bool goesRound(std::span<const Vector2d> points)
     return turns == 1;
 }
 
-/// Corners of the convex hull, anticlockwise: in the order of the points where they go round (Graham 1972), else
+/// Corners of the convex hull, anticlockwise: in the order of the points where that is angular (Graham 1972), else
 /// sorted (Andrew's monotone chain).
 std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
 {
@@ -48,10 +48,10 @@ std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
         return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
     };
     if (goesRound(points)) {
-        const auto first = std::min_element(points.begin(), points.end(), less);  // a corner for certain
+        const auto first = std::min_element(points.begin(), points.end(), less);  // certainly a hull vertex
         for (auto it = first; it != points.end(); ++it) add(hull, 0, *it);
         for (auto it = points.begin(); it <= first; ++it) add(hull, 0, *it);
-        hull.pop_back();  // the first again
+        hull.pop_back();  // duplicate of the first
         return hull;
     }
     std::vector<Vector2d> sorted(points.begin(), points.end());
@@ -59,7 +59,7 @@ std::vector<Vector2d> convexHull(std::span<const Vector2d> points)
     const auto chain = [&](auto begin, auto end) {
         const std::size_t start = hull.size();
         for (auto it = begin; it != end; ++it) add(hull, start, *it);
-        hull.pop_back();  // the first of the other chain
+        hull.pop_back();  // first vertex of the other chain
     };
     chain(sorted.begin(), sorted.end());
     chain(sorted.rbegin(), sorted.rend());
@@ -84,10 +84,11 @@ TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const signal::Ang
         distance.size(), 8192, progress, Sizes(),
         [&](std::size_t begin, std::size_t end) {
             Sizes part;
-            std::size_t place = (begin + distance.size() / 2) % distance.size();  // about opposite
+            std::size_t place = (begin + distance.size() / 2) % distance.size();  // approximate index of the opposite
+                                                                                  // point
             for (std::size_t i = begin; i < end; ++i) {
                 const double size = distance[i] + profile(sampling.angle_rad[i] + std::numbers::pi, place);
-                if (size > part.largest_mm) part.largest_mm = size;  // never where there is none: NaN
+                if (size > part.largest_mm) part.largest_mm = size;  // false for NaN (no opposite point)
                 if (size < part.smallest_mm) part.smallest_mm = size;
                 part.missing += std::isnan(size);
             }
@@ -97,7 +98,7 @@ TwoPointSize twoPointSize(std::span<const Vector2d> points_mm, const signal::Ang
             return Sizes{std::max(all.largest_mm, part.largest_mm), std::min(all.smallest_mm, part.smallest_mm),
                          all.missing + part.missing};
         });
-    // Interpolation of noise may go a little beyond it; sizes of the points themselves cannot.
+    // Interpolated noise may exceed the bound slightly; sizes between measured points cannot.
     const auto [nearest, farthest] = std::minmax_element(distance.begin(), distance.end());
     if (std::isfinite(sizes.largest_mm)) {
         result.largest_mm = std::min(sizes.largest_mm, 2 * *farthest);
@@ -126,7 +127,7 @@ CaliperWidth caliperWidth(std::span<const Vector2d> points_mm)
         const auto height = [&](std::size_t j) { return cross(edge, hull[j % n] - hull[i]); };
         while (height(far + 1) > height(far)) ++far;
         width.smallest_mm = std::min(width.smallest_mm, height(far) / edge.norm());
-        // The corners at the far end of both edges meet all antipodal pairs.
+        // The farthest vertices of both edges enumerate all antipodal pairs.
         for (const std::size_t j : {far, far + 1})
             for (const std::size_t k : {i, i + 1})
                 width.largest_mm = std::max(width.largest_mm, (hull[j % n] - hull[k % n]).norm());

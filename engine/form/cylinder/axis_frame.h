@@ -6,7 +6,7 @@
 
 namespace lathelier::form {
 
-/// The direction, turned so that its largest coordinate is positive.
+/// The direction with the sign that makes its largest coordinate positive.
 inline Eigen::Vector3d towardPositive(const Eigen::Vector3d& direction)
 {
     Eigen::Index largest = 0;
@@ -14,7 +14,7 @@ inline Eigen::Vector3d towardPositive(const Eigen::Vector3d& direction)
     return direction[largest] < 0 ? Eigen::Vector3d(-direction) : direction;
 }
 
-/// Right-handed coordinates whose z is an axis.
+/// Right-handed frame whose z axis is the given axis.
 struct AxisFrame {
     Eigen::Matrix3d local_R_world;
 

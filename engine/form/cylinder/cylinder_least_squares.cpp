@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 using Vector5d = Eigen::Vector<double, 5>;
 using Matrix5d = Eigen::Matrix<double, 5, 5>;
 
-constexpr double runawayCylinder = 1e5;  // radius over size: a plane
+constexpr double runawayCylinder = 1e5;  // radius over extent beyond which the points are taken as planar
 
 struct CylinderSums {
     double squares = 0;
@@ -56,7 +56,7 @@ CylinderSums cylinderSumsAt(const CylinderPoints& points, const AxisParameters& 
         [](CylinderSums all, const CylinderSums& part) { return all += part; });
 }
 
-/// Circle of the points as seen along z, and how badly it fits.
+/// Circle of the points as seen along z, and its residual.
 LeastSquaresCylinder circleAlongAxis(const CylinderPoints& points)
 {
     Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
@@ -111,8 +111,8 @@ LeastSquaresCylinder leastSquaresCylinder(const CylinderPoints& points, const Le
         const double radius = fit.radius + step[4];
         const CylinderSums next = cylinderSumsAt(points, axis, radius, progress);
         const double size = step.norm() / (1 + radius);
-        // Near the end the sum of squares is flat to rounding: there plain steps are taken, and their own shrinking
-        // tells.
+        // Near convergence the sum of squares is constant to rounding: full steps are taken there, and their length is
+        // the criterion.
         const bool fine = size < 1e-7;
         if (next.squares <= now.squares || (fine && damping == 0 && size < 0.7 * last_size)) {
             fit.axis = axis;
@@ -156,7 +156,7 @@ CylinderGuess guessCylinder(std::span<const Vector3d> points_mm, const Progress&
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < refined; ++k) {
         Vector3d direction = trials[k].second;
-        // The parameters suit axes near z: turn the coordinates until the axis found is there.
+        // The parametrisation holds for axes near z: rotate the coordinates until the axis found is parallel to z.
         constexpr int mostTurns = 6;
         for (int turn = 0; turn < mostTurns; ++turn) {
             progress.check();

@@ -46,7 +46,7 @@ CylinderPoints::Extremes CylinderPoints::extremes(const AxisParameters& axis, co
 {
     using Block = Eigen::Array<double, cylinderBlockSize, 1>;
     const double shortening = 1 / (1 + axis.tail<2>().squaredNorm());
-    // w is the offset from the axis at the point's height; its part along the axis' tilt does not count in full.
+    // w is the offset from the axis at the point's height; its component along the tilt of the axis is reduced.
     const auto squares = [&](Eigen::Index begin, Eigen::Index n, Block& wx, Block& wy, Block& result) {
         wx.head(n) = x_.segment(begin, n) - axis[0] - z_.segment(begin, n) * axis[2];
         wy.head(n) = y_.segment(begin, n) - axis[1] - z_.segment(begin, n) * axis[3];

@@ -29,7 +29,7 @@ public:
     double lowest() const { return z_.minCoeff(); }
     double highest() const { return z_.maxCoeff(); }
 
-    /// Of the axis, in the coordinates that the points came in; the point is the one nearest to the origin given.
+    /// Of the axis, in the input coordinates; the point is the one nearest to the given origin.
     Eigen::Vector3d directionOf(const AxisParameters& axis) const;
     Eigen::Vector3d pointOf(const AxisParameters& axis) const;
 
@@ -50,7 +50,7 @@ private:
 
 /// Distance of a point from an axis, and how it changes with the axis' parameters.
 struct AxisDistance {
-    double distance = 0;                                 ///< from the axis
+    double distance = 0;                                 ///< from the axis, in the unit of length of the class
     Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< derivatives by x0, y0, tx, ty; 0 on the axis
 };
 AxisDistance distanceFrom(const AxisParameters& axis, const Eigen::Vector3d& point);

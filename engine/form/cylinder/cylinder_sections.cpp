@@ -50,7 +50,7 @@ SectionStack sectionsAlong(std::span<const Eigen::Vector3d> points_mm, const Eig
             const Eigen::Vector2d centre = fitLeastSquaresCircle(section).centre_mm;
             const double height = mean.z() / static_cast<double>(section.size());
             stack.centres_mm.push_back(axis_point_mm + frame.toWorld({centre.x(), centre.y(), height}));
-        } catch (const Error&) {  // a section that is no circle: the points are no stack of sections
+        } catch (const Error&) {  // a section is not a circle: the points are not a stack of sections
             stack.centres_mm.clear();
             return stack;
         }

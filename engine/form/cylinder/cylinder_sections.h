@@ -1,4 +1,4 @@
-// A cloud of points that lies in sections across its axis.
+// Detection of points measured in sections across the axis.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,8 +14,8 @@ struct SectionStack {
     std::vector<Eigen::Vector3d> centres_mm;  ///< least-squares centre of each section along the axis; empty: none
 };
 
-/// Finds planes of constant x, y or z, whichever the axis follows most: every point has to lie in one, and each has to
-/// hold eight points at least.
+/// Finds planes of constant x, y or z, whichever is closest to the axis: every point must lie in one plane, each plane
+/// must hold at least eight points.
 SectionStack sectionsAlong(std::span<const Eigen::Vector3d> points_mm, const Eigen::Vector3d& axis_point_mm,
                            const Eigen::Vector3d& axis_direction, const Progress& progress);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t surfacePointsPerTask = 65536;
 constexpr std::size_t mostRows = 200;
-constexpr std::size_t pointsOfCell = 4;  ///< on average, where the points are few
+constexpr std::size_t pointsOfCell = 4;  ///< mean points per cell for sparse clouds
 
 double angleOf(const Eigen::Vector3d& onAxis)
 {

@@ -12,23 +12,23 @@
 namespace lathelier::form {
 
 struct CylinderSurface {
-    FittedCylinder cylinder;  ///< what the deviations are taken from: distance from its axis - its radius
-    /// Takes points into the cylinder's frame: z along the axis, 0 at the first data; angle 0 along x.
+    FittedCylinder cylinder;  ///< reference of the deviations: distance from its axis minus its radius
+    /// Transforms points into the cylinder's frame: z along the axis, 0 at the first data; angle 0 along x.
     Eigen::Isometry3d axis_T_points = Eigen::Isometry3d::Identity();
     std::vector<float> deviation_mm;  ///< one for each point
 
     // Mean deviation on a z × angle grid, row-major, z slow; NaN where there are no points.
-    double z_start_mm = 0;       ///< lower edge of the first row
-    double z_step_mm = 1;        ///< height of a row
-    int z_count = 0;             ///< number of rows
+    double z_start_mm = 0;  ///< lower edge of the first row
+    double z_step_mm = 1;   ///< height of a row
+    int z_count = 0;
     int angle_count = 0;         ///< over 360°, cell centres at (j + ½)·360/angle_count
     std::vector<float> mean_um;  ///< of the deviations in each cell
 
-    // For each row.
-    std::vector<double> z_mm;         ///< its middle
+    // By row.
+    std::vector<double> z_mm;         ///< centre of the row
     std::vector<double> mean_row_um;  ///< mean over the angles; NaN without data
     std::vector<double> lowest_um;    ///< smallest deviation of a point
-    std::vector<double> highest_um;   ///< largest
+    std::vector<double> highest_um;   ///< largest deviation of a point
     std::vector<double> centre_x_um;  ///< of the row's least-squares circle, from the axis; NaN where less than half
     std::vector<double> centre_y_um;  ///< of the angles have data
 };
@@ -38,7 +38,7 @@ struct CylinderSurface {
 CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eigen::Vector3d> points_mm,
                              std::size_t sections, const Progress& progress = {});
 
-/// The place on the cylinder at this z and angle, in the coordinates of the points.
+/// The point of the cylinder at this z and angle, in the coordinates of the points.
 Eigen::Vector3d placeOnCylinder(const CylinderSurface& surface, double z_mm, double angle_deg);
 
 /// z along the axis from the first data, and the angle about it, 0…360, of a point.

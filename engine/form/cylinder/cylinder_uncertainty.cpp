@@ -15,12 +15,12 @@ namespace {
 constexpr std::uint64_t cylinderDrawSeed = 12180;
 constexpr int waves = 8, legendreDegree = 3;
 constexpr int functions = (2 * waves + 1) * (legendreDegree + 1);
-constexpr std::size_t enoughToFit = 20000;  ///< points that tell the form
+constexpr std::size_t enoughToFit = 20000;  ///< points used to fit the form
 constexpr double leastCoefficient = 3;      ///< standard errors of a coefficient
 
 using FormRow = Eigen::Vector<double, functions>;
 
-/// Waves around times Legendre polynomials along.
+/// Basis: circumferential Fourier terms times axial Legendre polynomials.
 FormRow formRowAt(double angle, double u)
 {
     const double along[] = {1, u, (3 * u * u - 1) / 2, (5 * u * u * u - 3 * u) / 2};
@@ -56,7 +56,7 @@ Unrolled unroll(const CylinderPoints& points, const AxisParameters& axis, const 
     return result;
 }
 
-/// Deviations from `radius` that waves explain which stand out of noise.
+/// The part of the deviations from `radius` explained by significant terms of the basis.
 std::vector<double> explainedForm(const Unrolled& surface, double radius, double sigma, const Progress& progress)
 {
     const std::size_t n = surface.distance.size(), stride = n / enoughToFit + 1;
@@ -105,7 +105,7 @@ double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquar
     std::vector<double> changes(std::clamp<std::size_t>(400000 / n, 12, 120));
     parallelFor(changes.size(), 1, progress,
                 [&](std::size_t begin, std::size_t) { changes[begin] = width(sigma, begin) - quiet; });
-    // Few points tell little of the form that the draws are laid on.
+    // With few points the form under the simulated noise is itself uncertain.
     const double few = 1 + functions / (2.0 * static_cast<double>(n));
     return few * coverageHalfWidth(std::move(changes), 0);
 }

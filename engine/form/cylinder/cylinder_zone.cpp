@@ -118,7 +118,8 @@ MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const Axis
     problem.seed(start);
     const double width = problem.measure(start).value, half = std::max(4 * width, 1e-12);
     ExchangeResult<4> best = exchange<4>(problem, start, half);
-    // Other starts, up to a zone's width off, on the working set: what it cannot better there, all points cannot.
+    // Further starts, up to one zone width away, on the working set: a start without improvement there cannot improve
+    // on all points.
     constexpr std::uint64_t otherStarts = 12;
     for (std::uint64_t k = 0; k < otherStarts; ++k) {
         progress.report(0.4 + 0.6 * static_cast<double>(k) / otherStarts);

@@ -11,10 +11,10 @@ namespace lathelier::form {
 struct MinimumZoneCylinder {
     AxisParameters axis = AxisParameters::Zero();  ///< in the coordinates of CylinderPoints
     double inner = 0, outer = 0;                   ///< smallest and largest distance of a point from the axis
-    std::vector<std::size_t> contacts;             ///< indices of the points that hold the zone, ascending
+    std::vector<std::size_t> contacts;             ///< indices of the contact points, ascending
 };
 
-/// The narrowest zone between coaxial cylinders near `start`: the best local optimum from several starts.
+/// Narrowest zone between coaxial cylinders near `start`: the best local optimum of several starts.
 MinimumZoneCylinder minimumZoneCylinder(const CylinderPoints& points, const AxisParameters& start,
                                         const Progress& progress);
 

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t leastSections = 3;  // a line through fewer has no straightness
+constexpr std::size_t leastSections = 3;  // fewer section centres define no straightness
 
 FittedCylinder placed(const CylinderPoints& points, const AxisParameters& axis)
 {
@@ -54,7 +54,7 @@ FittedCylinder toCylinder(const CylinderPoints& points, const MinimumZoneCylinde
     return cylinder;
 }
 
-/// A guarded decision needs an uncertainty.
+/// Guarded acceptance requires an uncertainty.
 void refuseUnfounded(const CylindricityParameters& parameters)
 {
     if (parameters.tolerance_um && parameters.decision == DecisionRule::Guarded && !parameters.probe_uncertainty_um)

@@ -19,12 +19,12 @@ struct FittedCylinder {
     Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitZ();  ///< toward + on its dominant coordinate
     double radius_mm = 0;                                       ///< MZCY: mean of inner and outer
     double inner_radius_mm = 0;                                 ///< smallest distance of a point from the axis
-    double outer_radius_mm = 0;                                 ///< largest
+    double outer_radius_mm = 0;                                 ///< largest distance of a point from the axis
     double CYLt_um = 0;                                         ///< outer - inner radius
-    double CYLp_um = std::numeric_limits<double>::quiet_NaN();  ///< LSCY only
+    double CYLp_um = std::numeric_limits<double>::quiet_NaN();  ///< outer radius - radius; LSCY only
     double CYLv_um = std::numeric_limits<double>::quiet_NaN();  ///< radius - inner radius; LSCY only
     double CYLq_um = std::numeric_limits<double>::quiet_NaN();  ///< root mean square of distance - radius; LSCY only
-    std::vector<std::size_t> contacts;                          ///< MZCY
+    std::vector<std::size_t> contacts;                          ///< indices of the contact points; MZCY only
 };
 
 struct CylindricityParameters {
@@ -36,10 +36,10 @@ struct CylindricityParameters {
 const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityParameters*);
 
 struct CylindricityResult {
-    CylindricityParameters parameters;  ///< as asked
-    std::size_t points = 0;             ///< number of points given
-    FittedCylinder LSCY;                ///< least squares
-    FittedCylinder MZCY;                ///< minimum zone, locally optimal from several starts
+    CylindricityParameters parameters;
+    std::size_t points = 0;  ///< number of points given
+    FittedCylinder LSCY;     ///< least-squares cylinder
+    FittedCylinder MZCY;     ///< minimum zone, locally optimal from several starts
     double axis_straightness_um = std::numeric_limits<double>::quiet_NaN();  ///< of the section centres, when the
                                                                              ///< points lie in sections z = const
     std::size_t sections = 0;  ///< planes z = const (or x, y: the axis' dominant coordinate) that the points lie in
@@ -49,11 +49,11 @@ struct CylindricityResult {
     Notes notes;  ///< axisStraightnessUnknown, with fewer than 3 sections
 };
 
-/// Do `a` and `b` differ in nothing but what judge() takes: tolerance and decision rule?
+/// Whether `a` and `b` differ at most in the parameters of judge(): tolerance and decision rule.
 bool sameButVerdict(const CylindricityParameters& a, const CylindricityParameters& b);
 
-/// Takes tolerance and decision rule from `parameters` into the result and decides anew. Error valueNotUnderstood
-/// (guarded without an uncertainty).
+/// Replaces tolerance and decision rule of the result by those of `parameters` and decides again. Error
+/// valueNotUnderstood (guarded without an uncertainty).
 void judge(CylindricityResult& result, const CylindricityParameters& parameters);
 
 /// Points of a cylindrical surface in any order and any pose. The verdict is MZCY's.

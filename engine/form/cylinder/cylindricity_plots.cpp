@@ -21,7 +21,7 @@ report::Axis zAxis(const CylinderSurface& surface)
 
 double colourLimit_um(const CylinderSurface& surface)
 {
-    constexpr double share = 0.99;  // single cells may be beyond
+    constexpr double share = 0.99;  // share of the cells within the limit of the colour scale
     std::vector<float> sizes;
     for (const float value : surface.mean_um)
         if (!std::isnan(value)) sizes.push_back(std::abs(value));
@@ -62,7 +62,7 @@ report::Plot radiusAlongAxis(const CylinderSurface& surface, const CylindricityP
     report::Curve mean{LT_TEXT("Engine", "local radius"), surface.z_mm, surface.mean_row_um};
     range.colour = mean.colour = report::ColourRole::Copy;
     plot.curves = {std::move(range), std::move(mean)};
-    // The upper line of a pair carries its name.
+    // Only the upper line of a pair appears in the legend.
     const auto addPair = [&plot](double half_um, const Text& name) {
         report::Limit limit;
         limit.place = -half_um;

@@ -1,4 +1,4 @@
-// Results of cylindricity described: keys, names, units and decimals for JSON and tables.
+// Description of the cylindricity results: keys, names, units and decimals for JSON and tables.
 #pragma once
 
 #include "engine/core/quantities.h"

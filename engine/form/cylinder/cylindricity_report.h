@@ -14,8 +14,7 @@ report::Answer answer(const CylindricityResult& result);
 /// Answer, deviations, verdict and notes: what the command line prints.
 report::Section cylindricitySummary(const CylindricityResult& result);
 
-/// Answer, deviations, verdict, notes; the pictures of the surface, where it is given (null: none); method, axes and
-/// parameters.
+/// Answer, deviations, verdict, notes; the charts of the surface (null: none); method, axes and parameters.
 report::Document cylindricityReport(const CylindricityResult& result, const CylinderSurface* surface,
                                     const std::vector<InputFile>& inputs, const Language& language = {});
 

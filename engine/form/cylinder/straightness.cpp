@@ -50,8 +50,7 @@ double smallestCylinder(const std::vector<Vector2d>& offset, const std::vector<d
         }
         const MinimaxStep<4> plan = minimax<4>(tangents, MinimaxGoal::Farthest, half);
         if (plan.value >= best * (1 - 1e-9)) break;
-        axis =
-            0.5 * (best_axis + plan.step);  // halfway: tangents far from the best axis say little of its surroundings
+        axis = 0.5 * (best_axis + plan.step);  // halved step: tangents far from the best axis are poor bounds near it
     }
     return best;
 }
@@ -90,7 +89,7 @@ StraightnessResult straightness(std::span<const Vector3d> points_mm)
     constexpr double diameter_um = 2 * 1000;
     result.STRt_LSLI_um = diameter_um * largest;
     result.axis_straightness_um = diameter_um * enclosingCircle(offset).radius;
-    // Narrower than rounding of the coordinates: nothing to improve.
+    // Narrower than the rounding of the coordinates: no improvement possible.
     result.STRt_MZLI_um = std::min(result.axis_straightness_um, diameter_um * smallestCylinder(offset, height));
     return result;
 }

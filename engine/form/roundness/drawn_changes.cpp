@@ -9,7 +9,7 @@
 namespace lathelier::form {
 namespace {
 
-/// Of the draws, so that 95 of 100 remain when the form they are laid on is itself an estimate.
+/// Coverage among the draws that yields 95 % when the form under the noise is itself an estimate.
 constexpr double coverage = 0.975;
 
 /// Half-width about 0 that holds the `coverage` of a normal distribution.

@@ -6,10 +6,11 @@
 
 namespace lathelier::form {
 
-/// Half-width of an interval about the measured deviation that holds the one without noise in 95 of 100 measurements.
-/// `changes`: how much noise changed the deviation in each of at least two draws. Their mean counts, for extremes of
-/// noise always add, and their spread with that of the noise's own estimate (`relative_u`, relative standard
-/// uncertainty); or, where it is wider, the interval as counted, which single spikes need.
+/// Half-width of an interval about the measured deviation that contains the noise-free one with 95 % probability.
+/// `changes`: change of the deviation by noise in each of at least two draws. The interval includes their mean, since
+/// extremes of noise always increase a peak-to-valley value, and their spread together with that of the noise estimate
+/// (`relative_u`, relative standard uncertainty); or the empirical interval where it is wider, which isolated spikes
+/// require.
 double coverageHalfWidth(std::vector<double> changes, double relative_u);
 
 }  // namespace lathelier::form

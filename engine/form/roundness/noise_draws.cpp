@@ -26,7 +26,7 @@ NoiseDraws::NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise,
       transform_(isPlain(noise, band) ? 1 : n_)
 {
     if (isPlain(noise, band)) return;
-    // The sequence of points covers the turn but for its gaps.
+    // The sequence of points covers the turn except for its gaps.
     const double covered = 1 - prepared.sampling.missing_rad / (2 * std::numbers::pi);
     for (std::size_t m = 0; m <= n_ / 2; ++m)
         transmission_.push_back(m == 0 ? 1 : band.transmission(static_cast<double>(m) / covered));

@@ -12,14 +12,14 @@
 
 namespace lathelier::form {
 
-inline constexpr std::uint64_t drawSeed = 12181;  ///< any; always the same
+inline constexpr std::uint64_t drawSeed = 12181;  ///< arbitrary, fixed for reproducibility
 
-/// Every how many-th point is enough for draws. Filtered noise is smooth: of a long profile, 100 points to a wave of
-/// the cut-off tell its extremes. 1 where values are rounded or have spikes, which are drawn point by point.
+/// Stride of the points that represent the draws. Filtered noise is smooth: for a long profile 100 points per cut-off
+/// wavelength resolve its extremes. 1 where values are rounded or have spikes, which are drawn point by point.
 std::size_t strideOf(const PointNoise& noise, const signal::TransmissionBand& band, std::size_t points);
 
-/// Draws of noise on every `stride`th of the points, in mm, filtered. Nearly even spacing is enough for that. Keeps
-/// references to `noise` and `band`.
+/// Draws of noise on every `stride`th of the points, in mm, filtered. Assumes nearly even spacing. Keeps references to
+/// `noise` and `band`.
 class NoiseDraws {
 public:
     NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise, const signal::TransmissionBand& band,
@@ -36,7 +36,7 @@ public:
         return noise_.beyond_rounding_um / 1000 * randomNormal(drawSeed, draw, i);
     }
 
-    /// The same where it may bring a point to touch the zone, else 0.
+    /// The same where it can make a point a contact of the zone, else 0.
     double plainBeyond_mm(std::uint64_t draw, std::size_t i, double rarity) const
     {
         return noise_.beyond_rounding_um / 1000 * randomNormalBeyond(drawSeed, draw, i, rarity);
@@ -47,15 +47,15 @@ public:
 
 private:
     void addSpikes(std::uint64_t draw, std::vector<double>& drawn) const;
-    /// Values in steps that lie anywhere: what rounding does depends on how flat the form is at its extremes.
+    /// Quantisation with a random offset: its effect depends on the curvature of the form at its extremes.
     void roundOff(std::uint64_t draw, std::vector<double>& drawn) const;
     std::vector<double> filtered(const std::vector<double>& drawn, const Progress& progress) const;
 
     const PointNoise& noise_;
     const signal::TransmissionBand& band_;
     std::size_t n_;
-    bool by_orders_;    ///< drawn as Fourier coefficients
-    bool is_filtered_;  ///< and these of the filtered noise
+    bool by_orders_;    ///< noise is drawn as Fourier coefficients
+    bool is_filtered_;  ///< the coefficients are those of the filtered noise
     signal::FourierTransform transform_;
     std::vector<double> amplitude_mm_, transmission_;
 };

@@ -19,18 +19,18 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr std::size_t leastNoisePoints = 32;
-constexpr std::size_t leastHarmonics = 8;  ///< fewer: an arc, looked at in the sequence of its points
+constexpr std::size_t leastHarmonics = 8;  ///< fewer: treated as an arc, by the sequence of its points
 constexpr double leastLine = 8;            ///< times the mean square amplitude: noise alone once in e⁸ = 3000
 constexpr double spikeSigma = 6;
-constexpr double mostSpikes = 0.1;       ///< share of the points; more are no spikes
-constexpr std::size_t longestSpike = 4;  ///< points; a longer run is form
+constexpr double mostSpikes = 0.1;       ///< largest share of the points classified as spikes
+constexpr std::size_t longestSpike = 4;  ///< longest run of points classified as a spike; longer runs are form
 
-/// The mean square amplitude of noise by order, smooth: clipped means over windows, in which single lines do not count.
+/// Smoothed mean square amplitude of the noise by order: clipped means over windows, robust against single lines.
 struct PowerFloor {
-    std::vector<double> at;  ///< for each order
-    double level = 0;        ///< of all orders, if they are alike
+    std::vector<double> at;  ///< mean square amplitude by order
+    double level = 0;        ///< common level of all orders
     double effective = 1;    ///< number of independent values behind `level`
-    bool white = true;       ///< no window differs from the level by more than chance
+    bool white = true;       ///< no window differs significantly from the level
 };
 
 struct WindowMean {
@@ -38,7 +38,7 @@ struct WindowMean {
     std::size_t count = 0;
 };
 
-/// Mean of an exponential distribution from values of which a few may be anything: those above six means are clipped.
+/// Robust mean of an exponential distribution: values above six means are clipped.
 WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::uint8_t>& skip, std::size_t from,
                        std::size_t to)
 {
@@ -54,8 +54,8 @@ WindowMean clippedMean(const std::vector<double>& power, const std::vector<std::
     return {sum / static_cast<double>(values.size()) / (1 - std::exp(-6.0)), values.size()};
 }
 
-/// `power` for the orders 0…; orders 0 and 1, which the fit of the circle takes out, do not count.
-/// `first`: order below which the floor stays as it is there.
+/// `power` for the orders 0…; orders 0 and 1, removed by the circle fit, are ignored. `first`: below this order the
+/// floor is constant.
 PowerFloor floorOf(const std::vector<double>& power, const std::vector<std::uint8_t>& skip, double first = 4)
 {
     PowerFloor result;
@@ -74,7 +74,8 @@ PowerFloor floorOf(const std::vector<double>& power, const std::vector<std::uint
         const auto to = std::min(last, static_cast<std::size_t>(std::max(order * 1.6, order + 2)));
         const WindowMean window = clippedMean(power, skip, from, to);
         if (window.count < 3) continue;
-        // Above the mean where few orders tell of it: what is not known counts against the measurement.
+        // Increased above the mean where it is estimated from few orders: an unknown noise level must not be
+        // underestimated.
         knots.emplace_back(order, window.mean * (1 + 4 / static_cast<double>(window.count)));
         if (knots.size() == 1 || window.mean < quietest.mean) quietest = window;
         if (knots.size() == 1 || window.mean > loudest.mean) loudest = window;
@@ -119,11 +120,11 @@ std::vector<double> periodogram(std::span<const double> values)
 }
 
 struct StandingForm {
-    std::vector<double> values;        ///< at the points
-    std::vector<std::uint8_t> isLine;  ///< by order
+    std::vector<double> values;         ///< form at the points
+    std::vector<std::uint8_t> is_line;  ///< 1 where the order is a significant line
 };
 
-/// The harmonics that stand out.
+/// The significant harmonics.
 StandingForm standingOut(const PreparedProfile& prepared, const std::vector<Complex>& coefficients,
                          const Progress& progress)
 {
@@ -131,21 +132,21 @@ StandingForm standingOut(const PreparedProfile& prepared, const std::vector<Comp
     std::vector<double> power;
     power.reserve(coefficients.size());
     for (const Complex& c : coefficients) power.push_back(4 * std::norm(c));
-    // Form fills the lowest orders: those are judged by what higher ones show first, then by what is no line among
-    // them.
-    form.isLine.assign(coefficients.size(), 0);
+    // Form dominates the lowest orders: their noise floor is first taken from higher orders, then from the
+    // non-significant lines among them.
+    form.is_line.assign(coefficients.size(), 0);
     for (const double first : {10., 4.}) {
-        const std::vector<double> floor = floorOf(power, form.isLine, first).at;
-        for (std::size_t k = 1; k < power.size(); ++k) form.isLine[k] = power[k] > leastLine * floor[k];
+        const std::vector<double> floor = floorOf(power, form.is_line, first).at;
+        for (std::size_t k = 1; k < power.size(); ++k) form.is_line[k] = power[k] > leastLine * floor[k];
     }
     std::vector<Complex> lines(coefficients.size());
     for (std::size_t k = 1; k < lines.size(); ++k)
-        if (form.isLine[k]) lines[k] = coefficients[k];
+        if (form.is_line[k]) lines[k] = coefficients[k];
     form.values = signal::fourierSeries(lines, prepared.sampling.angle_rad, progress);
     return form;
 }
 
-/// The same for an arc: lines in the sequence of its points, laid to and fro so that it closes.
+/// The same for an arc: lines in the sequence of its points, mirrored so that it is periodic.
 StandingForm standingOutOfArc(const std::vector<double>& deviation)
 {
     const std::size_t n = deviation.size();
@@ -157,20 +158,20 @@ StandingForm standingOutOfArc(const std::vector<double>& deviation)
     power.reserve(spectrum.size());
     for (const Complex& x : spectrum) power.push_back(std::norm(x));
     StandingForm form;
-    form.isLine.assign(power.size(), 0);
+    form.is_line.assign(power.size(), 0);
     for (const double first : {10., 4.}) {
-        const PowerFloor floor = floorOf(power, form.isLine, first);
-        for (std::size_t k = 0; k < power.size(); ++k) form.isLine[k] = k < 3 || power[k] > leastLine * floor.at[k];
+        const PowerFloor floor = floorOf(power, form.is_line, first);
+        for (std::size_t k = 0; k < power.size(); ++k) form.is_line[k] = k < 3 || power[k] > leastLine * floor.at[k];
     }
     for (std::size_t k = 0; k < spectrum.size(); ++k)
-        spectrum[k] = form.isLine[k] ? spectrum[k] / static_cast<double>(2 * n) : 0;
+        spectrum[k] = form.is_line[k] ? spectrum[k] / static_cast<double>(2 * n) : 0;
     form.values = transform.series(spectrum);
     form.values.resize(n);
-    form.isLine.clear();
+    form.is_line.clear();
     return form;
 }
 
-/// 1 at spikes. Longer runs of points that stand out are form: their rest is moved into it.
+/// 1 at spikes. Longer runs of outlying points are form: their residual is moved into the form.
 std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double>& rest, double least_um)
 {
     const std::size_t n = rest.size();
@@ -181,7 +182,7 @@ std::vector<std::uint8_t> spikesOf(std::vector<double>& form, std::vector<double
     for (std::size_t i = 0; i < n; ++i) count += out[i] = std::abs(rest[i] - middle) > spikeSigma * sigma;
     if (count == 0 || count == n) return spike;
     std::size_t start = 0;
-    while (out[start]) ++start;  // runs may pass the first point
+    while (out[start]) ++start;  // runs may wrap around the first point
     std::size_t spikes = 0;
     for (std::size_t i = 0; i < n;) {
         std::size_t run = 0;
@@ -209,7 +210,7 @@ std::vector<double> difference(const std::vector<double>& a, const std::vector<d
     return result;
 }
 
-/// Adds to the coefficients what they leave of `rest`.
+/// Adds the least-squares fit of `rest` to the coefficients.
 void refine(const PreparedProfile& prepared, const std::vector<double>& rest, const std::vector<std::uint8_t>& isLine,
             std::vector<Complex>& coefficients, const Progress& progress)
 {
@@ -225,7 +226,7 @@ void refine(const PreparedProfile& prepared, const std::vector<double>& rest, co
         coefficients[k] = (isLine[k] ? coefficients[k] : 0) + sums[k] / total;
 }
 
-/// Greatest step of which all differences of a profile's `value(point)` are multiples; 0 below `least`.
+/// Largest quantisation step of which all differences of `value(point)` are multiples; 0 below `least`.
 template <class ValueOf>
 double commonStep(const Profile& profile, double least, ValueOf value)
 {
@@ -261,7 +262,7 @@ double resolutionOf(const Profile& profile)
     const auto finite = std::count_if(profile.points_mm.begin(), profile.points_mm.end(),
                                       [](const Eigen::Vector2d& point) { return point.allFinite(); });
     if (finite < 3) return 0;
-    // Few values can share a large step by chance or by layout: steps count that are small against the range.
+    // Few values can share a large step by chance: only steps small against the range are accepted.
     const auto step = [&](auto value) {
         const double found = commonStep(profile, least_mm, value);
         if (!(found > 0)) return 0.0;
@@ -304,7 +305,7 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<sign
         return clean;
     };
     if (!arc && std::count(spike.begin(), spike.end(), 1) > 0) {
-        refine(prepared, withoutSpikes(), form.isLine, coefficients, progress);
+        refine(prepared, withoutSpikes(), form.is_line, coefficients, progress);
         form = standingOut(prepared, coefficients, progress);
         rest = difference(deviation, form.values);
         spike = spikesOf(form.values, rest, rounding_um);
@@ -326,14 +327,14 @@ PointNoise estimateNoise(const PreparedProfile& prepared, const std::vector<sign
     }
     const std::vector<double> power = periodogram(withoutSpikes());
     std::vector<std::uint8_t> skip(power.size());
-    for (std::size_t k = 0; k < std::min(skip.size(), form.isLine.size()); ++k) skip[k] = form.isLine[k];
+    for (std::size_t k = 0; k < std::min(skip.size(), form.is_line.size()); ++k) skip[k] = form.is_line[k];
     PowerFloor floor = floorOf(power, skip);
     noise.relative_u = 0.5 / std::sqrt(floor.effective);
     if (!floor.white) {
         noise.correlation_points = std::max(1.0, floor.at[2] / floor.level);
         noise.power_um2 = floor.at;
     }
-    // What the residuals show beyond rounding; rounding itself is drawn by rounding.
+    // Scatter of the residuals beyond quantisation, which is simulated separately.
     const double shown = std::sqrt(floor.level * static_cast<double>(n) / 4);
     noise.beyond_rounding_um = std::sqrt(std::max(0.0, shown * shown - rounding_um * rounding_um));
     noise.sigma_um = std::max(shown, rounding_um);

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr std::size_t profilePointsPerTask = 1 << 15;
-constexpr int mostCentreRounds = 4;  ///< leaving points out moves the centre, and with it the angles
+constexpr int mostCentreRounds = 4;  ///< excluding points moves the centre and thereby the angles
 
 std::vector<Vector2d> usedPoints(const Profile& profile, const std::vector<std::uint8_t>& used)
 {
@@ -31,7 +31,7 @@ double angleAbout(const Vector2d& centre, const Vector2d& point)
     return std::atan2(ray.y(), ray.x());
 }
 
-/// Fills what follows from `used`.
+/// Derives the other members from `used`.
 void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& progress)
 {
     const bool all = std::find(prepared.used.begin(), prepared.used.end(), 0) == prepared.used.end();
@@ -67,7 +67,7 @@ void arrange(const Profile& profile, PreparedProfile& prepared, const Progress& 
     });
 }
 
-/// Counts anew which points lie in the sectors; true when that changed anything.
+/// Redetermines the points in the excluded sectors; true when any changed.
 bool exclude(const Profile& profile, const std::vector<Interval>& sectors, PreparedProfile& prepared)
 {
     bool changed = false;
@@ -84,7 +84,7 @@ bool exclude(const Profile& profile, const std::vector<Interval>& sectors, Prepa
     return changed;
 }
 
-/// Leaves out what stands out; true when anything did.
+/// Excludes outliers; true when there were any.
 bool removeOutliers(PreparedProfile& prepared, const Progress& progress)
 {
     const std::vector<std::uint8_t> found = signal::hampelOutliers(prepared.distance_mm, {}, progress);

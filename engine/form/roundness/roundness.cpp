@@ -22,7 +22,7 @@ namespace {
 using Eigen::Vector2d;
 constexpr int mostHarmonics = 500;
 
-/// The contacts count in given points, whatever was left out and sorted.
+/// Contacts are indices of input points, independent of exclusion and sorting.
 void pointContactsToGiven(FittedCircle& circle, const std::vector<std::size_t>& index)
 {
     for (CircleContact& contact : circle.contacts) contact.index = index[contact.index];
@@ -56,7 +56,7 @@ PaperValues paperValues(const PreparedProfile& prepared)
     return paper;
 }
 
-/// How often the points go round in the order given; 0 when that order is no way round.
+/// Number of revolutions of the points in input order; 0 when that order is not angular.
 double turnsOf(const RoundnessResult& result)
 {
     double sum = 0;
@@ -65,7 +65,7 @@ double turnsOf(const RoundnessResult& result)
     for (std::size_t i = 1; i < n; ++i) {
         double step = result.angle_rad[i] - result.angle_rad[i - 1];
         if (std::abs(step) > std::numbers::pi) step -= std::copysign(2 * std::numbers::pi, step);
-        if (std::abs(step) > std::numbers::pi / 4) continue;  // a jump over a gap, or no order
+        if (std::abs(step) > std::numbers::pi / 4) continue;  // gap or unordered points
         sum += step;
         forward += step > 0;
         backward += step < 0;
@@ -74,7 +74,7 @@ double turnsOf(const RoundnessResult& result)
     return ordered ? std::abs(sum) / (2 * std::numbers::pi) : 0;
 }
 
-/// What the points are like.
+/// Notes on the sampling.
 void noteSampling(const Profile& profile, const PreparedProfile& prepared, const signal::TransmissionBand& band,
                   Notes& notes)
 {
@@ -103,7 +103,7 @@ void noteSampling(const Profile& profile, const PreparedProfile& prepared, const
               {"supported_upr", carriedStandardCutoff(sampling)}}});
 }
 
-/// Which harmonics there are, and which of them are estimates.
+/// Notes on the harmonics determined and those only estimated.
 void noteHarmonics(const RoundnessResult& result, const signal::AngularSampling& sampling, Notes& notes)
 {
     const auto asked = std::min<std::size_t>(mostHarmonics, sampling.different / 2);
@@ -119,7 +119,7 @@ void noteHarmonics(const RoundnessResult& result, const signal::AngularSampling&
                           {"leakage_percent", std::round(1000 * carried.leakage) / 10}}});
 }
 
-/// What the uncertainty counts and assumes.
+/// Notes on the contributions and assumptions of the uncertainty.
 void noteUncertainty(const RoundnessResult& result, const PointNoise& noise, Notes& notes)
 {
     if (!std::isfinite(noise.sigma_um)) notes.push_back({notes::noiseNotKnown, {}});
@@ -149,7 +149,7 @@ void noteCircles(const ReferenceCircles& circles, const CircleOptions& options, 
     if (!circles.MICI.unique) notes.push_back({notes::inscribedNotUnique, {}});
     for (const ReferenceCircle which : {ReferenceCircle::MZCI, ReferenceCircle::MICI}) {
         const FittedCircle& circle = circles.of(which);
-        // Rounding of coordinates far from the origin counts as reached.
+        // A gap below the rounding of far coordinates counts as reached.
         const double goal = std::max(
             {options.certificate_um, options.certificate_relative * circle.RONt_um, 1e-11 * circle.outer_radius_mm});
         if (circle.certified_gap_um && *circle.certified_gap_um > 2 * goal)
@@ -188,7 +188,7 @@ RoundnessResult roundness(const Profile& profile, const RoundnessParameters& par
     progress.report(0.4);
     PointNoise noise;
     double form_uncertainty_um = 0;
-    // Side by side: each has stretches that only one core can work on.
+    // Run concurrently: each has serial sections.
     parallelFor(3, 1, progress, [&](std::size_t task, std::size_t) {
         if (task == 0) {
             if (table == MethodTable::Made)

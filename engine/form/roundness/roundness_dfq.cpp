@@ -19,7 +19,7 @@ std::string stemOf(const std::string& name)
     return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
 }
 
-/// What the profiles of one feature have in common, without the number that tells them apart.
+/// What the profiles of one feature have in common, without a trailing number that distinguishes them.
 std::string partOf(const std::vector<RoundnessResult>& results)
 {
     if (results.empty()) return {};

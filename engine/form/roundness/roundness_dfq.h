@@ -10,10 +10,10 @@
 
 namespace lathelier::form {
 
-/// RONt by the four circles: one characteristic each, of which every result gives a value; results that were filtered
-/// or limited otherwise have characteristics of their own. Zero is the natural lower limit, the tolerance the upper one
-/// of the verdict's circle. The part is called as what the names of the results have in common. `measured` is the time
-/// of each result (qdasTime()); where it is missing, the present.
+/// RONt by the four circles: one characteristic each, of which every result gives a value; results with another filter
+/// or limit have separate characteristics. Zero is the natural lower limit, the tolerance the upper one of the
+/// verdict's circle. The part name is the common prefix of the names of the results. `measured` is the time of each
+/// result (qdasTime()); the current time where it is missing.
 io::QdasFile qdasFile(const std::vector<RoundnessResult>& results, const std::vector<std::string>& measured = {});
 
 }  // namespace lathelier::form

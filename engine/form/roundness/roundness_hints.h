@@ -1,4 +1,4 @@
-// What the strongest waves of a profile usually mean on a lathe.
+// Usual causes of the strongest harmonics of a profile on a lathe.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace lathelier::form {
 
-/// The strongest harmonics that hold at least a tenth of the form's variance and stand out of the points' noise, at
+/// The strongest harmonics with at least a tenth of the form's variance and significant against the point noise, at
 /// most four, the strongest first; after them the eccentricity when it is larger than the form.
 std::vector<RoundnessHint> roundnessHints(const RoundnessResult& result);
 
-/// What waves of `upr` undulations per revolution usually come from.
+/// Usual cause of `upr` undulations per revolution.
 Text usualCause(int upr);
 
-/// The same in a word, beside a number: "2 oval". Empty where there is none.
+/// Short name of the cause, beside a number: "2 oval". Empty where there is none.
 Text shortCause(int upr);
 
 }  // namespace lathelier::form

@@ -9,7 +9,7 @@
 namespace lathelier::form {
 namespace {
 
-constexpr double samplesAtLeast = 2.5;  ///< a wave; with fewer the samples do not see it at all
+constexpr double samplesAtLeast = 2.5;  ///< samples per wave below which the wave is not resolved
 
 std::array<double, 4> deviations(const ReferenceCircles& circles)
 {
@@ -21,7 +21,7 @@ double pointsPerTurn(const signal::AngularSampling& sampling)
     return 2 * std::numbers::pi / sampling.median_spacing_rad;
 }
 
-/// A turn of 105 points carries 15 UPR: rounding of the angles must not tell otherwise.
+/// 105 points resolve 15 UPR (7 per wave); the tolerance absorbs rounding of the angles.
 constexpr double cutoffRounding = 1 + 1e-6;
 
 std::vector<signal::TransmissionBand> bandsFor(const signal::AngularSampling& sampling,
@@ -37,8 +37,8 @@ std::vector<signal::TransmissionBand> bandsFor(const signal::AngularSampling& sa
     return bands;
 }
 
-/// The filtered points. Of a profile with many more points than its waves need, fewer at even angles: 400 to a wave of
-/// the cut-off, whose height they miss by 3e-5 at most.
+/// The filtered points. An oversampled profile is resampled at even angles with 400 points per cut-off wave, which
+/// underestimate its height by at most 3e-5.
 std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const signal::TransmissionBand& band,
                                             signal::ClosedFilter& filter, const Progress& progress)
 {
@@ -62,7 +62,7 @@ std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const
 
 double carriedCutoff(const signal::AngularSampling& sampling)
 {
-    // Where the spacing varies smoothly, the widest has to carry the wave as well; beside gaps there is a note.
+    // Where the spacing varies smoothly, the widest spacing must resolve the wave as well; for gaps there is a note.
     const bool even = sampling.displacement <= signal::AngularSampling::nearlyEven || sampling.gaps > 0;
     const double spacing_rad = even ? sampling.median_spacing_rad : sampling.largest_regular_rad;
     return 2 * std::numbers::pi / spacing_rad / signal::samplesPerCutoff * cutoffRounding;

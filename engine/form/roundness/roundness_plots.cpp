@@ -14,7 +14,7 @@ namespace lathelier::form {
 namespace {
 
 constexpr int leastOrders = 50;  ///< shown of a spectrum
-/// Waves run about the least-squares circle, which the plot has first.
+/// Harmonics refer to the least-squares circle, which is the first circle of the plot.
 constexpr std::array leastSquaresFirst{ReferenceCircle::LSCI, ReferenceCircle::MZCI, ReferenceCircle::MICI,
                                        ReferenceCircle::MCCI};
 
@@ -26,13 +26,13 @@ double degrees(double angle_rad)
     return angle_rad * 180 / std::numbers::pi;
 }
 
-/// What the deviations of the plot count from: the chosen circle; of a minimum zone the circle in its middle.
+/// Reference of the plotted deviations: the chosen circle; for a minimum zone its mean circle.
 const FittedCircle& baseOf(const RoundnessResult& result)
 {
     return result.circles.of(result.parameters.circle);
 }
 
-/// "profile, from MICI": a deviation says nothing without what it counts from.
+/// "profile, from MICI": a deviation needs its reference.
 std::string profileName(const RoundnessResult& result, const Language& language)
 {
     const ReferenceCircle circle = result.parameters.circle;
@@ -90,11 +90,11 @@ int colourOf(ReferenceCircle circle)
     return zoneColour;
 }
 
-/// Two circles as far apart as the tolerance allows, about the middle of the zone; none where they would leave the
-/// profile no room.
+/// Two circles as far apart as the tolerance allows, about the middle of the zone; omitted where they would compress
+/// the profile.
 void addToleranceRing(const RoundnessResult& result, report::PolarPlot& plot, const Language& language)
 {
-    constexpr double mostZones = 3;  // a wider ring says no more than the words do
+    constexpr double mostZones = 3;  // a wider ring is not drawn
     const FittedCircle& base = baseOf(result);
     const std::optional<double>& tolerance_um = result.parameters.tolerance_um;
     if (!tolerance_um || *tolerance_um > mostZones * base.RONt_um) return;
@@ -107,7 +107,7 @@ void addToleranceRing(const RoundnessResult& result, report::PolarPlot& plot, co
     }
 }
 
-/// The strongest waves, named where they stand.
+/// Labels of the strongest harmonics.
 void nameStrongest(report::Plot& plot, const report::Curve& bars, const Language& language)
 {
     constexpr std::size_t most = 3;
@@ -143,7 +143,7 @@ report::PolarPlot roundnessPolarPlot(const RoundnessResult& result, const Langua
     const FittedCircle& base = baseOf(result);
     plot.base_radius_mm = base.radius_mm;
     plot.traces = {profileTrace(result, language)};
-    // The same whichever circle is chosen: only its uncertainty is known, and the four are there to be compared.
+    // Independent of the chosen circle: only its uncertainty is known, and the four are compared here.
     const int decimals = result.circles.MZCI.RONt_um < 1 ? 3 : 2;
     const auto label = [&](ReferenceCircle circle) {
         return std::string(name(circle)) + "  RONt " +
@@ -200,7 +200,7 @@ report::Plot spectrumPlot(const RoundnessResult& result, const Language& languag
     bars.style = report::Curve::Style::Bars;
     double largest = 0;
     for (const signal::Harmonic& h : result.harmonics) {
-        if (h.upr < 2) continue;  // 1 is the place, not the form
+        if (h.upr < 2) continue;  // order 1 is eccentricity, not form
         bars.x.push_back(h.upr - 0.5);
         bars.y.push_back(h.amplitude);
         bars.words.push_back(reasonOf(result, h.upr));

@@ -1,4 +1,4 @@
-// Results of roundness described: keys, names, units and decimals for JSON, tables and CSV.
+// Description of the roundness results: keys, names, units and decimals for JSON, tables and CSV.
 #pragma once
 
 #include "engine/core/quantities.h"
@@ -19,7 +19,8 @@ const std::vector<QuantityOf<SuperimposeResult>>& quantitiesOf(const Superimpose
 /// upr, amplitude_um and phase_deg of each.
 Rows harmonicRows(const std::vector<signal::Harmonic>& harmonics);
 
-/// The whole result with its notes, as scripts know it: one element of the command line's `profiles`, without the path.
+/// The whole result with its notes, in the form documented for scripts: one element of the command line's `profiles`,
+/// without the path.
 Json toJson(const RoundnessResult& result);
 Json toJson(const SuperimposeResult& result);
 

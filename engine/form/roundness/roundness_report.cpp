@@ -148,8 +148,8 @@ std::string filterName(const signal::TransmissionBand& band, const Language& lan
 
 namespace {
 
-/// What the method table says of the verdict: how many of the methods that the sampling carries keep the limit, and
-/// between which values they lie.
+/// Verdict by the method table: how many of the methods resolved by the sampling meet the limit, and the range of their
+/// values.
 struct MethodsSay {
     std::int64_t count = 0;
     std::int64_t within = 0;
@@ -173,7 +173,7 @@ MethodsSay methodsOf(const RoundnessResult& result)
     return say;
 }
 
-/// Pattern of the sentence: the filter, and whether another method would say the same.
+/// Pattern of the sentence: the filter, and whether other methods lead to the same verdict.
 Text sentenceOf(const RoundnessResult& result, const MethodsSay& methods)
 {
     if (methods.count == 0) return LT_TEXT("Engine", "{filter}");
@@ -186,7 +186,7 @@ Text sentenceOf(const RoundnessResult& result, const MethodsSay& methods)
     return LT_TEXT("Engine", "{filter} · within by {within} of {count} methods: look at the filter");
 }
 
-/// RONt by the same circle and filter with the points that stand out left out; NaN when it was not worked out.
+/// RONt by the same circle and filter with outliers removed; NaN when it was not computed.
 double withoutOutliers_um(const RoundnessResult& result)
 {
     if (result.parameters.outliers != OutlierRule::None) return notANumber;
@@ -199,9 +199,9 @@ double withoutOutliers_um(const RoundnessResult& result)
 /// What the value would be with the usual filter, where none was chosen.
 void offerFilter(const RoundnessResult& result, report::Answer& answer)
 {
-    constexpr double usual_upr = 50;  // ISO 12181-2 leaves the choice; drawings without one mostly mean this
+    constexpr double usual_upr = 50;  // not fixed by ISO 12181-2; the usual choice when a drawing states none
     if (!bandOf(result.parameters).isAll()) return;
-    const MethodRow* best = nullptr;  // as near to it as the points carry
+    const MethodRow* best = nullptr;  // nearest filter resolved by the sampling
     for (const MethodRow& row : result.methods) {
         const bool offers = row.outliers == result.parameters.outliers && !row.undersampled && !row.band.low_upr &&
                             row.band.high_upr && *row.band.high_upr <= usual_upr;

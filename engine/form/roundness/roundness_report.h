@@ -16,9 +16,9 @@ report::Answer answer(const RoundnessResult& result, const Language& language = 
 /// Answer, deviations by the four circles, verdict and notes: what the command line prints.
 report::Section roundnessSummary(const RoundnessResult& result, const Language& language = {});
 
-/// Everything a result holds, the most wanted first: headline, deviations by the four circles, verdict, notes; polar
-/// plot with the circles and the contact points of the chosen one; spectrum and what it means; method table; sizes; how
-/// sure; method and parameters. Several results begin with a table of all.
+/// The complete result: headline, deviations by the four circles, verdict, notes; polar plot with the circles and the
+/// contact points of the chosen one; spectrum with causes; method table; sizes; uncertainty; method and parameters.
+/// Several results begin with a table of all.
 report::Document roundnessReport(const std::vector<RoundnessResult>& results, const std::vector<InputFile>& inputs,
                                  const Language& language = {});
 

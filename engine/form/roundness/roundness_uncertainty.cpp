@@ -19,17 +19,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double slack_sigma = 3;   ///< by which the edges of the zone may come inward in a draw
-constexpr double reach_sigma = 12;  ///< points further inside the zone than this touch it in no draw
+constexpr double slack_sigma = 3;   ///< assumed inward shift of the zone edges in a draw, in standard deviations
+constexpr double reach_sigma = 12;  ///< points further inside the zone are never contacts, in standard deviations
 
-/// So many draws that the work stays about the same.
+/// Number of draws for a roughly constant total cost.
 std::size_t drawsFor(std::size_t points)
 {
     return std::clamp<std::size_t>(800000 / points, 10, 200);
 }
 
-/// The form without its noise, filtered. A second measurement of the measured points would lay noise on noise, and the
-/// maxima of the second tell too little of what the first have added.
+/// The form without its noise, filtered. Simulating on the measured points would add noise to noise, and its effect on
+/// the extremes would be underestimated.
 std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNoise& noise,
                                   const signal::TransmissionBand& band, const Progress& progress)
 {
@@ -50,11 +50,11 @@ std::vector<Vector2d> quietPoints(const PreparedProfile& prepared, const PointNo
 
 /// The zone about the circle found, linear in the step of the centre.
 struct Zone {
-    std::vector<double> distance_mm;  ///< of all points
+    std::vector<double> distance_mm;  ///< distance of each point from the centre
     std::vector<Vector2d> direction;
-    std::vector<std::size_t> near;  ///< points that may touch in a draw
-    std::vector<double> rarity;     ///< of those: share of the draws that bring them near the zone's edges
-    bool fixed = false;             ///< the centre is held by the region allowed, not by points
+    std::vector<std::size_t> near;  ///< indices of the points that may become contacts
+    std::vector<double> rarity;     ///< for each of these: probability of coming near the zone edges in a draw
+    bool fixed = false;             ///< the centre is determined by the feasible region, not by contacts
 };
 
 Zone zoneAbout(const std::vector<Vector2d>& points, const signal::AngularSampling& sampling, const FittedCircle& circle,
@@ -71,9 +71,9 @@ Zone zoneAbout(const std::vector<Vector2d>& points, const signal::AngularSamplin
         nearest = std::min(nearest, distance);
         farthest = std::max(farthest, distance);
     }
-    // The circle of the points with noise is off the one of those without, by less than this.
+    // Bound on the centre shift caused by noise.
     const double off = circle.RONt_um / 1000 - (farthest - nearest);
-    // On an arc the centre is loose and any point may come to touch.
+    // On an arc the centre is ill-determined and any point may become a contact.
     const bool arc = sampling.largest_gap_rad > std::numbers::pi / 2;
     double spike_um = 0;
     for (const double s : noise.spikes_um) spike_um = std::max(spike_um, std::abs(s));
@@ -90,7 +90,7 @@ Zone zoneAbout(const std::vector<Vector2d>& points, const signal::AngularSamplin
     return zone;
 }
 
-/// The centre's step that least squares takes.
+/// Least-squares step of the centre.
 Vector2d leastSquaresStep(const Zone& zone, const std::vector<double>& noise)
 {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -122,7 +122,7 @@ Extent extentAfter(const Vector2d& step, const Zone& zone, const std::vector<dou
     return extent;
 }
 
-/// The centre's step that the circle takes, if it is not that of least squares.
+/// Step of the centre for the circles other than LSCI.
 Vector2d minimaxStep(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
                      ReferenceCircle which, double half)
 {
@@ -135,8 +135,7 @@ Vector2d minimaxStep(const Zone& zone, const std::vector<double>& noise, const s
     return minimax(distances, goal, half).step;
 }
 
-/// RONt of one draw (or of the quiet form, without noise), in mm.
-/// Of the points only those in `touching` may come to lie at the zone's edges.
+/// RONt of one draw (or of the noise-free form), in mm. Only the points in `touching` can be contacts.
 double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const std::vector<std::size_t>& touching,
                       ReferenceCircle which, double half)
 {
@@ -145,8 +144,8 @@ double drawnDeviation(const Zone& zone, const std::vector<double>& noise, const 
     return extentAfter(step, zone, noise, touching).width_mm();
 }
 
-/// Long profiles: neighbours that lie on one piece of the form count as one. Of independent normal noise on m points
-/// only the largest, the smallest and the mean matter, and each of these can be drawn at once.
+/// Long profiles: neighbours on one nearly constant piece of the form are combined into a block. Of independent normal
+/// noise on its m points only maximum, minimum and mean matter, and each can be drawn directly.
 class Blocks {
 public:
     /// Empty when the profile is short, or its form too steep for blocks.
@@ -190,7 +189,7 @@ public:
             if (touching.empty()) continue;
             const Vector2d step = stepOf(noise, means, touching, which, half);
             const Extent extent = extentAfter(step, edges_, noise, touching);
-            // All others lie within the zone: else, which is rare, they are drawn as well.
+            // If one of the other points leaves the zone, which is rare, all are drawn.
             const double least = beyond * sigma_mm + step.norm();
             if (all ||
                 (extent.farthest_mm >= quiet_.farthest_mm + least && extent.nearest_mm <= quiet_.nearest_mm - least))
@@ -239,7 +238,8 @@ private:
                                               : minimaxStep(edges_, noise, touching, which, half);
     }
 
-    /// Whether the form hardly changes within a block, beside the noise; in one of a hundred it may.
+    /// Whether the form is nearly constant within blocks compared with the noise; one block in a hundred may exceed
+    /// this.
     bool areFlat(double sigma_mm) const
     {
         std::size_t steep = 0;
@@ -248,7 +248,7 @@ private:
         return 100 * steep <= count();
     }
 
-    /// The share of draws that bring a block's edge, so `deep` within the form's, further than `beyond` outside that.
+    /// Probability that a block extreme lying `deep` inside the form's extreme exceeds it by more than `beyond`.
     double rarityOf(double deep_mm, double sigma_mm) const
     {
         const double beyond_here = 0.5 * std::erfc((deep_mm / sigma_mm + beyond) / std::numbers::sqrt2);
@@ -258,7 +258,7 @@ private:
     /// The largest of as many normal deviates as a block has points; `uniform` in (0, 1].
     double largest(double uniform) const { return -Eigen::numext::ndtri(-std::expm1(std::log(uniform) / width_)); }
 
-    /// The noise of many blocks moves the zone's edges further out than this, in standard deviations.
+    /// Lower bound, in standard deviations, of the outward shift of the zone edges by the noise of many blocks.
     static constexpr double beyond = 1;
 
     double width_;
@@ -279,7 +279,8 @@ double expandedUncertainty_um(const PreparedProfile& prepared, const PointNoise&
     const bool plain = NoiseDraws::isPlain(noise, band);
     std::vector<Vector2d> form = quietPoints(prepared, noise, band, progress);
     const double half = circle.outer_radius_mm / 2;
-    // Few points hardly tell correlated noise from form: found by simulation of the kinds in the tests.
+    // With few points correlated noise is hardly separable from form; factor from simulation of the noise kinds in the
+    // tests.
     const double few = 1 + 6 / static_cast<double>(n);
     if (const auto blocks = plain ? Blocks::of(form, circle, noise) : std::nullopt) {
         const double quiet = blocks->quietDeviation(which, half);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t leastSectionPoints = 12;
 constexpr std::size_t pointsOfAngle = 20;
-constexpr std::size_t sparse = 2000;  ///< points of a section that is taken as it was measured
+constexpr std::size_t sparse = 2000;  ///< sections with fewer points are used without averaging
 constexpr std::size_t mostAngles = 720;
 constexpr std::size_t leastAngles = 36;
 constexpr std::size_t checkEvery = 65536;

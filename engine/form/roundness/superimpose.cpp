@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector2d;
 constexpr std::size_t mostStarts = 12;
 constexpr int mostSteps = 60;
-constexpr double leastForm = 1e-10;  ///< of the radius; less is rounding
+constexpr double leastForm = 1e-10;  ///< form amplitude over radius below which the form is rounding
 
 /// One profile about its least-squares centre, filtered.
 struct FilteredForm {
@@ -45,7 +45,8 @@ std::vector<double> sampled(const FilteredForm& form, std::size_t count)
     return result;
 }
 
-/// How the second profile lies on the first: first(θ) ≈ second(±(θ - rotation)) + shift · (cos θ, sin θ) + radius.
+/// Pose of the second profile relative to the first: first(θ) ≈ second(±(θ - rotation)) + shift · (cos θ, sin θ) +
+/// radius.
 struct Pose {
     double rotation = 0;
     bool mirrored = false;
@@ -135,7 +136,7 @@ std::vector<double> crossCorrelation(const std::vector<double>& first, const std
     const std::vector<std::complex<double>> other = transform.forward(withoutGaps(second));
     for (std::size_t k = 0; k < product.size(); ++k) product[k] *= mirrored ? other[k] : std::conj(other[k]);
     product[0] = 0;
-    if (product.size() > 1) product[1] = 0;  // that is the shift of the centre
+    if (product.size() > 1) product[1] = 0;  // order 1 is the shift of the centre
     return transform.series(product);
 }
 
@@ -199,7 +200,7 @@ double formSpread(const std::vector<double>& values)
     return std::sqrt(squares / std::max(1.0, count));
 }
 
-/// Another rotation leaves nearly as little: what the best one gains is a small part of the form.
+/// Another rotation has nearly the same residual: the gain of the best one is a small part of the form.
 bool isAmbiguous(const std::vector<Pose>& poses, const Pose& best, double spread)
 {
     const double margin = 0.02 * spread * spread;
@@ -234,7 +235,7 @@ SuperimposeResult superimpose(const Profile& first, const Profile& second, const
     const double spread = formSpread(grid_a);
     Pose best = poses.front();
     for (const Pose& pose : poses) {
-        // Of rotations that fit equally well, the smallest.
+        // Among equally good rotations the smallest is taken.
         const bool equal = std::abs(pose.rms - best.rms) <= 1e-6 * spread + 1e-12;
         if (equal ? std::abs(pose.rotation) < std::abs(best.rotation) : pose.rms < best.rms) best = pose;
     }

@@ -1,4 +1,4 @@
-// Two profiles laid on one another as a part of a report.
+// Superposition of two profiles as a part of a report.
 #pragma once
 
 #include "engine/form/roundness/superimpose.h"
@@ -6,7 +6,7 @@
 
 namespace lathelier::form {
 
-/// Two profiles laid on one another: figures, both as deviations around the first's circle, and their difference.
+/// Quantities of the superposition, both profiles as deviations from the first's circle, and their difference.
 report::Section superimposeSection(const SuperimposeResult& result);
 
 }  // namespace lathelier::form

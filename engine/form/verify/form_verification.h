@@ -1,4 +1,4 @@
-// What can be verified of form: circles, cylinders, straightness, the Gaussian filter, harmonics.
+// Verification of the form room: circles, cylinders, straightness, the Gaussian filter, harmonics.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace lathelier::form {
 
-/// Circles: whole turns and quarter arcs, also a thousand radii off, with deviations that leave the least-squares
-/// answer exact; lobes, ellipse, nested squares and Reuleaux triangle for the other three; scattered points against
-/// all their possible contacts; the certificate's gap. Cylinders in several poses, straightness, the Gaussian filter
-/// and harmonics. From a folder: NIST circle sets (`.ds`, `.fit`).
+/// Circles: full turns and quarter arcs, also a thousand radii from the origin, with deviations orthogonal to the
+/// least-squares parameters; lobes, ellipse, nested squares and Reuleaux triangle for the other three circles;
+/// scattered points against all possible contact sets; the certificate's gap. Cylinders in several poses, straightness,
+/// the Gaussian filter and harmonics. From a folder: NIST circle sets (`.ds`, `.fit`).
 const VerifyPart& formVerification();
 
 /// Answers are known to rounding; certified ones agree between programs to some billionths of a millimetre.

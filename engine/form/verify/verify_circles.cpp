@@ -16,12 +16,12 @@ using Points = std::vector<Vector2d>;
 
 using std::numbers::pi;
 
-/// A profile whose four circles are known.
+/// A profile with known reference circles.
 struct KnownProfile {
     Points points;
     Vector2d centre = Vector2d::Zero();
-    double inner_mm = 0;  ///< MICI
-    double outer_mm = 0;  ///< MCCI; MZCI is the zone between the two
+    double inner_mm = 0;  ///< radius of MICI
+    double outer_mm = 0;  ///< radius of MCCI; MZCI is the zone between the two
 };
 
 template <class Radius>
@@ -35,7 +35,7 @@ KnownProfile profile(std::size_t count, Radius radius, double inner_mm, double o
     return known;
 }
 
-/// Profiles whose symmetry puts the centres of all circles in one place and whose extremes are among the points.
+/// Profiles whose symmetry makes all circles concentric and whose extremes are among the points.
 std::vector<KnownProfile> symmetricProfiles()
 {
     std::vector<KnownProfile> all;
@@ -57,8 +57,8 @@ std::vector<KnownProfile> symmetricProfiles()
     return all;
 }
 
-/// About `centre` at radius `radius`, with deviations of the size `deviation` that are orthogonal to the circle's
-/// parameters: they leave the least-squares circle where it is.
+/// Points about `centre` at `radius` with deviations of amplitude `deviation` orthogonal to the circle parameters,
+/// which leave the least-squares circle unchanged.
 Points leastSquaresKnown(std::uint64_t seed, std::size_t count, double turn, double radius, double deviation,
                          const Vector2d& centre)
 {
@@ -89,7 +89,7 @@ Points scattered(std::uint64_t seed, std::size_t count)
 }
 
 /// The narrowest zone of few points by trying every centre where two pairs of points are equally far away: an optimum
-/// rests on two and two points, or on three and one.
+/// has two and two contacts, or three and one.
 double zoneByEnumeration(const Points& points)
 {
     std::vector<std::pair<Vector2d, double>> bisectors;  // normal · c = offset

@@ -34,7 +34,7 @@ std::vector<Vector3d> stack(double radius, double length, const Eigen::Isometry3
     return points;
 }
 
-/// How far the axis is from the one that `at` puts along z: at the middle, and at half a length from it.
+/// Distance between the axis found and the true one (z of `at`): at the middle and at half a length from it.
 double axisError(const FittedCylinder& cylinder, const Eigen::Isometry3d& at, double length)
 {
     const Vector3d axis = at.linear().col(2);

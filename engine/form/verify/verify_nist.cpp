@@ -50,7 +50,7 @@ std::vector<double> numbersOf(const fs::path& path, const Progress& progress)
 }
 
 /// The points of a set in the plane of its circle. NIST's cylinders have answers of 7 numbers as well, and lines,
-/// planes, spheres and cones others: data of another kind say nothing of how circles are fitted.
+/// planes, spheres and cones others: such files are not circle data.
 std::vector<Eigen::Vector2d> circleIn(const std::vector<double>& points, const std::vector<double>& fit, std::size_t u,
                                       std::size_t v, std::size_t across, const fs::path& data)
 {

@@ -28,7 +28,7 @@ std::optional<std::string> decompressLzf(std::string_view compressed, std::size_
         if (p == compressed.size()) return std::nullopt;
         const std::size_t distance = ((control & 31) << 8) + byte(p++) + 1;
         if (distance > out.size() || size - out.size() < length) return std::nullopt;
-        for (std::size_t i = 0; i < length; ++i) out += out[out.size() - distance];  // may overlap itself
+        for (std::size_t i = 0; i < length; ++i) out += out[out.size() - distance];  // the copied range may overlap
     }
     if (out.size() != size) return std::nullopt;
     return out;

@@ -7,8 +7,8 @@
 
 namespace lathelier::io {
 
-/// The uncompressed bytes; nothing when the data are damaged or are not exactly `size` bytes.
-/// Memory grows with the output found, not with `size`.
+/// The uncompressed bytes; none when the data are damaged or not exactly `size` bytes. Memory grows with the output,
+/// not with `size`.
 std::optional<std::string> decompressLzf(std::string_view compressed, std::size_t size);
 
 }  // namespace lathelier::io

@@ -9,7 +9,7 @@
 namespace lathelier::io {
 
 /// Adds a polygon as a fan of triangles around its first corner (exact for convex polygons). Polygons with fewer than
-/// three corners bound nothing and are passed over. Error malformed at `place` when a corner is no vertex of the scan.
+/// three corners are skipped. Error malformed at `place` when a corner is no vertex of the scan.
 void addPolygon(Scan& scan, std::span<const std::int64_t> corners, const Values& place);
 
 }  // namespace lathelier::io

@@ -1,4 +1,4 @@
-// Wavefront OBJ: vertices, normals and polygons; everything about looks is passed over.
+// Wavefront OBJ: vertices, normals and polygons; appearance is ignored.
 #include "engine/io/cloud/obj_reader.h"
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t mostWords = 1 << 18;  ///< in one statement, over all its lines
+constexpr std::size_t mostWords = 1 << 18;  ///< in one statement, including continuation lines
 
 class ObjBody {
 public:
@@ -68,7 +68,7 @@ private:
         return false;
     }
 
-    /// Goes to the next line with words on it; a backslash joins the next line.
+    /// Goes to the next non-blank line; a backslash continues the line.
     bool nextStatement()
     {
         do {
@@ -90,8 +90,8 @@ private:
 
     void readRemark()
     {
-        if (!raw_.statedUnit) raw_.statedUnit = statedUnit(lines_.line());
-        ++raw_.skippedCount;
+        if (!raw_.stated_unit) raw_.stated_unit = statedUnit(lines_.line());
+        ++raw_.skipped_count;
         if (raw_.facts.skipped.size() < 100)
             raw_.facts.skipped.push_back({lines_.number(), LT_TEXT("Engine", "remark")});
     }
@@ -108,7 +108,7 @@ private:
     double number(std::size_t i)
     {
         if (i >= words_.size()) throw broken(i, LT_TEXT("Engine", "a number"));
-        // Reading wants the line the word stands in, which for a joined statement is another one.
+        // The number reader needs the line that contains the word, which differs for a continued statement.
         const std::string_view line = lines_.line();
         const bool inLine =
             words_[i].data() >= line.data() && words_[i].data() + words_[i].size() <= line.data() + line.size();
@@ -119,7 +119,7 @@ private:
 
     void readVertex()
     {
-        if (raw_.places.firstLine == 0) raw_.places.firstLine = lines_.number();
+        if (raw_.places.first_line == 0) raw_.places.first_line = lines_.number();
         raw_.scan.points_mm.push_back(readVector());
         // x y z, with a weight or a colour behind
         if (words_.size() > 8) throw broken(8, LT_TEXT("Engine", "the end of the line"));
@@ -127,7 +127,7 @@ private:
         raw_.facts.columns = std::max<std::int64_t>(raw_.facts.columns, static_cast<std::int64_t>(words_.size()) - 1);
     }
 
-    /// From 0; an index below zero counts back from the last one so far.
+    /// From 0; a negative index counts back from the last vertex so far.
     std::int64_t resolve(std::size_t word, std::string_view text, std::size_t count) const
     {
         const auto index = wholeInteger(text);
@@ -135,7 +135,7 @@ private:
         return *index > 0 ? *index - 1 : *index + static_cast<std::int64_t>(count);
     }
 
-    /// The corners of a face: v, v/vt, v/vt/vn or v//vn. Gives their number.
+    /// The corners of a face: v, v/vt, v/vt/vn or v//vn. Returns their number.
     std::size_t addCorners()
     {
         if (words_.size() < 4) throw broken(words_.size(), LT_TEXT("Engine", "three corners or more"));
@@ -160,7 +160,7 @@ private:
     std::vector<Eigen::Vector3f> normals_;
     std::vector<std::int64_t> corners_;
     std::vector<Face> faces_;
-    bool normalsFollowVertices_ = true;  ///< each vertex has the normal of the same number
+    bool normalsFollowVertices_ = true;  ///< vertex and normal indices are equal throughout
     std::vector<std::string_view> words_;
 };
 

@@ -37,8 +37,8 @@ struct PcdHeader {
     std::int64_t height = 1;
     PcdData data = PcdData::Ascii;
     std::optional<LengthScale> unit;
-    std::size_t bodyOffset = 0;
-    std::int64_t bodyLine = 1;
+    std::size_t body_offset = 0;
+    std::int64_t body_line = 1;
     std::size_t stride = 0;  ///< bytes of a point
     std::size_t words = 0;   ///< values of a point
 
@@ -151,8 +151,8 @@ PcdHeader readPcdHeader(std::string_view bytes)
             header.points = readOnlyCount(lines, words);
         } else if (key == "DATA") {
             header.data = readData(lines, words);
-            header.bodyOffset = lines.nextOffset();
-            header.bodyLine = lines.number() + 1;
+            header.body_offset = lines.nextOffset();
+            header.body_line = lines.number() + 1;
             finishHeader(lines, header);
             return header;
         } else if (key != "VERSION" && key != "VIEWPOINT") {
@@ -191,7 +191,7 @@ double loadPcdNumber(const char* from, const PcdField& field)
     }
 }
 
-/// The fields that matter, x y z and, when all are there, the normal.
+/// The fields used: x y z and, when complete, the normal.
 std::vector<const PcdField*> wantedFields(const PcdHeader& header, std::int64_t line)
 {
     std::vector<const PcdField*> fields = {header.find("x"), header.find("y"), header.find("z")};
@@ -216,7 +216,7 @@ Error truncatedPoints(Values place, std::int64_t found, std::int64_t expected)
     return Error(errors::truncated, place);
 }
 
-/// Fills the scan; address(point, field) tells where a value stands.
+/// Fills the scan; address(point, field) is the location of a value.
 template <class Address>
 void fillScan(Scan& scan, std::size_t points, const std::vector<const PcdField*>& fields, const Progress& progress,
               Address address)
@@ -237,22 +237,22 @@ void fillScan(Scan& scan, std::size_t points, const std::vector<const PcdField*>
 
 void readBinary(const ScanSource& source, const PcdHeader& header, RawScan& raw)
 {
-    const auto available = static_cast<std::int64_t>((source.bytes.size() - header.bodyOffset) / header.stride);
+    const auto available = static_cast<std::int64_t>((source.bytes.size() - header.body_offset) / header.stride);
     if (available < header.points)
         throw truncatedPoints({{"byte", static_cast<std::int64_t>(source.bytes.size())}}, available, header.points);
-    refuseMoreBytes(source.bytes, header.bodyOffset + static_cast<std::size_t>(header.points) * header.stride);
-    const char* const data = source.bytes.data() + header.bodyOffset;
-    raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), static_cast<std::int64_t>(header.stride)};
-    fillScan(raw.scan, static_cast<std::size_t>(header.points), wantedFields(header, header.bodyLine - 1),
+    refuseMoreBytes(source.bytes, header.body_offset + static_cast<std::size_t>(header.points) * header.stride);
+    const char* const data = source.bytes.data() + header.body_offset;
+    raw.places = {0, static_cast<std::int64_t>(header.body_offset), static_cast<std::int64_t>(header.stride)};
+    fillScan(raw.scan, static_cast<std::size_t>(header.points), wantedFields(header, header.body_line - 1),
              source.progress,
              [&](std::size_t point, const PcdField& field) { return data + point * header.stride + field.offset; });
 }
 
-/// Compressed data keep all values of one field together.
+/// Compressed data are stored field by field.
 void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& raw)
 {
-    const std::string_view body = source.bytes.substr(header.bodyOffset);
-    const Values place{{"byte", static_cast<std::int64_t>(header.bodyOffset)}};
+    const std::string_view body = source.bytes.substr(header.body_offset);
+    const Values place{{"byte", static_cast<std::int64_t>(header.body_offset)}};
     std::uint32_t compressed = 0;
     std::uint32_t size = 0;
     if (body.size() < 8) throw truncatedPoints(place, 0, header.points);
@@ -268,12 +268,12 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
     if (available < header.points) throw truncatedPoints(place, available, header.points);
     const auto data = decompressLzf(body.substr(8, compressed), size);
     if (!data)
-        throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(header.bodyOffset + 8)},
+        throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(header.body_offset + 8)},
                                         {"found", LT_TEXT("Engine", "damaged compressed data")},
                                         {"expected", LT_TEXT("Engine", "data in LZF compression")}});
-    raw.places = {0, static_cast<std::int64_t>(header.bodyOffset), 0};
+    raw.places = {0, static_cast<std::int64_t>(header.body_offset), 0};
     const auto points = static_cast<std::size_t>(header.points);
-    fillScan(raw.scan, points, wantedFields(header, header.bodyLine - 1), source.progress,
+    fillScan(raw.scan, points, wantedFields(header, header.body_line - 1), source.progress,
              [&](std::size_t point, const PcdField& field) {
                  return data->data() + field.offset * points +
                         point * static_cast<std::size_t>(field.size * field.count);
@@ -282,8 +282,8 @@ void readCompressed(const ScanSource& source, const PcdHeader& header, RawScan& 
 
 void readAscii(const ScanSource& source, const PcdHeader& header, RawScan& raw)
 {
-    const std::vector<const PcdField*> fields = wantedFields(header, header.bodyLine - 1);
-    Lines lines(source.text, header.bodyOffset, header.bodyLine);
+    const std::vector<const PcdField*> fields = wantedFields(header, header.body_line - 1);
+    Lines lines(source.text, header.body_offset, header.body_line);
     NumberCells numbers(source);
     Words words;
     for (std::int64_t i = 0; i < header.points; ++i) {
@@ -293,7 +293,7 @@ void readAscii(const ScanSource& source, const PcdHeader& header, RawScan& raw)
                 throw truncatedPoints({{"line", lines.number()}, {"column", std::int64_t{1}}}, i, header.points);
             splitWords(lines.line(), words);
         } while (words.empty());
-        if (i == 0) raw.places.firstLine = lines.number();
+        if (i == 0) raw.places.first_line = lines.number();
         if (words.size() != header.words) {
             const bool more = words.size() > header.words;
             throw malformed(lines.number(), lines.line(),
@@ -317,7 +317,7 @@ RawScan readPcd(const ScanSource& source)
 {
     const PcdHeader header = readPcdHeader(source.text.empty() ? source.bytes : source.text);
     RawScan raw;
-    raw.statedUnit = header.unit;
+    raw.stated_unit = header.unit;
     raw.facts.columns = static_cast<std::int64_t>(header.words);
     switch (header.data) {
         case PcdData::Ascii:

@@ -74,11 +74,11 @@ PlyElement readElement(const Lines& lines, const Words& words)
 PlyProperty readProperty(const Lines& lines, const Words& words)
 {
     PlyProperty property;
-    property.isList = wordAt(words, 1, lines.line()) == "list";
-    const std::size_t at = property.isList ? 3 : 1;
-    if (property.isList) {
-        property.countType = readType(lines, words, 2);
-        if (property.countType == PlyType::Float || property.countType == PlyType::Double)
+    property.is_list = wordAt(words, 1, lines.line()) == "list";
+    const std::size_t at = property.is_list ? 3 : 1;
+    if (property.is_list) {
+        property.count_type = readType(lines, words, 2);
+        if (property.count_type == PlyType::Float || property.count_type == PlyType::Double)
             throw malformed(lines.number(), lines.line(), words[2], LT_TEXT("Engine", "a whole-number PLY type"));
     }
     property.type = readType(lines, words, at);
@@ -94,7 +94,7 @@ PlyProperty readProperty(const Lines& lines, const Words& words)
 bool PlyElement::hasList() const
 {
     return std::any_of(properties.begin(), properties.end(),
-                       [](const PlyProperty& property) { return property.isList; });
+                       [](const PlyProperty& property) { return property.is_list; });
 }
 
 std::size_t PlyElement::stride() const
@@ -138,7 +138,7 @@ PlyHeader readPlyHeader(std::string_view bytes)
     bool hasFormat = false;
     Lines lines(bytes.substr(0, longestPlyHeader));
     lines.next();
-    if (!startsLikePly(bytes))  // asked for by its name only
+    if (!startsLikePly(bytes))  // selected by its file name only
         throw malformed(lines.number(), lines.line(), lines.line(), LT_TEXT("Engine", "ply"));
     Words words;
     while (lines.next()) {
@@ -147,7 +147,7 @@ PlyHeader readPlyHeader(std::string_view bytes)
         const std::string_view word = words[0];
         if (word == "comment" || word == "obj_info") {
             if (!header.unit) header.unit = statedUnit(lines.line().substr(word.size()));
-            header.commentLines.push_back(lines.number());
+            header.comment_lines.push_back(lines.number());
             header.synthetic = header.synthetic || (words.size() > 1 && words[1].starts_with("synthetic"));
         } else if (word == "format") {
             header.format = readFormat(lines, words);
@@ -162,11 +162,11 @@ PlyHeader readPlyHeader(std::string_view bytes)
         } else if (word == "end_header") {
             if (!hasFormat)
                 throw malformed(lines.number(), lines.line(), word, LT_TEXT("Engine", "a line that states the format"));
-            header.bodyOffset = lines.nextOffset();
-            header.bodyLine = lines.number() + 1;
+            header.body_offset = lines.nextOffset();
+            header.body_line = lines.number() + 1;
             // With lone CRs as line ends, a line feed behind the last one is data already.
             const bool loneCr = bytes.size() > 4 && bytes[3] == '\r' && bytes[4] != '\n';
-            if (loneCr && header.bodyOffset >= 2 && bytes[header.bodyOffset - 1] == '\n') --header.bodyOffset;
+            if (loneCr && header.body_offset >= 2 && bytes[header.body_offset - 1] == '\n') --header.body_offset;
             return header;
         } else {
             throw malformed(lines.number(), lines.line(), word, LT_TEXT("Engine", "a line of a PLY header"));

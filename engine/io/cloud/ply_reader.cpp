@@ -46,7 +46,7 @@ double loadPlyNumber(const char* from, PlyType type, bool swap)
     return 0;
 }
 
-/// Which properties of the vertex hold what.
+/// Meaning of the vertex properties.
 struct VertexColumns {
     std::array<int, 3> point = {-1, -1, -1};
     std::array<int, 3> normal = {-1, -1, -1};
@@ -61,14 +61,14 @@ VertexColumns findVertexColumns(const PlyElement& vertex, const PlyHeader& heade
     constexpr std::array<const char*, 3> pointNames = {"x", "y", "z"};
     const auto find = [&vertex](const char* name) {
         const int index = vertex.indexOf(name);
-        return index >= 0 && !vertex.properties[static_cast<std::size_t>(index)].isList ? index : -1;
+        return index >= 0 && !vertex.properties[static_cast<std::size_t>(index)].is_list ? index : -1;
     };
     for (std::size_t k = 0; k < 3; ++k) {
         columns.point[k] = find(pointNames[k]);
         columns.normal[k] = std::max(find(normalNames[k][0]), find(normalNames[k][1]));
         if (columns.point[k] < 0)
             throw Error(errors::malformed,
-                        {{"line", header.bodyLine - 1},
+                        {{"line", header.body_line - 1},
                          {"column", std::int64_t{1}},
                          {"found", std::string("end_header")},
                          {"expected", LT_TEXT("Engine", "vertices with the properties x, y and z")}});
@@ -94,7 +94,7 @@ Text itemsOf(const PlyElement& element)
 int faceListOf(const PlyElement& element)
 {
     const int index = std::max(element.indexOf("vertex_indices"), element.indexOf("vertex_index"));
-    return index >= 0 && element.properties[static_cast<std::size_t>(index)].isList ? index : -1;
+    return index >= 0 && element.properties[static_cast<std::size_t>(index)].is_list ? index : -1;
 }
 
 class BinaryBody {
@@ -103,7 +103,7 @@ public:
         : bytes_(source.bytes),
           progress_(source.progress),
           swap_(header.format == PlyFormat::BigEndian),
-          at_(header.bodyOffset),
+          at_(header.body_offset),
           raw_(raw)
     {
     }
@@ -218,17 +218,17 @@ private:
         }
     }
 
-    /// Goes through one element; visit(property, its first value, number of values).
+    /// Iterates over one element; visit(property, its first value, number of values).
     template <class Visit>
     void walk(const PlyElement& element, std::uint64_t index, Visit visit)
     {
         for (std::size_t k = 0; k < element.properties.size(); ++k) {
             const PlyProperty& property = element.properties[k];
             std::uint64_t count = 1;
-            if (property.isList) {
-                const std::size_t size = sizeOf(property.countType);
+            if (property.is_list) {
+                const std::size_t size = sizeOf(property.count_type);
                 if (bytes_.size() - at_ < size) throw tooShort(element, index);
-                const double length = loadPlyNumber(bytes_.data() + at_, property.countType, swap_);
+                const double length = loadPlyNumber(bytes_.data() + at_, property.count_type, swap_);
                 if (length < 0)
                     throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(at_)},
                                                     {"found", static_cast<std::int64_t>(length)},
@@ -253,7 +253,7 @@ private:
 class AsciiBody {
 public:
     AsciiBody(const ScanSource& source, const PlyHeader& header, RawScan& raw)
-        : lines_(source.text, header.bodyOffset, header.bodyLine),
+        : lines_(source.text, header.body_offset, header.body_line),
           number_(source),
           progress_(source.progress),
           raw_(raw)
@@ -265,7 +265,7 @@ public:
         std::vector<double> values(vertex.properties.size());
         for (std::uint64_t i = 0; i < vertex.count; ++i) {
             nextElement(vertex, i);
-            if (i == 0) raw_.places.firstLine = lines_.number();
+            if (i == 0) raw_.places.first_line = lines_.number();
             readValues(vertex, [&](std::size_t k, double value, std::size_t) { values[k] = value; });
             const auto value = [&values](int k) { return values[static_cast<std::size_t>(k)]; };
             raw_.scan.points_mm.emplace_back(value(columns.point[0]), value(columns.point[1]), value(columns.point[2]));
@@ -325,7 +325,7 @@ private:
             return number_.read(lines_.number(), lines_.line(), words_[word++]);
         };
         for (std::size_t k = 0; k < element.properties.size(); ++k) {
-            if (!element.properties[k].isList) {
+            if (!element.properties[k].is_list) {
                 store(k, next(), std::size_t{0});
                 continue;
             }
@@ -372,12 +372,12 @@ RawScan readPly(const ScanSource& source)
     const auto vertex = std::find_if(header.elements.begin(), header.elements.end(),
                                      [](const PlyElement& e) { return e.name == "vertex"; });
     if (vertex == header.elements.end())
-        throw Error(errors::malformed, {{"line", header.bodyLine - 1},
+        throw Error(errors::malformed, {{"line", header.body_line - 1},
                                         {"column", std::int64_t{1}},
                                         {"found", std::string("end_header")},
                                         {"expected", LT_TEXT("Engine", "an element vertex")}});
     RawScan raw;
-    raw.statedUnit = header.unit;
+    raw.stated_unit = header.unit;
     if (header.synthetic) raw.notes.push_back({notes::syntheticData, {}});
     raw.facts.columns = static_cast<std::int64_t>(vertex->properties.size());
     if (header.format == PlyFormat::Ascii) {

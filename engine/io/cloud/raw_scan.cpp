@@ -15,7 +15,7 @@ namespace {
 struct Box {
     Eigen::Array3d min = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
     Eigen::Array3d max = Eigen::Array3d::Constant(-std::numeric_limits<double>::infinity());
-    bool allFinite = true;
+    bool all_finite = true;
 };
 
 Box boxOf(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
@@ -31,19 +31,19 @@ Box boxOf(const std::vector<Eigen::Vector3d>& points, const Progress& progress)
                 box.max = box.max.max(p);
                 sum += (p * 0.0).sum();
             }
-            box.allFinite = sum == 0;
+            box.all_finite = sum == 0;
             return box;
         },
         [](const Box& a, const Box& b) {
-            return Box{a.min.min(b.min), a.max.max(b.max), a.allFinite && b.allFinite};
+            return Box{a.min.min(b.min), a.max.max(b.max), a.all_finite && b.all_finite};
         });
 }
 
 Values pointPlace(const PointPlaces& places, std::size_t point)
 {
     const auto index = static_cast<std::int64_t>(point);
-    if (places.firstLine > 0) return {{"line", places.firstLine + index}, {"column", std::int64_t{1}}};
-    return {{"byte", places.firstByte + index * places.stride}};
+    if (places.first_line > 0) return {{"line", places.first_line + index}, {"column", std::int64_t{1}}};
+    return {{"byte", places.first_byte + index * places.stride}};
 }
 
 /// Removes points that are not finite, and the triangles at them.
@@ -55,11 +55,11 @@ void dropNotFinite(RawScan& raw)
     std::size_t kept = 0;
     for (std::size_t i = 0; i < scan.points_mm.size(); ++i) {
         if (!scan.points_mm[i].allFinite()) {
-            ++raw.notFinite;
-            ++raw.skippedCount;
+            ++raw.not_finite;
+            ++raw.skipped_count;
             if (raw.facts.skipped.size() < listedRows)
                 raw.facts.skipped.push_back(
-                    {std::max<std::int64_t>(raw.places.firstLine, 1) + static_cast<std::int64_t>(i),
+                    {std::max<std::int64_t>(raw.places.first_line, 1) + static_cast<std::int64_t>(i),
                      LT_TEXT("Engine", "not a finite number")});
             continue;
         }
@@ -75,7 +75,7 @@ void dropNotFinite(RawScan& raw)
     std::erase_if(scan.triangles, [](const auto& t) { return t[0] == gone || t[1] == gone || t[2] == gone; });
 }
 
-/// Triangles with two equal corners bound nothing.
+/// Removes triangles with two equal corners.
 void dropDegenerate(RawScan& raw)
 {
     const std::size_t removed =
@@ -86,7 +86,7 @@ void dropDegenerate(RawScan& raw)
     raw.notes.push_back({notes::facetsDegenerate, {{"count", count}}});
 }
 
-/// Gives normals unit length; drops them all when one has no direction, for a half-known side is of no use.
+/// Normalises the normals; drops all when one has no direction, since incomplete normals are of no use.
 void normalise(RawScan& raw, const Progress& progress)
 {
     std::vector<Eigen::Vector3f>& normals = raw.scan.normals;
@@ -146,7 +146,7 @@ void refuseMoreBytes(std::string_view bytes, std::size_t end)
 ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& options, const Progress& progress)
 {
     Box box = boxOf(raw.scan.points_mm, progress);
-    if (!box.allFinite) {
+    if (!box.all_finite) {
         dropNotFinite(raw);
         box = boxOf(raw.scan.points_mm, progress);
     }
@@ -154,8 +154,9 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
     dropDegenerate(raw);
     normalise(raw, progress);
 
-    checkCoordinates(raw, box, largestCoordinate(raw.statedUnit, options));
-    const LengthScale unit = settleUnit(raw.statedUnit, options, (box.max - box.min).maxCoeff(), raw.facts, raw.notes);
+    checkCoordinates(raw, box, largestCoordinate(raw.stated_unit, options));
+    const LengthScale unit =
+        chooseLengthUnit(raw.stated_unit, options, (box.max - box.min).maxCoeff(), raw.facts, raw.notes);
     if (unit.mm != 1) {
         auto& points = raw.scan.points_mm;
         parallelFor(points.size(), pointsPerTask, progress, [&](std::size_t begin, std::size_t end) {
@@ -172,9 +173,9 @@ ScanFile finishScan(RawScan raw, const std::string& path, const ImportOptions& o
     set(facts.details, "points", static_cast<std::int64_t>(raw.scan.points_mm.size()));
     if (raw.scan.isMesh()) set(facts.details, "triangles", static_cast<std::int64_t>(raw.scan.triangles.size()));
     set(facts.details, "normals", raw.scan.hasNormals());
-    if (raw.skippedCount > static_cast<std::int64_t>(facts.skipped.size()))
-        set(facts.details, "skipped_rows", raw.skippedCount);
-    if (raw.notFinite > 0) raw.notes.push_back({notes::pointsNotFinite, {{"count", raw.notFinite}}});
+    if (raw.skipped_count > static_cast<std::int64_t>(facts.skipped.size()))
+        set(facts.details, "skipped_rows", raw.skipped_count);
+    if (raw.not_finite > 0) raw.notes.push_back({notes::pointsNotFinite, {{"count", raw.not_finite}}});
     for (Note& note : raw.notes)
         if (!find(note.values, "path")) set(note.values, "path", path);
     progress.report(1);

@@ -1,4 +1,4 @@
-// The entry: what kind of file is it? The content decides.
+// Dispatch to the readers by content.
 #include "engine/io/cloud/scan_reader.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ namespace {
 
 constexpr Text expectedKinds = LT_TEXT("Engine", "points as text, PLY, PCD, STL or OBJ");
 
-/// The word in front of the first line that is neither blank nor a remark.
+/// The first word of the first line that is neither blank nor a remark.
 std::string_view firstWord(std::string_view text)
 {
     Lines lines(text.substr(0, textHeadBytes));
@@ -59,8 +59,8 @@ bool isObjKeyword(std::string_view word)
     return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
 }
 
-/// Vertices and faces by their keywords, also below a first line that is none: what stands there is refused by the
-/// reader of OBJ, where a table would take the faces for points.
+/// Vertices and faces by their keywords, also below an invalid first line, which the OBJ reader then rejects; as a
+/// table the faces would be read as points.
 bool looksLikeObj(std::string_view text)
 {
     const bool startsSo = isObjKeyword(firstWord(text));
@@ -70,7 +70,7 @@ bool looksLikeObj(std::string_view text)
     while (lines.next()) {
         splitWords(lines.line(), words);
         if (words.empty() || words[0].front() == '#') continue;
-        // With a comma the vertex may be written in another country's way.
+        // A decimal comma is accepted in a vertex.
         const bool isVertex =
             words.size() >= 4 && words[0] == "v" && (wholeNumber(words[1], '.') || wholeNumber(words[1], ','));
         const bool isFace = words.size() >= 4 && words[0] == "f" && words[1].find_first_not_of("-0123456789/") != 0;
@@ -89,7 +89,7 @@ std::uint64_t binaryStlSize(std::string_view bytes)
     return 84 + std::uint64_t{50} * facets;
 }
 
-/// A binary STL whose size does not fit its count still shows facets: normals of unit length or zero.
+/// A damaged binary STL (size inconsistent with its count) is recognised by its facets: normals of unit length or zero.
 bool isDamagedBinaryStl(std::string_view bytes)
 {
     if (bytes.size() < 134 || binaryStlSize(bytes) <= 84 || bytes.substr(0, 134).find('\0') == std::string_view::npos)
@@ -134,7 +134,7 @@ ScanReader textReader(std::string_view text)
     return readTextScan;
 }
 
-/// The reader of text that a file's name asks for.
+/// The text reader selected by the file name.
 ScanReader readerByName(std::string_view name)
 {
     const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 4)));
@@ -144,8 +144,7 @@ ScanReader readerByName(std::string_view name)
     return lower == ".obj" ? readObj : readTextScan;
 }
 
-/// The content decides; where it is of no format of its own, the name does, so that a broken mesh is not read as a
-/// table.
+/// By content; without a distinctive format by name, so that a damaged mesh is not read as a table.
 ScanFile readAnyScan(const std::string& name, std::string_view bytes, const ImportOptions& options,
                      const Progress& progress)
 {

@@ -26,8 +26,8 @@ public:
     {
         for (const Eigen::Vector3d& corner : corners)
             if (!corner.allFinite()) {
-                ++raw_.skippedCount;
-                ++raw_.notFinite;
+                ++raw_.skipped_count;
+                ++raw_.not_finite;
                 if (raw_.facts.skipped.size() < 100)
                     raw_.facts.skipped.push_back({place, LT_TEXT("Engine", "not a finite number")});
                 return;
@@ -58,7 +58,7 @@ public:
                 if (inside) throw unexpected(0, LT_TEXT("Engine", "facet or endsolid"));
                 inside = true;
                 ++solids;
-                if (!raw_.statedUnit) raw_.statedUnit = statedUnit(lines_.line());
+                if (!raw_.stated_unit) raw_.stated_unit = statedUnit(lines_.line());
             } else if (is(0, "endsolid") && inside) {
                 inside = false;
             } else if (is(0, "facet") && inside) {
@@ -117,7 +117,7 @@ private:
         expectLine("endloop", {}, LT_TEXT("Engine", "endloop"));
         expectLine("endfacet", {}, LT_TEXT("Engine", "endfacet"));
         sink_.add(corners, line);
-        if (raw_.places.firstLine == 0) raw_.places.firstLine = line;
+        if (raw_.places.first_line == 0) raw_.places.first_line = line;
     }
 
     std::string_view text_;
@@ -173,7 +173,7 @@ RawScan readBinaryStl(const ScanSource& source)
                                         {"found", static_cast<std::int64_t>(available)},
                                         {"expected", static_cast<std::int64_t>(announced)},
                                         {"items", LT_TEXT("Engine", "triangles")}});
-    raw.statedUnit = statedUnit(bytes.substr(0, 80));
+    raw.stated_unit = statedUnit(bytes.substr(0, 80));
     raw.places.find = [bytes, announced](double largest) { return placeOfLargeCorner(bytes, announced, largest); };
     TriangleSink sink(raw);
     for (std::size_t i = 0; i < announced; ++i) {

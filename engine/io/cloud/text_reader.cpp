@@ -21,10 +21,10 @@ namespace {
 
 constexpr std::array<Text, 3> axisNames = {LT_TEXT("Engine", "x"), LT_TEXT("Engine", "y"), LT_TEXT("Engine", "z")};
 
-/// What a column name means to a cloud.
+/// Role of a column name in a cloud.
 enum class CloudRole { Unknown, X, Y, Z, NormalX, NormalY, NormalZ, Other, Polar };
 
-/// "Position_X", "x-coordinate", "Points:0" say the same as "x".
+/// "Position_X", "x-coordinate", "Points:0" are synonyms of "x".
 CloudRole cloudRoleOf(const std::string& name)
 {
     std::string core;
@@ -56,29 +56,29 @@ CloudRole cloudRoleOf(const std::string& name)
     return CloudRole::Unknown;
 }
 
-/// Which columns hold what; normals are -1 when there are none.
+/// Column indices of coordinates and normals; normals are -1 when absent.
 struct PointColumns {
     std::array<int, 3> point = {-1, -1, -1};
     std::array<int, 3> normal = {-1, -1, -1};
-    bool normalsGuessed = false;  ///< three columns without names behind x, y, z
+    bool normals_guessed = false;  ///< three columns without names behind x, y, z
 };
 
 [[noreturn]] void throwNoCoordinates(const TableLayout& layout)
 {
-    throw Error(errors::malformed, {{"line", layout.bodyLine},
+    throw Error(errors::malformed, {{"line", layout.body_line},
                                     {"column", std::int64_t{1}},
                                     {"found", columnNames(layout)},
                                     {"expected", LT_TEXT("Engine", "columns named x, y and z")}});
 }
 
-/// The column of one coordinate; -1 without one. A plain "x" comes before "X position". Error columnsAmbiguous when
-/// several are named alike: two sets of coordinates in one table.
+/// The column of one coordinate; -1 without one. A plain "x" has precedence over "X position". Error columnsAmbiguous
+/// when several are named alike: two sets of coordinates in one table.
 int coordinate(const TableLayout& layout, const std::vector<CloudRole>& roles, std::size_t axis)
 {
     const std::string letter(1, static_cast<char>('x' + axis));
     std::vector<std::size_t> named, plain;
     for (std::size_t k = 0; k < roles.size(); ++k) {
-        if (!layout.columns[k].isNumber ||
+        if (!layout.columns[k].is_number ||
             static_cast<std::size_t>(roles[k]) != static_cast<std::size_t>(CloudRole::X) + axis)
             continue;
         named.push_back(k);
@@ -97,7 +97,7 @@ PointColumns findPointColumns(const TableLayout& layout)
     for (const TableColumn& column : layout.columns) roles.push_back(cloudRoleOf(column.name));
     for (std::size_t axis = 0; axis < 3; ++axis) columns.point[axis] = coordinate(layout, roles, axis);
     for (std::size_t k = 0; k < roles.size(); ++k) {
-        if (!layout.columns[k].isNumber) continue;
+        if (!layout.columns[k].is_number) continue;
         const auto axis = static_cast<int>(roles[k]) - static_cast<int>(CloudRole::NormalX);
         if (axis >= 0 && axis < 3 && columns.normal[static_cast<std::size_t>(axis)] < 0)
             columns.normal[static_cast<std::size_t>(axis)] = static_cast<int>(k);
@@ -108,22 +108,22 @@ PointColumns findPointColumns(const TableLayout& layout)
     if (columns.point[0] >= 0 && columns.point[1] >= 0 && columns.point[2] >= 0) return columns;
     if (anyAxis || polar || hasProbeNames(layout)) throwNoCoordinates(layout);
 
-    // No names that help: the first three columns of numbers, after a row number.
+    // Without usable names: the first three columns of numbers, after a row number.
     std::vector<int> candidates;
     for (std::size_t k = 0; k < roles.size(); ++k)
-        if (layout.columns[k].isNumber && roles[k] == CloudRole::Unknown) candidates.push_back(static_cast<int>(k));
+        if (layout.columns[k].is_number && roles[k] == CloudRole::Unknown) candidates.push_back(static_cast<int>(k));
     const auto column = [&](std::size_t i) { return layout.columns[static_cast<std::size_t>(candidates[i])]; };
-    if (candidates.size() >= 4 && column(0).isCount && column(0).name.empty() &&
-        (column(1).hasMarks || column(2).hasMarks))
+    if (candidates.size() >= 4 && column(0).is_count && column(0).name.empty() &&
+        (column(1).has_decimal_marks || column(2).has_decimal_marks))
         candidates.erase(candidates.begin());
     if (candidates.size() < 3) throwNoCoordinates(layout);
-    // Forces over time are no points, though three columns of numbers they are.
+    // Rejects columns of other quantities, such as forces over time, that would be read as points.
     const std::vector<std::size_t> taken(candidates.begin(), candidates.begin() + 3);
-    if (saySomethingElse(layout, taken)) throwNoCoordinates(layout);
+    if (haveNamesOfOtherQuantities(layout, taken)) throwNoCoordinates(layout);
     std::copy_n(candidates.begin(), 3, columns.point.begin());
-    if (!layout.hasNames && candidates.size() == 6) {
+    if (!layout.has_names && candidates.size() == 6) {
         std::copy_n(candidates.begin() + 3, 3, columns.normal.begin());
-        columns.normalsGuessed = true;
+        columns.normals_guessed = true;
     }
     return columns;
 }
@@ -134,7 +134,7 @@ std::optional<LengthScale> pointUnit(const TableLayout& layout, const PointColum
     for (const int k : columns.point) {
         const std::optional<LengthScale>& found = layout.columns[static_cast<std::size_t>(k)].unit;
         if (unit && found && found->key != unit->key)
-            throw Error(errors::malformed, {{"line", layout.bodyLine},
+            throw Error(errors::malformed, {{"line", layout.body_line},
                                             {"column", std::int64_t{1}},
                                             {"found", found->key},
                                             {"expected", LT_TEXT("Engine", "one unit for x, y and z")}});
@@ -143,7 +143,7 @@ std::optional<LengthScale> pointUnit(const TableLayout& layout, const PointColum
     return unit ? unit : layout.unit;
 }
 
-/// Reads points and normals together and takes them apart.
+/// Reads points and normals together and separates them.
 TableRows readWithNormals(std::string_view text, const TableLayout& layout, const std::vector<WantedColumn>& wanted,
                           bool guessed, const Progress& progress, Scan& scan)
 {
@@ -178,8 +178,8 @@ RawScan readTextScan(const ScanSource& source)
 {
     refuseProgram(source.text, LT_TEXT("Engine", "points as text"));
     TableExpectation expectation;
-    expectation.minimumColumns = 3;
-    expectation.knowsName = [](const std::string& name) {
+    expectation.minimum_columns = 3;
+    expectation.knows_name = [](const std::string& name) {
         const CloudRole role = cloudRoleOf(name);
         return role != CloudRole::Unknown && role != CloudRole::Other;
     };
@@ -187,9 +187,9 @@ RawScan readTextScan(const ScanSource& source)
     const PointColumns columns = findPointColumns(layout);
 
     RawScan raw;
-    raw.statedUnit = pointUnit(layout, columns);
+    raw.stated_unit = pointUnit(layout, columns);
     raw.facts.format = "xyz_text";
-    const double largest = largestCoordinate(raw.statedUnit, source.options);
+    const double largest = largestCoordinate(raw.stated_unit, source.options);
     std::vector<WantedColumn> wanted;
     for (const int k : columns.point) wanted.push_back({static_cast<std::size_t>(k), largest, false});
     TableRows rows;
@@ -197,7 +197,7 @@ RawScan readTextScan(const ScanSource& source)
     if (columns.normal[0] >= 0) {
         for (const int k : columns.normal)
             wanted.push_back({static_cast<std::size_t>(k), std::numeric_limits<double>::infinity(), true});
-        rows = readWithNormals(source.text, layout, wanted, columns.normalsGuessed, reading, raw.scan);
+        rows = readWithNormals(source.text, layout, wanted, columns.normals_guessed, reading, raw.scan);
     } else {
         std::vector<Eigen::Vector3d>& points = raw.scan.points_mm;
         rows = readRows(
@@ -210,12 +210,12 @@ RawScan readTextScan(const ScanSource& source)
         points.resize(rows.rows);
     }
     describeTable(layout, rows, source.encoding, raw.facts, raw.notes);
-    // Three columns without names leave nothing to choose.
+    // Three columns without names need no note on the choice.
     const std::array<std::size_t, 3> read{wanted[0].column, wanted[1].column, wanted[2].column};
-    if (layout.hasNames || layout.columns.size() > 3) noteColumns(layout, read, raw.facts, raw.notes);
-    raw.notFinite = rows.notFinite;
-    raw.skippedCount = countSkipped(layout, rows);
-    raw.places.firstLine = layout.bodyLine;
+    if (layout.has_names || layout.columns.size() > 3) noteColumns(layout, read, raw.facts, raw.notes);
+    raw.not_finite = rows.not_finite;
+    raw.skipped_count = countSkipped(layout, rows);
+    raw.places.first_line = layout.body_line;
     return raw;
 }
 

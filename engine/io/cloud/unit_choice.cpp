@@ -16,8 +16,8 @@ double largestCoordinate(const std::optional<LengthScale>& stated, const ImportO
     return known ? largestCoordinate_mm / known->mm : largestCoordinate_mm;
 }
 
-LengthScale settleUnit(const std::optional<LengthScale>& stated, const ImportOptions& options, double extent,
-                       FileFacts& facts, Notes& notes)
+LengthScale chooseLengthUnit(const std::optional<LengthScale>& stated, const ImportOptions& options, double extent,
+                             FileFacts& facts, Notes& notes)
 {
     const std::optional<LengthScale> given = lengthScale(options.unit);
     LengthScale unit{"mm", 1};

@@ -7,7 +7,7 @@
 
 namespace lathelier::io {
 
-/// Gives equal coordinates equal indices, in the order of their first appearance. -0 equals 0; NaN equals nothing.
+/// Assigns equal indices to equal coordinates, in the order of first appearance. -0 equals 0; NaN equals nothing.
 class VertexWelder {
 public:
     explicit VertexWelder(std::vector<Eigen::Vector3d>& vertices);

@@ -9,7 +9,7 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t longestOffer = 100;  ///< characters of what there is, in an error
+constexpr std::size_t longestOffer = 100;  ///< characters of the list of responses in an error
 
 std::string offered(std::span<const MeasuredFrf> responses)
 {

@@ -1,4 +1,4 @@
-// One of several frequency responses in a file, by number or by its places.
+// Selection of one of several frequency responses in a file, by number or by nodes.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace lathelier::io {
 
-/// "3" is the third, "12/5" the one of response node 12 and reference node 5, empty the first. Where several responses
-/// have these nodes, the first of them. Error valueNotUnderstood (parameter "response") names what there is.
+/// "3" is the third, "12/5" the one of response node 12 and reference node 5, empty the first. Of several with these
+/// nodes the first. Error valueNotUnderstood (parameter "response") lists the available ones.
 const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const std::string& choice);
 
 /// "12/5"; empty when the nodes are not stated.

@@ -1,5 +1,5 @@
-// What readers of frequency responses refuse or remark: codes with their English patterns. {name} is replaced by the
-// named value; text() puts path, line, column and byte in front, so patterns do not repeat them.
+// Error and note codes of readers of frequency responses, with their English patterns. {name} is replaced by the named
+// value; text() prefixes path, line, column and byte, so the patterns omit them.
 #pragma once
 
 #include "engine/core/error.h"

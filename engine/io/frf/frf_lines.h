@@ -1,4 +1,4 @@
-// The frequency lines of a response that was just read.
+// Checks of the frequency lines of a response.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace lathelier::io {
 
-/// Leaves out the lines whose frequency or value is not finite; says how many.
+/// Removes lines whose frequency or value is not finite; returns their number.
 std::int64_t dropUnusableLines(Frf& frf);
 
 /// Error frfNotAscending (`found`, `previous`, `index` from 0), frfNone when there is no line.

@@ -73,7 +73,7 @@ FrfFile readAnyFrf(const std::string& name, std::string_view bytes, const Import
     return file;
 }
 
-/// What a reading of the responses would remark; that there are none is no remark.
+/// Notes of reading the responses; their absence is not noted.
 template <class Read>
 void remark(Notes& notes, Read read)
 {
@@ -81,7 +81,7 @@ void remark(Notes& notes, Read read)
         Notes more = read();
         notes.insert(notes.end(), more.begin(), more.end());
     } catch (const Error&) {
-        // inspect describes the file all the same
+        // `inspect` describes the file anyway
     }
 }
 

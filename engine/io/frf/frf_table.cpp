@@ -45,7 +45,7 @@ bool isHeadingLetter(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// A heading taken apart: "real_mm_N" is Real and "mm/N", "Re(H) [m/N]" Real and "m/N".
+/// A parsed heading: "real_mm_N" is Real and "mm/N", "Re(H) [m/N]" Real and "m/N".
 struct FrfHeading {
     FrfRole role = FrfRole::Other;
     std::string unit;  ///< as written, with / for _; empty: none
@@ -76,33 +76,33 @@ FrfHeading parseFrfHeading(std::string_view heading)
 TableExpectation frfExpectation()
 {
     TableExpectation expectation;
-    expectation.minimumColumns = 3;
-    expectation.knowsName = [](const std::string& name) { return parseFrfHeading(name).role != FrfRole::Other; };
-    expectation.knowsUnit = [](std::string_view word) {
+    expectation.minimum_columns = 3;
+    expectation.knows_name = [](const std::string& name) { return parseFrfHeading(name).role != FrfRole::Other; };
+    expectation.knows_unit = [](std::string_view word) {
         return frfUnit(word) || (!isUnstated(word) && hzPerUnit(word)) || quantityUnit(word);
     };
     return expectation;
 }
 
-/// Which columns hold what.
+/// Roles of the columns.
 struct FrfColumns {
-    std::size_t frequency = 0, first = 0, second = 0;  ///< places in the table
-    std::optional<std::size_t> coherence;              ///< likewise
-    bool is_polar = false;                             ///< magnitude and phase
+    std::size_t frequency = 0, first = 0, second = 0;  ///< column indices
+    std::optional<std::size_t> coherence;              ///< column index
+    bool is_polar = false;                             ///< true: magnitude and phase
 };
 
 std::optional<std::size_t> frfColumn(const TableLayout& layout, FrfRole role)
 {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < layout.columns.size(); ++k)
-        if (layout.columns[k].isNumber && parseFrfHeading(layout.columns[k].heading).role == role) found.push_back(k);
+        if (layout.columns[k].is_number && parseFrfHeading(layout.columns[k].heading).role == role) found.push_back(k);
     if (found.size() > 1) throwAmbiguous(layout, found, LT_TEXT("Engine", "a column of a frequency response"));
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
 std::optional<FrfColumns> findFrfColumns(const TableLayout& layout)
 {
-    if (!layout.hasNames) return std::nullopt;
+    if (!layout.has_names) return std::nullopt;
     const auto frequency = frfColumn(layout, FrfRole::Frequency);
     if (!frequency) return std::nullopt;
     FrfColumns columns{*frequency, 0, 0, {}, false};
@@ -123,18 +123,18 @@ std::optional<FrfColumns> findFrfColumns(const TableLayout& layout)
 std::string unitWord(const TableColumn& column)
 {
     const std::string unit = parseFrfHeading(column.heading).unit;
-    return unit.empty() ? std::string(trimmed(column.unitWord)) : unit;
+    return unit.empty() ? std::string(trimmed(column.unit_text)) : unit;
 }
 
 Error unitMissing(const TableLayout& layout, std::size_t column)
 {
-    return Error(errors::frfUnitMissing, {{"line", std::max<std::int64_t>(layout.bodyLine - 1, 1)},
+    return Error(errors::frfUnitMissing, {{"line", std::max<std::int64_t>(layout.body_line - 1, 1)},
                                           {"column", static_cast<std::int64_t>(column + 1)},
                                           {"found", excerpt(layout.columns[column].heading)},
                                           {"expected", expectedUnit}});
 }
 
-/// The unit of the values: stated by one column, or by both alike; else the given one.
+/// The unit of the values: stated by one column, or consistently by both; else the given one.
 FrfUnit frfUnitOf(const TableLayout& layout, const FrfColumns& columns, const FrfOptions& options, FrfFile& file)
 {
     const auto given = frfUnit(options.frf_unit);
@@ -159,7 +159,7 @@ FrfUnit frfUnitOf(const TableLayout& layout, const FrfColumns& columns, const Fr
                               {{"unit", file.facts.unit},
                                {"given", frfUnitKey(options.frf_unit)},
                                {"count", std::int64_t{1}},
-                               {"line", std::max<std::int64_t>(layout.bodyLine - 1, 1)}}});
+                               {"line", std::max<std::int64_t>(layout.body_line - 1, 1)}}});
     return stated ? *stated : *given;
 }
 
@@ -170,7 +170,7 @@ double hertz(const TableLayout& layout, std::size_t column)
     return *hz;
 }
 
-/// Radians per unit of the phase, which has to be stated.
+/// Radians per unit of the phase, which must be stated.
 double radians(const TableLayout& layout, std::size_t column)
 {
     const auto unit = quantityUnit(unitWord(layout.columns[column]));
@@ -222,7 +222,7 @@ FrfFile readFrfTable(const std::string& name, std::string_view bytes, const Impo
     const TableLayout layout = findLayout(text.view(), frfExpectation(), options);
     const auto columns = findFrfColumns(layout);
     if (!columns)
-        throw Error(errors::columnsUnknown, {{"line", std::max<std::int64_t>(layout.bodyLine - 1, 1)},
+        throw Error(errors::columnsUnknown, {{"line", std::max<std::int64_t>(layout.body_line - 1, 1)},
                                              {"column", std::int64_t{1}},
                                              {"found", columnNames(layout)},
                                              {"expected", LT_TEXT("Engine", "frequency_hz, real_mm_N, imag_mm_N")}});
@@ -234,10 +234,10 @@ FrfFile readFrfTable(const std::string& name, std::string_view bytes, const Impo
     if (rows.rows == 0) throw Error(errors::noPoints, {});
     MeasuredFrf measured{toFrf(layout, *columns, unit, values)};
     measured.frf.name = name.substr(name.find_last_of('/') + 1);
-    const std::int64_t dropped = dropUnusableLines(measured.frf);  // too large once in mm/N
+    const std::int64_t dropped = dropUnusableLines(measured.frf);  // values that overflow after conversion to mm/N
     if (dropped > 0)
         file.notes.push_back(
-            {notes::frfLinesDropped, {{"lines", dropped}, {"count", std::int64_t{1}}, {"line", layout.bodyLine}}});
+            {notes::frfLinesDropped, {{"lines", dropped}, {"count", std::int64_t{1}}, {"line", layout.body_line}}});
     try {
         requireAscending(measured.frf);
     } catch (Error& error) {

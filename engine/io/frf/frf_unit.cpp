@@ -61,7 +61,7 @@ bool isUnitLetter(char c)
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Takes a unit apart; `text` is in lower case.
+/// Parses a unit; `text` is in lower case.
 class UnitParser {
 public:
     explicit UnitParser(std::string_view text) : rest_(text) {}
@@ -117,7 +117,7 @@ private:
         while (length < rest_.size() && isUnitLetter(rest_[length]) && !rest_.substr(length).starts_with("²") &&
                !rest_.substr(length).starts_with("³") && !rest_.substr(length).starts_with("·"))
             ++length;
-        if (length == 0) length = 1;  // the number 1
+        if (length == 0) length = 1;  // dimensionless 1
         const std::string_view word = rest_.substr(0, length);
         for (const PhysicalUnitWord& known : physicalUnitWords)
             if (word == known.word) {
@@ -127,7 +127,7 @@ private:
         return std::nullopt;
     }
 
-    /// 1 when there is none.
+    /// Exponent; 1 when none is written.
     std::optional<int> readExponent()
     {
         if (take("²")) return 2;

@@ -14,9 +14,9 @@ namespace {
 
 struct QuantityText {
     int type;             ///< specific data type of the ordinate
-    const char* label;    ///< of the axis
-    const char* unit;     ///< of the axis
-    const char* columns;  ///< behind "real_"
+    const char* label;    ///< label of the ordinate
+    const char* unit;     ///< unit of the ordinate
+    const char* columns;  ///< suffix of the column names after "real_"
 };
 
 QuantityText quantityText(FrfQuantity quantity)
@@ -26,7 +26,7 @@ QuantityText quantityText(FrfQuantity quantity)
     return {12, "Acceleration", "mm/s^2", "mm_s2_N"};
 }
 
-/// As many digits as a column of 13 characters holds behind a blank, with a point: E13.5 reads them all.
+/// As many digits as fit into a column of 13 characters after a blank, with a point, readable as E13.5.
 std::string column13(double value)
 {
     for (int digits = 11; digits > 5; --digits)
@@ -35,14 +35,14 @@ std::string column13(double value)
     return fmt::format("{:13.5E}", value);
 }
 
-/// What such a column keeps of a number.
+/// A number rounded to such a column.
 double rounded(double value)
 {
     const std::string text = column13(value);
     return wholeNumber(trimmed(text), '.').value_or(value);
 }
 
-/// True when start and step, as the header can hold them, give all frequencies.
+/// True when start and step, rounded as in the header, reproduce all frequencies.
 bool isEven(const std::vector<double>& frequency_hz)
 {
     if (frequency_hz.size() < 2) return false;

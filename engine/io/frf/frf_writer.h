@@ -14,11 +14,11 @@ namespace lathelier::io {
 /// as a set of function 6 of the same pair.
 std::string toUff(std::span<const MeasuredFrf> responses);
 
-/// Columns frequency_hz, real_mm_N, imag_mm_N (…_mm_s_N, …_mm_s2_N by the quantity), and coherence where it is known;
-/// all digits.
+/// Columns frequency_hz, real_mm_N, imag_mm_N (…_mm_s_N, …_mm_s2_N by the quantity), and coherence if known; full
+/// precision.
 std::string toFrfCsv(const Frf& frf);
 
-/// Writes the same to `path`, whole or not at all. Error fileNotWritable.
+/// Writes the same to `path` atomically. Error fileNotWritable.
 void writeUff(const std::string& path, std::span<const MeasuredFrf> responses);
 void writeFrfCsv(const std::string& path, const Frf& frf);
 

@@ -17,8 +17,8 @@ namespace lathelier::io {
 namespace {
 
 constexpr std::size_t matHeadBytes = 128;
-constexpr std::size_t largestVariable = std::size_t{1} << 28;  ///< bytes, inflated
-constexpr std::size_t nameAndShape = 1 << 14;  ///< bytes at the beginning of a variable that tell its kind
+constexpr std::size_t largestVariable = std::size_t{1} << 28;  ///< bytes after inflation
+constexpr std::size_t nameAndShape = 1 << 14;  ///< bytes at the start of a variable that contain its name and shape
 constexpr std::uint32_t miMatrix = 14, miCompressed = 15;
 constexpr std::string_view classNames[] = {"unknown", "cell",   "struct", "object", "char",  "sparse",
                                            "double",  "single", "int8",   "uint8",  "int16", "uint16",
@@ -55,18 +55,18 @@ T matValueAt(std::string_view bytes, std::size_t at, bool swapped)
     return std::bit_cast<T>(raw);
 }
 
-/// A data element: what it holds, and where the next one begins.
+/// A data element and the offset of the next one.
 struct Element {
     std::uint32_t type = 0;
     std::string_view data;
-    std::size_t size = 0;  ///< stated; `data` may hold less of it
+    std::size_t size = 0;  ///< stated size; `data` may be truncated
     std::size_t next = 0;
 };
 
-/// Elements one after the other; the places in errors are those of the file.
+/// Elements one after the other; offsets in errors refer to the file.
 class Elements {
 public:
-    /// `byte`: where the outermost element begins in the file. `partly`: data may be cut off.
+    /// `byte`: offset of the outermost element in the file. `partly`: data may be truncated.
     Elements(std::string_view bytes, bool swapped, std::size_t byte, bool partly)
         : bytes_(bytes), swapped_(swapped), byte_(byte), partly_(partly)
     {
@@ -105,7 +105,7 @@ private:
     bool partly_;
 };
 
-/// Inflates up to `most` bytes; memory grows with what comes out.
+/// Inflates up to `most` bytes; memory grows with the output.
 std::string inflated(std::string_view data, std::size_t most, std::size_t byte)
 {
     z_stream stream{};
@@ -126,14 +126,14 @@ std::string inflated(std::string_view data, std::size_t most, std::size_t byte)
         const uInt wanted = stream.avail_out;
         state = inflate(&stream, Z_NO_FLUSH);
         result.append(step.data(), wanted - stream.avail_out);
-        if (wanted == stream.avail_out) break;  // no more input
+        if (wanted == stream.avail_out) break;  // end of input
     }
     if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
         throw wrongAt(byte, std::string("zlib"), LT_TEXT("Engine", "data compressed by zlib"));
     return result;
 }
 
-/// What stands in front of the numbers of a matrix.
+/// Header of a matrix.
 struct MatrixHead {
     MatVariable variable;
     std::size_t numbers = 0;  ///< offset of the real parts within the matrix
@@ -177,7 +177,7 @@ void convert(const Element& element, bool swapped, std::vector<double>& values)
         values.push_back(static_cast<double>(matValueAt<T>(element.data, at, swapped)));
 }
 
-/// The numbers of an element, whichever type they are stored as.
+/// The numbers of an element of any storage type.
 std::vector<double> numbersOf(const Element& element, const Elements& elements)
 {
     std::vector<double> values;
@@ -198,10 +198,10 @@ std::vector<double> numbersOf(const Element& element, const Elements& elements)
     return values;
 }
 
-/// The matrix inside a compressed element, as far as `most` bytes go.
+/// The matrix inside a compressed element, limited to `most` bytes.
 struct Inflated {
-    std::string bytes;     ///< with the tag of the matrix
-    std::size_t size = 0;  ///< of the matrix as its tag states
+    std::string bytes;     ///< content including the tag of the matrix
+    std::size_t size = 0;  ///< size stated in the tag of the matrix
 };
 
 Inflated inflateMatrix(const Element& element, bool swapped, std::size_t byte, std::size_t most)

@@ -17,7 +17,7 @@
 
 namespace lathelier::io {
 
-/// What an axis of a function is (records 8 to 11).
+/// Axis of a function (records 8 to 11).
 struct UffAxis {
     std::int64_t type = 0;  ///< specific data type: 8 displacement, 11 velocity, 12 acceleration, 13 excitation force,
                             ///< 17 time, 18 frequency, 0 unknown
@@ -25,15 +25,15 @@ struct UffAxis {
     std::string unit;       ///< as stated, "m/s^2"; "NONE" is kept
 };
 
-/// Set 164: what values of the file are divided by to be in SI units.
+/// Set 164: divisors that convert values of the file to SI units.
 struct UffUnits {
-    std::int64_t code = 0;        ///< 1 SI, 2 BG, … 9 user defined
-    std::string description;      ///< as stated
+    std::int64_t code = 0;  ///< 1 SI, 2 BG, … 9 user defined
+    std::string description;
     double length_per_metre = 1;  ///< units of length in a metre
     double force_per_newton = 1;  ///< units of force in a newton
 };
 
-/// Set 15 or 2411: where a node is.
+/// Set 15 or 2411: position of a node.
 struct UffNode {
     std::int64_t label = 0;         ///< number of the node
     std::array<double, 3> place{};  ///< x, y, z in the file's unit of length
@@ -44,18 +44,18 @@ struct UffFunction {
     std::array<std::string, 5> id;         ///< the ID lines, trimmed
     std::int64_t function = 0;             ///< 1 time response, 4 frequency response, 6 coherence…
     std::string response_entity;           ///< name of the response's place, "NONE" is kept
-    std::int64_t response_node = 0;        ///< may be negative
+    std::int64_t response_node = 0;        ///< node number; may be negative
     std::int64_t response_direction = 0;   ///< ±1 x, ±2 y, ±3 z, ±4…6 rotations about them, 0 scalar
     std::string reference_entity;          ///< name of the reference's place, "NONE" is kept
-    std::int64_t reference_node = 0;       ///< may be negative
-    std::int64_t reference_direction = 0;  ///< as response_direction
+    std::int64_t reference_node = 0;       ///< node number; may be negative
+    std::int64_t reference_direction = 0;  ///< see response_direction
     int data_type = 0;                     ///< of the ordinate: 2 real single, 4 real double, 5 complex single,
                                            ///< 6 complex double
-    bool is_even = true;                   ///< the abscissa has a start and a step, no values
-    UffAxis abscissa;                      ///< of `x`
-    UffAxis ordinate;                      ///< numerator of `y`
-    UffAxis denominator;                   ///< of `y`, the force of a frequency response
-    std::optional<UffUnits> units;         ///< of the set 164 that holds here
+    bool is_even = true;                   ///< the abscissa is given by start and step
+    UffAxis abscissa;                      ///< axis of `x`
+    UffAxis ordinate;                      ///< axis of `y`: numerator
+    UffAxis denominator;                   ///< axis of `y`: denominator, the force of a frequency response
+    std::optional<UffUnits> units;         ///< applicable set 164
     std::vector<double> x;                 ///< one for each point, as stored
     std::vector<std::complex<double>> y;   ///< as stored; real values have no imaginary part
 
@@ -64,27 +64,28 @@ struct UffFunction {
 
 /// One data set.
 struct UffSet {
-    std::string type;                     ///< "58", "58b", "151"…
-    std::int64_t line = 0;                ///< of the set's number, from 1; lines of binary values count by their LF
-    std::int64_t byte = 0;                ///< where that line begins
-    std::optional<UffFunction> function;  ///< of types 58 and 58b
+    std::string type;                     ///< set number: "58", "58b", "151"…
+    std::int64_t line = 0;                ///< line of the set's number, from 1; binary values count by their LF
+    std::int64_t byte = 0;                ///< offset of that line
+    std::optional<UffFunction> function;  ///< of types 58 and 58b only
 };
 
 struct UffFile {
-    std::vector<UffSet> sets;       ///< in the order of the file, those passed over too
+    std::vector<UffSet> sets;       ///< in the order of the file, including skipped ones
     std::optional<UffUnits> units;  ///< of the first set 164
     std::vector<UffNode> nodes;     ///< of the sets 15 and 2411
-    Notes notes;                    ///< uffDataBeyond
+    Notes notes;                    ///< code uffDataBeyond
 };
 
 /// True when the first two lines are those of a universal file: a separator in its columns, and the number of a set.
 bool isUff(std::string_view head);
 
-/// Reads all sets; those of other types are passed over by name. Binary values are as long as their header says, never
-/// searched for a separator: they may hold one. The declared number of points rules over the padding of the last line.
-/// Numbers stand in columns of 13 and 20 characters, may touch, and have exponents such as E-04, E-004 and D-04; lines
-/// that do not keep the columns are split at blanks. Memory grows with the bytes that are there, not with those that a
-/// header claims. Errors formatUnknown, malformed, uffPointsMissing (`line`), truncated (`byte`); throws Cancelled.
+/// Reads all sets; sets of other types are skipped by number. Binary values are as long as their header says, not
+/// searched for a separator, which they may contain. The declared number of points has precedence over the padding of
+/// the last line. Numbers stand in columns of 13 and 20 characters, may touch, and have exponents such as E-04, E-004
+/// and D-04; lines that do not keep the columns are split at blanks. Memory grows with the bytes present, not with
+/// those stated in a header. Errors formatUnknown, malformed, uffPointsMissing (`line`), truncated (`byte`); throws
+/// Cancelled.
 UffFile readUff(std::string_view bytes, const Progress& progress = {});
 
 }  // namespace lathelier::io

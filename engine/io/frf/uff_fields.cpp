@@ -14,7 +14,7 @@ using UffKind = UffColumn::Kind;
 
 constexpr Text expectedNumber = LT_TEXT("Engine", "a number in its columns");
 
-/// The number that a whole word is, NaN for words such as "NaN"; nothing for others and for what is too large.
+/// The value of a word, NaN for words such as "NaN"; none for others and on overflow.
 std::optional<double> wordNumber(std::string_view word)
 {
     if (const auto value = wholeNumber(word, '.')) return std::isfinite(*value) ? value : std::nullopt;
@@ -54,7 +54,7 @@ std::optional<double> numberIn(std::string_view part, UffKind kind)
     return integer ? std::optional(static_cast<double>(*integer)) : std::nullopt;
 }
 
-/// The first field that does not hold what it should, blanks between texts included; columns.size() when all do.
+/// Index of the first field with invalid content, including blanks between texts; columns.size() when all are valid.
 std::size_t firstWrong(std::span<const std::string_view> parts, std::span<const UffColumn> columns)
 {
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -62,7 +62,7 @@ std::size_t firstWrong(std::span<const std::string_view> parts, std::span<const 
     return parts.size();
 }
 
-/// The words of a line are numbers, and not laid out in the columns: another program's own layout.
+/// All words of a line are numbers, but not in the columns: a free layout of another program.
 bool readWords(std::string_view line, std::span<const int> widths, std::vector<double>& values)
 {
     std::vector<std::string_view> words;
@@ -105,7 +105,7 @@ UffFields::UffFields(std::int64_t lineNumber, std::string_view line, std::span<c
     }
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const auto number = numberIn(parts_[k], columns[k].kind);
-        const bool counts = columns[k].kind != UffKind::Blank;  // what runs into a gap changes no number
+        const bool counts = columns[k].kind != UffKind::Blank;  // characters in a gap do not affect numbers
         if (counts && (!number || !std::isfinite(*number))) throw wrong(k, expectedNumber);
         numbers_.push_back(number.value_or(0));
     }

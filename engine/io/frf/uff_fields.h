@@ -1,4 +1,4 @@
-// Lines of a universal file taken apart by their columns, as Fortran wrote them.
+// Parsing of fixed-column (Fortran) lines of a universal file.
 #pragma once
 
 #include <span>
@@ -13,15 +13,15 @@ namespace lathelier::io {
 /// One field of a line: how many characters, and what they are.
 struct UffColumn {
     enum class Kind { Blank, Integer, Real, Word };
-    int width = 0;            ///< in characters
+    int width = 0;            ///< width in characters
     Kind kind = Kind::Blank;  ///< Blank: between two texts
 };
 
 /// A line of a header, UTF-8 or Latin-1. Writers count the columns in characters or, with letters beyond ASCII, in
-/// bytes: the first count that the numbers and blanks fit is taken.
+/// bytes: the first interpretation consistent with numbers and blanks is taken.
 class UffFields {
 public:
-    /// Error malformed (`line`, `column`) where a number does not stand in its columns.
+    /// Error malformed (`line`, `column`) where a number is not in its columns.
     UffFields(std::int64_t lineNumber, std::string_view line, std::span<const UffColumn> columns);
     UffFields(const UffFields&) = delete;
     UffFields& operator=(const UffFields&) = delete;
@@ -36,9 +36,9 @@ public:
 
 private:
     std::int64_t lineNumber_;
-    std::string line_;                     ///< UTF-8
-    std::vector<std::string_view> parts_;  ///< of line_
-    std::vector<double> numbers_;          ///< 0 where there is none
+    std::string line_;                     ///< line in UTF-8
+    std::vector<std::string_view> parts_;  ///< fields of line_
+    std::vector<double> numbers_;          ///< by field; 0 where it is not a number
 };
 
 /// The text of a line as UTF-8, whichever of both it was.

@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t frequencyResponse = 4, coherence = 6;
 constexpr std::int64_t displacement = 8, velocity = 11, acceleration = 12, force = 13;
 constexpr std::int64_t timeAxis = 17;
-constexpr double sameFrequency = 1e-6;  ///< relative
+constexpr double sameFrequency = 1e-6;  ///< relative tolerance of equal frequencies
 constexpr double mostActive_percent = 50;
 
 bool isForce(const PhysicalUnit& unit)
@@ -34,11 +34,11 @@ std::optional<FrfQuantity> frfQuantityOf(std::int64_t ordinateType)
     return std::nullopt;
 }
 
-/// The unit that ordinate and denominator state together.
+/// The unit stated by ordinate and denominator.
 struct StatedUnit {
-    std::optional<FrfUnit> unit;  ///< nothing: none is stated
-    bool isForceAssumed = false;  ///< the motion has a unit, the force has none
-    bool isForeign = false;       ///< what is stated is no motion per force
+    std::optional<FrfUnit> unit;    ///< nothing: none is stated
+    bool is_force_assumed = false;  ///< unit stated for the motion, not for the force
+    bool is_foreign = false;        ///< the stated unit is not a motion per force
 };
 
 StatedUnit uffStatedUnit(const UffFunction& function)
@@ -58,7 +58,7 @@ StatedUnit uffStatedUnit(const UffFunction& function)
     return {quantity, !perUnit, false};
 }
 
-/// Why a function is no frequency response of a motion; empty when it is one.
+/// Reason why a function is not a frequency response of a motion; empty when it is.
 Text whyNot(const UffFunction& function)
 {
     const auto isRotation = [](std::int64_t direction) { return std::abs(direction) > 3; };
@@ -69,14 +69,14 @@ Text whyNot(const UffFunction& function)
     if (isRotation(function.response_direction) || isRotation(function.reference_direction))
         return LT_TEXT("Engine", "a rotation or a moment");
     const StatedUnit stated = uffStatedUnit(function);
-    if (stated.isForeign) return LT_TEXT("Engine", "no motion per force by its unit");
+    if (stated.is_foreign) return LT_TEXT("Engine", "no motion per force by its unit");
     if (!stated.unit && !frfQuantityOf(function.ordinate.type) && function.ordinate.type != 0)
         return LT_TEXT("Engine", "no motion by its kind");
     if (function.x.empty()) return LT_TEXT("Engine", "no points");
     return {};
 }
 
-/// One note for each code and reason, which counts.
+/// Counts one note per code and reason.
 class Findings {
 public:
     void add(const NoteCode& code, std::int64_t line, Values values, Text reason = {})
@@ -106,7 +106,7 @@ private:
     std::vector<Finding> found_;
 };
 
-/// What a label calls the ordinate.
+/// Quantity named by a label.
 std::optional<FrfQuantity> labelled(const UffFunction& function)
 {
     const std::string label = lowerCase(function.ordinate.label);
@@ -145,7 +145,7 @@ private:
         const StatedUnit stated = uffStatedUnit(function);
         const auto given = frfUnit(options_.frf_unit);
         if (stated.unit) {
-            if (stated.isForceAssumed) findings_.add(notes::frfForceAssumed, set.line, {});
+            if (stated.is_force_assumed) findings_.add(notes::frfForceAssumed, set.line, {});
             const auto label = labelled(function);
             if (label && *label != stated.unit->quantity)
                 findings_.add(notes::frfLabelContradictsUnit, set.line,
@@ -179,7 +179,7 @@ bool isSamePair(const UffFunction& function, const MeasuredFrf& measured)
            std::abs(function.reference_direction) == measured.reference_direction;
 }
 
-/// γ² of the same pair and the same lines becomes that of the response.
+/// Attaches γ² of the same pair and lines to the response.
 bool attach(const UffFunction& function, std::vector<MeasuredFrf>& measured)
 {
     bool attached = false;
@@ -259,7 +259,7 @@ std::string uffOrdinate(const UffFunction& function)
 {
     if (function.function != frequencyResponse) return "other";
     const StatedUnit stated = uffStatedUnit(function);
-    if (stated.isForeign) return "other";
+    if (stated.is_foreign) return "other";
     if (stated.unit) return quantityName(stated.unit->quantity);
     const auto quantity = frfQuantityOf(function.ordinate.type);
     return quantity ? quantityName(*quantity) : "other";

@@ -25,13 +25,13 @@ constexpr UffColumn axisColumns[] = {{10, Integer}, {5, Integer}, {5, Integer}, 
 constexpr std::int64_t headerLines = 11;
 constexpr std::int64_t progressStep = 1 << 16;
 
-/// A header, and what it says of the values.
+/// A header with the declaration of the values.
 struct Header {
-    UffFunction function;     ///< without values
-    std::int64_t points = 0;  ///< declared
-    std::int64_t line = 0;    ///< where they are declared
-    double start = 0;         ///< of an even abscissa
-    double step = 0;          ///< of an even abscissa
+    UffFunction function;     ///< header data, without values
+    std::int64_t points = 0;  ///< number of points declared
+    std::int64_t line = 0;    ///< line of the declaration
+    double start = 0;         ///< first value of an even abscissa
+    double step = 0;          ///< step of an even abscissa
 };
 
 void nextHeaderLine(Lines& lines)
@@ -96,7 +96,7 @@ Header readUffHeader(Lines& lines)
     nextHeaderLine(lines);
     header.function.denominator = readAxis(lines);
     nextHeaderLine(lines);
-    readAxis(lines);  // the third axis of a spectral map, not used
+    readAxis(lines);  // third axis of a spectral map, unused
     return header;
 }
 
@@ -116,7 +116,7 @@ std::size_t numbersPerPoint(const UffFunction& function)
     return (function.is_even ? 0U : 1U) + (function.isComplex() ? 2U : 1U);
 }
 
-/// Lays the numbers of all points into abscissa and ordinate.
+/// Distributes the numbers of all points to abscissa and ordinate.
 void layPoints(const Header& header, const std::vector<double>& numbers, UffFunction& function)
 {
     const auto points = static_cast<std::size_t>(header.points);

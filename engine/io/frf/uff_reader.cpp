@@ -21,13 +21,13 @@ constexpr UffColumn node2411Columns[] = {{10, Integer}, {10, Integer}, {10, Inte
 constexpr int placeWidths[] = {25, 25, 25};
 constexpr Text expectedSet = LT_TEXT("Engine", "a data set between separators: -1 in columns 5 and 6");
 
-/// What fills up the end of a file.
+/// Padding at the end of a file.
 bool isFilling(std::string_view line)
 {
     return line.find_first_not_of(std::string_view(" \t\0\x1a", 4)) == std::string_view::npos;
 }
 
-/// The number of a set, "58" or "58b"; empty when the line is none.
+/// The number of a set, "58" or "58b"; empty when the line is not one.
 std::string setTypeOf(std::string_view line)
 {
     const std::string_view number = trimmed(line.substr(0, std::min<std::size_t>(line.size(), 6)));
@@ -62,7 +62,7 @@ public:
 private:
     bool nextLine() { return lines_.next(); }
 
-    /// `lines_` stands at the number of the set, afterwards at its closing separator.
+    /// `lines_` is at the number of the set, afterwards at its closing separator.
     void readSet()
     {
         UffSet set;
@@ -119,7 +119,7 @@ private:
         return text;
     }
 
-    /// Goes to the closing separator. `line`: of a set of which nothing should be left but padding.
+    /// Goes to the closing separator. `line`: line of a set of which only padding should remain.
     void pass(std::int64_t line)
     {
         bool isMore = false;
@@ -174,7 +174,7 @@ private:
     Lines lines_;
     UffFile file_;
     std::optional<UffUnits> units_;
-    std::int64_t beyond_ = 0;  // sets that hold more than they declare
+    std::int64_t beyond_ = 0;  // number of sets with more values than declared
 };
 
 }  // namespace

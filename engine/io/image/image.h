@@ -1,4 +1,4 @@
-// A picture as brightness: what a PNG, JPEG or TIFF file holds, upright.
+// A greyscale image from a PNG, JPEG or TIFF file, in upright orientation.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@ namespace lathelier::io {
 
 struct Image {
     std::string format;       ///< "png", "jpeg" or "tiff"
-    int width = 0;            ///< in pixels, after the orientation was applied
-    int height = 0;           ///< in pixels
-    int bits = 8;             ///< of a sample in the file, 1 to 16
+    int width = 0;            ///< in px, after the orientation was applied
+    int height = 0;           ///< in px, after the orientation was applied
+    int bits = 8;             ///< bits per sample in the file, 1 to 16
     int channels = 1;         ///< in the file: 1 grey or palette, 2 grey and alpha, 3 colour, 4 colour and alpha
     int orientation = 1;      ///< EXIF orientation of the file, 1 to 8, which was applied; 1: it was upright
     std::vector<float> grey;  ///< row-major from the top left: 0 black, 1 full scale of the file. Colour by the weights
@@ -30,7 +30,7 @@ struct Image {
     }
 };
 
-/// Limits that are checked on the header, before memory is asked for.
+/// Limits checked on the header before memory is allocated.
 inline constexpr int mostImageSide_px = 65535;        ///< of width and height
 inline constexpr double mostImagePixels = 100e6;      ///< of the whole picture
 inline constexpr double mostImageBytes = 400e6;       ///< decoded, as samples of the file
@@ -40,13 +40,13 @@ inline constexpr std::string_view imageExpected = "PNG, JPEG or TIFF";
 /// True when the first bytes are those of a PNG, JPEG or TIFF file.
 bool isImage(std::string_view head);
 
-/// Reads a picture from the bytes of its file. Each warning of a decoder is an error: half a picture is none. Errors
-/// formatUnknown, imageTooLarge, imageEmpty, imageImplausible, imageUnsupported, imageDamaged, imageEndsEarly,
-/// malformed; all but those of the whole file with `byte`. Throws Cancelled. Memory: 4 bytes a pixel, the samples of
-/// the file where it is interlaced or turned.
+/// Reads a picture from the bytes of its file. Warnings of a decoder are errors, so that no incomplete image is
+/// returned. Errors formatUnknown, imageTooLarge, imageEmpty, imageImplausible, imageUnsupported, imageDamaged,
+/// imageEndsEarly, malformed; all but those of the whole file with `byte`. Throws Cancelled. Memory: 4 bytes a pixel,
+/// the samples of the file where it is interlaced or turned.
 Image readImage(const std::string& name, std::string_view bytes, const Progress& progress = {});
 
-/// What `inspect` says of a picture: details "width", "height", "bits", "channels", "orientation".
+/// Facts for `inspect`: details "width", "height", "bits", "channels", "orientation".
 FileFacts imageFacts(const std::string& name, const Image& image);
 
 }  // namespace lathelier::io

@@ -34,7 +34,7 @@ void checkHeader(const ImageHeader& header, std::size_t file_bytes, std::size_t 
     if (pixels > mostImagePixels) refuseSize(header, byte, pixels * 1e-6, "Mpx", mostImagePixels * 1e-6);
     const double decoded = pixels * header.channels * (header.bits > 8 ? 2 : 1);
     if (decoded > mostImageBytes) refuseSize(header, byte, decoded * 1e-6, "MB", mostImageBytes * 1e-6);
-    const double packed = pixels * header.channels * header.bits / 8;  // small samples share a byte
+    const double packed = pixels * header.channels * header.bits / 8;  // samples below 8 bits are packed
     if (static_cast<double>(file_bytes) * mostImageCompression < packed) {
         Values values = sizeValues(header, byte);
         set(values, "found_bytes", static_cast<std::int64_t>(file_bytes));
@@ -82,7 +82,7 @@ void applyOrientation(Image& image, int orientation, const std::string& name)
     const int new_width = swapped ? height : width, new_height = swapped ? width : height;
     for (int y = 0; y < new_height; ++y)
         for (int x = 0; x < new_width; ++x) {
-            // where the pixel (x, y) of the upright picture stands in the file
+            // position in the file of pixel (x, y) of the upright image
             int from_x = swapped ? y : x, from_y = swapped ? x : y;
             if (orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8)
                 from_x = width - 1 - from_x;

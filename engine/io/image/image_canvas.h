@@ -1,4 +1,4 @@
-// The brightness of a picture while a decoder fills it row by row: limits of its header, weights, orientation.
+// Image assembly row by row by a decoder: limits of the header, grey weights, orientation.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace lathelier::io {
 
-/// What the header of a picture declares.
+/// Declared properties of an image.
 struct ImageHeader {
-    std::int64_t width = 0;   ///< in pixels
-    std::int64_t height = 0;  ///< in pixels
-    int bits = 8;             ///< of a sample
-    int channels = 1;         ///< of a pixel
+    std::int64_t width = 0;   ///< in px
+    std::int64_t height = 0;  ///< in px
+    int bits = 8;             ///< bits per sample
+    int channels = 1;         ///< samples per pixel
 };
 
 /// Errors imageEmpty, imageTooLarge, imageImplausible, with `byte` where the header states the size.
@@ -24,14 +24,15 @@ inline constexpr double redWeight = 0.299;
 inline constexpr double greenWeight = 0.587;
 inline constexpr double blueWeight = 0.114;
 
-/// A picture with room for its brightness. Precondition: checkHeader().
+/// An allocated image. Precondition: checkHeader().
 Image emptyImage(std::string_view format, const ImageHeader& header);
 
-/// Writes row `row` from `width` pixels of `channels` samples (1 or 3 of colour; further ones are passed over), each
-/// one byte or, `wide`, two with the higher first.
+/// Writes row `row` from `width` pixels of `channels` samples (1 or 3 of colour; further ones are ignored), each one
+/// byte or, `wide`, two with the higher first.
 void putRow(Image& image, int row, const std::uint8_t* samples, int channels, bool wide);
 
-/// Brings the picture upright. `orientation` as EXIF (CIPA DC-008) counts them, 1 to 8; others change nothing.
+/// Rotates or mirrors the image into upright orientation. `orientation` as EXIF (CIPA DC-008) counts them, 1 to 8;
+/// others change nothing.
 void applyOrientation(Image& image, int orientation, const std::string& name);
 
 /// The orientation that an EXIF block (a TIFF header with its first directory) states; 1 when it states none.

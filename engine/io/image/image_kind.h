@@ -1,4 +1,4 @@
-// Pictures as a kind of file: PNG, JPEG, TIFF.
+// Images as a kind of file: PNG, JPEG, TIFF.
 #pragma once
 
 #include "engine/io/file_kind.h"

@@ -1,5 +1,5 @@
-// JPEG by libjpeg-turbo (ITU-T T.81), brightness only. The markers are walked beforehand: size, orientation and colour
-// profile are known, and limits are checked, before libjpeg sees a byte.
+// JPEG by libjpeg-turbo (ITU-T T.81), brightness only. The markers are scanned beforehand, so that size, orientation
+// and colour profile are known and limits are checked before libjpeg is called.
 #include <cstdio>  // jpeglib.h needs it
 // clang-format off
 #include <jpeglib.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr long mostMemory_bytes = 700'000'000;  // coefficients of a progressive picture of 100 Mpx
 constexpr int mostScans = 200;  // a progressive picture has about ten; thousands of empty ones take hours
 
-/// What the markers say before the picture is decoded.
+/// Content of the markers before decoding.
 struct JpegFacts {
     ImageHeader header;
     int orientation = 1;
@@ -63,7 +63,7 @@ void readFrame(std::string_view data, int marker, std::size_t byte, std::size_t 
 JpegFacts walkMarkers(std::string_view bytes)
 {
     JpegFacts facts;
-    std::size_t at = 2;  // behind the start of the image
+    std::size_t at = 2;  // after the SOI marker
     while (true) {
         while (at < bytes.size() && bytes[at] == '\xFF' && at + 1 < bytes.size() && bytes[at + 1] == '\xFF') ++at;
         if (at + 4 > bytes.size()) endsEarly(bytes.size(), 0, {});
@@ -72,7 +72,7 @@ JpegFacts walkMarkers(std::string_view bytes)
             throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(at)},
                                             {"found", std::int64_t{marker}},
                                             {"expected", LT_TEXT("Engine", "a JPEG marker before the first scan")}});
-        if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8)) {  // without a length
+        if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8)) {  // markers without a length
             at += 2;
             continue;
         }
@@ -91,7 +91,7 @@ JpegFacts walkMarkers(std::string_view bytes)
     }
 }
 
-/// What libjpeg and its callbacks share. No destructor of it matters to longjmp.
+/// State shared with the callbacks of libjpeg. Trivially destructible, as longjmp requires.
 struct JpegDecoder {
     jpeg_decompress_struct jpeg{};
     jpeg_error_mgr errors{};
@@ -120,7 +120,7 @@ JpegDecoder& decoderOf(j_common_ptr jpeg)
     std::longjmp(decoder.back, 1);
 }
 
-/// Level -1 is a warning: data are damaged, and would be patched.
+/// Level -1 is a warning: damaged data, which libjpeg would replace.
 void heed(j_common_ptr jpeg, int level)
 {
     if (level < 0) failJpeg(jpeg);

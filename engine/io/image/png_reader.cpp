@@ -1,5 +1,5 @@
-// PNG by libpng (W3C PNG Specification, 3rd edition). The chunks are walked beforehand: size, orientation and colour
-// profile are known, and limits are checked, before libpng sees a byte.
+// PNG by libpng (W3C PNG Specification, 3rd edition). The chunks are scanned beforehand, so that size, orientation and
+// colour profile are known and limits are checked before libpng is called.
 #include <png.h>
 
 #include <array>
@@ -14,9 +14,9 @@ namespace lathelier::io {
 namespace {
 
 constexpr std::size_t signatureSize = 8;
-constexpr std::size_t chunkFrame = 12;  // length, type, checksum
+constexpr std::size_t chunkFrame = 12;  // bytes of length, type and checksum of a chunk
 
-/// What the chunks say before the picture is decoded.
+/// Content of the chunks before decoding.
 struct PngFacts {
     ImageHeader header;
     int orientation = 1;
@@ -77,7 +77,7 @@ PngFacts walkChunks(std::string_view bytes)
     return facts;
 }
 
-/// What libpng and its callbacks share. No destructor of it matters to longjmp.
+/// State shared with the callbacks of libpng. Trivially destructible, as longjmp requires.
 struct PngDecoder {
     png_structp png = nullptr;
     png_infop info = nullptr;
@@ -113,7 +113,7 @@ void givePng(png_structp png, png_bytep out, std::size_t count)
     decoder->at += count;
 }
 
-/// Up to the rows: true when they may be read as `channels` samples of one byte or two.
+/// Prepares reading; true when the rows can be read as `channels` samples of one or two bytes.
 bool beginPng(PngDecoder& decoder)
 {
     if (setjmp(png_jmpbuf(decoder.png))) return false;  // NOLINT(cert-err52-cpp): libpng leaves by longjmp only

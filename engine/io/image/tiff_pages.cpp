@@ -8,7 +8,7 @@
 namespace lathelier::io {
 namespace {
 
-/// Numbers of the file in its own byte order. Reading beyond the end throws imageEndsEarly.
+/// Reads numbers in the byte order of the file. Throws imageEndsEarly beyond its end.
 struct Numbers {
     std::string_view bytes;
     bool little = true;
@@ -33,7 +33,7 @@ struct TiffWidths {
 constexpr TiffWidths classicWidths{2, 12, 4};
 constexpr TiffWidths bigWidths{8, 20, 8};
 
-/// The first value of an entry: a short, a long or a long of 8 bytes; several shorts may stand elsewhere.
+/// The first value of an entry: a short, a long or a long of 8 bytes; several shorts may be stored elsewhere.
 std::uint64_t valueOf(const Numbers& numbers, const TiffWidths& layout, std::uint64_t entry)
 {
     const std::uint64_t type = numbers.at(entry + 2, 2);

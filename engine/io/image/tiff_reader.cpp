@@ -1,5 +1,5 @@
 // TIFF by libtiff (Adobe, TIFF revision 6.0): strips and tiles of 8 or 16 bits, grey, palette or RGB; stored plainly or
-// by LZW, deflate or PackBits. Its own handlers take warnings and errors of this one file.
+// by LZW, deflate or PackBits. Warnings and errors are collected by handlers of this file.
 #include <tiffio.h>
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace lathelier::io {
 namespace {
 
-/// The file in memory, and what libtiff said of it first.
+/// The file in memory, and the first message of libtiff.
 struct Source {
     std::string_view bytes;
     std::uint64_t at = 0;
@@ -62,7 +62,7 @@ __attribute__((format(printf, 4, 0))) int onError(TIFF*, void* source, const cha
     return 1;
 }
 
-/// Tags of its own that a camera or microscope writes are no damage.
+/// Private tags of cameras and microscopes are not damage.
 __attribute__((format(printf, 4, 0))) int onWarning(TIFF*, void* source, const char*, const char* format,
                                                     va_list arguments)
 {
@@ -90,7 +90,7 @@ Tiff open(Source& source)
         nullptr, options.get()));
 }
 
-/// What the directory says of the samples.
+/// Properties of the samples by the directory.
 struct SampleLayout {
     std::uint16_t bits = 1, samples = 1, photometric = 0, planar = PLANARCONFIG_CONTIG, format = SAMPLEFORMAT_UINT;
     std::uint16_t compression = COMPRESSION_NONE, orientation = 1;
@@ -150,7 +150,7 @@ void checkLayout(const SampleLayout& layout, std::size_t byte)
     }
 }
 
-/// Adds samples of one colour, or of all, to a part of the picture.
+/// Adds samples of one colour, or of all, to a part of the image.
 class Painter {
 public:
     Painter(Image& image, const SampleLayout& layout) : image_(image), layout_(layout) {}
@@ -176,7 +176,7 @@ private:
         constexpr std::array<double, 3> weights{redWeight, greenWeight, blueWeight};
         double value = 0;
         if (layout_.bits == 16) {
-            std::uint16_t sample = 0;  // libtiff has brought it into this machine's order
+            std::uint16_t sample = 0;  // converted to native byte order by libtiff
             std::memcpy(&sample, line + 2 * static_cast<std::size_t>(index), 2);
             value = sample / 65535.0;
         } else {
@@ -286,7 +286,7 @@ Image readTiff(const std::string& name, std::string_view bytes, const Progress& 
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
     TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
     const ImageHeader header{width, height, layout.bits, layout.samples};
-    checkHeader(header, bytes.size(), pages.byte);  // a tag that stands twice has two values
+    checkHeader(header, bytes.size(), pages.byte);  // a duplicate tag may have two values
     Image image = emptyImage("tiff", header);
     readBlocks(tiff.get(), source, layout, pages.byte, image, progress);
     if (layout.samples > layout.colours()) image.notes.push_back({notes::imageAlphaDropped, {{"path", name}}});

@@ -1,4 +1,4 @@
-// A JSON document whose values know their place: whatever does not fit is refused with line and column.
+// A JSON document with the source location of each value, for errors with line and column.
 #pragma once
 
 #include <cstddef>
@@ -14,37 +14,37 @@ namespace lathelier::io {
 
 class JsonDocument;
 
-/// Of one object.
+/// Largest number of members of one object.
 inline constexpr std::size_t mostJsonMembers = 1000;
 
-/// A value of a document together with the way to it. Lives no longer than the document.
+/// A value of a document with its path. Must not outlive the document.
 class JsonCursor {
 public:
-    /// Error malformed: the value here is not what is expected.
+    /// Throws malformed: the value is not what is expected.
     [[noreturn]] void reject(Value expected) const;
-    JsonPlace place() const;  ///< of the value here
+    JsonPlace place() const;  ///< location of the value
 
     bool isNull() const;
     bool isObject() const;
     bool isList() const;
-    std::string string() const;  ///< Error malformed for what is no text; so with the others
+    std::string string() const;  ///< Error malformed when it is not a string; likewise the other accessors
     double number() const;
     std::int64_t integer() const;
     bool flag() const;
 
-    /// A member of the object here; none when it is missing or null.
+    /// A member of this object; none when missing or null.
     std::optional<JsonCursor> member(const std::string& key) const;
-    /// The same where it has to be there. Error keyMissing with `expected`.
+    /// The same for a required member. Error keyMissing with `expected`.
     JsonCursor at(const std::string& key, Value expected) const;
 
-    /// Calls use(key, value) for each member of the object here, at most `most` of them.
+    /// Calls use(key, value) for each member of this object, at most `most` of them.
     void members(std::size_t most, const std::function<void(const std::string&, const JsonCursor&)>& use) const;
-    /// Calls use(item) for each item of the list here, at most `most` of them.
+    /// Calls use(item) for each item of this list, at most `most` of them.
     void items(std::size_t most, const std::function<void(const JsonCursor&)>& use) const;
 
-    /// The value here as one Value. Error malformed for what has none: objects, mixed lists, more than 10 000 items.
+    /// This value as one Value. Error malformed for objects, mixed lists and more than 10 000 items.
     Value value() const;
-    /// The members of the object here, at most mostJsonMembers.
+    /// The members of this object, at most mostJsonMembers.
     Values values() const;
 
 private:
@@ -60,7 +60,7 @@ private:
     JsonPath path_;
 };
 
-/// JSON with its text. Error malformed (line, column) where it is no JSON, or nests deeper than 32.
+/// JSON with its text. Error malformed (line, column) where it is not JSON, or nests deeper than 32.
 class JsonDocument {
 public:
     explicit JsonDocument(std::string text);
@@ -69,7 +69,7 @@ public:
     JsonDocument& operator=(const JsonDocument&) = delete;
 
     JsonCursor root() const;
-    Json& json();  ///< for migrations: places are those of the text as it was read
+    Json& json();  ///< for migrations: locations refer to the original text
     const std::string& text() const { return text_; }
 
 private:

@@ -10,13 +10,13 @@
 
 namespace lathelier::io {
 
-/// The members of `object` that `fields` describe, by their flat keys ("chuck.radial_N_mm"). A member that none
-/// describes, and that is not in `others`, is the note unknownKey with its place. Errors, with line and column:
-/// malformed (wrong type, no such choice), keyMissing (a required field), keyOutOfRange.
+/// The members of `object` that `fields` describe, by their flat keys ("chuck.radial_N_mm"). A member that is neither
+/// described nor in `others` gives the note unknownKey with its location. Errors, with line and column: malformed
+/// (wrong type, no such choice), keyMissing (a required field), keyOutOfRange.
 Values valuesOf(const JsonCursor& object, const std::vector<FieldInfo>& fields, Notes& notes,
                 const std::vector<std::string>& others = {});
 
-/// The same as the struct; what is not given keeps its default.
+/// The same as the struct; members not given keep their default.
 template <class P>
 P readFields(const JsonCursor& object, Notes& notes, const std::vector<std::string>& others = {}, P defaults = {})
 {

@@ -9,7 +9,7 @@
 namespace lathelier::io {
 namespace {
 
-/// The place behind the string that begins at `at`; the end of the text where it has none.
+/// Position after the string that begins at `at`; the end of the text when it is unterminated.
 std::size_t behindString(std::string_view text, std::size_t at)
 {
     for (++at; at < text.size(); ++at) {
@@ -48,13 +48,13 @@ std::vector<std::string> keysOfText(std::string_view text)
 
 std::vector<std::string> keysOfHead(std::string_view head)
 {
-    // Of no other file is the head decoded. Bytes of marks and of the wider encodings may stand before the brace.
+    // Only such heads are decoded. A byte order mark or bytes of UTF-16/32 may precede the brace.
     constexpr std::string_view before("\xef\xbb\xbf\xff\xfe\0 \t\r\n", 10);
     const std::size_t first = head.find_first_not_of(before);
     if (first == std::string_view::npos || head[first] != '{') return {};
     try {
         return keysOfText(decodeText(head, Encoding::Auto).view());
-    } catch (const Error&) {  // no text
+    } catch (const Error&) {  // not a text
         return {};
     }
 }

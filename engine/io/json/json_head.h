@@ -1,4 +1,4 @@
-// What the head of a file says of a JSON text, without parsing it: enough to tell kinds of file apart.
+// Keys of a JSON text from the head of a file, without parsing, to distinguish kinds of file.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace lathelier::io {
 
-/// The keys of the object that a JSON text is, in their order, as far as `head` reaches; empty when it is no object.
-/// Any encoding. Escapes in keys stay as they are.
+/// The keys of the top-level object in order, as far as `head` reaches; empty when it is not an object. Any encoding.
+/// Escapes in keys stay as they are.
 std::vector<std::string> keysOfHead(std::string_view head);
 
-/// Is the key one of them?
+/// Whether the key is one of them.
 bool hasKey(const std::vector<std::string>& keys, std::string_view key);
 
 }  // namespace lathelier::io

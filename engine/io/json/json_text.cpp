@@ -10,7 +10,7 @@ namespace lathelier::io {
 namespace {
 
 constexpr int deepest = 32;
-constexpr std::size_t longestQuote = 40;  ///< bytes of the file repeated in a message
+constexpr std::size_t longestQuote = 40;  ///< bytes of the file quoted in a message
 
 JsonPlace placeOfByte(std::string_view text, std::size_t byte)
 {
@@ -42,7 +42,7 @@ class Walker {
 public:
     explicit Walker(std::string_view text) : text_(text) {}
 
-    /// The first byte of the value at `path`; as far as the path goes, so a missing key gives its object.
+    /// The first byte of the value at `path`; as far as the path exists, so a missing key gives its object.
     std::size_t find(const JsonPath& path)
     {
         skipSpace();
@@ -112,7 +112,7 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Accepts everything and keeps the place of the first mistake.
+/// Accepts everything and records the position of the first error.
 struct Listener : nlohmann::json_sax<Json> {
     std::size_t mistake = 0;
     bool null() override { return true; }
@@ -134,7 +134,7 @@ struct Listener : nlohmann::json_sax<Json> {
     }
 };
 
-/// The first byte that opens a level too many; npos when there is none. Deep nesting is refused before it costs a
+/// The first byte that opens a level too many; npos when there is none. Deep nesting is rejected before it exhausts the
 /// stack.
 std::size_t findTooDeep(std::string_view text)
 {

@@ -1,4 +1,4 @@
-// JSON text with places: where it is no JSON, and where a value stands, as line and column.
+// Locations in JSON text, as line and column: syntax errors and values.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace lathelier::io {
 
-/// The keys (or array indices in decimal) that lead from the root to a value.
+/// Path from the root to a value: keys or decimal array indices.
 using JsonPath = std::vector<std::string>;
 
 /// Parses `text`. Error malformed with `line` and `column` where it is no JSON, or nests deeper than 32.
 Json parseJson(std::string_view text);
 
-/// Line and column, counted from 1, of the value at `path` in `text`, which is JSON; of the object that lacks it.
+/// Line and column, counted from 1, of the value at `path` in `text`, which is JSON; of its object when it is missing.
 struct JsonPlace {
-    std::int64_t line = 1;    ///< from 1
+    std::int64_t line = 1;    ///< line number, from 1
     std::int64_t column = 1;  ///< from 1, in characters
 };
 JsonPlace placeOf(std::string_view text, const JsonPath& path);

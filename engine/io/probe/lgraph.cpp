@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::size_t framesPerTask = 1 << 16;
 
-/// Full scale of the recorders that are known, at gain 1.
+/// Full scale of the known recorders, at gain 1.
 struct Device {
     std::string_view name;
     double code;
     double volts;
-    bool isAssumed;  ///< found in recordings, not in a manual
+    bool is_assumed;  ///< determined from recordings, not from a manual
 };
 constexpr Device devices[] = {{"L783", 2000, 5, false}, {"L761", 8000, 5, true}};
 
-/// "L-783", "L 783" and "l783" are one device.
+/// Normalised device name: "L-783", "L 783" and "l783" are equal.
 const Device* findDevice(const std::string& name)
 {
     std::string plain;
@@ -35,13 +35,13 @@ const Device* findDevice(const std::string& name)
     return nullptr;
 }
 
-/// Volts per code at gain 1; nothing for an unknown recorder.
+/// Volts per code at gain 1; none for an unknown recorder.
 std::optional<double> voltsPerCode(const LGraphHeader& header, const RecorderOptions& options, Notes& notes)
 {
     const Device* const device = findDevice(header.device);
     std::optional<double> code = options.full_scale_code;
     std::optional<double> volts = options.full_scale_V;
-    if (device && !code && device->isAssumed)
+    if (device && !code && device->is_assumed)
         notes.push_back(
             {notes::fullScaleAssumed,
              {{"full_scale_code", device->code}, {"device", header.device}, {"volts", volts.value_or(device->volts)}}});
@@ -52,8 +52,8 @@ std::optional<double> voltsPerCode(const LGraphHeader& header, const RecorderOpt
     return std::nullopt;
 }
 
-/// The time from one channel's sample to the next one's. The converter runs through the channels of a frame at its
-/// rate; what it states is taken when the pieces fit together, else the frame is shared evenly.
+/// Sampling delay between consecutive channels. The converter scans the channels of a frame at its rate; the stated
+/// rate is used when it is consistent, else the frame is divided evenly.
 double skewOf(const LGraphHeader& header, Notes& notes)
 {
     const double channels = static_cast<double>(header.channels.size());
@@ -69,7 +69,7 @@ double skewOf(const LGraphHeader& header, Notes& notes)
     }
     const double skew_ms = 1 / converter_kHz;
     const auto isNear = [](double a, double b) { return std::abs(a - b) <= 0.02 * b; };
-    // Some recorders mean the pause between two frames by the delay.
+    // For some recorders the stated delay is the pause between two frames.
     const bool isPause = isNear((channels - 1) / converter_kHz + header.delay_ms, 1 / header.channel_kHz);
     if (!isNear(header.delay_ms, skew_ms) && !isPause)
         notes.push_back({notes::converterDelayDiffers, {{"stated_ms", header.delay_ms}, {"used_ms", skew_ms}}});

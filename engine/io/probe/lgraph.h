@@ -8,7 +8,7 @@
 
 namespace lathelier::io {
 
-/// An L-Graph pair from memory; `name` stands for the path of the .par in messages, `datName` for that of the .dat.
+/// An L-Graph pair from memory; `name` replaces the path of the .par in messages, `datName` that of the .dat.
 ProbeFile readLGraph(const std::string& name, std::string_view par, std::string_view dat,
                      const RecorderOptions& recorder = {}, const Progress& progress = {},
                      const std::string& datName = {});

@@ -19,7 +19,7 @@ constexpr std::size_t signatureBytes = 20;
 struct Signature {
     std::string_view text;
     LGraphVersion version;
-    std::size_t bytes;  ///< of the .par; of L-Graph II the part that is known
+    std::size_t bytes;  ///< size of the .par; of L-Graph II the documented part
 };
 
 constexpr Signature signatures[] = {
@@ -28,14 +28,14 @@ constexpr Signature signatures[] = {
     {"3571090,7859525", LGraphVersion::Two, 17135},
 };
 
-/// Where the fields stand: those after the number of channels are wider since 2008.
+/// Offsets of the fields: those after the number of channels are wider since 2008.
 struct Offsets {
     std::size_t frames, samples, total, converter, delay, channelRate, active, gains;
 };
 constexpr Offsets narrowOffsets = {67, 71, 75, 83, 87, 91, 95, 159};
 constexpr Offsets wideOffsets = {67, 75, 83, 93, 101, 109, 117, 277};
 constexpr std::size_t channelsAt = 65;
-constexpr std::size_t secondFramesAt = 227;  ///< of L-Graph II
+constexpr std::size_t secondFramesAt = 227;  ///< offset of the number of frames in L-Graph II
 constexpr std::size_t segmentsAt = 17131;
 
 template <class T>
@@ -83,7 +83,7 @@ std::int64_t byteOf(std::size_t offset)
     return static_cast<std::int64_t>(offset);
 }
 
-/// A number that has to be finite and larger than 0.
+/// Checks that a number is finite and > 0.
 double positive(double value, Text check, std::size_t offset)
 {
     if (std::isfinite(value) && value > 0) return value;
@@ -110,7 +110,7 @@ void readWide(std::string_view par, LGraphHeader& header, std::int64_t& samples)
     header.channel_kHz = lgraphValueAt<double>(par, wideOffsets.channelRate);
 }
 
-/// The channels whose flag is set, in ascending order; as many as the header says.
+/// The channels whose flag is set, in ascending order; their number must agree with the header.
 void readChannels(std::string_view par, const Offsets& offsets, LGraphHeader& header)
 {
     const int count = lgraphValueAt<std::int16_t>(par, channelsAt);

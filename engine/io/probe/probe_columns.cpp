@@ -71,7 +71,7 @@ bool hasProbeNames(const TableLayout& layout)
     std::size_t signals = 0;
     bool times = false;
     for (const TableColumn& column : layout.columns) {
-        if (!column.isNumber) continue;
+        if (!column.is_number) continue;
         const QuantityHeading heading = parseQuantityHeading(column.heading);
         const std::string plain = plainName(heading.name);
         const bool isVoltage = heading.unit && heading.unit->kind == QuantityUnit::Kind::Voltage;
@@ -87,13 +87,13 @@ std::vector<ProbeColumn> findProbeColumns(const TableLayout& layout)
     std::vector<ProbeColumn> columns;
     for (const TableColumn& column : layout.columns) {
         QuantityHeading heading = parseQuantityHeading(column.heading);
-        if (!heading.unit) heading.unit = quantityUnit(column.unitWord);
+        if (!heading.unit) heading.unit = quantityUnit(column.unit_text);
         if (!heading.unit && column.unit)
             heading.unit = QuantityUnit{QuantityUnit::Kind::Length, column.unit->key, column.unit->mm};
         const std::string plain = plainName(heading.name);
         const auto is = [&heading](QuantityUnit::Kind kind) { return heading.unit && heading.unit->kind == kind; };
         ProbeColumn found{ProbeColumn::Role::Signal, heading.name, heading.unit};
-        if (!column.isNumber)
+        if (!column.is_number)
             found.role = ProbeColumn::Role::Text;
         else if (is(QuantityUnit::Kind::Time) || (isTimeName(plain) && !heading.unit))
             found.role = ProbeColumn::Role::Time;
@@ -103,7 +103,7 @@ std::vector<ProbeColumn> findProbeColumns(const TableLayout& layout)
             found.role = ProbeColumn::Role::Section;
         else if (plain == "z")
             found.role = ProbeColumn::Role::Position;
-        else if (isIndexName(plain) || (plain.empty() && column.isCount))
+        else if (isIndexName(plain) || (plain.empty() && column.is_count))
             found.role = ProbeColumn::Role::Index;
         columns.push_back(std::move(found));
     }
@@ -113,12 +113,12 @@ std::vector<ProbeColumn> findProbeColumns(const TableLayout& layout)
 TableExpectation probeExpectation()
 {
     TableExpectation expectation;
-    expectation.minimumColumns = 2;
-    expectation.knowsName = [](const std::string& name) {
+    expectation.minimum_columns = 2;
+    expectation.knows_name = [](const std::string& name) {
         const std::string plain = plainName(parseQuantityHeading(name).name);
         return isProbeName(plain) || isAngleName(plain);
     };
-    expectation.knowsUnit = [](std::string_view word) { return quantityUnit(word).has_value(); };
+    expectation.knows_unit = [](std::string_view word) { return quantityUnit(word).has_value(); };
     return expectation;
 }
 

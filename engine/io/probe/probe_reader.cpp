@@ -1,4 +1,4 @@
-// The entry for probe records: a recorder's pair of files, or a table?
+// Dispatch of probe records: a recorder's pair of files, or a table.
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/probe/lgraph.h"
 #include "engine/io/probe/probe_table.h"
@@ -27,7 +27,7 @@ std::string stemOf(const fs::path& path)
     return path.stem().string();
 }
 
-/// The files beside `path` with the same name and this extension, in whatever case; the same case comes first.
+/// The files beside `path` with the same name and this extension, in any case; an equal case comes first.
 std::vector<std::string> allBeside(const std::string& path, const std::string& extension)
 {
     const fs::path given(path);

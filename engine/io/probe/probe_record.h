@@ -17,22 +17,22 @@ struct ProbeChannel {
     enum class Unit { Micrometre, Millimetre, Volt, Degree, Unknown };
 
     std::string name;            ///< heading of its column ("X3"), or "channel 3" of a recorder
-    Unit unit = Unit::Unknown;   ///< of `values`
-    int gain = 1;                ///< already applied to values in volts; for "what was understood"
-    std::vector<double> values;  ///< one for each frame; NaN where the file has none
+    Unit unit = Unit::Unknown;   ///< unit of `values`
+    int gain = 1;                ///< already applied to values in volts; kept for the facts
+    std::vector<double> values;  ///< by frame; NaN where missing
 };
 
 /// A continuous recording of all channels. Channel c was sampled c · skew later than its frame.
 struct ProbeRecord {
     std::string name;                                           ///< name of the file without folder
-    std::vector<ProbeChannel> channels;                         ///< a column of time is not among them
-    std::vector<double> time_s;                                 ///< of the frames; empty when only the rate is known
-    double rate_hz = std::numeric_limits<double>::quiet_NaN();  ///< frames a second
-    std::optional<double> channel_skew_s;                       ///< as the file states it, or 1 / converter rate
-    std::string device;                                         ///< "L783"; empty when unknown
+    std::vector<ProbeChannel> channels;                         ///< without a column of time
+    std::vector<double> time_s;                                 ///< frame times; empty when only the rate is known
+    double rate_hz = std::numeric_limits<double>::quiet_NaN();  ///< frame rate
+    std::optional<double> channel_skew_s;                       ///< stated in the file, or 1 / converter rate
+    std::string device;                                         ///< recorder, "L783"; empty when unknown
     std::string recorded;                                       ///< date and time as the file writes them
-    /// Cutting data and what else the file says of itself ("rpm_nominal", "D_mm", "n_rev", "feed_mm_rev", "tool"…), as
-    /// written; travels into the report.
+    /// Cutting data and other header entries ("rpm_nominal", "D_mm", "n_rev", "feed_mm_rev", "tool"…), as written;
+    /// quoted in the report.
     Values header;
 
     std::size_t frames() const { return channels.empty() ? 0 : channels.front().values.size(); }
@@ -41,9 +41,9 @@ struct ProbeRecord {
 /// Mean displacements over the revolutions of one section, at uniform angles: the "averaged" shape of a record.
 struct AveragedSection {
     int section = 0;                                         ///< as the file numbers it
-    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< place along the workpiece; NaN: not stated
-    std::vector<double> angle_deg;                           ///< of the spindle, one for each mean
-    std::vector<double> X3_um, Y3_um, Xp_um, Yp_um;          ///< workpiece (mandrel) and tool
+    double z_mm = std::numeric_limits<double>::quiet_NaN();  ///< position along the workpiece; NaN: not stated
+    std::vector<double> angle_deg;                           ///< spindle angle of each mean
+    std::vector<double> X3_um, Y3_um, Xp_um, Yp_um;          ///< mean displacements of workpiece (mandrel) and tool
     std::vector<double> sX3_um, sY3_um, sXp_um, sYp_um;      ///< standard deviations over the revolutions; may be empty
 };
 

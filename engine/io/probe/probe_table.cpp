@@ -1,4 +1,4 @@
-// Reading a probe record from a table: which shape it has, and what all shapes share.
+// Reading a probe record from a table: its shape, and the common part of all shapes.
 #include "engine/io/probe/probe_table.h"
 #include "engine/core/parallel.h"
 
@@ -26,7 +26,7 @@ bool isAveraged(const std::vector<ProbeColumn>& columns)
     return has(Role::Section) && has(Role::Angle) && !has(Role::Time);
 }
 
-/// Columns of names that are a cloud's or a profile's, and no record's.
+/// Column names specific to clouds or profiles.
 bool isForeignTable(const std::vector<ProbeColumn>& columns)
 {
     std::size_t axes = 0;
@@ -47,7 +47,7 @@ bool isForeignTable(const std::vector<ProbeColumn>& columns)
 {
     throw Error(
         errors::formatUnknown,
-        {{"line", layout.bodyLine}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedRecord}});
+        {{"line", layout.body_line}, {"column", std::int64_t{1}}, {"found", found}, {"expected", expectedRecord}});
 }
 
 void readRecordValues(std::string_view text, bool averaged, const std::function<void(std::size_t)>& parsed,
@@ -58,12 +58,12 @@ void readRecordValues(std::string_view text, bool averaged, const std::function<
         const Role role = table.columns[k].role;
         if (role == Role::Text || (!averaged && role == Role::Index)) continue;
         table.read.push_back(k);
-        // A lost sample leaves a hole in its channel; without its time or section a row has no place.
+        // A missing sample becomes NaN in its channel; a row without time or section is skipped.
         const bool mayBeMissing = !averaged && role != Role::Time;
         wanted.push_back({k, std::numeric_limits<double>::infinity(), mayBeMissing});
     }
     table.values.resize(table.width());
-    // Room for all at once, which is not touched before it is filled: growing would hold everything twice.
+    // Memory for all values at once, untouched until filled: growth would need twice the memory.
     const auto expect = [&table](std::size_t rows) {
         for (std::vector<double>& column : table.values) column.reserve(rows);
     };
@@ -98,7 +98,7 @@ ProbeFile readRecordTable(const std::string& name, const DecodedText& text, cons
 {
     ProbeFile file;
     ProbeTable table{name, findLayout(text.view(), probeExpectation(), options), {}, {}, {}, {}, {}, options};
-    table.header = readHeaderLines(text.view(), table.layout.bodyOffset);
+    table.header = readHeaderLines(text.view(), table.layout.body_offset);
     table.columns = findProbeColumns(table.layout);
     const bool averaged = isAveraged(table.columns);
     if (!hasProbeNames(table.layout) && isForeignTable(table.columns))
@@ -172,7 +172,7 @@ ProbeFile readProbeTable(const std::string& name, std::string_view bytes, const 
 {
     try {
         const DecodedText text = readableTable(name, bytes, options.encoding, expectedRecord, progress);
-        // Where the text is the file itself, what was read of it is not needed any more.
+        // If the text is the file itself, its parsed part can be released.
         const char* const begin = text.view().data();
         const bool isFile = begin >= bytes.data() && begin < bytes.data() + bytes.size();
         const std::size_t mark = isFile ? static_cast<std::size_t>(begin - bytes.data()) : 0;

@@ -25,7 +25,7 @@ struct Curve {
 
 [[noreturn]] void throwRecordColumns(const ProbeTable& table, Text expected)
 {
-    throw Error(errors::columnsUnknown, {{"line", table.layout.bodyLine},
+    throw Error(errors::columnsUnknown, {{"line", table.layout.body_line},
                                          {"column", std::int64_t{1}},
                                          {"found", columnNames(table.layout)},
                                          {"expected", expected}});
@@ -84,7 +84,7 @@ std::vector<Curve> findCurves(const ProbeTable& table)
     return curves;
 }
 
-/// mm per unit of z; lengths along the part are in mm unless something else is said.
+/// mm per unit of z; mm by default.
 double millimetresPer(const ProbeTable& table, int z)
 {
     const auto& unit = table.column(static_cast<std::size_t>(z)).unit;

@@ -15,11 +15,10 @@ namespace {
 using Kind = QuantityUnit::Kind;
 using Role = ProbeColumn::Role;
 
-constexpr std::size_t rowsPerTask = 1 << 13;  ///< rows: a block of them stays in the cache
-constexpr double irregularShare = 0.1;        ///< of a time step
+constexpr std::size_t rowsPerTask = 1 << 13;  ///< rows per task, which fit into the cache
+constexpr double irregularShare = 0.1;        ///< deviation of a time step, relative, that makes times uneven
 
-/// The unit of a channel and what its values are multiplied by. Millimetres stay as they are; other lengths are told in
-/// µm, for displacements are that small.
+/// Unit and factor of a channel. Millimetres are kept; other lengths are converted to µm.
 void applyUnit(const std::optional<QuantityUnit>& unit, ProbeChannel& channel, double& scale)
 {
     if (!unit) return;
@@ -41,16 +40,16 @@ bool isDisplacement(const ProbeColumn& column)
     return plain == "x3" || plain == "y3" || plain == "xp" || plain == "yp" || plain == "x" || plain == "y";
 }
 
-/// A column on its way to a channel.
-struct Taken {
+/// A column being converted to a channel.
+struct InputValue {
     double scale = 1;
     ProbeChannel channel;
 };
 
-Taken startChannel(ProbeTable& table, std::size_t k, Notes& notes)
+InputValue startChannel(ProbeTable& table, std::size_t k, Notes& notes)
 {
     const ProbeColumn& column = table.column(k);
-    Taken taken;
+    InputValue taken;
     ProbeChannel& channel = taken.channel;
     channel.name = column.name.empty() ? "channel " + std::to_string(table.read[k] + 1) : column.name;
     std::optional<QuantityUnit> unit = column.unit;
@@ -63,10 +62,10 @@ Taken startChannel(ProbeTable& table, std::size_t k, Notes& notes)
     return taken;
 }
 
-/// Brings the channels to their units and notes the holes.
-void scaleChannels(std::vector<Taken>& channels, Notes& notes, const Progress& progress)
+/// Converts the channels to their units and notes missing values.
+void scaleChannels(std::vector<InputValue>& channels, Notes& notes, const Progress& progress)
 {
-    for (Taken& taken : channels) {
+    for (InputValue& taken : channels) {
         std::vector<double>& values = taken.channel.values;
         const std::int64_t missing = parallelReduce(
             values.size(), rowsPerTask, progress, std::int64_t{0},
@@ -140,7 +139,7 @@ void takeTimes(ProbeTable& table, std::size_t k, ProbeRecord& record, Notes& not
     std::size_t equal = 0;
     for (std::size_t i = 1; i < count; ++i) equal += std::abs(step(i) - period) <= rounding ? 1U : 0U;
     const bool areExact = static_cast<double>(equal) >= 0.9 * static_cast<double>(count - 1);
-    // Times rounded to more than a tenth of a step are worth less than the rate that they give together.
+    // Times rounded to more than a tenth of a step are less accurate than their mean rate.
     const bool isCoarse = !areExact && resolution > irregularShare * mean && farthest <= 1.01 * resolution && mean > 0;
     if (isCoarse) {
         record.rate_hz = 1 / (mean * scale);
@@ -188,7 +187,7 @@ ProbeRecord toRawRecord(ProbeTable& table, Notes& notes, const Progress& progres
     record.name = table.name.substr(table.name.find_last_of('/') + 1);
     record.header = table.header;
     bool hasTimes = false;
-    std::vector<Taken> channels;
+    std::vector<InputValue> channels;
     for (std::size_t k = 0; k < table.width(); ++k) {
         progress.check();
         if (table.column(k).role == Role::Time && !hasTimes) {
@@ -199,12 +198,12 @@ ProbeRecord toRawRecord(ProbeTable& table, Notes& notes, const Progress& progres
         }
     }
     if (channels.empty())
-        throw Error(errors::columnsUnknown, {{"line", table.layout.bodyLine},
+        throw Error(errors::columnsUnknown, {{"line", table.layout.body_line},
                                              {"column", std::int64_t{1}},
                                              {"found", LT_TEXT("Engine", "no column of signals")},
                                              {"expected", LT_TEXT("Engine", "channels such as marker_V, X3_um")}});
     scaleChannels(channels, notes, progress);
-    for (Taken& taken : channels) record.channels.push_back(std::move(taken.channel));
+    for (InputValue& taken : channels) record.channels.push_back(std::move(taken.channel));
     if (!hasTimes) takeStatedRate(record, notes);
     if (const auto skew = headerNumber(record.header, "channel_skew_s"); skew && *skew >= 0)
         record.channel_skew_s = *skew;

@@ -26,7 +26,7 @@ ProfileRole profileRoleOf(const std::string& core)
     if (isOneOf(core, {"angle", "theta", "phi", "fi", "azimuth", "winkel", "kąt", "kat", "angolo", "угол", "θ", "φ",
                        "angular"}))
         return ProfileRole::Angle;
-    // A distance or a reading may be a radius or a deviation: its values tell.
+    // A distance or a reading may be a radius or a deviation, which its values decide.
     if (isOneOf(core, {"r", "radius", "rho", "promień", "promien", "raggio", "радиус", "ρ", "distance", "dist",
                        "abstand", "reading", "readings", "messwert", "odczyt", "odległość"}))
         return ProfileRole::Radius;
@@ -52,19 +52,19 @@ Core coreOf(const std::string& heading)
 
 [[noreturn]] void throwProfileColumns(const TableLayout& layout, Text expected)
 {
-    throw Error(errors::columnsUnknown, {{"line", layout.bodyLine},
+    throw Error(errors::columnsUnknown, {{"line", layout.body_line},
                                          {"column", std::int64_t{1}},
                                          {"found", columnNames(layout)},
                                          {"expected", expected}});
 }
 
-/// The columns by what their names say.
+/// Columns by the roles of their names.
 class NamedColumns {
 public:
     explicit NamedColumns(const TableLayout& layout) : layout_(layout)
     {
         for (std::size_t k = 0; k < layout.columns.size(); ++k) {
-            if (!layout.columns[k].isNumber) continue;
+            if (!layout.columns[k].is_number) continue;
             const Core core = coreOf(layout.columns[k].heading);
             const ProfileRole role = profileRoleOf(core.name);
             const ProfileRole further = profileRoleOf(core.stem);
@@ -74,9 +74,9 @@ public:
                 exact_[static_cast<std::size_t>(role)].push_back(k);
         }
         std::vector<std::size_t>& free = exact_[static_cast<std::size_t>(ProfileRole::Unknown)];
-        // A row number in front of values with decimal marks.
-        if (free.size() > 1 && layout.columns[free[0]].isCount && layout.columns[free[0]].name.empty() &&
-            layout.columns[free[1]].hasMarks)
+        // A row number before values with decimal marks.
+        if (free.size() > 1 && layout.columns[free[0]].is_count && layout.columns[free[0]].name.empty() &&
+            layout.columns[free[1]].has_decimal_marks)
             free.erase(free.begin());
     }
 
@@ -90,11 +90,11 @@ public:
         return columns.front();
     }
 
-    /// Columns of numbers whose names say nothing.
+    /// Columns of numbers without a role.
     const std::vector<std::size_t>& free() const { return exact_[at(ProfileRole::Unknown)]; }
 
-    /// The free columns are named, and no coordinates.
-    bool freeSayElse() const { return saySomethingElse(layout_, free()); }
+    /// Whether the free columns have names of quantities other than coordinates.
+    bool freeColumnsNameOtherQuantities() const { return haveNamesOfOtherQuantities(layout_, free()); }
 
 private:
     static std::size_t at(ProfileRole role) { return static_cast<std::size_t>(role); }
@@ -112,16 +112,16 @@ ProfileColumnChoice pick(Shape shape, std::vector<std::size_t> columns)
     return choice;
 }
 
-/// Angle and what belongs to it.
+/// Angle with radius or deviation.
 ProfileColumnChoice pickPolar(const TableLayout& layout, std::size_t angle, std::size_t value, bool areDeviations)
 {
     ProfileColumnChoice choice = pick(Shape::Polar, {angle, value});
-    choice.areDeviations = areDeviations;
+    choice.are_deviations = areDeviations;
     const TableColumn& column = layout.columns[angle];
     auto unit = parseQuantityHeading(column.heading).unit;
-    if (!unit) unit = quantityUnit(column.unitWord);
-    choice.angleStated = unit && unit->kind == QuantityUnit::Kind::Angle;
-    if (choice.angleStated) choice.degreesPerUnit = unit->scale;
+    if (!unit) unit = quantityUnit(column.unit_text);
+    choice.is_angle_unit_stated = unit && unit->kind == QuantityUnit::Kind::Angle;
+    if (choice.is_angle_unit_stated) choice.degrees_per_unit = unit->scale;
     return choice;
 }
 
@@ -142,7 +142,7 @@ std::size_t angleOf(const NamedColumns& named)
     return named.one(ProfileRole::Angle, LT_TEXT("Engine", "the angle"));
 }
 
-/// The column of radii or, for want of one, of deviations.
+/// The column of radii, or of deviations if there is none.
 std::size_t radiusOf(const NamedColumns& named, bool& areDeviations)
 {
     areDeviations = !named.has(ProfileRole::Radius);
@@ -161,12 +161,11 @@ bool hasAnyRole(const NamedColumns& named)
            named.has(ProfileRole::Angle) || hasRadius(named);
 }
 
-/// What the caller says of columns whose names say nothing: the first two. Names that say something leave no choice but
-/// two columns.
+/// Roles given by the caller for unnamed columns: the first two. Named columns leave a choice only if there are two.
 std::pair<std::size_t, std::size_t> firstTwo(const TableLayout& layout, const NamedColumns& named, Text meaning)
 {
     const std::vector<std::size_t>& free = named.free();
-    if (free.size() > 2 && named.freeSayElse()) throwAmbiguous(layout, free, meaning);
+    if (free.size() > 2 && named.freeColumnsNameOtherQuantities()) throwAmbiguous(layout, free, meaning);
     return {free[0], free[1]};
 }
 
@@ -213,15 +212,16 @@ ProfileColumnChoice chooseAuto(const TableLayout& layout, const NamedColumns& na
     if (angle && hasRadius(named)) return choosePolar(layout, named);
     if (y && z) return inPlane(yOf(named), zOf(named), 'y', 'z');
     if (x && z) return inPlane(zOf(named), xOf(named), 'z', 'x');
-    if (angle && free.size() == 1 && !named.freeSayElse()) return choosePolar(layout, named);
+    if (angle && free.size() == 1 && !named.freeColumnsNameOtherQuantities()) return choosePolar(layout, named);
     if (x || y || z || angle) throwProfileColumns(layout, expected);
     if (hasRadius(named)) {
         bool areDeviations = false;
         ProfileColumnChoice choice = pick(Shape::Trace, {radiusOf(named, areDeviations)});
-        choice.areDeviations = areDeviations;
+        choice.are_deviations = areDeviations;
         return choice;
     }
-    if (free.empty() || free.size() > 3 || named.freeSayElse()) throwProfileColumns(layout, expected);
+    if (free.empty() || free.size() > 3 || named.freeColumnsNameOtherQuantities())
+        throwProfileColumns(layout, expected);
     return pick(free.size() == 1 ? Shape::Trace : free.size() == 2 ? Shape::Undecided : Shape::Xyz, free);
 }
 
@@ -230,22 +230,22 @@ ProfileColumnChoice chooseAuto(const TableLayout& layout, const NamedColumns& na
 TableExpectation profileExpectation()
 {
     TableExpectation expectation;
-    expectation.minimumColumns = 1;
-    expectation.knowsName = [](const std::string& name) {
+    expectation.minimum_columns = 1;
+    expectation.knows_name = [](const std::string& name) {
         const Core core = coreOf(name);
         const auto isKnown = [](ProfileRole role) {
             return role != ProfileRole::Unknown && role != ProfileRole::Other;
         };
         return isKnown(profileRoleOf(core.name)) || isKnown(profileRoleOf(core.stem)) || isProbeName(core.name);
     };
-    expectation.knowsUnit = [](std::string_view word) { return quantityUnit(word).has_value(); };
+    expectation.knows_unit = [](std::string_view word) { return quantityUnit(word).has_value(); };
     return expectation;
 }
 
 ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColumns wanted)
 {
     if (hasProbeNames(layout))
-        throw Error(errors::formatUnknown, {{"line", layout.bodyLine},
+        throw Error(errors::formatUnknown, {{"line", layout.body_line},
                                             {"column", std::int64_t{1}},
                                             {"found", LT_TEXT("Engine", "a probe record")},
                                             {"expected", LT_TEXT("Engine", "a profile: x and y, or angle and r")}});
@@ -265,7 +265,7 @@ bool holdsAngles(std::span<const double> rows, const TableLayout& layout)
     const double first = rows[0];
     const double last = rows[2 * (count - 1)];
     const double turn = last > first ? 1 : -1;
-    std::size_t against = 0;  // steps the other way
+    std::size_t against = 0;  // steps in the opposite direction
     double smallest = first;
     double largest = first;
     for (std::size_t i = 1; i < count; ++i) {
@@ -276,7 +276,7 @@ bool holdsAngles(std::span<const double> rows, const TableLayout& layout)
     const double span = largest - smallest;
     const bool isTurn = span >= 340 && span <= 361;
     if (against == 0 && isTurn) return true;
-    // A turn that starts somewhere else jumps back once by itself.
+    // A revolution that does not start at 0 contains one jump.
     if (isTurn && count >= 8 && (against == 1 || against == count - 2) && smallest >= -180 && largest <= 361)
         return true;
     if (against > 0 || count < 8) return false;

@@ -1,4 +1,4 @@
-// Which columns of a table are a profile, and what they mean.
+// Selection of the columns of a profile in a table, and their roles.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace lathelier::io {
 
-/// The columns to read, and what is known of them before their values are seen.
+/// The columns to read, and their properties known before the values are read.
 struct ProfileColumnChoice {
     enum class Shape {
         Xy,        ///< two coordinates
@@ -18,24 +18,24 @@ struct ProfileColumnChoice {
         Trace,     ///< radii or deviations at uniform angles
         Undecided  ///< two columns without names
     };
-    Shape shape = Shape::Undecided;         ///< what the columns hold
-    std::vector<std::size_t> columns;       ///< in the order that the shape names
-    bool areDeviations = false;             ///< the heading says so
-    bool angleStated = false;               ///< its unit
-    double degreesPerUnit = 1;              ///< of the angles: 1 for degrees, 180/π for radians
-    std::array<char, 2> axes = {'x', 'y'};  ///< Xy: what they are called
+    Shape shape = Shape::Undecided;         ///< quantities of the columns
+    std::vector<std::size_t> columns;       ///< in the order of the shape's quantities
+    bool are_deviations = false;            ///< true: deviations by the heading
+    bool is_angle_unit_stated = false;      ///< true: the unit of the angle is stated
+    double degrees_per_unit = 1;            ///< degrees per unit of the angles: 1, or 180/π for radians
+    std::array<char, 2> axes = {'x', 'y'};  ///< Xy: names of the two axes
 };
 
-/// What findLayout() should look for.
+/// Expectation for findLayout().
 TableExpectation profileExpectation();
 
-/// Chooses by the headings: a column named "angle" comes before "angle2", of two that are named alike none is taken,
-/// and one whose name says something else ("force_N") is no coordinate. Errors columnsUnknown, columnsAmbiguous;
-/// formatUnknown when the headings are those of a probe record.
+/// Chooses by the headings: "angle" has precedence over "angle2", of two equal names none is used, and a column of
+/// another quantity ("force_N") is not a coordinate. Errors columnsUnknown, columnsAmbiguous; formatUnknown when the
+/// headings are those of a probe record.
 ProfileColumnChoice chooseProfileColumns(const TableLayout& layout, ProfileColumns wanted);
 
-/// True when the first of two columns without names holds angles: it rises (or falls) over one turn. Error
-/// columnsUnknown when its even steps could be those of an angle as well as of a coordinate.
+/// True when the first of two columns without names holds angles: it increases (or decreases) over one revolution.
+/// Error columnsUnknown when its even steps could be those of an angle as well as of a coordinate.
 bool holdsAngles(std::span<const double> rows, const TableLayout& layout);
 
 }  // namespace lathelier::io

@@ -14,9 +14,9 @@ namespace {
 
 using Shape = ProfileColumnChoice::Shape;
 
-constexpr double smallestRadius_mm = 0.1;       ///< nobody measures a smaller one: these are deviations
-constexpr double largestDeviationShare = 0.05;  ///< of the nominal radius
-constexpr double planeShare = 0.01;             ///< a coordinate that varies by less lies across the section
+constexpr double smallestRadius_mm = 0.1;       ///< smaller values are deviations
+constexpr double largestDeviationShare = 0.05;  ///< values below this share of the nominal radius are deviations
+constexpr double planeShare = 0.01;  ///< relative variation below which a coordinate is normal to the section
 
 struct Extent {
     double smallest = std::numeric_limits<double>::infinity();
@@ -34,19 +34,19 @@ Extent extentOf(const RawProfile& raw, std::size_t column)
     return extent;
 }
 
-/// Three coordinates: the section lies across the one that is as good as constant.
-void settlePlane(RawProfile& raw, double mm)
+/// Three coordinates: the section is normal to the nearly constant one.
+void projectToSectionPlane(RawProfile& raw, double mm)
 {
     const std::array<Extent, 3> extents = {extentOf(raw, 0), extentOf(raw, 1), extentOf(raw, 2)};
     const double largest = std::max({extents[0].span(), extents[1].span(), extents[2].span()});
     std::size_t across = 2;
     for (std::size_t k = 0; k < 3; ++k)
         if (extents[k].span() < extents[across].span()) across = k;
-    const bool isNamed = raw.layout.hasNames;
+    const bool isNamed = raw.layout.has_names;
     if (extents[across].span() > planeShare * largest) {
         if (!isNamed)
             throw Error(errors::columnsUnknown,
-                        {{"line", raw.layout.bodyLine},
+                        {{"line", raw.layout.body_line},
                          {"column", std::int64_t{1}},
                          {"found", columnNames(raw.layout)},
                          {"expected", LT_TEXT("Engine", "x and y, or x, y and z in a coordinate plane")}});
@@ -56,7 +56,7 @@ void settlePlane(RawProfile& raw, double mm)
                                    {"from_mm", extents[2].smallest * mm},
                                    {"to_mm", extents[2].largest * mm}}});
     } else if (across != 2 || !isNamed) {
-        // In the order that keeps the plane's handedness.
+        // In the order that preserves the handedness of the plane.
         const std::array<std::string, 3> planes = {"yz", "zx", "xy"};
         raw.file.notes.push_back(
             {notes::profilePlane,
@@ -76,18 +76,18 @@ void settlePlane(RawProfile& raw, double mm)
     raw.choice.shape = Shape::Xy;
 }
 
-/// A whole turn in numbers up to 2π is no 6.3° arc.
-void settleAngleUnit(RawProfile& raw)
+/// Angles over a range of 2π are radians, not an arc of 6.3°.
+void resolveAngleUnit(RawProfile& raw)
 {
-    if (raw.choice.angleStated || raw.rows.rows < 8) return;
+    if (raw.choice.is_angle_unit_stated || raw.rows.rows < 8) return;
     const double span = extentOf(raw, 0).span();
     const double step = turn_rad / static_cast<double>(raw.rows.rows);
     if (span < turn_rad - 1.5 * step || span > turn_rad * 1.001) return;
-    raw.choice.degreesPerUnit = deg_per_rad;
+    raw.choice.degrees_per_unit = deg_per_rad;
     raw.file.notes.push_back({notes::angleUnitGuessed, {{"extent", span}}});
 }
 
-/// The range of the option: a header may say anything.
+/// Checked against the range of the option, since a header may contain any value.
 bool isRadius(double radius_mm)
 {
     return radius_mm >= 1e-3 && radius_mm <= 1e6;
@@ -107,31 +107,32 @@ std::optional<double> nominalRadius(const RawProfile& raw, const ProfileOptions&
 
 [[noreturn]] void throwNominalMissing(const RawProfile& raw, const Extent& extent)
 {
-    throw Error(errors::nominalRadiusMissing, {{"line", raw.layout.bodyLine},
+    throw Error(errors::nominalRadiusMissing, {{"line", raw.layout.body_line},
                                                {"column", std::int64_t{1}},
                                                {"minimum", extent.smallest},
                                                {"maximum", extent.largest}});
 }
 
-/// Settles whether the last column holds radii or deviations, and its unit. What is added to each value, in mm.
-double settleRadii(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, LengthScale& unit)
+/// Determines whether the last column contains radii or deviations, and its unit. Returns the offset added to each
+/// value, in mm.
+double resolveRadii(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, LengthScale& unit)
 {
     FileFacts& facts = raw.file.facts;
     const std::optional<double> nominal = nominalRadius(raw, options);
     const Extent extent = extentOf(raw, raw.width() - 1);
     const std::optional<LengthScale> stated = statedUnit(raw);
     const bool isUnitKnown = stated || lengthScale(import.unit);
-    bool areDeviations = raw.choice.areDeviations || extent.smallest <= 0;
+    bool areDeviations = raw.choice.are_deviations || extent.smallest <= 0;
     if (isUnitKnown || !areDeviations) {
-        // Radii that differ much are deviations with an offset, for all one can know without a unit.
+        // Without a unit, strongly varying radii may be deviations with an offset.
         const double share = raw.choice.shape == Shape::Trace ? 0.1 : 0.5;
         if (!isUnitKnown && extent.span() > share * extent.largest) throwNominalMissing(raw, extent);
-        unit = settleUnit(stated, import, 2 * extent.largest, facts, raw.file.notes);
+        unit = chooseLengthUnit(stated, import, 2 * extent.largest, facts, raw.file.notes);
         areDeviations = areDeviations || extent.largest * unit.mm < smallestRadius_mm ||
                         (nominal && extent.largest * unit.mm < largestDeviationShare * *nominal);
     } else {
         if (!nominal) throwNominalMissing(raw, extent);
-        // A micrometre and a millimetre are equally likely here: no extent tells.
+        // The extent does not decide between micrometres and millimetres here.
         throw Error(errors::unitUnknown, {{"extent", extent.span()}});
     }
     if (facts.unit_source == "guessed" && areDeviations) throw Error(errors::unitUnknown, {{"extent", extent.span()}});
@@ -151,11 +152,11 @@ double settleRadii(RawProfile& raw, const ImportOptions& import, const ProfileOp
 
 std::optional<LengthScale> statedUnit(const RawProfile& raw)
 {
-    std::optional<LengthScale> unit;  // of all columns but an angle
+    std::optional<LengthScale> unit;  // common unit of all columns except an angle
     for (std::size_t i = raw.choice.shape == Shape::Polar ? 1 : 0; i < raw.width(); ++i) {
         const std::optional<LengthScale>& found = raw.layout.columns[raw.choice.columns[i]].unit;
         if (unit && found && found->key != unit->key)
-            throw Error(errors::malformed, {{"line", raw.layout.bodyLine},
+            throw Error(errors::malformed, {{"line", raw.layout.body_line},
                                             {"column", std::int64_t{1}},
                                             {"found", found->key},
                                             {"expected", LT_TEXT("Engine", "one unit for all coordinates")}});
@@ -167,19 +168,19 @@ std::optional<LengthScale> statedUnit(const RawProfile& raw)
 void layPolar(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, const Progress& progress)
 {
     LengthScale unit;
-    const double added_mm = settleRadii(raw, import, options, unit);
+    const double added_mm = resolveRadii(raw, import, options, unit);
     const bool isTrace = raw.choice.shape == Shape::Trace;
     if (isTrace)
         raw.file.notes.push_back({notes::anglesUniform, {{"count", static_cast<std::int64_t>(raw.rows.rows)}}});
     else
-        settleAngleUnit(raw);
+        resolveAngleUnit(raw);
     std::vector<Eigen::Vector2d>& points = raw.file.profile.points_mm;
     points.resize(raw.rows.rows);
     const double count = static_cast<double>(raw.rows.rows);
     parallelFor(raw.rows.rows, 0x8000, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const double angle_rad = isTrace ? turn_rad * static_cast<double>(i) / count
-                                             : raw.at(i, 0) * raw.choice.degreesPerUnit * rad_per_deg;
+                                             : raw.at(i, 0) * raw.choice.degrees_per_unit * rad_per_deg;
             const double r_mm = added_mm + raw.at(i, raw.width() - 1) * unit.mm;
             points[i] = {r_mm * std::cos(angle_rad), r_mm * std::sin(angle_rad)};
         }
@@ -193,8 +194,8 @@ void layXy(RawProfile& raw, const ImportOptions& import, const Progress& progres
     const std::optional<LengthScale> stated = statedUnit(raw);
     double largest = 0;
     for (std::size_t k = 0; k < raw.width(); ++k) largest = std::max(largest, extentOf(raw, k).span());
-    const LengthScale unit = settleUnit(stated, import, largest, raw.file.facts, raw.file.notes);
-    if (raw.choice.shape == Shape::Xyz) settlePlane(raw, unit.mm);
+    const LengthScale unit = chooseLengthUnit(stated, import, largest, raw.file.facts, raw.file.notes);
+    if (raw.choice.shape == Shape::Xyz) projectToSectionPlane(raw, unit.mm);
     progress.check();
     std::vector<Eigen::Vector2d>& points = raw.file.profile.points_mm;
     points.reserve(raw.rows.rows);

@@ -37,7 +37,7 @@ ProfileFile readProfileTable(const std::string& name, const DecodedText& text, c
 {
     RawProfile raw;
     raw.layout = findLayout(text.view(), profileExpectation(), import);
-    raw.file.header = readHeaderLines(text.view(), raw.layout.bodyOffset);
+    raw.file.header = readHeaderLines(text.view(), raw.layout.body_offset);
     raw.choice = chooseProfileColumns(raw.layout, options.columns);
     readProfileValues(text.view(), import, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")), raw);
     describeTable(raw.layout, raw.rows, text.encoding(), raw.file.facts, raw.file.notes);
@@ -104,7 +104,7 @@ bool isProfileTable(std::string_view bytes, const ImportOptions& options, Profil
         const TableLayout layout = findLayout(text.view(), profileExpectation(), options);
         return chooseProfileColumns(layout, columns).shape != Shape::Xyz;
     } catch (const Error& error) {
-        return error.code() == errors::columnsAmbiguous;  // angles and radii, too many of them
+        return error.code() == errors::columnsAmbiguous;  // several columns of angles or radii
     }
 }
 

@@ -11,13 +11,13 @@
 namespace lathelier::io {
 
 struct QdasCharacteristic {
-    std::string number;                 ///< K2001
+    std::string number;                 ///< characteristic number (K2001)
     std::string description;            ///< K2002; 80 characters of it are written
-    std::string unit;                   ///< K2142, "µm"
-    int decimals = 4;                   ///< K2022
-    std::optional<double> nominal;      ///< K2101
+    std::string unit;                   ///< unit (K2142), "µm"
+    int decimals = 4;                   ///< decimals (K2022)
+    std::optional<double> nominal;      ///< nominal value (K2101)
     std::optional<double> lower_limit;  ///< K2110; K2120 is 0 without it, else 1, or 2 when it is natural
-    std::optional<double> upper_limit;  ///< K2111; K2121 alike
+    std::optional<double> upper_limit;  ///< K2111; K2121 accordingly
     std::vector<double> values;         ///< K0001; NaN: invalid (K0002)
     std::vector<std::string> measured;  ///< K0004 of each value, "dd.mm.yyyy/hh:mm:ss"; missing ones are left out
     bool lower_is_natural = false;      ///< no value can lie below, as none of a form deviation lies below 0
@@ -25,11 +25,11 @@ struct QdasCharacteristic {
 };
 
 struct QdasFile {
-    std::string part_number;                          ///< K1001
-    std::string part_description;                     ///< K1002
-    std::string machine;                              ///< K1082
+    std::string part_number;                          ///< part number (K1001)
+    std::string part_description;                     ///< part description (K1002)
+    std::string machine;                              ///< machine (K1082)
     std::vector<QdasCharacteristic> characteristics;  ///< in the order of the file
-    std::int64_t parts = 1;                           ///< read: K1001/1, K1001/2…
+    std::int64_t parts = 1;                           ///< number of parts read: K1001/1, K1001/2…
 };
 
 }  // namespace lathelier::io

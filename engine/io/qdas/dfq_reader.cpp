@@ -1,4 +1,4 @@
-// Q-DAS ASCII back into values: one K-field a line.
+// Reader of Q-DAS ASCII: one K-field per line.
 #include "engine/io/qdas/dfq_reader.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::int64_t mostCharacteristics = 100000;
 
-/// "K2001/3 R1" taken apart.
+/// A parsed field "K2001/3 R1".
 struct FieldLine {
-    std::int64_t key = 0;    ///< 2001
-    std::int64_t index = 0;  ///< 3; 0 when none is written: it belongs to the part, or to the only characteristic
+    std::int64_t key = 0;    ///< field number, 2001
+    std::int64_t index = 0;  ///< index, 3; 0 when absent: part, or the only characteristic
     std::string_view value;
 };
 
@@ -85,7 +85,7 @@ public:
             case 1: add(at(field), numberOf(lines, field)); return;
             case 2: mark(lines, field); return;
             case 4: stamp(field); return;
-            default: return;  // the standard has hundreds of fields; the others say nothing of the values
+            default: return;  // the other fields of the standard do not affect the values
         }
     }
 
@@ -103,7 +103,7 @@ public:
                                             {"items", LT_TEXT("Engine", "characteristics")}});
         for (auto& [index, read] : characteristics_) {
             QdasCharacteristic& shown = read.shown;
-            if (read.lower_kind == 0) shown.lower_limit.reset();  // AQDEF: the field next to it does not count
+            if (read.lower_kind == 0) shown.lower_limit.reset();  // AQDEF: the limit is not valid
             if (read.upper_kind == 0) shown.upper_limit.reset();
             shown.lower_is_natural = read.lower_kind == 2 && shown.lower_limit;
             shown.upper_is_natural = read.upper_kind == 2 && shown.upper_limit;
@@ -132,7 +132,7 @@ private:
         read.shown.measured.emplace_back();
     }
 
-    /// An attribute other than 0 says that the value before it does not count.
+    /// An attribute other than 0 marks the preceding value as invalid.
     void mark(const Lines& lines, const FieldLine& field)
     {
         Read& read = at(field);
@@ -143,7 +143,7 @@ private:
         read.shown.values.back() = std::nan("");
     }
 
-    /// The time of the value before it; without an index that of all characteristics.
+    /// Time of the preceding value; without an index of all characteristics.
     void stamp(const FieldLine& field)
     {
         const auto set = [&field](Read& read) {
@@ -154,7 +154,7 @@ private:
         for (auto& [index, read] : characteristics_) set(read);
     }
 
-    /// The short form: one line holds a value of each characteristic, with attribute and time behind it.
+    /// The short form: one line holds a value of each characteristic, followed by attribute and time.
     void takeShortLine(const Lines& lines)
     {
         const std::string_view line = lines.line();
@@ -201,7 +201,7 @@ private:
 
 constexpr Text expectedQdas = LT_TEXT("Engine", "a Q-DAS file with K-fields");
 
-/// Short lines hold control characters, which would pass for binary data.
+/// Short lines contain control characters, which would be taken as binary data.
 DecodedText decodedDfq(std::string_view bytes)
 {
     if (isDfq(bytes)) return decodeText(bytes, Encoding::Auto);

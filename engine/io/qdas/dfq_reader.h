@@ -9,15 +9,15 @@
 
 namespace lathelier::io {
 
-/// Reads what toDfq() writes, and its kin: K-fields for values, or the short lines of values (characteristics parted by
-/// 0x0F, what belongs to a value by 0x14). Errors malformed (line), fileEmpty, formatUnknown.
+/// Reads files written by toDfq() and similar ones: K-fields for values, or short lines of values (characteristics
+/// separated by 0x0F, parts of a value by 0x14). Errors malformed (line), fileEmpty, formatUnknown.
 QdasFile readDfq(const std::string& name, std::string_view bytes);
 
-/// What `inspect` says of such a file: format "qdas", details "parts", "characteristics", "values", "part_number"…
-/// Errors of readDfq().
+/// Facts for `inspect`: format "qdas", details "parts", "characteristics", "values", "part_number"… Errors of
+/// readDfq().
 FileFacts readDfqFacts(const std::string& name, std::string_view bytes);
 
-/// True when a file is Q-DAS by its first field (its name may promise it, and not keep it).
+/// True when a file is Q-DAS by its first field (independent of its name).
 bool isDfq(std::string_view bytes);
 
 }  // namespace lathelier::io

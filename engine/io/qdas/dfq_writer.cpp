@@ -15,7 +15,7 @@
 namespace lathelier::io {
 namespace {
 
-/// File names may be of any bytes; the file has one encoding.
+/// File names may contain any bytes, the file has one encoding.
 std::string asUtf8(std::string_view word)
 {
     try {
@@ -25,7 +25,7 @@ std::string asUtf8(std::string_view word)
     }
 }
 
-/// One line; blanks in place of what would end it.
+/// Replaces line breaks by blanks.
 void addField(std::string& out, std::string_view field, std::string_view value)
 {
     out += field;
@@ -39,7 +39,7 @@ void addWord(std::string& out, std::string_view field, const std::string& value)
     if (!value.empty()) addField(out, field, value);
 }
 
-/// All digits that bring the same double back.
+/// Shortest representation that restores the same double.
 void addNumber(std::string& out, std::string_view field, const std::optional<double>& value)
 {
     if (value && std::isfinite(*value)) addField(out, field, fmt::format("{}", *value));
@@ -103,7 +103,7 @@ std::string toDfq(const QdasFile& file)
         for (std::size_t i = 0; i < file.characteristics.size(); ++i)
             if (v < file.characteristics[i].values.size()) addValue(out, file.characteristics[i], v, i + 1);
     if (auto narrow = toWindows1252(out)) return *std::move(narrow);
-    std::string marked = "\xEF\xBB\xBF";  // programs of today tell UTF-8 by its mark
+    std::string marked = "\xEF\xBB\xBF";  // byte order mark, by which programs recognise UTF-8
     return marked += out;
 }
 

@@ -8,14 +8,14 @@
 
 namespace lathelier::io {
 
-/// The file's bytes, CRLF, all in one encoding: windows-1252 where that can say it, else UTF-8 with its mark. Values
+/// The file's bytes, CRLF, all in one encoding: windows-1252 where possible, else UTF-8 with byte order mark. Values
 /// are written with a decimal point.
 std::string toDfq(const QdasFile& file);
 
 /// A time as K0004 has it, in the local time zone: "21.04.2015/12:00:00".
 std::string qdasTime(std::time_t time);
 
-/// Writes beside, then renames. Error fileNotWritable.
+/// Writes a temporary file, then renames it. Error fileNotWritable.
 void writeDfq(const std::string& path, const QdasFile& file);
 
 }  // namespace lathelier::io

@@ -69,7 +69,7 @@ void append(const StockLine& line, std::vector<ShaftSegment>& segments)
                             2 * between(line.start_bore_mm, line.end_bore_mm, i + 0.5), std::nullopt, ""});
 }
 
-/// Takes out what says nothing: null, empty words, lists and objects, and bores of no diameter.
+/// Removes empty entries: null, empty strings, lists and objects, and bores of zero diameter.
 void forgetEmpty(Json& json)
 {
     for (auto member = json.begin(); member != json.end();) {
@@ -92,7 +92,7 @@ Shaft readShaft(const std::string& json, Notes& notes)
 Shaft readShaft(const JsonCursor& object, Notes& notes)
 {
     checkSchema(object);
-    // Length and volume follow from the rows; files that state them for people are no mistakes.
+    // Length and volume follow from the rows; stating them in the file is accepted.
     return readFields<Shaft>(object, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
 }
 

@@ -15,7 +15,8 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t mostStockLines = 200;  ///< a longer table of five columns is more likely measured than drawn
+constexpr std::size_t mostStockLines = 200;  ///< longer tables of five columns are more likely measurements than a
+                                             ///< stock
 
 bool hasStockName(const std::string& path)
 {
@@ -58,7 +59,7 @@ Likeness likeShaft(const std::string& path, std::string_view head, const Values&
     try {
         if (hasStockName(path) && looksLikeText(head) && isStock(head)) return Likeness::Likely;
     } catch (const Error&) {
-        return Likeness::No;  // a line that is too long, bytes that are no text
+        return Likeness::No;  // a line is too long, or the bytes are not text
     }
     return Likeness::No;
 }

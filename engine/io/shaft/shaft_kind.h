@@ -6,11 +6,11 @@
 
 namespace lathelier::io {
 
-/// A shaft with what was understood of its file.
+/// A shaft with the facts of its file.
 struct ShaftFile {
-    Shaft shaft;      ///< as read
-    FileFacts facts;  ///< as shaftFiles() has them
-    Notes notes;      ///< of the reading, with the path
+    Shaft shaft;
+    FileFacts facts;  ///< see shaftFiles()
+    Notes notes;      ///< notes of the reader, with the path
 };
 
 /// Errors of readShaftFile(), with the path.

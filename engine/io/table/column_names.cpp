@@ -37,7 +37,7 @@ bool isOtherQuantity(std::string_view name)
                     "сила",         "частота"});
 }
 
-bool saySomethingElse(const TableLayout& layout, std::span<const std::size_t> columns)
+bool haveNamesOfOtherQuantities(const TableLayout& layout, std::span<const std::size_t> columns)
 {
     std::size_t known = 0, unknown = 0;
     for (const std::size_t k : columns) {
@@ -69,7 +69,7 @@ std::string namesOf(const TableLayout& layout, std::span<const std::size_t> colu
 
 void throwAmbiguous(const TableLayout& layout, std::span<const std::size_t> candidates, Text meaning)
 {
-    throw Error(errors::columnsAmbiguous, {{"line", layout.bodyLine},
+    throw Error(errors::columnsAmbiguous, {{"line", layout.body_line},
                                            {"column", std::int64_t{1}},
                                            {"found", columnNames(layout)},
                                            {"candidates", namesOf(layout, candidates)},

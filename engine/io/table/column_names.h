@@ -1,4 +1,4 @@
-// What the names of a table's columns say, and how messages name columns.
+// Interpretation of column names, and column names in messages.
 #pragma once
 
 #include <span>
@@ -9,19 +9,19 @@
 
 namespace lathelier::io {
 
-/// True for the name (without its unit) of a quantity that no coordinate is: "force", "frequency", "time", "X3".
+/// True for the name (without its unit) of a quantity other than a coordinate: "force", "frequency", "time", "X3".
 bool isOtherQuantity(std::string_view name);
 
-/// True when the names of these columns say that they hold something of their own ("force_N", "temp (°C)", "time"):
-/// nothing that may be taken for coordinates by its place. Names such as "col 2", "field3" or "B" say nothing. Between
-/// blanks the words of a title may happen to be as many as the columns, and above a lone column a title is a name:
-/// there only known quantities count, and between blanks two of them.
-bool saySomethingElse(const TableLayout& layout, std::span<const std::size_t> columns);
+/// True when the names of these columns denote other quantities ("force_N", "temp (°C)", "time"), which must not be
+/// taken as coordinates by position. Generic names such as "col 2", "field3" or "B" do not count. With blanks as
+/// separator a title may have as many words as columns, and above a single column a title looks like a name: there only
+/// known quantities count, with blanks at least two of them.
+bool haveNamesOfOtherQuantities(const TableLayout& layout, std::span<const std::size_t> columns);
 
-/// The columns as messages name them: by their headings, else by their numbers from 1: "angle_deg, r_mm", "1, 2".
+/// Column names for messages: the headings, else the numbers from 1: "angle_deg, r_mm", "1, 2".
 std::string namesOf(const TableLayout& layout, std::span<const std::size_t> columns);
 
-/// Error columnsAmbiguous at the table: several columns could each be `meaning`.
+/// Throws columnsAmbiguous at the table: several columns could each be `meaning`.
 [[noreturn]] void throwAmbiguous(const TableLayout& layout, std::span<const std::size_t> candidates, Text meaning);
 
 /// The names of all columns in one line, for messages.

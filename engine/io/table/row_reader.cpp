@@ -24,17 +24,17 @@ RowReader::RowReader(std::string_view text, const TableLayout& layout, const std
     : text_(text), layout_(layout), wanted_(wanted), slotOf_(layout.columns.size(), -1)
 {
     for (std::size_t i = 0; i < wanted.size(); ++i) slotOf_[wanted[i].column] = static_cast<int>(i);
-    // With a comma for both, only the thorough way sees which is which.
+    // With a comma as both separator and decimal mark only the general parser can distinguish them.
     isPlain_ = layout.style.delimiter != layout.style.decimal &&
                std::all_of(layout.columns.begin(), layout.columns.end(),
-                           [](const TableColumn& column) { return column.isNumber; });
+                           [](const TableColumn& column) { return column.is_number; });
 }
 
 void RowReader::read(TableChunk& chunk, std::size_t chunkEnd, double* out) const
 {
-    Lines lines(text_, chunk.begin, chunk.firstLine);
+    Lines lines(text_, chunk.begin, chunk.first_line);
     std::size_t at = chunk.begin;
-    std::int64_t number = chunk.firstLine;
+    std::int64_t number = chunk.first_line;
     std::vector<Cell> cells;
     while (at < chunkEnd) {
         if (isPlain_) {
@@ -57,7 +57,7 @@ void RowReader::accept(TableChunk& chunk, double*& out) const
 {
     out += wanted_.size();
     ++chunk.rows;
-    if (chunk.firstText) chunk.rowsAfterText = true;
+    if (chunk.first_text) chunk.rows_after_text = true;
 }
 
 std::size_t RowReader::readPlain(std::size_t at, double* out) const
@@ -102,7 +102,7 @@ std::size_t RowReader::readPlain(std::size_t at, double* out) const
 
 void RowReader::skip(TableChunk& chunk, std::int64_t number, Text reason) const
 {
-    ++chunk.skippedCount;
+    ++chunk.skipped_count;
     if (chunk.skipped.size() < listedRows) chunk.skipped.push_back({number, reason});
 }
 
@@ -122,12 +122,12 @@ bool RowReader::readCells(const Lines& lines, TableChunk& chunk, const std::vect
 {
     bool finite = true;
     for (std::size_t k = 0; k < cells.size(); ++k) {
-        if (!layout_.columns[k].isNumber) continue;
+        if (!layout_.columns[k].is_number) continue;
         const CellValue value = readCell(cells[k], layout_.style);
         const int slot = slotOf_[k];
         const WantedColumn* const wanted = slot >= 0 ? &wanted_[static_cast<std::size_t>(slot)] : nullptr;
         if (value.kind == CellKind::Ambiguous) throw ambiguousNumber(lines.number(), lines.line(), cells[k]);
-        const bool missing = value.kind == CellKind::Empty && (!wanted || wanted->mayBeMissing);
+        const bool missing = value.kind == CellKind::Empty && (!wanted || wanted->may_be_missing);
         if (value.kind == CellKind::Text || (value.kind == CellKind::Empty && !missing)) {
             if (isText(cells)) return false;
             throw malformed(lines.number(), lines.line(), cells[k], LT_TEXT("Engine", "a number"));
@@ -137,12 +137,12 @@ bool RowReader::readCells(const Lines& lines, TableChunk& chunk, const std::vect
         if (value.kind == CellKind::Number && std::abs(value.value) > wanted->largest)
             throw tooLarge(lines, cells[k], *wanted);
         out[slot] = number ? value.value : std::nan("");
-        finite = finite && (number || wanted->mayBeMissing);
+        finite = finite && (number || wanted->may_be_missing);
     }
     if (finite) {
         accept(chunk, out);
     } else {
-        ++chunk.notFinite;
+        ++chunk.not_finite;
         skip(chunk, lines.number(), LT_TEXT("Engine", "not a finite number"));
     }
     return true;
@@ -155,7 +155,7 @@ bool RowReader::isText(const std::vector<Cell>& cells) const
         return kind != CellKind::Text && kind != CellKind::Empty;
     };
     const auto numbers = static_cast<std::size_t>(std::count_if(cells.begin(), cells.end(), isNumber));
-    return cells.empty() || (layout_.columns[0].isNumber && !isNumber(cells[0]) && numbers * 2 <= cells.size()) ||
+    return cells.empty() || (layout_.columns[0].is_number && !isNumber(cells[0]) && numbers * 2 <= cells.size()) ||
            numbers * 2 < cells.size();
 }
 
@@ -167,8 +167,8 @@ void RowReader::judgeText(const Lines& lines, TableChunk& chunk, const std::vect
         return skip(chunk, lines.number(), LT_TEXT("Engine", "heading"));
     }
     if (!isText(cells)) throw columnsDiffer(lines.number(), line, cells, slotOf_.size());
-    if (!chunk.firstText)
-        chunk.firstText = malformed(lines.number(), line, line, LT_TEXT("Engine", "a row of numbers"));
+    if (!chunk.first_text)
+        chunk.first_text = malformed(lines.number(), line, line, LT_TEXT("Engine", "a row of numbers"));
     ++chunk.footers;
     skip(chunk, lines.number(), LT_TEXT("Engine", "text below the rows"));
 }

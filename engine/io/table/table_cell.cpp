@@ -20,8 +20,8 @@ bool isGroupMark(char c, char decimal)
 /// A number whose integer part may be grouped by threes.
 struct Ungrouped {
     bool valid = false;
-    int groups = 0;  ///< beyond the first
-    char mark = 0;   ///< what separates them
+    int groups = 0;  ///< number of groups after the first
+    char mark = 0;   ///< separator of the groups
     double value = 0;
 };
 
@@ -57,7 +57,7 @@ Ungrouped ungroup(std::string_view cell, char decimal)
     return result;
 }
 
-/// The number in front and the unit behind it: "26.7mm", "1.05 in", "1.05\"".
+/// A number followed by a unit: "26.7mm", "1.05 in", "1.05\"".
 bool splitSuffix(Cell cell, Cell& number, Cell& suffix)
 {
     if (cell.empty() ||
@@ -81,7 +81,7 @@ std::string_view withoutRemark(std::string_view line, char delimiter)
         const bool slashes = c == '/' && i + 1 < line.size() && line[i + 1] == '/';
         const bool semicolon =
             c == ';' && delimiter != ';' && (i + 1 == line.size() || (i > 0 && isBlank(line[i - 1])));
-        // 1.#QNAN and #N/A are numbers that failed, not remarks.
+        // 1.#QNAN and #N/A are invalid numbers, not remarks.
         const bool hash =
             c == '#' && !(i > 0 && (line[i - 1] == '.' || line[i - 1] == ',')) && line.substr(i, 4) != "#N/A";
         if (slashes || semicolon || hash || c == '%' || c == '!') return line.substr(0, i);
@@ -106,14 +106,14 @@ bool isMark(char c)
     return c == '.' || c == ',';
 }
 
-/// True when a real number (digits with a mark) stands at `at`.
+/// True when a real number (digits with a decimal mark) starts at `at`.
 bool isRealAt(Cell word, std::size_t at)
 {
     while (at < word.size() && detail::isDigit(word[at])) ++at;
     return at < word.size() && isMark(word[at]);
 }
 
-/// Cuts "6.90735-16.07329" before each sign that starts a real number behind a real number.
+/// Splits "6.90735-16.07329" before each sign that starts a real number after a real number.
 void addTouchingReals(Cell word, std::vector<Cell>& cells)
 {
     std::size_t begin = 0;
@@ -175,7 +175,7 @@ void splitAtDelimiter(std::string_view line, char delimiter, std::vector<Cell>& 
     }
 }
 
-/// Joins cells two by two: the comma between them is a decimal mark.
+/// Joins cells in pairs: the comma between them is a decimal mark.
 void joinPairs(std::vector<Cell>& cells)
 {
     if (cells.size() % 2 != 0) return;
@@ -259,7 +259,7 @@ Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell)
     const bool comma = cell.find(',') != Cell::npos;
     const Ungrouped first = ungroup(cell, comma ? ',' : '.');
     const Ungrouped second = ungroup(cell, comma ? '.' : ',');
-    // "12,45" is no thousand, but two cells may be meant.
+    // "12,45" is not a grouped number, but may be two cells.
     const std::size_t mark = cell.find(',');
     const Value two = second.valid
                           ? Value(second.value)

@@ -1,4 +1,4 @@
-// The cells of a text table: how a row is split, and what a cell says.
+// Cells of a text table: splitting of rows, interpretation of cells.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace lathelier::io {
 
-/// The way a table's rows are written.
+/// Notation of a table's rows.
 struct TableStyle {
-    char delimiter = ' ';  ///< ' ' stands for runs of blanks and tabs
+    char delimiter = ' ';  ///< separator; ' ': runs of blanks and tabs
     char decimal = '.';    ///< decimal mark: '.' or ','
-    bool grouped = false;  ///< the other mark is known to group thousands, so that a lone "1,234" is a thousand
+    bool grouped = false;  ///< the other mark is known to group thousands, so that a single "1,234" is 1234
     bool paired = false;   ///< commas separate cells and mark decimals: "1,5,2,5" is 1.5 and 2.5
 };
 
@@ -24,43 +24,43 @@ using Cell = std::string_view;
 /// are two cells.
 void splitFields(std::string_view line, char delimiter, std::vector<Cell>& cells);
 
-/// Splits a row into cells. Quotes protect separators, brackets around the row and a remark behind it (after #, //, %,
-/// ! or a blank and ;) fall away.
+/// Splits a row into cells. Quotes protect separators, brackets around the row and a trailing remark (after #, //, %, !
+/// or a blank and ;) are removed.
 void splitCells(std::string_view line, const TableStyle& style, std::vector<Cell>& cells);
 
-/// Removes empty cells behind the last column: a separator may end the row.
+/// Removes empty cells after the last column, since a separator may end the row.
 void dropEmptyEnd(std::vector<Cell>& cells, std::size_t columns);
 
 enum class CellKind {
     Number,
     NotFinite,  ///< nan, inf, n/a…
     Empty,
-    Ambiguous,  ///< "1,234" where nothing tells whether that is one or a thousand
+    Ambiguous,  ///< "1,234" where grouping and decimal mark cannot be distinguished
     Text
 };
 
 struct CellValue {
-    CellKind kind = CellKind::Text;  ///< what the cell is
+    CellKind kind = CellKind::Text;  ///< kind of the cell
     double value = 0;                ///< of a Number or Ambiguous cell, else 0
     std::string_view suffix;         ///< what follows the number, when it is a unit of length: "mm"
 };
 
-/// What a cell says under a style.
+/// Interpretation of a cell under a style.
 CellValue readCell(Cell cell, const TableStyle& style);
 
-/// What a cell by itself tells about the decimal mark of its table.
+/// Evidence of a single cell about the decimal mark of its table.
 enum class Evidence { NoNumber, NoMark, Point, Comma, LonePoint, LoneComma };
 
 struct CellEvidence {
-    Evidence evidence = Evidence::NoNumber;  ///< which decimal marks the cell allows
-    char grouping = 0;                       ///< what groups thousands, for Point and Comma
+    Evidence evidence = Evidence::NoNumber;  ///< decimal marks consistent with the cell
+    char grouping = 0;                       ///< grouping mark, for Point and Comma
 };
 CellEvidence evidenceOf(Cell cell);
 
-/// True when the cell is a number in some style, or stands for one that failed.
+/// True when the cell is a number in some style, or an invalid number.
 bool looksLikeNumber(Cell cell);
 
-/// Error numberAmbiguous for a cell such as "1,234" within its line.
+/// Throws numberAmbiguous for a cell such as "1,234" within its line.
 Error ambiguousNumber(std::int64_t number, std::string_view line, Cell cell);
 
 /// True when the line is a remark: it starts with #, //, %, !, * or, unless that separates cells, a semicolon.

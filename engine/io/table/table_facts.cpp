@@ -18,9 +18,9 @@ void describeTable(const TableLayout& layout, const TableRows& rows, const std::
     facts.skipped.insert(facts.skipped.end(), rows.skipped.begin(), rows.skipped.end());
     if (facts.skipped.size() > listedRows) facts.skipped.resize(listedRows);
     if (rows.footers > 0) notes.push_back({notes::rowsSkipped, {{"count", rows.footers}}});
-    const std::int64_t read = static_cast<std::int64_t>(rows.rows) + rows.notFinite;
-    if (layout.announcedRows && *layout.announcedRows < read)
-        notes.push_back({notes::countDiffers, {{"announced", *layout.announcedRows}, {"found", read}}});
+    const std::int64_t read = static_cast<std::int64_t>(rows.rows) + rows.not_finite;
+    if (layout.announced_rows && *layout.announced_rows < read)
+        notes.push_back({notes::countDiffers, {{"announced", *layout.announced_rows}, {"found", read}}});
 }
 
 void noteColumns(const TableLayout& layout, std::span<const std::size_t> columns, FileFacts& facts, Notes& notes)
@@ -32,12 +32,12 @@ void noteColumns(const TableLayout& layout, std::span<const std::size_t> columns
 
 std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows)
 {
-    return rows.skippedCount + static_cast<std::int64_t>(layout.skipped.size());
+    return rows.skipped_count + static_cast<std::int64_t>(layout.skipped.size());
 }
 
 std::int64_t lineOfRow(const TableLayout& layout, const TableRows& rows, std::size_t index)
 {
-    std::int64_t line = layout.bodyLine + static_cast<std::int64_t>(index);
+    std::int64_t line = layout.body_line + static_cast<std::int64_t>(index);
     for (const SkippedRow& row : rows.skipped)
         if (row.line <= line) ++line;
     return line;
@@ -49,7 +49,7 @@ void finishTableNotes(const TableLayout& layout, const TableRows& rows, const st
     facts.path = path;
     const std::int64_t skipped = countSkipped(layout, rows);
     if (skipped > static_cast<std::int64_t>(facts.skipped.size())) set(facts.details, "skipped_rows", skipped);
-    if (rows.notFinite > 0) notes.push_back({notes::pointsNotFinite, {{"count", rows.notFinite}}});
+    if (rows.not_finite > 0) notes.push_back({notes::pointsNotFinite, {{"count", rows.not_finite}}});
     for (Note& note : notes)
         if (!find(note.values, "path")) set(note.values, "path", path);
 }

@@ -1,4 +1,4 @@
-// What the readers of tables say of their files.
+// Facts and notes common to the readers of tables.
 #pragma once
 
 #include <span>
@@ -9,21 +9,21 @@
 
 namespace lathelier::io {
 
-/// Enters encoding, delimiter, decimal mark, rows, columns and skipped lines into the facts, and what is to be said of
-/// rows into the notes (rowsSkipped, countDiffers).
+/// Enters encoding, delimiter, decimal mark, rows, columns and skipped lines into the facts, and the notes on rows
+/// (rowsSkipped, countDiffers).
 void describeTable(const TableLayout& layout, const TableRows& rows, const std::string& encoding, FileFacts& facts,
                    Notes& notes);
 
-/// Says by name which columns are read: detail "column_names", note columnsRead.
+/// Names the columns read: detail "column_names", note columnsRead.
 void noteColumns(const TableLayout& layout, std::span<const std::size_t> columns, FileFacts& facts, Notes& notes);
 
-/// All skipped lines: those of the facts and those that came after the first hundred.
+/// Number of skipped lines, including those beyond the first hundred.
 std::int64_t countSkipped(const TableLayout& layout, const TableRows& rows);
 
-/// The line of row `index` (from 0) of those that were read.
+/// Line number of the row read with index `index` (from 0).
 std::int64_t lineOfRow(const TableLayout& layout, const TableRows& rows, std::size_t index);
 
-/// What the notes of a table without a reader of its own still need: pointsNotFinite, "skipped_rows", and the path.
+/// Completes the notes of a table without a specific reader: pointsNotFinite, "skipped_rows", and the path.
 void finishTableNotes(const TableLayout& layout, const TableRows& rows, const std::string& path, FileFacts& facts,
                       Notes& notes);
 

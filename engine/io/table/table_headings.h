@@ -10,12 +10,12 @@ namespace lathelier::io {
 
 /// A line above the table.
 struct PrefaceLine {
-    std::string_view text;         ///< without the mark of a remark
-    bool isRemark = false;         ///< the line began with such a mark
-    std::size_t skippedIndex = 0;  ///< its place in TableLayout::skipped
+    std::string_view text;          ///< without the comment mark
+    bool is_remark = false;         ///< the line began with a comment mark
+    std::size_t skipped_index = 0;  ///< index in TableLayout::skipped
 };
 
-/// How many columns the best line of names has, above rows of so many cells; 0 without one.
+/// Number of columns of the best line of names above rows with the given number of cells; 0 without one.
 std::size_t countHeadings(const std::vector<PrefaceLine>& preface, char delimiter, const TableExpectation& expectation,
                           std::size_t columns);
 

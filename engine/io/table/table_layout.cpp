@@ -1,4 +1,4 @@
-// Finding out how a table is written: separator, decimal mark, columns, and where its rows begin.
+// Determines the layout of a table: separator, decimal mark, columns, first row.
 #include "engine/io/table/table_layout.h"
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace lathelier::io {
 namespace {
 
 constexpr std::size_t sampleLines = 500;
-constexpr std::size_t mostHeadings = 100;                    ///< that are recognised when they come again
-constexpr std::size_t longestSearch = std::size_t{1} << 20;  ///< rows of numbers have to begin within this many bytes
+constexpr std::size_t mostHeadings = 100;                    ///< largest number of headings recognised when repeated
+constexpr std::size_t longestSearch = std::size_t{1} << 20;  ///< bytes within which the rows of numbers must begin
 
 bool isBlankLine(std::string_view line)
 {
     return line.find_first_not_of(" \t\v\f,;|\"") == std::string_view::npos;
 }
 
-/// "sep=;" tells Excel the separator.
+/// "sep=;" is Excel's declaration of the separator.
 std::optional<Delimiter> excelSeparator(std::string_view line)
 {
     line = trimmed(line);
@@ -38,7 +38,7 @@ std::optional<Delimiter> excelSeparator(std::string_view line)
     }
 }
 
-/// The first lines that are neither blank nor remarks, enough of them to see some rows.
+/// The first lines that are neither blank nor remarks, enough to include some rows.
 std::vector<SampleLine> takeSample(std::string_view text, std::size_t count)
 {
     std::vector<SampleLine> sample;
@@ -60,7 +60,7 @@ std::size_t countNumbers(const std::vector<Cell>& cells, const TableStyle& style
     }));
 }
 
-/// What each column holds, from the sample's rows.
+/// Content of each column, from the sample's rows.
 std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, const StyleFound& found)
 {
     std::vector<TableColumn> columns(found.columns);
@@ -79,14 +79,14 @@ std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, con
             if (value.kind != CellKind::Text && value.kind != CellKind::Empty) ++numbers[k];
             if (value.kind != CellKind::Number) continue;
             if (!value.suffix.empty()) columns[k].unit = lengthUnit(value.suffix);
-            columns[k].hasMarks = columns[k].hasMarks || cells[k].find_first_of(".,") != Cell::npos;
+            columns[k].has_decimal_marks = columns[k].has_decimal_marks || cells[k].find_first_of(".,") != Cell::npos;
             if (!std::isnan(last[k]) && value.value != last[k] + 1) goesUp[k] = false;
             last[k] = value.value;
         }
     }
     for (std::size_t k = 0; k < found.columns; ++k) {
-        columns[k].isNumber = rows > 0 && numbers[k] * 2 >= rows;
-        columns[k].isCount = columns[k].isNumber && goesUp[k] && !columns[k].hasMarks && rows >= 3;
+        columns[k].is_number = rows > 0 && numbers[k] * 2 >= rows;
+        columns[k].is_count = columns[k].is_number && goesUp[k] && !columns[k].has_decimal_marks && rows >= 3;
     }
     return columns;
 }
@@ -96,24 +96,24 @@ bool isDataRow(const std::vector<Cell>& cells, const TableLayout& layout)
     if (cells.size() != layout.columns.size()) return false;
     for (std::size_t k = 0; k < cells.size(); ++k) {
         const CellKind kind = readCell(cells[k], layout.style).kind;
-        if (layout.columns[k].isNumber && (kind == CellKind::Text || kind == CellKind::Empty)) return false;
+        if (layout.columns[k].is_number && (kind == CellKind::Text || kind == CellKind::Empty)) return false;
     }
     return true;
 }
 
-/// What can stand behind a decimal comma.
+/// Whether a text can follow a decimal comma.
 bool isFraction(Cell cell, bool withExponent)
 {
     const std::size_t digits = cell.find_first_not_of("0123456789");
     return digits == Cell::npos || (withExponent && digits > 0 && (cell[digits] | 0x20) == 'e');
 }
 
-/// Commas between whole numbers only: "26,74906,6,90735,-16,07329" may be three numbers or six, and where one column
-/// will do, "0,250" may be one or two.
-void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& options, const TableExpectation& expected,
-                 std::size_t namedColumns, StyleFound& found)
+/// Commas between whole numbers only: "26,74906,6,90735,-16,07329" may be three numbers or six, and if one column is
+/// sufficient, "0,250" may be one or two.
+void resolveCommaPairs(const std::vector<SampleLine>& sample, const ImportOptions& options,
+                       const TableExpectation& expected, std::size_t namedColumns, StyleFound& found)
 {
-    const bool oneWillDo = expected.minimumColumns == 1 && options.delimiter == Delimiter::Auto;
+    const bool oneWillDo = expected.minimum_columns == 1 && options.delimiter == Delimiter::Auto;
     const std::size_t fewest = oneWillDo ? 2 : 4;
     if (found.style.delimiter != ',' || found.columns < fewest || found.columns % 2 != 0 ||
         namedColumns == found.columns)
@@ -123,7 +123,7 @@ void settlePairs(const std::vector<SampleLine>& sample, const ImportOptions& opt
     Cell firstCell;
     bool sameLength = true;
     bool leadingZero = false;
-    bool negativeZero = false;  // nobody writes the whole number 0 so
+    bool negativeZero = false;  // "-0" is never an integer
     std::size_t length = 0;
     for (const SampleLine& line : sample) {
         splitCells(line.text, found.style, cells);
@@ -161,11 +161,11 @@ std::string_view withoutMark(std::string_view line)
     return trimmed(line);
 }
 
-/// Error for a text in which no row of numbers was found.
+/// Error for a text without a row of numbers.
 [[noreturn]] void throwNoRows(const std::vector<SampleLine>& sample, const TableExpectation& expectation,
                               const ImportOptions& options)
 {
-    if (expectation.minimumColumns > 1) {
+    if (expectation.minimum_columns > 1) {
         const StyleFound narrow = findStyle(sample, {}, 1, options);
         std::vector<Cell> cells;
         std::vector<Cell> firstCells;
@@ -184,7 +184,7 @@ std::string_view withoutMark(std::string_view line)
             ++rows;
         }
         if (first && rows * 2 >= sample.size())
-            throw columnsDiffer(first->number, first->text, firstCells, expectation.minimumColumns);
+            throw columnsDiffer(first->number, first->text, firstCells, expectation.minimum_columns);
     }
     throw Error(errors::formatUnknown, {{"line", sample.empty() ? std::int64_t{1} : sample.front().number},
                                         {"column", std::int64_t{1}},
@@ -192,13 +192,13 @@ std::string_view withoutMark(std::string_view line)
                                         {"expected", LT_TEXT("Engine", "rows of numbers")}});
 }
 
-/// Fewer columns of numbers than needed: the given decimal mark does not fit.
+/// Fewer columns of numbers than required: the given decimal mark is inconsistent.
 void requireNumbers(const std::vector<SampleLine>& sample, const TableExpectation& expectation,
                     const TableLayout& layout)
 {
     const auto numbers = std::count_if(layout.columns.begin(), layout.columns.end(),
-                                       [](const TableColumn& column) { return column.isNumber; });
-    if (static_cast<std::size_t>(numbers) >= expectation.minimumColumns) return;
+                                       [](const TableColumn& column) { return column.is_number; });
+    if (static_cast<std::size_t>(numbers) >= expectation.minimum_columns) return;
     std::vector<Cell> cells;
     for (const SampleLine& line : sample) {
         splitCells(line.text, layout.style, cells);
@@ -216,10 +216,10 @@ void requireNumbers(const std::vector<SampleLine>& sample, const TableExpectatio
 /// The lines above the table.
 struct Above {
     std::vector<PrefaceLine> preface;
-    std::vector<SampleLine> numeric;  ///< those that consist of numbers
+    std::vector<SampleLine> numeric;  ///< lines that consist of numbers
 };
 
-/// Judges a line above the first row that consists of numbers: a row count, or a broken row.
+/// Classifies a numeric line above the first row: a row count, or a malformed row.
 void studyNumericLine(const SampleLine& line, TableLayout& layout)
 {
     std::vector<Cell> cells;
@@ -227,17 +227,17 @@ void studyNumericLine(const SampleLine& line, TableLayout& layout)
     dropEmptyEnd(cells, layout.columns.size());
     if (cells.size() == layout.columns.size()) {
         for (std::size_t k = 0; k < cells.size(); ++k)
-            if (layout.columns[k].isNumber && countNumbers({cells[k]}, layout.style) == 0)
+            if (layout.columns[k].is_number && countNumbers({cells[k]}, layout.style) == 0)
                 throw malformed(line.number, line.text, cells[k], LT_TEXT("Engine", "a number"));
     }
     const bool integers =
         std::all_of(cells.begin(), cells.end(), [](Cell cell) { return wholeInteger(cell).has_value(); });
     if (!integers || cells.size() > 2 || cells.size() >= layout.columns.size())
         throw columnsDiffer(line.number, line.text, cells, layout.columns.size());
-    if (cells.size() == 1) layout.announcedRows = wholeInteger(cells[0]);
+    if (cells.size() == 1) layout.announced_rows = wholeInteger(cells[0]);
 }
 
-/// Goes to the first row and notes what stands above it. False when there is no row.
+/// Advances to the first row and records the lines above it. False when there is no row.
 bool findBody(std::string_view text, TableLayout& layout, Above& above)
 {
     above = {};
@@ -259,8 +259,8 @@ bool findBody(std::string_view text, TableLayout& layout, Above& above)
         splitCells(line, layout.style, cells);
         dropEmptyEnd(cells, layout.columns.size());
         if (isDataRow(cells, layout)) {
-            layout.bodyOffset = lines.offset();
-            layout.bodyLine = lines.number();
+            layout.body_offset = lines.offset();
+            layout.body_line = lines.number();
             return true;
         }
         const std::size_t numbers = countNumbers(cells, layout.style);
@@ -302,10 +302,10 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
     const auto separator = sample.empty() ? std::nullopt : excelSeparator(sample.front().text);
     if (separator && settled.delimiter == Delimiter::Auto) settled.delimiter = *separator;
     if (separator) sample.erase(sample.begin());
-    StyleFound found = findStyle(sample, text, expectation.minimumColumns, settled);
-    if (found.columns == 0) {  // a long preface may hide the rows
+    StyleFound found = findStyle(sample, text, expectation.minimum_columns, settled);
+    if (found.columns == 0) {  // the rows may follow a long preface
         sample = takeSample(text, std::numeric_limits<std::size_t>::max());
-        found = findStyle(sample, text, expectation.minimumColumns, settled);
+        found = findStyle(sample, text, expectation.minimum_columns, settled);
     }
     if (found.columns == 0) throwNoRows(sample, expectation, settled);
 
@@ -315,8 +315,8 @@ TableLayout findLayout(std::string_view text, const TableExpectation& expectatio
     requireNumbers(sample, expectation, layout);
     Above above;
     if (!findBody(text, layout, above)) throwNoRows(sample, expectation, settled);
-    settlePairs(sample, settled, expectation,
-                countHeadings(above.preface, layout.style.delimiter, expectation, found.columns), found);
+    resolveCommaPairs(sample, settled, expectation,
+                      countHeadings(above.preface, layout.style.delimiter, expectation, found.columns), found);
     if (found.columns != layout.columns.size()) {
         layout.style = found.style;
         layout.columns = studyColumns(sample, found);

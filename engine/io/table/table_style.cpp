@@ -20,7 +20,7 @@ std::vector<char> delimitersToTry(Delimiter delimiter)
     return {'\t', ';', '|', ',', ' '};
 }
 
-/// How well a separator explains the sample.
+/// Fit of a separator to the sample.
 struct Fit {
     std::size_t columns = 0;
     double quality = 0;
@@ -28,7 +28,7 @@ struct Fit {
 
 Fit fitOf(char delimiter, const std::vector<SampleLine>& sample, std::size_t minimumColumns)
 {
-    std::vector<std::pair<std::size_t, double>> byColumns;  // columns, sum of the shares of numbers
+    std::vector<std::pair<std::size_t, double>> byColumns;  // number of columns, sum of the shares of numbers
     std::vector<Cell> cells;
     TableStyle style;
     style.delimiter = delimiter;
@@ -51,7 +51,7 @@ Fit fitOf(char delimiter, const std::vector<SampleLine>& sample, std::size_t min
     return best;
 }
 
-/// Sets decimal mark and grouping from what the cells show.
+/// Sets decimal mark and grouping from the evidence of the cells.
 void decideDecimal(const std::vector<SampleLine>& rows, std::string_view whole, const ImportOptions& options,
                    TableStyle& style)
 {
@@ -117,7 +117,8 @@ StyleFound findStyle(const std::vector<SampleLine>& sample, std::string_view who
     Fit best;
     for (const char delimiter : delimitersToTry(options.delimiter)) {
         const Fit fit = fitOf(delimiter, sample, minimumColumns);
-        // Where one column will do, "1,250" and "1 250" may still be two: a comma or a blank inside comes first.
+        // If one column is sufficient, "1,250" and "1 250" may still be two: a comma or blank as separator has
+        // precedence.
         const bool splitsMore = best.columns == 1 && fit.columns > 1 && fit.quality >= best.quality;
         if (fit.quality > best.quality || splitsMore) {
             best = fit;

@@ -1,4 +1,4 @@
-// Finding out how a text table is written: its separator and its decimal mark.
+// Detection of the separator and decimal mark of a text table.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace lathelier::io {
 
-/// A line worth looking at while the style is being found out.
+/// A line of the sample for style detection.
 struct SampleLine {
-    std::string_view text;    ///< without its line end
-    std::int64_t number = 0;  ///< from 1
+    std::string_view text;    ///< text without line end
+    std::int64_t number = 0;  ///< line number, from 1
     std::size_t offset = 0;   ///< byte at which the line begins
 };
 
-/// Finds separator and decimal mark from a sample. `whole` is searched for a decision when the sample's decimal marks
-/// could all group thousands. The rows of the table are the sample's lines with `columns` cells; 0 when there are none.
-/// Error numberAmbiguous (`line`, `column`, `found`, `first`, `second`).
+/// Finds separator and decimal mark from a sample. `whole` is searched when all decimal marks of the sample could be
+/// grouping marks. The rows of the table are the sample's lines with `columns` cells; 0 when there are none. Error
+/// numberAmbiguous (`line`, `column`, `found`, `first`, `second`).
 struct StyleFound {
     TableStyle style;         ///< separator and decimal mark
     std::size_t columns = 0;  ///< cells in a row of the table; 0: there are no rows
@@ -27,10 +27,10 @@ struct StyleFound {
 StyleFound findStyle(const std::vector<SampleLine>& sample, std::string_view whole, std::size_t minimumColumns,
                      const ImportOptions& options);
 
-/// What the commas between digits can be.
+/// Possible meanings of commas between digits.
 enum class CommaMeaning { Decimal, Grouping, Unknown };
 
-/// Looks at every comma between digits in `text`; the first one that can only be one thing decides.
+/// Looks at every comma between digits in `text`; the first unambiguous one decides.
 CommaMeaning meaningOfCommas(std::string_view text);
 
 }  // namespace lathelier::io

@@ -11,9 +11,9 @@
 namespace lathelier::io {
 namespace {
 
-constexpr std::size_t checkMask = 0xFFFFF;  ///< a look at the progress every million characters
+constexpr std::size_t checkMask = 0xFFFFF;  ///< interval of progress checks, about a million characters
 
-/// What typesetting programs put in place of a plain blank, minus or apostrophe.
+/// Plain replacement of a typographic blank, minus or apostrophe.
 char32_t plainCharacter(char32_t c)
 {
     switch (c) {
@@ -34,7 +34,7 @@ unsigned char byteAt(std::string_view bytes, std::size_t i)
     return static_cast<unsigned char>(bytes[i]);
 }
 
-/// The first byte from `i` on that is not ASCII; eight at a time, since almost all are.
+/// The first byte from `i` on that is not ASCII; tested eight at a time.
 std::size_t skipAscii(std::string_view bytes, std::size_t i)
 {
     for (; i + 8 <= bytes.size(); i += 8) {
@@ -47,8 +47,8 @@ std::size_t skipAscii(std::string_view bytes, std::size_t i)
 }
 
 struct Utf8Check {
-    std::size_t badByte = std::string_view::npos;
-    bool needsPlain = false;  ///< holds characters that plainCharacter changes
+    std::size_t bad_byte = std::string_view::npos;
+    bool needs_plain = false;  ///< true: contains characters changed by plainCharacter
 };
 
 Utf8Check checkUtf8(std::string_view bytes, const Progress& progress)
@@ -59,10 +59,10 @@ Utf8Check checkUtf8(std::string_view bytes, const Progress& progress)
         if ((++steps & checkMask) == 0) progress.check();
         const auto [c, length] = utf8At(bytes, i);
         if (length == 0) {
-            result.badByte = i;
+            result.bad_byte = i;
             return result;
         }
-        result.needsPlain = result.needsPlain || plainCharacter(c) != c;
+        result.needs_plain = result.needs_plain || plainCharacter(c) != c;
         i += length;
     }
     return result;
@@ -81,7 +81,7 @@ std::string plainUtf8(std::string_view bytes, const Progress& progress)
     return result;
 }
 
-/// Windows-1252, which is what "Latin-1" files are in practice: 0x80…0x9F are printable there.
+/// Windows-1252, the usual encoding of "Latin-1" files: 0x80…0x9F are printable there.
 std::string fromLatin1(std::string_view bytes, const Progress& progress)
 {
     static const std::array<std::string, 256> written = [] {
@@ -143,7 +143,7 @@ std::string fromUtf32(std::string_view bytes, bool bigEndian, const Progress& pr
 constexpr std::string_view utf32leMark("\xFF\xFE\0\0", 4);
 constexpr std::string_view utf32beMark("\0\0\xFE\xFF", 4);
 
-/// Numbers in UTF-16 have a zero in every other byte.
+/// Digits in UTF-16 have a zero in every other byte.
 Encoding utf16ByZeros(std::string_view bytes)
 {
     const std::size_t pairs = std::min<std::size_t>(bytes.size(), 4096) / 2;
@@ -229,14 +229,14 @@ DecodedText decodeText(std::string_view bytes, Encoding encoding, const Progress
     bytes = withoutFilling(bytes);
     if (encoding == Encoding::Latin1) return {fromLatin1(bytes, progress), "latin-1"};
     const Utf8Check check = checkUtf8(bytes, progress);
-    if (check.badByte != std::string_view::npos) {
+    if (check.bad_byte != std::string_view::npos) {
         if (encoding == Encoding::Utf8 && mark == 0)
-            throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(check.badByte)},
+            throw Error(errors::malformed, {{"byte", static_cast<std::int64_t>(check.bad_byte)},
                                             {"found", LT_TEXT("Engine", "a byte that is no UTF-8")},
                                             {"expected", LT_TEXT("Engine", "text in UTF-8")}});
         return {fromLatin1(bytes, progress), "latin-1"};
     }
-    if (check.needsPlain) return {plainUtf8(bytes, progress), "utf-8"};
+    if (check.needs_plain) return {plainUtf8(bytes, progress), "utf-8"};
     return {bytes, "utf-8"};
 }
 

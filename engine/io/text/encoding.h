@@ -9,12 +9,12 @@
 
 namespace lathelier::io {
 
-/// A text in UTF-8 without byte order mark. Typographic blanks and the minus sign U+2212 are plain ' ' and '-'.
-/// Bytes that fill up the end (NUL, Ctrl-Z) are cut off.
+/// A text in UTF-8 without byte order mark. Typographic blanks and the minus sign U+2212 are plain ' ' and '-'. Padding
+/// at the end (NUL, Ctrl-Z) is removed.
 class DecodedText {
 public:
     DecodedText() = default;
-    DecodedText(std::string_view bytes, std::string encoding);  ///< `bytes` stay where they are
+    DecodedText(std::string_view bytes, std::string encoding);  ///< `bytes` must outlive this object
     DecodedText(std::string owned, std::string encoding);
     DecodedText(DecodedText&& other) noexcept;
     DecodedText& operator=(DecodedText&& other) noexcept;

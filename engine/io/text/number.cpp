@@ -9,7 +9,7 @@ namespace lathelier::io {
 
 double detail::parseNumberSlowly(const char* at, const char* end, char decimal)
 {
-    if (at != end && *at == '+') ++at;  // from_chars takes no plus
+    if (at != end && *at == '+') ++at;  // from_chars rejects a plus sign
     std::string plain(at, end);
     std::replace(plain.begin(), plain.end(), decimal, '.');
     const std::size_t mark = plain.find_first_of("eEdD");
@@ -20,7 +20,7 @@ double detail::parseNumberSlowly(const char* at, const char* end, char decimal)
     double value = 0;
     const auto [stop, problem] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
     if (problem != std::errc::result_out_of_range) return value;
-    // Out of range is either too large or too small: the order of the first significant digit tells.
+    // Out of range is either too large or too small: decided by the order of the first significant digit.
     std::int64_t order = 0;
     if (mark != std::string::npos) {
         const auto [rest, failed] = std::from_chars(plain.data() + mark + 1, plain.data() + plain.size(), order);
@@ -58,7 +58,7 @@ bool isNotFiniteWord(std::string_view text)
     std::string word(text);
     for (char& c : word)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-    if (word.starts_with("1.#") || word.starts_with("1,#")) return true;  // Microsoft's spellings
+    if (word.starts_with("1.#") || word.starts_with("1,#")) return true;  // spellings of Microsoft's C runtime
     for (const char* known : {"nan", "inf", "infinity", "nan(ind)", "nan(snan)", "na", "n/a", "#n/a", "null", "none"})
         if (word == known) return true;
     return false;

@@ -22,7 +22,7 @@ inline bool isDigit(char c)
 }  // namespace detail
 
 /// Reads the longest number that starts at `at`: sign, digits with at most one `decimal` mark, exponent after e, E, d
-/// or D (Fortran). Returns the place behind it, or nullptr when there is none. Correctly rounded; too large gives
+/// or D (Fortran). Returns the position after it, or nullptr when there is none. Correctly rounded; too large gives
 /// ±infinity. Up to 2^53 and 10^±22 both mantissa and power are exact doubles, so that one division or product rounds
 /// correctly (W. D. Clinger, How to read floating point numbers accurately, 1990).
 inline const char* parseNumber(const char* at, const char* end, char decimal, double& value)
@@ -77,7 +77,7 @@ std::optional<double> wholeNumber(std::string_view text, char decimal);
 /// The whole of `text` as a plain whole number, "500".
 std::optional<std::int64_t> wholeInteger(std::string_view text);
 
-/// True for the spellings of "no number here": nan, inf, 1.#QNAN, n/a, null, none… in any case, signed or not.
+/// True for spellings of an invalid or missing number: nan, inf, 1.#QNAN, n/a, null, none… in any case, signed or not.
 bool isNotFiniteWord(std::string_view text);
 
 }  // namespace lathelier::io

@@ -23,7 +23,7 @@ double NumberCells::read(std::int64_t lineNumber, std::string_view line, std::st
     const bool comma = decimal_ == '.' && option_ != Decimal::Point && word.find(',') != std::string_view::npos &&
                        parseNumber(word.data(), end, ',', value) == end;
     if (!comma) throw malformed(lineNumber, line, word, LT_TEXT("Engine", "a number"));
-    // The search starts at this line: remarks above may hold commas too.
+    // The search starts at this line, since remarks above may contain commas.
     if (option_ == Decimal::Auto) {
         const auto offset = static_cast<std::size_t>(line.data() - text_.data());
         const CommaMeaning meaning = meaningOfCommas(text_.substr(offset));

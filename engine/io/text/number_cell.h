@@ -7,8 +7,8 @@
 
 namespace lathelier::io {
 
-/// Reads words as numbers. These formats know the point only, but programs in some countries write a comma: it is taken
-/// as decimal mark once the text proves it to be one.
+/// Reads words as numbers. These formats define the point only, but localised programs write a comma: it is accepted as
+/// decimal mark once the text shows it unambiguously.
 class NumberCells {
 public:
     explicit NumberCells(const ScanSource& source);
@@ -25,8 +25,8 @@ private:
     char decimal_ = '.';
 };
 
-/// Where in a text of lines "keyword x y z" the first number beyond `largest` stands: `line` and
-/// `column`. Only looked for when it is known to be there.
+/// Location of the first number beyond `largest` in a text of lines "keyword x y z": `line` and `column`. Precondition:
+/// there is such a number.
 Values placeOfLarge(std::string_view text, std::string_view keyword, char decimal, double largest);
 
 }  // namespace lathelier::io

@@ -1,4 +1,4 @@
-// Units of the other quantities that measured tables hold: angles, times, voltages, beside lengths.
+// Units of other quantities in measured tables: angles, times, voltages, beside lengths.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@ namespace lathelier::io {
 
 struct QuantityUnit {
     enum class Kind { Length, Angle, Time, Voltage };
-    Kind kind = Kind::Length;  ///< what the unit measures
+    Kind kind = Kind::Length;  ///< quantity of the unit
     std::string key;           ///< "um", "deg", "ms", "V"…
     double scale = 1;          ///< one unit in mm, degrees, seconds or volts
 };
 
-/// Words such as "µm", "[deg]", "ms" or "(mV)"; nothing for other words.
+/// Parses units such as "µm", "[deg]", "ms" or "(mV)"; none for other words.
 std::optional<QuantityUnit> quantityUnit(std::string_view word);
 
-/// A heading taken apart: "marker_V", "X3 (um)", "phi [rad]", "t_ms".
+/// A parsed heading: "marker_V", "X3 (um)", "phi [rad]", "t_ms".
 struct QuantityHeading {
     std::string name;                  ///< as written, without the unit: "X3"
     std::optional<QuantityUnit> unit;  ///< none: the heading states none

@@ -16,7 +16,7 @@ struct Magic {
     Text what;
 };
 
-/// Files that a person may well drop here, and that must not be mistaken for a cloud.
+/// Kinds of foreign files that must not be read as a cloud.
 const Magic foreign[] = {
     {"\x89PNG", LT_TEXT("Engine", "a PNG picture")},
     {"\xFF\xD8\xFF", LT_TEXT("Engine", "a JPEG picture")},
@@ -45,11 +45,11 @@ const Magic foreign[] = {
     {"SQLite format", LT_TEXT("Engine", "a database")},
 };
 
-/// What the end of a name says.
+/// Meaning of a file extension.
 struct Extension {
-    std::string_view end;  ///< with its point, lower case
+    std::string_view end;  ///< extension with its point, lower case
     Text what;
-    bool holdsScan = false;  ///< a format that the reader of scans knows
+    bool holds_scan = false;  ///< a format of the scan reader
 };
 
 constexpr Text programText = LT_TEXT("Engine", "the source text of a program");
@@ -108,7 +108,7 @@ const Extension foreignExtensions[] = {
     {".bas", programText},
 };
 
-/// "OFF", "COFF", "STCN4OFF"… behind blank lines and remarks.
+/// "OFF", "COFF", "STCN4OFF"… after blank lines and remarks.
 bool looksLikeOff(std::string_view text)
 {
     Lines lines(text.substr(0, textHeadBytes));
@@ -139,7 +139,7 @@ bool isPythonImport(std::string_view line)
     return words[0] == "from" && words.size() >= 4 && words[2] == "import";
 }
 
-/// A line that only programs (or JSON) hold.
+/// A line specific to source code or JSON.
 bool isProgramLine(std::string_view line)
 {
     line = trimmed(line);
@@ -161,7 +161,7 @@ std::string_view endOf(std::string_view text, std::size_t bytes)
     return text.substr(text.size() - std::min(text.size(), bytes));
 }
 
-/// A disk fills a file's last cluster; more than that is not filling, but a file of something else.
+/// Zero padding up to a disk cluster is accepted; more indicates a file of another kind.
 void refuseLongFilling(std::string_view bytes, Text expected)
 {
     constexpr std::size_t largestFilling = textHeadBytes;
@@ -191,7 +191,7 @@ void refuseForeignName(std::string_view name, bool isTable, Text expected)
 {
     const std::string lower = lowerCase(name.substr(name.size() - std::min<std::size_t>(name.size(), 8)));
     for (const Extension& extension : foreignExtensions)
-        if (lower.size() > extension.end.size() && lower.ends_with(extension.end) && (isTable || !extension.holdsScan))
+        if (lower.size() > extension.end.size() && lower.ends_with(extension.end) && (isTable || !extension.holds_scan))
             throwUnknownFormat(extension.what, expected);
 }
 

@@ -1,4 +1,4 @@
-// What every reader asks first: is this text at all, or a file of a foreign kind?
+// First check of every reader: text, or a file of a foreign kind.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace lathelier::io {
 
-/// The beginning of a text that tells what it is.
+/// Number of bytes at the start of a text used for the decision.
 inline constexpr std::size_t textHeadBytes = 65536;
 
-/// Throws Error formatUnknown for kinds of files that a person may well drop here and that hold none of our data
-/// (pictures, archives, documents…). `expected` says what would be right.
+/// Throws Error formatUnknown for common kinds of files without usable data (pictures, archives, documents…).
+/// `expected` names the expected kind.
 void refuseForeign(std::string_view bytes, Text expected);
 
-/// Throws Error formatUnknown when the name of a file says that it is of a foreign kind ("part.step", "fit.py"). Where
-/// a table of numbers is read, `isTable`, a name that promises a mesh or a scan is foreign too.
+/// Throws Error formatUnknown when the extension of a file denotes a foreign kind ("part.step", "fit.py"). Where a
+/// table of numbers is read, `isTable`, an extension of a mesh or scan is foreign too.
 void refuseForeignName(std::string_view name, bool isTable, Text expected);
 
-/// Throws Error formatUnknown (`line`, `column`) for the source text of a program and for JSON: their numbers are no
+/// Throws Error formatUnknown (`line`, `column`) for the source text of a program and for JSON: their numbers are not
 /// rows of measured values.
 void refuseProgram(std::string_view text, Text expected);
 
@@ -30,12 +30,12 @@ bool looksLikeQdas(std::string_view text);
 /// Throws Error formatUnknown (`byte` 0, `found`, `expected`).
 [[noreturn]] void throwUnknownFormat(Text found, Text expected);
 
-/// The text of a file of numbers. Errors fileEmpty, formatUnknown (foreign, binary, or with more than a disk's cluster
-/// of filling behind it), malformed (encoding).
+/// The text of a file of numbers. Errors fileEmpty, formatUnknown (foreign, binary, or with more padding than a disk
+/// cluster), malformed (encoding).
 DecodedText readableText(std::string_view bytes, Encoding encoding, Text expected, const Progress& progress);
 
-/// The same for a table: what its name or its content says to be something else is refused (formatUnknown): a mesh, a
-/// Q-DAS file, the source text of a program. An empty name says nothing.
+/// The same for a table: another kind by name or content is rejected (formatUnknown): a mesh, a Q-DAS file, the source
+/// text of a program. An empty name is not checked.
 DecodedText readableTable(std::string_view name, std::string_view bytes, Encoding encoding, Text expected,
                           const Progress& progress);
 

@@ -73,7 +73,7 @@ bool isWordByte(char c)
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The words of a remark, in lower case; a quote mark that stands for inch is a word too.
+/// The words of a remark, in lower case; a quote mark denoting inch is a word too.
 std::vector<std::string> wordsOf(std::string_view remark)
 {
     std::vector<std::string> words;
@@ -130,7 +130,7 @@ std::optional<LengthScale> statedUnit(std::string_view remark)
     const std::vector<std::string> words = wordsOf(remark);
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (isAmong(keywords, words[i])) {
-            // "units are in mm", but "units in" alone means inches: fillers are skipped only while a word follows.
+            // "units are in mm", but "units in" alone means inches: filler words are skipped only if a word follows.
             for (std::size_t k = i + 1; k < words.size() && k <= i + 4; ++k) {
                 const bool filler = isAmong(fillers, words[k]) && k + 1 < words.size();
                 if (!filler) {

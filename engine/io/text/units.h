@@ -15,20 +15,20 @@ struct LengthScale {
     double mm = 1;    ///< one unit in mm
 };
 
-/// Words such as "mm", "Inches", "[µm]" or "(in)"; nothing for other words.
+/// Parses units such as "mm", "Inches", "[µm]" or "(in)"; none for other words.
 std::optional<LengthScale> lengthUnit(std::string_view word);
 
-/// The unit that a remark states: "unit mm", "Units: inch", "all coordinates in mm", "UNITS=mm".
+/// The unit stated in a remark: "unit mm", "Units: inch", "all coordinates in mm", "UNITS=mm".
 std::optional<LengthScale> statedUnit(std::string_view remark);
 
-/// The scale of an option; nothing for Auto.
+/// The scale of an option; none for Auto.
 std::optional<LengthScale> lengthScale(LengthUnit unit);
 
-/// A column heading taken apart: "X (in)", "x_mm", "Y [mm]", "Z/mm", "X in mm".
+/// A parsed column heading: "X (in)", "x_mm", "Y [mm]", "Z/mm", "X in mm".
 struct Heading {
     std::string name;                 ///< lower case, without the unit: "x"
     std::optional<LengthScale> unit;  ///< none: the heading states none
-    std::string written;              ///< as it stands in the file: "X (in)"
+    std::string written;              ///< as written in the file: "X (in)"
 };
 Heading parseHeading(std::string_view cell);
 

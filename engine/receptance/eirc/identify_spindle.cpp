@@ -13,11 +13,11 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t linesPerFitTask = 16;
-constexpr std::size_t fewestFrfs = 3;  // as many as unknowns
+constexpr std::size_t fewestFrfs = 3;  // number of unknowns per line
 constexpr double illConditioned = 1e4;
-constexpr double better = 0.99;  // of the cost: a start from a neighbour is worth taking
+constexpr double better = 0.99;  // a start from a neighbour is accepted if it lowers the cost to this share
 
-/// Each line from its linear start; lines without one from a clamp.
+/// Each line is started from its linear solution; lines without one from a rigid clamp.
 std::vector<LineFit> fitLines(const std::vector<SpindleLine>& lines, const Progress& progress)
 {
     std::vector<LineFit> fits(lines.size());
@@ -28,7 +28,7 @@ std::vector<LineFit> fitLines(const std::vector<SpindleLine>& lines, const Progr
     return fits;
 }
 
-/// Gauss and Newton may end in another minimum: each line tries that of the line before it, then that behind it.
+/// Gauss-Newton may converge to another minimum: each line is also started from the solutions of both neighbours.
 void improveFromNeighbours(const std::vector<SpindleLine>& lines, std::vector<LineFit>& fits, const Progress& progress)
 {
     const auto improve = [&](std::size_t line, std::size_t neighbour) {
@@ -69,7 +69,7 @@ SpindleTable identifiedTable(const std::vector<double>& frequency_hz, const std:
     return table;
 }
 
-/// A spindle takes power: the imaginary part of its receptance matrix has no positive eigenvalue.
+/// A spindle is passive: the imaginary part of its receptance matrix has no positive eigenvalue.
 bool isPassive(const ScaledSpindle& spindle)
 {
     const Eigen::Vector3d loss = -spindle.imag();

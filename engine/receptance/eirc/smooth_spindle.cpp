@@ -15,7 +15,7 @@ using NormalMatrix = Eigen::Matrix<Complex, 9, 9>;
 using RightSide = Eigen::Matrix<Complex, 9, 1>;
 
 constexpr std::array<std::size_t, 6> halfWidths{2, 3, 5, 8, 12, 16};
-constexpr std::size_t hereabouts = 6;  // lines to either side whose predictions choose the width
+constexpr std::size_t hereabouts = 6;  // lines on either side whose prediction errors select the width
 constexpr std::size_t linesPerSmoothingTask = 16;
 constexpr double unknowns = 3;
 
@@ -32,7 +32,7 @@ public:
     {
     }
 
-    /// The quadratic's value at a line, from `half_width` lines to either side with or without itself.
+    /// Local quadratic at a line from `half_width` lines on either side, with or without the line itself.
     std::optional<ScaledSpindle> at(std::size_t line, std::size_t half_width, bool with_itself) const
     {
         const std::size_t first = line > half_width ? line - half_width : 0;
@@ -62,7 +62,7 @@ public:
         return solution.allFinite() ? std::optional<ScaledSpindle>(solution.head<3>()) : std::nullopt;
     }
 
-    /// How far a line is from its prediction without itself, in its own weights.
+    /// Leave-one-out prediction error of a line, in its own weights.
     double miss(std::size_t line, std::size_t half_width) const
     {
         const auto predicted = at(line, half_width, false);
@@ -92,7 +92,7 @@ std::vector<ScaledSpindle> smoothed(std::span<const double> frequency_hz, std::s
 {
     const LocalFit local(frequency_hz, fits);
     std::vector<std::vector<double>> misses(halfWidths.size(), std::vector<double>(fits.size()));
-    std::vector<double> noise;  // of a line by itself: variance of one unit of weight
+    std::vector<double> noise;  // by line: variance of unit weight
     for (const LineFit& fit : fits)
         noise.push_back(fit.cost / std::max(1.0, static_cast<double>(fit.responses) - unknowns));
     parallelFor(fits.size(), linesPerSmoothingTask, progress, [&](std::size_t begin, std::size_t end) {
@@ -103,7 +103,8 @@ std::vector<ScaledSpindle> smoothed(std::span<const double> frequency_hz, std::s
     std::vector<ScaledSpindle> result(fits.size());
     for (std::size_t line = 0; line < fits.size(); ++line) {
         progress.check();
-        // A prediction misses by the line's own noise and by its own error: it is worth having below twice the noise.
+        // The prediction error contains the noise of the line and the error of the prediction: smoothing is accepted
+        // below twice the noise.
         double least = 2 * unknowns * meanAround(noise, line);
         std::size_t half_width = 0;
         for (std::size_t w = 0; w < halfWidths.size(); ++w) {

@@ -12,7 +12,7 @@ namespace {
 constexpr double scale_mm = 100;
 constexpr int mostIterations = 60;
 constexpr int mostHalvings = 20;
-constexpr double convergedShare = 1e-10;  // relative change of the unknowns
+constexpr double convergedShare = 1e-10;  // relative change of the unknowns at convergence
 
 /// u = -Hs r as two rows in the scaled unknowns: the factors of H, L and P.
 Eigen::Matrix<Complex, 2, 3> rowsOf(const Eigen::Vector2cd& reaction)
@@ -39,7 +39,7 @@ System linearised(const SpindleLine& line, const ScaledSpindle& spindle)
         const LineResponse& one = line.responses[static_cast<std::size_t>(i)];
         const Eigen::Vector2cd a = inverse[one.rod] * one.joint_a;
         const Eigen::Vector2cd b = inverse[one.rod] * one.joint_b;
-        const Complex value = one.free - one.joint_a.cwiseProduct(b).sum();  // without conjugation
+        const Complex value = one.free - one.joint_a.cwiseProduct(b).sum();  // bilinear product, without conjugation
         system.residual[i] = one.weight * (value - one.measured);
         system.jacobian.row(i) << one.weight * a[0] * b[0], one.weight / scale_mm * (a[0] * b[1] + a[1] * b[0]),
             one.weight / (scale_mm * scale_mm) * a[1] * b[1];

@@ -5,7 +5,7 @@
 // squares, at least 2 points); the joint moves by u_b = Hb_jb + Hb_jj r_b, and u_b = -Hs r_b is linear in H, L, P.
 // Refinement by Gauss and Newton on G_ab(Hs) = Hb_ab - Hb_aj (Hb_jj + Hs)⁻¹ Hb_jb, with
 //   dG_ab = U_aᵀ dHs U_b, U = (Hb_jj + Hs)⁻¹ Hb_j.
-// L is scaled by 100 mm, P by its square, so that the three unknowns are of one size.
+// L is scaled by 100 mm, P by its square, so that the three unknowns have comparable magnitude.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,35 +22,35 @@ using ScaledSpindle = Eigen::Vector3cd;
 ReceptanceMatrix matrixOf(const ScaledSpindle& spindle);
 ScaledSpindle scaledOf(const ReceptanceMatrix& spindle);
 
-/// What one response says at one line.
+/// One measured response at one line.
 struct LineResponse {
     std::size_t rod = 0;       ///< index of the rod
-    std::size_t point_a = 0;   ///< for the linear start: which responses belong together
-    std::size_t point_b = 0;   ///< likewise
-    Complex measured;          ///< receptance, mm/N
+    std::size_t point_a = 0;   ///< index of the point; groups responses for the linear start
+    std::size_t point_b = 0;   ///< index of the other point
+    Complex measured;          ///< measured receptance, mm/N
     double weight = 1;         ///< 1/σ of `measured`; 0: not used
-    Complex free;              ///< of the free rod, Hb_ab
+    Complex free;              ///< receptance of the free rod, Hb_ab
     Eigen::Vector2cd joint_a;  ///< Hb_ja of the free rod: motion (w, θ) of the joint per force at a
-    Eigen::Vector2cd joint_b;  ///< likewise for b
+    Eigen::Vector2cd joint_b;  ///< Hb_jb of the free rod
 };
 
 /// One line of all measurements.
 struct SpindleLine {
-    std::vector<LineResponse> responses;    ///< of the rods that are used
-    std::vector<ReceptanceMatrix> free_jj;  ///< of each rod, free: joint by joint
+    std::vector<LineResponse> responses;    ///< responses of the rods used
+    std::vector<ReceptanceMatrix> free_jj;  ///< by rod: receptance of the free rod at the joint
 };
 
-/// What Gauss and Newton found at one line.
+/// Gauss-Newton solution at one line.
 struct LineFit {
-    ScaledSpindle spindle = ScaledSpindle::Zero();  ///< the unknowns
-    std::size_t responses = 0;                      ///< how many have a weight
-    double cost = 0;                                ///< weighted sum of squares
+    ScaledSpindle spindle = ScaledSpindle::Zero();  ///< scaled unknowns H, L, P
+    std::size_t responses = 0;                      ///< number of responses with non-zero weight
+    double cost = 0;                                ///< weighted sum of squared residuals
     double condition = 0;                           ///< of the weighted Jacobian, largest over smallest singular value
     Eigen::Matrix3cd information = Eigen::Matrix3cd::Zero();  ///< Jᴴ J: inverse covariance of the unknowns
-    bool converged = false;                                   ///< the last step changed nothing that matters
+    bool converged = false;                                   ///< the last step was below the convergence limit
 };
 
-/// The response that a spindle gives.
+/// The response predicted by a spindle.
 Complex responseOn(const SpindleLine& line, const LineResponse& response, const ScaledSpindle& spindle);
 
 /// None where no rod has two points with a force in common.

@@ -13,9 +13,10 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t linesPerRodTask = 32;
-constexpr double smallestNoise = 1e-6;      // of (1-γ²)/γ²: a coherence of 1 is not to outweigh all others
-constexpr double smallestCoherence = 1e-6;  // below it a response says nothing
-constexpr std::size_t linesOfNoise = 4;     // to either side: a coherence by itself scatters as much as it says
+constexpr double smallestNoise = 1e-6;      // lower bound of (1-γ²)/γ², so that a coherence of 1 does not dominate
+constexpr double smallestCoherence = 1e-6;  // coherence below which a response has no information
+constexpr std::size_t linesOfNoise = 4;     // lines averaged on either side, since a single coherence estimate scatters
+                                            // strongly
 
 void checkMeasurements(const SpindleMeasurements& measurements)
 {
@@ -59,7 +60,7 @@ Complex measuredReceptance(const Frf& frf, std::size_t line)
     return frf.value[line];
 }
 
-/// (1-γ²)/γ², the square of noise by signal, averaged over the lines beside this one.
+/// (1-γ²)/γ², the square of noise by signal, averaged over the neighbouring lines.
 double noiseOf(const Frf& frf, std::size_t line)
 {
     const std::size_t first = line > linesOfNoise ? line - linesOfNoise : 0;

@@ -1,4 +1,4 @@
-// Measurements on rods turned into lines: measured receptances with weights beside the receptances of the free rods.
+// Measurements by frequency line: measured receptances with weights, and the receptances of the free rods.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace lathelier::receptance {
 /// All lines of all responses, in the order of SpindleMeasurements::frfs.
 struct SpindleLines {
     std::vector<double> frequency_hz;  ///< of each line, above 0
-    std::vector<SpindleLine> lines;    ///< with all rods, those held out too
+    std::vector<SpindleLine> lines;    ///< of all rods, including the held-out one
 };
 
-/// Errors, materials and notes as identifySpindle() says.
+/// Errors, materials and notes: see identifySpindle().
 SpindleLines spindleLines(const SpindleMeasurements& measurements, const IdentificationParameters& parameters,
                           UsedValues& used, Notes& notes, const Progress& progress);
 

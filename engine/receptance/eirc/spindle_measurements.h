@@ -1,4 +1,4 @@
-// What is measured to find the receptance of a spindle: rods in the chuck, tapped at points along them.
+// Measurements for the identification of the receptance of a spindle: rods in the chuck, tapped at points along them.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +15,36 @@ namespace lathelier::receptance {
 
 /// A rod (or any shaft) in the chuck, free at its other end; z = length is the chuck face.
 struct MeasuredRod {
-    Shaft shaft;                                 ///< its part outside the chuck; no material: steel is assumed
-    std::vector<double> distance_from_chuck_mm;  ///< of each point, 0 to the length
+    Shaft shaft;                                 ///< the part outside the chuck; without material steel is assumed
+    std::vector<double> distance_from_chuck_mm;  ///< by point, 0 to the length
 };
 
-/// A measured frequency response between two points of a rod; by reciprocity their order does not matter.
+/// A measured frequency response between two points of a rod; in any order, by reciprocity.
 struct RodFrf {
     std::size_t rod = 0;      ///< index of the rod, from 0
     std::size_t point_a = 0;  ///< index of a point on it, from 0
-    std::size_t point_b = 0;  ///< likewise
-    Frf frf;                  ///< receptance, mobility or accelerance, with coherence where it is known
+    std::size_t point_b = 0;  ///< index of the other point, from 0
+    Frf frf;                  ///< receptance, mobility or accelerance, with coherence if known
 };
 
 struct SpindleMeasurements {
-    std::vector<MeasuredRod> rods;  ///< the more they differ, the better the spindle is known
-    std::vector<RodFrf> frfs;       ///< all on the same lines
+    std::vector<MeasuredRod> rods;  ///< rods of different length improve the identification
+    std::vector<RodFrf> frfs;       ///< on common frequency lines
 };
 
 /// A point of MEASUREMENTS.json.
 struct RodPoint {
-    int node = 0;                       ///< of the point in the file of frequency responses
-    double distance_from_chuck_mm = 0;  ///< along the rod
+    int node = 0;                       ///< node number in the file of frequency responses
+    double distance_from_chuck_mm = 0;  ///< position along the rod
     friend bool operator==(const RodPoint&, const RodPoint&) = default;
 };
 
 /// A rod of MEASUREMENTS.json: a cylinder.
 struct RodEntry {
-    double length_mm = 0;              ///< outside the chuck
-    double diameter_mm = 0;            ///< of the cylinder
+    double length_mm = 0;  ///< length outside the chuck
+    double diameter_mm = 0;
     std::optional<Material> material;  ///< none: steel is assumed
-    std::vector<RodPoint> points;      ///< where it is tapped and measured
+    std::vector<RodPoint> points;      ///< measured points
     friend bool operator==(const RodEntry&, const RodEntry&) = default;
 };
 
@@ -52,7 +52,7 @@ struct RodEntry {
 /// "distance_from_chuck_mm"}…]}…]}.
 struct MeasurementFile {
     std::string frf;             ///< path of the file of frequency responses, relative to this file
-    std::vector<RodEntry> rods;  ///< in the order of the file; --hold-out counts them from 1
+    std::vector<RodEntry> rods;  ///< in the order of the file; --hold-out refers to this order, from 1
     friend bool operator==(const MeasurementFile&, const MeasurementFile&) = default;
 };
 
@@ -63,15 +63,15 @@ const std::vector<Field<MeasurementFile>>& fieldsOf(const MeasurementFile*);
 /// Errors with line and column: malformed, keyMissing, keyOutOfRange; measuredPointBeyondRod. Note unknownKey.
 MeasurementFile readMeasurements(const std::string& json, Notes& notes);
 
-/// A frequency response between two nodes, as a file of them has it.
+/// A frequency response between two nodes.
 struct NodeFrf {
     std::int64_t response_node = 0;   ///< where the motion was measured
     std::int64_t reference_node = 0;  ///< where the force acted
-    Frf frf;                          ///< between them
+    Frf frf;                          ///< response between the nodes
 };
 
-/// Rods and responses put together; responses of nodes that are not stated are left out. Error measuredNodeMissing for
-/// a node without any response.
+/// Combines rods and responses; responses at unstated nodes are ignored. Error measuredNodeMissing for a node without
+/// any response.
 SpindleMeasurements measurementsOf(const MeasurementFile& file, std::span<const NodeFrf> frfs);
 
 }  // namespace lathelier::receptance

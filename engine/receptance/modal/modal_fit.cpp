@@ -14,9 +14,9 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t fewestFitLines = 12;
-constexpr std::size_t linesToCompare = 700;  ///< when numbers of modes are compared
-constexpr double resolvedLines = 4;          ///< in a half-power band
-constexpr double uncertain = 0.3;            ///< of a stiffness
+constexpr std::size_t linesToCompare = 700;  ///< lines used when fits with different numbers of modes are compared
+constexpr double resolvedLines = 4;          ///< least number of lines in a half-power band of a resolved mode
+constexpr double uncertain = 0.3;            ///< relative standard uncertainty of a stiffness reported as large
 constexpr int reweighings = 2;
 
 Interval rangeOf(const Frf& frf, const ModalParameters& parameters)
@@ -43,7 +43,7 @@ ModalMode modeOf(const PoleTerm& term)
             std::atan2(sign * term.b_mm_N, sign * term.a_mm_N) * 180 / std::numbers::pi};
 }
 
-/// Of |a + ib|, from the covariance of the two.
+/// Standard uncertainty of |a + ib|, from the covariance of a and b.
 double residueUncertainty(const Refined& fit, const FitLines& lines, std::size_t k, bool complex_residues)
 {
     const double u = uncertaintyOf(fit, lines, k, 2, complex_residues);
@@ -57,7 +57,7 @@ double residueUncertainty(const Refined& fit, const FitLines& lines, std::size_t
     return all > 0 ? u * std::sqrt(std::max(0.0, variance / all)) : u;
 }
 
-/// Lines within f_n (1 ± ζ), as the spacing thereabouts tells.
+/// Lines within f_n (1 ± ζ), from the local line spacing.
 double halfPowerLines(const FitLines& lines, const ModalMode& mode)
 {
     const auto& f = lines.frequency_hz;
@@ -67,7 +67,7 @@ double halfPowerLines(const FitLines& lines, const ModalMode& mode)
     return 2 * mode.damping_ratio * mode.frequency_hz / step;
 }
 
-/// On all lines, without terms that leave for good.
+/// Refinement on all lines, without terms that have left the range.
 Refined refinedFully(const FitLines& lines, const Refined& start, bool complex_residues, const Progress& progress)
 {
     Refined found = refineModes(lines, start.terms, complex_residues, Refinement::Full, progress);
@@ -159,7 +159,7 @@ const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
 
 double flexibilityOf(const ModalMode& mode)
 {
-    // Re of 1/(k (1 - r² + 2iζr)) is least at r² = 1 + 2ζ; a negative k turns it round: r² = 1 - 2ζ.
+    // Re of 1/(k (1 - r² + 2iζr)) is least at r² = 1 + 2ζ; for a negative k: r² = 1 - 2ζ.
     double least = 0;
     for (const double r2 : {1 + 2 * mode.damping_ratio, std::max(0.0, 1 - 2 * mode.damping_ratio), 1.0})
         least = std::min(least, receptanceOf(mode, mode.frequency_hz * std::sqrt(r2)).real());

@@ -1,7 +1,7 @@
-// Modes fitted to one measured receptance: up to six, with what lies outside the range.
+// Fit of up to six modes to one measured receptance, with residual terms for modes outside the range.
 //
 // 1. Start: a rational fraction by the iteration of Sanathanan and Koerner in partial fractions (modal_start.h), and
-//    the fit with one mode less plus one where its error stands out most.
+//    the fit with one mode less plus one at its largest error.
 // 2. Refinement of all parameters by Gauss and Newton with weights (modal_refine.h).
 // 3. Number of modes: the least value of Schwarz's criterion 2N ln(χ²) + p ln(2N) (Ann. Stat. 6 (1978) 461) among fits
 //    whose modes all are determined by the data, are seen at their own frequency and do not cancel each other.
@@ -23,9 +23,9 @@ namespace lathelier::receptance {
 inline constexpr int mostModes = 6;
 
 struct ModalParameters {
-    int modes = 0;                   ///< how many, 1 to 6; 0: as many as the data tell
-    std::vector<Interval> range_hz;  ///< lines that are used, one interval; empty: all above 0 Hz
-    bool complex_residues = false;   ///< modes whose places move with phases other than 0 and 180°
+    int modes = 0;                   ///< number of modes, 1 to 6; 0: selected by the criterion
+    std::vector<Interval> range_hz;  ///< frequency range used, one interval; empty: all above 0 Hz
+    bool complex_residues = false;   ///< complex modes (phases other than 0 and 180°)
     friend bool operator==(const ModalParameters&, const ModalParameters&) = default;
 };
 
@@ -34,31 +34,31 @@ const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*);
 /// A mode of a fit with its standard uncertainties (k = 1).
 struct FittedMode {
     ModalMode mode;                         ///< frequency, damping, stiffness, phase
-    double frequency_uncertainty_hz = 0;    ///< of f_n
-    double damping_uncertainty = 0;         ///< of ζ
-    double stiffness_uncertainty_N_mm = 0;  ///< of k
+    double frequency_uncertainty_hz = 0;    ///< of the frequency f_n
+    double damping_uncertainty = 0;         ///< of the damping ratio ζ
+    double stiffness_uncertainty_N_mm = 0;  ///< of the stiffness k
     double half_power_lines = 0;            ///< measured lines in the band f_n (1 ± ζ)
     double flexibility_mm_N = 0;            ///< -min Re of this mode alone: 1/(4|k| ζ (1 + ζ)) for a real one
 };
 
 struct ModalFit {
-    ModalParameters parameters;           ///< as asked
-    Interval range_hz;                    ///< of the lines that were used
-    std::size_t lines = 0;                ///< that were used
-    ModalModel model;                     ///< what was found
-    std::vector<FittedMode> modes;        ///< of `model`, in the same order
+    ModalParameters parameters;
+    Interval range_hz;                    ///< range of the lines used
+    std::size_t lines = 0;                ///< number of lines used
+    ModalModel model;                     ///< fitted model
+    std::vector<FittedMode> modes;        ///< modes of `model` with uncertainties, in the same order
     double lower_uncertainty_mm_Ns2 = 0;  ///< of the residual's mass line
     double upper_uncertainty_mm_N = 0;    ///< of the residual's compliance
     double error_rms_percent = 0;         ///< 100 · rms|G_fit - G| / rms|G| over the lines used
-    Frf synthesised;                      ///< the model on the lines that were used
-    std::vector<double> error_percent;    ///< 100 · |G_fit - G| / |G| of each of these lines
-    Notes notes;                          ///< those of modal_codes.h
+    Frf synthesised;                      ///< receptance of the model on the lines used
+    std::vector<double> error_percent;    ///< 100 · |G_fit - G| / |G| by line
+    Notes notes;                          ///< codes in modal_codes.h
 };
 
 /// Errors: fitNeedsReceptance, tooFewLinesToFit; valueNotUnderstood for more than one range. Throws Cancelled.
 ModalFit fitModes(const Frf& frf, const ModalParameters& parameters = {}, const Progress& progress = {});
 
-/// Flexibility of one mode in the direction that chatter needs: the least real part of its receptance, sign reversed.
+/// Flexibility of one mode relevant for chatter: its least real part, sign reversed.
 double flexibilityOf(const ModalMode& mode);
 
 }  // namespace lathelier::receptance

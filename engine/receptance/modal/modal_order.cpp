@@ -9,16 +9,18 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr double largestResidueError = 0.3, largestDampingError = 0.5;  ///< of what is still determined
-constexpr double largestDamping = 0.45;                                 ///< above, it is no resonance
-constexpr double leastShare = 0.03;                                     ///< of |G| at its own frequency
-constexpr double cancelling = 25;                                       ///< times |G| at its own frequency
+constexpr double largestResidueError = 0.3, largestDampingError = 0.5;  ///< largest relative uncertainties of a
+                                                                        ///< determined term
+constexpr double largestDamping = 0.45;  ///< damping ratio above which a term is not a resonance
+constexpr double leastShare = 0.03;      ///< least contribution relative to |G| at its own frequency
+constexpr double cancelling = 25;   ///< contribution relative to |G| at its own frequency that indicates cancelling
+                                    ///< terms
 constexpr double modesApart = 2;    ///< least distance of two modes, in half-power half-widths ζ f_n of the wider one
-constexpr double leastLines = 0.7;  ///< in the half-power band
-constexpr double roundingShare = 1e-9;  ///< of |G|: errors below are not explained by more modes
-constexpr double edge = 1.25;           ///< first frequency of a term beyond the range
-constexpr double nearEnd = 1e-3;        ///< of the reach of frequencies
-constexpr int withoutGain = 2;          ///< terms more that bring nothing end the search
+constexpr double leastLines = 0.7;  ///< least number of lines in the half-power band
+constexpr double roundingShare = 1e-9;  ///< share of |G| below which errors are rounding
+constexpr double edge = 1.25;           ///< start frequency of a term beyond the range, as factor of the range's end
+constexpr double nearEnd = 1e-3;        ///< relative distance from the bound of a frequency
+constexpr int withoutGain = 2;          ///< number of further terms without gain that ends the search
 
 bool isInside(const PoleTerm& term, const Interval& range)
 {

@@ -24,7 +24,7 @@ report::Curve curveOf(const Frf& frf, Text name, const Part& part, int colour)
     return curve;
 }
 
-/// The computed response under the measured one, the model on top.
+/// The computed response below the measured one, the model on top.
 report::Plot plotOf(const ResponseStudy& study, Text title, report::Axis y, const Part& part)
 {
     report::Plot plot;

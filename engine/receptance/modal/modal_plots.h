@@ -1,4 +1,4 @@
-// A measured response, the computed one under it and the modal model over it, as charts for screen and paper.
+// Charts of a measured response with the computed one and the modal model, for screen and paper.
 #pragma once
 
 #include "engine/core/texts.h"
@@ -10,10 +10,10 @@ namespace lathelier::receptance {
 /// Key of the handle on the peak of mode `index`.
 std::string modeHandleKey(std::size_t index);
 
-/// The mode of a handle's key; nothing for other keys.
+/// The mode of a handle's key; none for other keys.
 std::optional<std::size_t> modeOfHandle(const std::string& key);
 
-/// Magnitude, logarithmic; with the natural frequencies named, and with a handle on each of the model's peaks.
+/// Magnitude, logarithmic; with labelled natural frequencies and a handle on each of the model's peaks.
 report::Plot magnitudePlot(const ResponseStudy& study, bool with_handles, const Language& language = {});
 report::Plot phasePlot(const ResponseStudy& study);
 report::Plot realPlot(const ResponseStudy& study, const Language& language = {});
@@ -22,7 +22,7 @@ report::Plot imaginaryPlot(const ResponseStudy& study);
 /// Imaginary over real part with equal scales; the frequency runs along.
 report::Plot nyquistPlot(const ResponseStudy& study);
 
-/// Coherence of the measured response; without curves where it is not known.
+/// Coherence of the measured response; without curves where it is unknown.
 report::Plot coherencePlot(const ResponseStudy& study);
 
 /// Error of the model over the frequency.

@@ -1,4 +1,4 @@
-// The modes of a response, described once.
+// Description of the modes of a response.
 #pragma once
 
 #include "engine/core/json.h"
@@ -7,13 +7,13 @@
 
 namespace lathelier::receptance {
 
-/// A mode as tables show it: with uncertainties where it is that of the fit.
+/// A row of the table of modes, with uncertainties for fitted modes.
 struct ShownMode {
-    int rank = 0;                                      ///< 1: the most flexible
-    ModalMode mode;                                    ///< as shown
+    int rank = 0;  ///< 1: the most flexible
+    ModalMode mode;
     std::optional<double> frequency_uncertainty_hz;    ///< standard; none: changed by hand
-    std::optional<double> damping_uncertainty;         ///< likewise, of ζ
-    std::optional<double> stiffness_uncertainty_N_mm;  ///< likewise
+    std::optional<double> damping_uncertainty;         ///< standard, of ζ; none: changed by hand
+    std::optional<double> stiffness_uncertainty_N_mm;  ///< standard, of k; none: changed by hand
     double flexibility_nm_N = 0;                       ///< least real part of this mode alone, sign reversed
 };
 

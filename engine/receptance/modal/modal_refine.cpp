@@ -10,14 +10,14 @@ namespace {
 
 using Complex = std::complex<double>;
 struct Ending {
-    int steps;          ///< at most
-    int settled;        ///< so many steps in a row that change little end it
-    double step, gain;  ///< what is little: of ln f and ln ζ, of χ²
+    int steps;          ///< largest number of steps
+    int settled;        ///< number of consecutive small steps that ends the iteration
+    double step, gain;  ///< limits of a small step: change of ln f and ln ζ, relative change of χ²
 };
 constexpr Ending rough{20, 1, 1e-5, 1e-5}, full{60, 2, 1e-11, 1e-13};
-constexpr double leastStep = 1e-9;   ///< steps below may fail to lower χ²
-constexpr int attempts = 8;          ///< with more and more damping
-constexpr double largestStep = 0.3;  ///< of ln f and ln ζ
+constexpr double leastStep = 1e-9;   ///< below this step χ² may not decrease because of rounding
+constexpr int attempts = 8;          ///< attempts with increasing damping
+constexpr double largestStep = 0.3;  ///< largest change of ln f and ln ζ in one step
 constexpr double leastRefinedDamping = 1e-6, mostRefinedDamping = 0.7;
 constexpr double widestRefined = 4;  ///< how far terms may leave the lines: factor of the first and last frequency
 
@@ -49,7 +49,7 @@ double massLine(double frequency_hz)
     return -1 / (w * w);
 }
 
-/// Normal equations over the lines: `columns` gives the derivatives of one line, `rest` what is left to explain.
+/// Normal equations over the lines: `columns` are the derivatives of one line, `rest` its residual.
 struct NormalEquations {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
@@ -97,7 +97,7 @@ void solveResidues(const FitLines& lines, Refined& model, bool complex_residues)
 {
     const Eigen::Index each = complex_residues ? 2 : 1,
                        count = each * static_cast<Eigen::Index>(model.terms.size()) + 2;
-    for (int pass = 0; pass < 2; ++pass) {  // the second one takes what rounding left
+    for (int pass = 0; pass < 2; ++pass) {  // the second pass corrects rounding
         const NormalEquations normal = normalEquations(lines, count, [&](std::size_t i, Eigen::VectorXcd& line) {
             const double f = lines.frequency_hz[i];
             for (std::size_t k = 0; k < model.terms.size(); ++k) {
@@ -212,7 +212,7 @@ Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool com
                 damping = std::max(1e-12, damping / 10);
                 moved = true;
             } else {
-                if (largest < leastStep) {  // rounding alone keeps it from falling further
+                if (largest < leastStep) {  // limited by rounding
                     settled = ending.settled;
                     break;
                 }

@@ -15,25 +15,25 @@ namespace lathelier::receptance {
 
 /// One term (a + i b r)/(1 - r² + 2iζr), r = f/f_n.
 struct PoleTerm {
-    double frequency_hz = 0;  ///< f_n, > 0
-    double damping = 0;       ///< ζ, > 0
-    double a_mm_N = 0;        ///< real residue: compliance at rest
-    double b_mm_N = 0;        ///< part in quadrature; 0 for real residues
+    double frequency_hz = 0;  ///< natural frequency f_n, > 0
+    double damping = 0;       ///< damping ratio ζ, > 0
+    double a_mm_N = 0;        ///< real residue a: static compliance
+    double b_mm_N = 0;        ///< quadrature residue b; 0 for real residues
 };
 
 /// Lines with their weights.
 struct FitLines {
     std::vector<double> frequency_hz;         ///< > 0, ascending
-    std::vector<std::complex<double>> value;  ///< mm/N
-    std::vector<double> weight;               ///< 1/σ
+    std::vector<std::complex<double>> value;  ///< receptance, mm/N
+    std::vector<double> weight;               ///< weight 1/σ
 };
 
 struct Refined {
     std::vector<PoleTerm> terms;  ///< frequencies ascending
-    double lower_mm_Ns2 = 0;      ///< mass line
-    double upper_mm_N = 0;        ///< compliance
+    double lower_mm_Ns2 = 0;      ///< mass line 1/M
+    double upper_mm_N = 0;        ///< compliance 1/K
     double chi2 = 0;              ///< Σ |w (G_fit - G)|²
-    bool converged = false;       ///< the last step changed nothing that matters
+    bool converged = false;       ///< the last step was below the convergence limit
     /// Covariance of (ln f, ln ζ, a, [b]) of each term in order, then lower and upper, for σ = 1/w.
     Eigen::MatrixXd covariance;
 };
@@ -44,14 +44,14 @@ inline int perTerm(bool complex_residues)
     return complex_residues ? 4 : 3;
 }
 
-/// Rough: enough to compare fits with different numbers of terms. Full: until rounding keeps it from getting better.
+/// Rough: sufficient to compare fits with different numbers of terms. Full: until limited by rounding.
 enum class Refinement { Rough, Full };
 
-/// From the frequencies and damping ratios of `start`; its residues are solved for. Throws Cancelled.
+/// From the frequencies and damping ratios of `start`; its residues are computed. Throws Cancelled.
 Refined refineModes(const FitLines& lines, std::vector<PoleTerm> start, bool complex_residues,
                     Refinement refinement = Refinement::Full, const Progress& progress = {});
 
-/// Where frequencies of terms stay while they are refined: some way beyond the lines.
+/// Bounds of the frequencies during refinement: somewhat beyond the lines.
 Interval reachOf(const FitLines& lines);
 
 /// G_fit at one frequency.

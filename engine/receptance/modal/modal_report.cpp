@@ -38,7 +38,7 @@ report::QuantityTable residualsTable(const ResponseStudy& study)
              {uncertainty, nm_per_mm * study.fit->upper_uncertainty_mm_N, high, 3}}};
 }
 
-/// Without modes: where the real part is least.
+/// Without modes: the frequency of the least real part.
 report::Answer plainAnswer(const Frf& frf, const Language& language)
 {
     report::Answer answer;

@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 constexpr int iterations = 12;
 constexpr double firstDamping = 0.01;
 constexpr double leastStartDamping = 1e-5, mostStartDamping = 0.5;
-constexpr double widestStart = 2;  ///< poles stay within this factor of the first and last line
+constexpr double widestStart = 2;  ///< bound of the poles as factor of the first and last frequency
 
 /// The pole pair's two real basis functions at s = i·f.
 std::pair<Complex, Complex> basisOf(Complex pole, double frequency_hz)
@@ -26,7 +26,7 @@ Complex poleOf(double frequency_hz, double damping)
     return frequency_hz * Complex(-damping, std::sqrt(std::max(0.0, 1 - damping * damping)));
 }
 
-/// Zeros of the denominator: the next poles. Real ones come in pairs, and make heavily damped pairs.
+/// Zeros of the denominator: the next poles. Real zeros are paired into heavily damped poles.
 std::vector<Complex> movedPoles(const std::vector<Complex>& poles, const Eigen::VectorXd& numerator, double constant)
 {
     const auto count = static_cast<Eigen::Index>(poles.size());
@@ -50,7 +50,7 @@ std::vector<Complex> movedPoles(const std::vector<Complex>& poles, const Eigen::
     return result;
 }
 
-/// One step of the iteration.
+/// One step of the Sanathanan-Koerner iteration.
 std::vector<Complex> nextPoles(const FitLines& lines, const std::vector<Complex>& poles, double size)
 {
     const auto pairs = static_cast<Eigen::Index>(poles.size());
@@ -122,7 +122,7 @@ std::vector<PoleTerm> withWorstPeak(const FitLines& lines, const Refined& model)
         error[i] = std::norm(lines.weight[i] * (lines.value[i] - valueOf(model, lines.frequency_hz[i])));
     std::size_t worst = 0;
     double most = -1;
-    for (std::size_t i = 0; i < count; ++i) {  // single lines may be noise
+    for (std::size_t i = 0; i < count; ++i) {  // smoothed, since single lines may be noise
         double sum = 0;
         for (std::size_t j = i > 1 ? i - 2 : 0; j < std::min(count, i + 3); ++j) sum += error[j];
         if (sum <= most) continue;

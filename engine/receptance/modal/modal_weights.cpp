@@ -8,11 +8,11 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr int averaged = 4;                                 ///< lines to either side
-constexpr double leastCoherence = 1e-3, leastNoise = 1e-4;  ///< of γ² and 1 - γ²
-constexpr double floorShare = 0.03;                         ///< of the median, without coherence
-constexpr double leastSigma = 1e-9;                         ///< of |G| and of the median: rounding in files
-constexpr std::size_t keptAround = 20;                      ///< lines on each side of a resonance
+constexpr int averaged = 4;                                 ///< lines averaged on either side
+constexpr double leastCoherence = 1e-3, leastNoise = 1e-4;  ///< lower bounds of γ² and 1 - γ²
+constexpr double floorShare = 0.03;     ///< lower bound of σ as share of the median, without coherence
+constexpr double leastSigma = 1e-9;     ///< lower bound of σ as share of |G| and of the median: rounding in files
+constexpr std::size_t keptAround = 20;  ///< lines kept on each side of a resonance
 constexpr std::size_t keptPeaks = 10;
 
 double medianSize(const FitLines& lines)
@@ -28,7 +28,7 @@ double medianSize(const FitLines& lines)
 FitLines linesToFit(const Frf& frf, const Interval& range_hz)
 {
     FitLines lines;
-    std::vector<double> noise;  // (1-γ²)/γ²
+    std::vector<double> noise;  // squared noise-to-signal ratio (1-γ²)/γ²
     for (std::size_t i = 0; i < frf.frequency_hz.size(); ++i) {
         const double f = frf.frequency_hz[i];
         if (!(f > 0) || f < range_hz.from || f > range_hz.to || !std::isfinite(std::abs(frf.value[i]))) continue;
@@ -71,7 +71,7 @@ void reweigh(FitLines& lines, const Refined& model)
     }
     const auto n = static_cast<double>(count);
     const double median = medianSize(lines), least = leastSigma * leastSigma;
-    double floor = all / n / 2, share = all / sizes / 2;  // a², b²
+    double floor = all / n / 2, share = all / sizes / 2;  // a² and b² of σ² = a² + b²|G|²
     for (int pass = 0; pass < 20; ++pass) {
         double ww = 0, wg = 0, gg = 0, we = 0, ge = 0;
         for (std::size_t i = 0; i < count; ++i) {

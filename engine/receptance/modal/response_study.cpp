@@ -10,7 +10,7 @@ namespace {
 
 constexpr double leastDraggedDamping = 1e-5, mostDraggedDamping = 0.5;
 
-/// The values of `frf` on `lines`, which are some of its own.
+/// The values of `frf` at `lines`, a subset of its frequencies.
 std::vector<std::complex<double>> valuesOn(const Frf& frf, const std::vector<double>& lines)
 {
     std::vector<std::complex<double>> values;

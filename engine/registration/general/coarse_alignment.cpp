@@ -17,11 +17,11 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr int even_rotations = 500;          // about 30° apart
-constexpr std::size_t fewPoints = 160;       // points that try all starts
-constexpr std::size_t severalPoints = 1200;  // points that improve the best ones
-constexpr std::size_t kept_starts = 20;
-constexpr int field_cells = 48;  // along the longest side of the field
+constexpr int evenRotations = 500;           // about 30° apart
+constexpr std::size_t fewPoints = 160;       // points used for all starts
+constexpr std::size_t severalPoints = 1200;  // points used to improve the best starts
+constexpr std::size_t keptStarts = 20;
+constexpr int field_cells = 48;  // cells along the longest side of the grid
 
 struct Pose {
     Eigen::Isometry3d reference_T_copy;
@@ -114,7 +114,7 @@ Eigen::Isometry3d bringTogether(const Points& from, const Points& to, const std:
     return result;
 }
 
-// Pulls `pose` toward the nearest points; those further than a shrinking distance count less and less.
+// Iterative closest points with weights that decrease beyond a distance, which shrinks from step to step.
 template <class Nearest>
 void improvePose(Eigen::Isometry3d& pose, const Points& copy, const Nearest& nearest, int rounds, double from_mm,
                  double to_mm)
@@ -148,7 +148,7 @@ double roughMisfit(const Eigen::Isometry3d& pose, const Points& points, const Ne
 std::vector<Eigen::Matrix3d> startRotations(const Extent& reference, const Extent& copy)
 {
     std::vector<Eigen::Matrix3d> result{Eigen::Matrix3d::Identity()};
-    // All 24 ways to lay the principal axes on each other.
+    // All 24 right-handed assignments of the principal axes.
     for (int first = 0; first < 3; ++first)
         for (int second = 0; second < 3; ++second)
             for (int signs = 0; signs < 4 && first != second; ++signs) {
@@ -158,9 +158,9 @@ std::vector<Eigen::Matrix3d> startRotations(const Extent& reference, const Exten
                 turn.col(2) = turn.col(0).cross(turn.col(1));
                 result.push_back(reference.axes * turn * copy.axes.transpose());
             }
-    for (int i = 0; i < even_rotations; ++i) {
+    for (int i = 0; i < evenRotations; ++i) {
         const double s = i + 0.5;
-        const double t = s / even_rotations;
+        const double t = s / evenRotations;
         const double a = 2 * std::numbers::pi * s / std::numbers::sqrt2;
         const double b = 2 * std::numbers::pi * s / 1.533751168755204288118041;
         result.push_back(Eigen::Quaterniond(std::sqrt(1 - t) * std::cos(b), std::sqrt(t) * std::sin(a),
@@ -250,7 +250,7 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
     const NearestGrid field(reference_mm, reference_index, progress);
     const auto roughly = [&](const Eigen::Vector3d& q) -> const Eigen::Vector3d& { return field.nearest(q); };
 
-    // Where a part is missing, the centres do not lie on each other: seven places for each rotation.
+    // Where part of a surface is missing the centroids do not coincide: seven translations for each rotation.
     const std::vector<Eigen::Matrix3d> rotations = startRotations(reference, copy);
     constexpr std::size_t places = 7;
     const Points few_points = everyNth(copy_mm, fewPoints);
@@ -268,7 +268,7 @@ std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d
         }
     });
     progress.report(0.5);
-    keepBest(poses, kept_starts, copy);
+    keepBest(poses, keptStarts, copy);
     const Points several_points = everyNth(copy_mm, severalPoints);
     const Points several_reference = everyNth(reference_mm, severalPoints);
     parallelFor(poses.size(), 1, progress, [&](std::size_t begin, std::size_t end) {

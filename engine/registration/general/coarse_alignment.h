@@ -1,6 +1,6 @@
-// Where a copy may lie on its reference, from any relative pose: many starts over all rotations, each improved a
-// little, the best ones improved further. Source of the even rotations: M. Alexa, "Super-Fibonacci spirals: fast,
-// low-discrepancy sampling of SO(3)", CVPR 2022.
+// Coarse poses of a copy on its reference without an initial pose: starts over all rotations, each improved by a few
+// steps, the best ones by more. Source of the even rotations: M. Alexa, "Super-Fibonacci spirals: fast, low-discrepancy
+// sampling of SO(3)", CVPR 2022.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -15,7 +15,7 @@ namespace lathelier::registration {
 std::vector<Eigen::Vector3d> thinOut(const std::vector<Eigen::Vector3d>& points_mm, double cell_mm,
                                      const Progress& progress = {});
 
-/// The most plausible poses reference_T_copy, best first, up to `count`, each clearly different from the others.
+/// Up to `count` distinct poses reference_T_copy, in order of increasing misfit.
 /// Both clouds evenly thinned to a few thousand points, at least 3 each. The copy may lack up to about a third of the
 /// reference or the other way round. Throws Cancelled.
 std::vector<Eigen::Isometry3d> findCoarsePoses(const std::vector<Eigen::Vector3d>& reference_mm,

@@ -16,10 +16,11 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::array<std::size_t, 3> level_sizes = {3000, 20000, 100000};
+constexpr std::array<std::size_t, 3> levelSizes = {3000, 20000, 100000};
 constexpr double coarse_cells = 60;  // along the part's size (about 10 000 points on a compact part)
 constexpr std::size_t candidates = 6;
-constexpr double rough_share = 0.02;  // residuals of this share of the part's size: other parts; few points tell it
+constexpr double otherPartResidualShare =
+    0.02;  // residuals above this share of the part's size: different parts; a coarse level suffices to decide
 
 class GeneralAlignment {
 public:
@@ -64,7 +65,7 @@ private:
         return few.size() < 20 ? everyNth(some, 10000) : few;  // a small part beside a large one
     }
 
-    // The part with less surface is laid on the one with more: what is missing misleads less than what is too much.
+    // Align the smaller surface to the larger: unmatched source points bias the fit, unmatched target area does not.
     std::vector<Eigen::Isometry3d> coarsePoses(const Progress& progress) const
     {
         const Points reference = thin(reference_, progress);
@@ -79,7 +80,7 @@ private:
     Eigen::Isometry3d findPose(const Progress& progress)
     {
         std::vector<Eigen::Isometry3d> poses = coarsePoses(progress.part(0, 0.8));
-        poses.push_back(initial_);  // where several poses fit equally well, parts that lie right already stay there
+        poses.push_back(initial_);  // among equally good poses an already correct initial pose is kept
         const Points sample = everyNth(copy_.points_mm, 2000);
         struct Candidate {
             Eigen::Isometry3d pose;
@@ -106,7 +107,8 @@ private:
         for (Candidate& c : fits) c.misfit = misfit(surface_, sample, c.pose, limit, progress);
         const Candidate& best = *std::min_element(
             fits.begin(), fits.end(), [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
-        // Points without a counterpart count alike in every pose: the difference tells, not the ratio.
+        // Points without a counterpart add the same amount in every pose: compare the difference of the misfits, not
+        // the ratio.
         const double as_good = best.misfit + 3e-3;
         const Candidate* chosen = &best;
         for (const Candidate& c : fits) {
@@ -125,8 +127,8 @@ private:
         fine.reference_T_copy = start;
         std::size_t points = 0;
         std::vector<Surface::Trace> traces;
-        for (std::size_t level = 0; level < level_sizes.size(); ++level) {
-            const bool last = level + 1 == level_sizes.size();
+        for (std::size_t level = 0; level < levelSizes.size(); ++level) {
+            const bool last = level + 1 == levelSizes.size();
             RefineOptions options;
             options.point_to_point = point_to_point_;
             options.search_mm = search;
@@ -134,28 +136,28 @@ private:
             options.max_iterations = last ? 60 : 40;
             options.keep_residuals = last;
             options.tolerance_mm = (last ? 1e-6 : 1e-5) * size_mm_;
-            const double from = static_cast<double>(level) / static_cast<double>(level_sizes.size());
-            if (level == 0 || fine.sigma_mm < rough_share * size_mm_) {
-                points = level_sizes[level];
+            const double from = static_cast<double>(level) / static_cast<double>(levelSizes.size());
+            if (level == 0 || fine.sigma_mm < otherPartResidualShare * size_mm_) {
+                points = levelSizes[level];
                 traces.clear();
             }
             fine = refine(target(), everyNth(copy_.points_mm, points), fine.reference_T_copy, fine.reference_T_copy,
-                          options, traces, progress.part(from, from + 1.0 / static_cast<double>(level_sizes.size())));
+                          options, traces, progress.part(from, from + 1.0 / static_cast<double>(levelSizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
             search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
                                 search);
         }
-        if (!fine.observability.free_motions.empty()) moveHome(fine, points, search, traces, progress);
+        if (!fine.observability.free_motions.empty()) restoreFreeMotions(fine, points, search, traces, progress);
         alignment.converged = fine.converged;
         snapToSamePoints(fine.reference_T_copy, progress);
         describe(fine, points, alignment);
         return alignment;
     }
 
-    // Along its free motions the part goes to where it came from; a motion that loses points on the way was not free.
-    void moveHome(RefineResult& fine, std::size_t points, double search, std::vector<Surface::Trace>& traces,
-                  const Progress& progress) const
+    // Along its free motions the part is returned to its initial pose; a motion that loses matched points is not free.
+    void restoreFreeMotions(RefineResult& fine, std::size_t points, double search, std::vector<Surface::Trace>& traces,
+                            const Progress& progress) const
     {
         RefineOptions options;
         options.search_mm = search;
@@ -166,7 +168,7 @@ private:
         if (home.converged && home.used_share > 0.95 * fine.used_share) fine = std::move(home);
     }
 
-    // A copy that holds the reference's very points is aligned exactly, not only within their noise.
+    // A copy that contains the points of the reference themselves is aligned exactly, not only within their noise.
     void snapToSamePoints(Eigen::Isometry3d& pose, const Progress& progress) const
     {
         if (points_ == nullptr) return;
@@ -230,7 +232,7 @@ private:
     Eigen::Isometry3d initial_;  ///< the poses as they are, between the centred clouds
     double size_mm_;
     bool point_to_point_;
-    const Neighbours* points_ = nullptr;  ///< of the reference; none for a mesh unless point-to-point
+    const Neighbours* points_ = nullptr;  ///< of the reference; for a mesh nullptr unless point-to-point
     std::unique_ptr<Neighbours> samples_;
     int equal_poses_ = 0;
 };

@@ -15,14 +15,13 @@ namespace lathelier::registration {
 /// fine stage, from the poses as they are. Parts that do not match still get an alignment: the caller judges the
 /// overlap.
 ///
-/// Result: `converged` false when the steps did not settle. Motions the geometry leaves open are listed in
-/// `free_motions` with the note motionNotDetermined, weak ones noted as motionWeak; along free ones the copy stays as
-/// near to where it was as it can. Several poses that fit equally well: the smallest rotation, note severalPosesFit.
-/// Uncertainty (k = 2, general_uncertainty.h): of the translation of the centre of the points used (`axial_um`, the
-/// radius that holds it; `radial_um` the same across its largest direction) and of the rotation (`axis_deg`), for
-/// residuals that may be alike among neighbours and along scan lines.
-/// Errors, with `role` (reference, copy): tooFewPoints (fewer than 4), pointsDegenerate (on one point or line). Throws
-/// Cancelled.
+/// Result: `converged` false when the iterations ended before the steps became small. Motions the geometry leaves open
+/// are listed in `free_motions` with the note motionNotDetermined, weak ones noted as motionWeak; along free ones the
+/// copy stays as near to where it was as it can. Several poses that fit equally well: the smallest rotation, note
+/// severalPosesFit. Uncertainty (k = 2, general_uncertainty.h): of the translation of the centre of the points used
+/// (`axial_um`, the radius that holds it; `radial_um` the same across its largest direction) and of the rotation
+/// (`axis_deg`), for residuals that may be correlated between neighbours and along scan lines. Errors, with `role`
+/// (reference, copy): tooFewPoints (fewer than 4), pointsDegenerate (on one point or line). Throws Cancelled.
 Alignment alignGeneral(const Scan& reference, const Scan& copy, CompareMethod method, InitialPose initial,
                        const Progress& progress = {});
 

@@ -12,8 +12,8 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-constexpr std::size_t mesh_samples = 200000;
-constexpr std::size_t enough_for_median = 100000;
+constexpr std::size_t referenceSamples = 200000;
+constexpr std::size_t medianSamples = 100000;
 
 }  // namespace
 
@@ -29,9 +29,9 @@ std::vector<Eigen::Vector3d> everyNth(const std::vector<Eigen::Vector3d>& points
 CentredPoints centrePoints(const Scan& scan, const char* role, const Progress& progress)
 {
     CentredPoints result;
-    result.points_mm = scan.isMesh() ? sampleSurface(scan, mesh_samples, 0, progress).points_mm : scan.points_mm;
+    result.points_mm = scan.isMesh() ? sampleSurface(scan, referenceSamples, 0, progress).points_mm : scan.points_mm;
     checkPoints(result.points_mm, role, progress, 4);
-    const Points some = everyNth(result.points_mm, enough_for_median);
+    const Points some = everyNth(result.points_mm, medianSamples);
     std::vector<double> values(some.size());
     for (int a = 0; a < 3; ++a) {
         std::transform(some.begin(), some.end(), values.begin(), [a](const auto& p) { return p[a]; });

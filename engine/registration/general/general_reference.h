@@ -11,7 +11,7 @@
 
 namespace lathelier::registration {
 
-/// Points about their own middle, so that far origins cost no digits.
+/// Points relative to their own middle: a distant origin would cost precision.
 struct CentredPoints {
     std::vector<Eigen::Vector3d> points_mm;
     Eigen::Vector3d middle_mm = Eigen::Vector3d::Zero();  ///< median of each coordinate

@@ -65,7 +65,7 @@ double residualSigma(const std::vector<SurfaceResidual>& residuals)
         if (!std::isnan(r.distance_mm)) sizes.push_back(std::abs(r.distance_mm));
     if (sizes.empty()) return 0;
     const double middle = upperMedianInPlace(sizes);
-    return mad_to_sigma * middle;
+    return madToSigma * middle;
 }
 
 double weightOf(const SurfaceResidual& r, double reach_mm)
@@ -75,7 +75,7 @@ double weightOf(const SurfaceResidual& r, double reach_mm)
     return t * t < 1 ? (1 - t * t) * (1 - t * t) : 0;
 }
 
-// What the uncertainty is found from.
+// Residuals for clusteredUncertainty().
 std::vector<MotionResidual> keep(const std::vector<SurfaceResidual>& all, double reach_mm,
                                  const std::vector<Surface::Trace>& traces, const Neighbours* reference)
 {
@@ -224,10 +224,10 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
     while (result.iterations < options.max_iterations) {
         progress.report(static_cast<double>(result.iterations) / options.max_iterations);
         all = residuals(target, copy_mm, result.reference_T_copy, options, traces, progress);
-        // Not less than rounding leaves: exact data would otherwise weigh nothing.
+        // Bounded below by rounding: with exact data the scatter would be 0 and every weight vanish.
         const double floor = 1e-9 * (1 + all[0].point_mm.norm()) + 1e-3 * options.tolerance_mm;
         const double sigma = std::max(residualSigma(all), floor);
-        // Narrowed step by step: most points may fit already while the few that hold one motion are still far off.
+        // Narrowed gradually: most points may already fit while the few that determine one motion are still far off.
         reach = std::max(tukey * sigma, widest);
         const bool is_narrow = reach > widest;
         widest /= 2;
@@ -243,7 +243,7 @@ RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3
         const Vector6d step = -(result.observability.inverse * result.system.gradient) + home - determined * home;
         const Eigen::Isometry3d before = result.reference_T_copy;
         result.reference_T_copy = motion(result.system, step) * result.reference_T_copy;
-        // Rounding of many products must not leave the rotations.
+        // Re-orthonormalise after many products.
         result.reference_T_copy.linear() =
             Eigen::Quaterniond(result.reference_T_copy.linear()).normalized().toRotationMatrix();
         const Vector6d moved = difference(result.system, before, result.reference_T_copy);

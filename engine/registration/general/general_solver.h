@@ -16,7 +16,8 @@ namespace lathelier::registration {
 
 struct RefineOptions {
     double search_mm = 1;  ///< points further from the surface do not take part
-    double reach_mm = 0;   ///< the first step's range of the weights; it halves until the residuals' scatter rules
+    double reach_mm =
+        0;  ///< range of the weights in the first step; halved until the scatter of the residuals determines it
     int max_iterations = 40;
     double tolerance_mm = 1e-4;  ///< converged when no point of the part moves further than this in one step
     bool point_to_point = false;
@@ -31,23 +32,24 @@ struct RefineResult {
     double used_share = 0;  ///< of the points, with a weight above 0
     MotionSystem system;
     Observability observability;
-    std::vector<MotionResidual> residuals;  ///< of the last step, when asked for; `copy_input` numbers `copy_mm`
+    std::vector<MotionResidual>
+        residuals;  ///< of the last step, with RefineOptions::keep_residuals; `copy_input` is an index into `copy_mm`
 };
 
-/// What copies are measured against: the surface, and for point-to-point its points.
+/// The alignment target: the surface, and for point-to-point its points.
 struct RefineTarget {
     const Surface* surface = nullptr;
     const Neighbours* points = nullptr;
 };
 
-/// Moves `copy_mm` (in Hilbert order) from `start` onto the target. Motions that the data do not determine go toward
-/// `initial` instead. Never calls the end of its iterations convergence. `traces`: empty, or from an earlier call with
-/// the same target and points; they save time. Throws Cancelled.
+/// Moves `copy_mm` (in Hilbert order) from `start` onto the target. Undetermined motions are taken toward `initial`.
+/// `converged` stays false when the iterations are used up. `traces`: empty, or from an earlier call with the same
+/// target and points; they save time. Throws Cancelled.
 RefineResult refine(const RefineTarget& target, const std::vector<Eigen::Vector3d>& copy_mm,
                     const Eigen::Isometry3d& start, const Eigen::Isometry3d& initial, const RefineOptions& options,
                     std::vector<Surface::Trace>& traces, const Progress& progress = {});
 
-/// Mean of min(1, (distance / limit)²) over the copy's points: how badly a pose fits.
+/// Mean of min(1, (distance / limit)²) over the copy's points: the misfit of a pose.
 double misfit(const Surface& surface, const std::vector<Eigen::Vector3d>& copy_mm,
               const Eigen::Isometry3d& reference_T_copy, double limit_mm, const Progress& progress = {});
 

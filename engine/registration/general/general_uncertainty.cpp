@@ -13,20 +13,20 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr int finestLevel = 6;      // cells of 1/64 of the largest ones
-constexpr double largest_cell = 1;  // of the radius of gyration
-constexpr std::size_t most_runs = 4096;
-constexpr std::size_t least_clusters = 16;
-constexpr double least_slope = 0.4;  // of the mean weight: less is no optimum of the robust sum
-constexpr double growing = 1.2;      // from one size of clusters to the next
+constexpr int finestLevel = 6;             // cells of 1/64 of the largest ones
+constexpr double largestClusterShare = 1;  // of the radius of gyration
+constexpr std::size_t mostClusterRuns = 4096;
+constexpr std::size_t leastClusters = 16;
+constexpr double leastMeanWeight = 0.4;  // of the mean weight: below it the pose is no minimum of the robust sum
+constexpr double growing = 1.2;          // from one size of clusters to the next
 
-// What the points of one cluster pull together.
-struct Pull {
+// Sum of the score contributions (weight × J × residual) of the points of one cluster.
+struct ClusterScore {
     std::uint64_t key = 0;
     Vector6d sum = Vector6d::Zero();
 };
 
-Vector6d pullOf(const MotionSystem& system, const MotionResidual& r)
+Vector6d scoreOf(const MotionSystem& system, const MotionResidual& r)
 {
     const Eigen::Vector3d q = (r.point_mm - system.centre_mm) / system.gyration_mm;
     Vector6d j;
@@ -34,7 +34,8 @@ Vector6d pullOf(const MotionSystem& system, const MotionResidual& r)
     return r.weight * r.distance_mm * j;
 }
 
-// Bits of three cell numbers in turns: cells of twice the size are the same number without its last three bits.
+// Interleaved bits of three cell indices (Morton code): a cell of twice the size has the same code without its last
+// three bits.
 std::uint64_t interleave(const std::array<std::uint32_t, 3>& cell)
 {
     std::uint64_t key = 0;
@@ -43,8 +44,8 @@ std::uint64_t interleave(const std::array<std::uint32_t, 3>& cell)
     return key;
 }
 
-// The largest of many estimates exceeds what independent residuals would give by about a seventh by chance: that much
-// is taken off, less and less where it exceeds it clearly.
+// For independent residuals the largest of several estimates exceeds the true value by about a seventh by chance: that
+// is subtracted, and less of it the larger the excess.
 double allowForChance(double independent, double largest)
 {
     if (!(largest > independent)) return independent;
@@ -65,14 +66,14 @@ public:
             weights += r.weight;
             slopes += r.slope;
         }
-        bread_ = observability.inverse / std::max(least_slope, weights > 0 ? slopes / weights : 1);
-        pulls_.reserve(residuals.size());
-        for (const MotionResidual& r : residuals) pulls_.push_back(pullOf(system, r));
+        bread_ = observability.inverse / std::max(leastMeanWeight, weights > 0 ? slopes / weights : 1);
+        scores_.reserve(residuals.size());
+        for (const MotionResidual& r : residuals) scores_.push_back(scoreOf(system, r));
     }
 
     void bySpace()
     {
-        const double cell = largest_cell * system_.gyration_mm / (1 << finestLevel);
+        const double cell = largestClusterShare * system_.gyration_mm / (1 << finestLevel);
         std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
         for (std::uint32_t i = 0; i < residuals_.size(); ++i) {
             const Eigen::Vector3d t = (residuals_[i].point_mm - system_.centre_mm) / cell;
@@ -83,10 +84,10 @@ public:
             order.emplace_back(interleave(place), i);
         }
         std::sort(order.begin(), order.end());
-        std::vector<Pull> cells;
+        std::vector<ClusterScore> cells;
         for (const auto& [key, i] : order) {
             if (cells.empty() || cells.back().key != key) cells.push_back({key});
-            cells.back().sum += pulls_[i];
+            cells.back().sum += scores_[i];
         }
         grow(std::move(cells), 3);
     }
@@ -97,11 +98,11 @@ public:
         std::uint32_t last = 0;
         for (const MotionResidual& r : residuals_) last = std::max(last, input(r));
         if (last == 0) return;
-        std::vector<Pull> runs(most_runs);
+        std::vector<ClusterScore> runs(mostClusterRuns);
         for (std::size_t k = 0; k < runs.size(); ++k) runs[k].key = k;
         for (std::size_t i = 0; i < residuals_.size(); ++i)
-            runs[std::uint64_t{input(residuals_[i])} * most_runs / (std::uint64_t{last} + 1)].sum += pulls_[i];
-        std::erase_if(runs, [](const Pull& run) { return run.sum.isZero(0); });
+            runs[std::uint64_t{input(residuals_[i])} * mostClusterRuns / (std::uint64_t{last} + 1)].sum += scores_[i];
+        std::erase_if(runs, [](const ClusterScore& run) { return run.sum.isZero(0); });
         grow(std::move(runs), 1);
     }
 
@@ -113,27 +114,27 @@ public:
     }
 
 private:
-    AlignmentUncertainty of(const std::vector<Pull>& clusters) const
+    AlignmentUncertainty of(const std::vector<ClusterScore>& clusters) const
     {
         Matrix6d filling = Matrix6d::Zero();
-        for (const Pull& c : clusters) filling += c.sum * c.sum.transpose();
+        for (const ClusterScore& c : clusters) filling += c.sum * c.sum.transpose();
         const auto count = static_cast<double>(clusters.size());
         return uncertaintyOf(system_, count / (count - 6) * bread_ * filling * bread_);
     }
 
-    // Joins clusters whose keys agree but for the last bits, again and again.
-    void grow(std::vector<Pull> clusters, int bits)
+    // Merges clusters whose keys agree but for the last bits, repeatedly.
+    void grow(std::vector<ClusterScore> clusters, int bits)
     {
         AlignmentUncertainty before;
         AlignmentUncertainty here;
-        for (; clusters.size() >= least_clusters; shorten(clusters, bits)) {
+        for (; clusters.size() >= leastClusters; shorten(clusters, bits)) {
             before = here;
             here = of(clusters);
             largest_.axial_um = std::max(largest_.axial_um, here.axial_um);
             largest_.radial_um = std::max(largest_.radial_um, here.radial_um);
             largest_.axis_deg = std::max(largest_.axis_deg, here.axis_deg);
         }
-        // The largest clusters may be smaller still than what varies together.
+        // The correlation length may exceed the largest clusters.
         const auto further = [](double& largest, double a, double b) {
             if (a > 0 && b > growing * a) largest = std::max(largest, b * std::min(b / a, 2.0));
         };
@@ -142,11 +143,11 @@ private:
         further(largest_.axis_deg, before.axis_deg, here.axis_deg);
     }
 
-    static void shorten(std::vector<Pull>& clusters, int bits)
+    static void shorten(std::vector<ClusterScore>& clusters, int bits)
     {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < clusters.size(); ++i) {
-            const Pull next{clusters[i].key >> bits, clusters[i].sum};
+            const ClusterScore next{clusters[i].key >> bits, clusters[i].sum};
             if (kept > 0 && clusters[kept - 1].key == next.key)
                 clusters[kept - 1].sum += next.sum;
             else
@@ -157,7 +158,7 @@ private:
 
     const MotionSystem& system_;
     const std::vector<MotionResidual>& residuals_;
-    std::vector<Vector6d> pulls_;
+    std::vector<Vector6d> scores_;
     Matrix6d bread_;
     AlignmentUncertainty independent_;
     AlignmentUncertainty largest_;

@@ -1,8 +1,7 @@
-// How well a general pose is known when neighbouring residuals are alike (noise along scan lines, walls, uneven
-// coverage): the cluster-robust "sandwich" covariance A⁻¹ M A⁻¹, M the sum over clusters of what the points of one
-// cluster pull together. Sources: K.-Y. Liang, S. L. Zeger, "Longitudinal data analysis using generalized linear
-// models", Biometrika 73 (1986); P. J. Huber, E. M. Ronchetti, "Robust Statistics", 2009, section 7.6 (the bread for
-// robust weights).
+// Uncertainty of a general pose with correlated residuals (noise along scan lines, walls, uneven coverage): the
+// cluster-robust "sandwich" covariance A⁻¹ M A⁻¹, M the sum over clusters of the outer product of their score vectors.
+// Sources: K.-Y. Liang, S. L. Zeger, "Longitudinal data analysis using generalized linear models", Biometrika 73
+// (1986); P. J. Huber, E. M. Ronchetti, "Robust Statistics", 2009, section 7.6 (the bread for robust weights).
 #pragma once
 
 #include <Eigen/Core>
@@ -25,9 +24,9 @@ struct MotionResidual {
 };
 
 /// Expanded uncertainty (k = 2) of the motion that `system` and `observability` describe. The correlation is not known:
-/// clusters of several sizes are tried, cubes in space and runs in the order of either file (scan lines), and the
-/// largest result counts. Where it still grows with the size of the clusters, it is taken one step further. Not less
-/// than for independent residuals of `sigma_mm`.
+/// clusters of several sizes are formed, cubes in space and runs in the order of either file (scan lines), and the
+/// largest result is taken. Where it still grows with the cluster size, it is extrapolated by one step. Not less than
+/// for independent residuals of `sigma_mm`.
 AlignmentUncertainty clusteredUncertainty(const MotionSystem& system, const Observability& observability,
                                           double sigma_mm, const std::vector<MotionResidual>& residuals);
 

@@ -9,9 +9,9 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double free_limit = 3e-3;
-constexpr double weak_limit = 0.05;
-constexpr double pure_translation = 0.2;  // rotation part of a unit motion
+constexpr double freeMotionLimit = 3e-3;
+constexpr double weakMotionLimit = 0.05;
+constexpr double translationRotationShare = 0.2;  // rotation part of a unit motion
 
 // Turns a basis of motions into translations and rotations about axes.
 std::vector<FreeMotion> motionsOf(const std::vector<Vector6d>& basis, const MotionSystem& system)
@@ -19,7 +19,7 @@ std::vector<FreeMotion> motionsOf(const std::vector<Vector6d>& basis, const Moti
     if (basis.empty()) return {};
     Eigen::MatrixXd motions(6, static_cast<Eigen::Index>(basis.size()));
     for (std::size_t i = 0; i < basis.size(); ++i) motions.col(static_cast<Eigen::Index>(i)) = basis[i];
-    // Combinations in order of their rotation part: the last ones are translations.
+    // Combinations in order of decreasing rotation part: the last ones are translations.
     const Eigen::MatrixXd sorted = motions * rightSingularVectors(motions.topRows(3));
     std::vector<FreeMotion> result;
     std::vector<Eigen::Vector3d> translations;
@@ -27,7 +27,7 @@ std::vector<FreeMotion> motionsOf(const std::vector<Vector6d>& basis, const Moti
         const Eigen::Vector3d turn = sorted.col(i).head<3>() / system.gyration_mm;
         Eigen::Vector3d shift = sorted.col(i).tail<3>();
         FreeMotion motion;
-        if (turn.norm() * system.gyration_mm < pure_translation) {
+        if (turn.norm() * system.gyration_mm < translationRotationShare) {
             motion.kind = FreeMotion::Kind::Translation;
             motion.direction = shift.normalized();
             motion.point_mm = system.centre_mm;
@@ -71,11 +71,11 @@ Observability analyse(const MotionSystem& system)
     for (int i = 0; i < 6; ++i) {
         const Vector6d direction = axes.vectors.col(i);
         const double value = axes.values[i] - direction.dot(system.noise * direction);
-        if (!(value >= free_limit * strongest)) {
+        if (!(value >= freeMotionLimit * strongest)) {
             free_basis.push_back(direction);
             continue;
         }
-        if (value < weak_limit * strongest) weak_basis.push_back(direction);
+        if (value < weakMotionLimit * strongest) weak_basis.push_back(direction);
         result.determined += direction * direction.transpose();
         result.inverse += direction * direction.transpose() / axes.values[i];
     }

@@ -34,15 +34,15 @@ struct Observability {
 
 Observability analyse(const MotionSystem& system);
 
-/// The rigid motion that x stands for; exact for any angle.
+/// The rigid motion of x; exact for any angle.
 Eigen::Isometry3d motion(const MotionSystem& system, const Vector6d& x);
 
 /// The x whose motion turns `from` into `to`; the rotation is below 180°.
 Vector6d difference(const MotionSystem& system, const Eigen::Isometry3d& from, const Eigen::Isometry3d& to);
 
 /// Expanded uncertainty (k = 2) of a motion x with this covariance: the radius that holds the translation of the centre
-/// with 95.45 % (twice the standard deviation where one direction rules), the same across its largest direction, and of
-/// the rotation.
+/// with 95.45 % (twice the standard deviation where one direction dominates), the same across its largest direction,
+/// and of the rotation.
 AlignmentUncertainty uncertaintyOf(const MotionSystem& system, const Matrix6d& covariance);
 
 /// The same for independent residuals of standard deviation `sigma_mm`.

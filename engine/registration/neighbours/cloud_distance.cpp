@@ -20,10 +20,10 @@ std::vector<float> nearestDistances(const std::vector<Eigen::Vector3d>& referenc
 std::vector<float> nearestDistances(const Neighbours& reference, const std::vector<Eigen::Vector3d>& query_mm,
                                     double max_distance_mm, const Progress& progress)
 {
-    // Queries that follow each other in space find their answer where the one before found it.
+    // Hilbert order: each search starts near the result of the query before.
     const std::vector<std::uint32_t> order = hilbertOrder(query_mm, progress);
     progress.report(0.15);
-    // The search wants a strict limit, the caller an inclusive one.
+    // The limit of the search is exclusive, that of the caller inclusive.
     const double limit = std::nextafter(max_distance_mm * max_distance_mm, std::numeric_limits<double>::infinity());
     std::vector<float> result(query_mm.size(), std::numeric_limits<float>::quiet_NaN());
     parallelFor(order.size(), 2048, progress, [&](std::size_t begin, std::size_t end) {

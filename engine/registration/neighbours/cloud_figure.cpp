@@ -17,9 +17,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kAll = 100000;        // so many points are all asked…
-constexpr std::size_t kQueries = 12500;     // …of more, so many: 1 to 2 % of standard error
-constexpr std::size_t pointsPerQuery = 40;  // points to a query from which an index of all of them does not pay
+constexpr std::size_t mostExhaustiveQueries = 100000;  // up to so many used points every one is queried
+constexpr std::size_t drawnQueries = 12500;            // queries drawn from more points: standard error 1 to 2 %
+constexpr std::size_t pointsPerQuery =
+    40;  // points per query above which an index of the whole cloud costs more than it saves
 
 struct Answers {
     std::vector<float> distances_mm;  ///< NaN: none within reach
@@ -34,13 +35,13 @@ Answers byIndex(const std::vector<Vector3d>& reference, const std::vector<Vector
             samplingFloor(reference, index, progress).rms_mm};
 }
 
-/// The same answers where the cloud is large and the queries are few: first from the points close about the queries;
-/// those without an answer there are asked again further about.
+/// The same results for a large cloud and few queries: first from the points near the queries; queries without a
+/// neighbour are repeated with a larger radius.
 Answers byVicinity(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& queries, double max_distance_mm,
                    const Progress& progress)
 {
     constexpr double nearby = 2.5, patch = 40;  // in spacings of the points
-    constexpr double further = 4;               // times as far, those without an answer
+    constexpr double further = 4;               // factor of the radius for queries without a neighbour
     const double spacing_mm = roughSpacing_mm(reference, progress);
     if (!(spacing_mm > 0)) return byIndex(reference, queries, max_distance_mm, progress);
     Answers answers;
@@ -80,14 +81,14 @@ CloudFigure compareClouds(const std::vector<Vector3d>& reference_mm, const std::
                           const std::vector<std::uint8_t>& used, double max_distance_mm, const Progress& progress)
 {
     const auto asked = static_cast<std::size_t>(std::count_if(used.begin(), used.end(), [](auto u) { return u != 0; }));
-    std::vector<std::size_t> places(std::min(asked, kAll));  // among the used points, ascending
+    std::vector<std::size_t> places(std::min(asked, mostExhaustiveQueries));  // among the used points, ascending
     std::iota(places.begin(), places.end(), std::size_t{0});
-    if (asked > kAll) places = drawnPlaces(asked, kQueries, 17);
+    if (asked > mostExhaustiveQueries) places = drawnPlaces(asked, drawnQueries, 17);
     std::vector<Vector3d> queries;
     queries.reserve(places.size());
     for (std::size_t i = 0, passed = 0; i < used.size(); ++i) {
         if (!used[i]) continue;
-        // The same place may be drawn for two stretches whose limit it holds.
+        // A place on the border of two stretches may be drawn for both.
         while (queries.size() < places.size() && places[queries.size()] == passed) queries.push_back(moved_copy_mm[i]);
         ++passed;
     }

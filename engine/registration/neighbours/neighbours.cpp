@@ -13,12 +13,12 @@ namespace lathelier::registration {
 Neighbours::Neighbours(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress)
     : order_(hilbertOrder(points_mm, progress))
 {
-    leaves_.resize((order_.size() + leaf_size - 1) / leaf_size);
+    leaves_.resize((order_.size() + leafSize - 1) / leafSize);
     std::vector<Box> boxes(leaves_.size());
     parallelFor(leaves_.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t l = begin; l < end; ++l)
-            for (std::size_t i = 0; i < leaf_size; ++i) {
-                const std::size_t place = l * leaf_size + i;
+            for (std::size_t i = 0; i < leafSize; ++i) {
+                const std::size_t place = l * leafSize + i;
                 Eigen::Vector3d p = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
                 if (place < order_.size()) {
                     p = points_mm[order_[place]];
@@ -50,7 +50,7 @@ Neighbours::Found Neighbours::nearest(const Eigen::Vector3d& query_mm, double li
 
 void Neighbours::complete(const Eigen::Vector3d& query_mm, std::uint32_t expected, Found& best) const
 {
-    if (expected < size()) improve(expected / leaf_size, query_mm, best);
+    if (expected < size()) improve(expected / leafSize, query_mm, best);
     double bound = best.squared_mm2;
     boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
         improve(leaf, query_mm, best);
@@ -63,8 +63,8 @@ void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double lim
 {
     constexpr std::size_t together = 32;
     Surroundings surroundings(*this);
-    std::uint32_t before = Found::none;  // what the query before found is near the next one
-    double expected_mm2 = 0;             // most of the next ones find theirs within this
+    std::uint32_t before = Found::none;  // start: result of the query before
+    double expected_mm2 = 0;             // bound for the following queries
     for (std::size_t begin = 0; begin < queries_mm.size(); begin += together) {
         const std::size_t end = std::min(begin + together, queries_mm.size());
         Box box;
@@ -94,19 +94,19 @@ Neighbours::Found Neighbours::nearestTwo(const Eigen::Vector3d& query_mm, std::u
 {
     Found best{Found::none, second_mm2};
     const auto look = [&](std::uint32_t leaf, double& second) {
-        alignas(64) double squared[leaf_size];
+        alignas(64) double squared[leafSize];
         leafDistances(leaf, query_mm, squared);
-        for (std::uint32_t i = 0; i < leaf_size; ++i) {
+        for (std::uint32_t i = 0; i < leafSize; ++i) {
             if (!(squared[i] < second)) continue;
             if (squared[i] < best.squared_mm2) {
                 second = best.squared_mm2;
-                best = {leaf * leaf_size + i, squared[i]};
+                best = {leaf * leafSize + i, squared[i]};
             } else {
                 second = squared[i];
             }
         }
     };
-    const std::uint32_t first = expected < size() ? expected / leaf_size : Found::none;
+    const std::uint32_t first = expected < size() ? expected / leafSize : Found::none;
     if (first != Found::none) look(first, second_mm2);
     boxes_.visit(Box(query_mm), second_mm2, [&](std::uint32_t leaf, double& second) {
         if (leaf != first) look(leaf, second);
@@ -118,7 +118,7 @@ Neighbours::Found Neighbours::nearestTwo(const Eigen::Vector3d& query_mm, std::u
 void Neighbours::nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Trace> traces,
                          std::span<Found> found) const
 {
-    std::uint32_t before = Found::none;  // what the query before found is near the next one
+    std::uint32_t before = Found::none;  // start: result of the query before
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
         Trace& trace = traces[q];
         const Eigen::Vector3d& query = queries_mm[q];
@@ -142,14 +142,14 @@ void Neighbours::nearest(const Eigen::Vector3d& query_mm, std::size_t count, dou
     if (count == 0) return;
     double bound = limit_mm2;
     boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
-        alignas(64) double squared[leaf_size];
+        alignas(64) double squared[leafSize];
         leafDistances(leaf, query_mm, squared);
-        for (std::uint32_t i = 0; i < leaf_size; ++i) {
+        for (std::uint32_t i = 0; i < leafSize; ++i) {
             if (!(squared[i] < limit)) continue;
             if (found.size() < count) found.emplace_back();
             std::size_t place = found.size() - 1;
             for (; place > 0 && found[place - 1].squared_mm2 > squared[i]; --place) found[place] = found[place - 1];
-            found[place] = {leaf * leaf_size + i, squared[i]};
+            found[place] = {leaf * leafSize + i, squared[i]};
             if (found.size() == count) limit = std::min(limit, found.back().squared_mm2);
         }
     });
@@ -166,10 +166,10 @@ void Neighbours::nearestUnsorted(const Eigen::Vector3d& query_mm, std::size_t co
         found.clear();
         double bound = expected_mm2;
         boxes_.visit(Box(query_mm), bound, [&](std::uint32_t leaf, double& limit) {
-            alignas(64) double squared[leaf_size];
+            alignas(64) double squared[leafSize];
             leafDistances(leaf, query_mm, squared);
-            for (std::uint32_t i = 0; i < leaf_size; ++i)
-                if (squared[i] < limit) found.push_back({leaf * leaf_size + i, squared[i]});
+            for (std::uint32_t i = 0; i < leafSize; ++i)
+                if (squared[i] < limit) found.push_back({leaf * leafSize + i, squared[i]});
             if (found.size() > most) limit = 0;
         });
         if (found.size() >= wanted) break;
@@ -182,7 +182,7 @@ void Neighbours::nearestUnsorted(const Eigen::Vector3d& query_mm, std::size_t co
             return a.squared_mm2 != b.squared_mm2 ? a.squared_mm2 < b.squared_mm2 : a.place < b.place;
         });
         found.resize(wanted);
-        // The order that is left depends on what was looked at first: make it depend on the points only.
+        // Sort: the order must depend on the points only, not on the traversal.
         std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.place < b.place; });
         expected_mm2 = 0;
         for (const Found& f : found) expected_mm2 = std::max(expected_mm2, f.squared_mm2);

@@ -24,13 +24,13 @@ public:
     std::uint32_t input(std::uint32_t place) const { return order_[place]; }
     Eigen::Vector3d point_mm(std::uint32_t place) const
     {
-        const Leaf& leaf = leaves_[place / leaf_size];
-        return {leaf.x[place % leaf_size], leaf.y[place % leaf_size], leaf.z[place % leaf_size]};
+        const Leaf& leaf = leaves_[place / leafSize];
+        return {leaf.x[place % leafSize], leaf.y[place % leafSize], leaf.z[place % leafSize]};
     }
 
     struct Found {
         static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-        std::uint32_t place = none;  ///< `none` when no point is nearer than asked
+        std::uint32_t place = none;  ///< `none` when no point is within the limit
         double squared_mm2 = std::numeric_limits<double>::infinity();
     };
 
@@ -40,15 +40,15 @@ public:
     /// The same for many queries that follow each other in space, as in Hilbert order: much faster than one by one.
     void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Found> found) const;
 
-    /// What is known of a query that is asked again and again while it moves.
+    /// State of a query that is repeated while its point moves.
     struct Trace {
-        std::uint32_t place = Found::none;                ///< its nearest point when it was looked for last
-        double others_mm = -1;                            ///< every other point was at least so far then
-        Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();  ///< where it was
+        std::uint32_t place = Found::none;  ///< its nearest point in the last search
+        double others_mm = -1;              ///< lower bound of the distance of every other point then; -1: unknown
+        Eigen::Vector3d at_mm = Eigen::Vector3d::Zero();  ///< the query point then
     };
 
-    /// The same for queries that are asked again: nothing is looked for where no other point can have come nearer.
-    /// `traces` are those of the same queries the last time, empty ones at first.
+    /// The same for repeated queries: the search is skipped where no other point can have become the nearest. `traces`
+    /// are those of the last call with these queries, default ones at first.
     void nearest(std::span<const Eigen::Vector3d> queries_mm, double limit_mm2, std::span<Trace> traces,
                  std::span<Found> found) const;
 
@@ -63,13 +63,13 @@ public:
 private:
     friend class Surroundings;
 
-    static constexpr std::uint32_t leaf_size = 8;
+    static constexpr std::uint32_t leafSize = 8;
 
     // Eight points side by side; absent ones are infinitely far.
     struct alignas(64) Leaf {
-        double x[leaf_size];
-        double y[leaf_size];
-        double z[leaf_size];
+        double x[leafSize];
+        double y[leafSize];
+        double z[leafSize];
     };
 
     void improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const;
@@ -86,7 +86,7 @@ private:
 inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d& query_mm, double* squared) const
 {
     const Leaf& points = leaves_[leaf];
-    for (std::uint32_t i = 0; i < leaf_size; ++i) {
+    for (std::uint32_t i = 0; i < leafSize; ++i) {
         const double dx = points.x[i] - query_mm.x();
         const double dy = points.y[i] - query_mm.y();
         const double dz = points.z[i] - query_mm.z();
@@ -96,13 +96,13 @@ inline void Neighbours::leafDistances(std::uint32_t leaf, const Eigen::Vector3d&
 
 inline void Neighbours::improve(std::uint32_t leaf, const Eigen::Vector3d& query_mm, Found& best) const
 {
-    alignas(64) double squared[leaf_size];
+    alignas(64) double squared[leafSize];
     leafDistances(leaf, query_mm, squared);
     const double low = std::min(std::min(std::min(squared[0], squared[1]), std::min(squared[2], squared[3])),
                                 std::min(std::min(squared[4], squared[5]), std::min(squared[6], squared[7])));
     if (!(low < best.squared_mm2)) return;
-    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leaf_size, low) - squared);
-    best = {leaf * leaf_size + at, low};
+    const auto at = static_cast<std::uint32_t>(std::find(squared, squared + leafSize, low) - squared);
+    best = {leaf * leafSize + at, low};
 }
 
 }  // namespace lathelier::registration

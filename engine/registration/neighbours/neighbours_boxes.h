@@ -1,6 +1,6 @@
 // A tree of boxes over items in Hilbert order, eight children to a node (a packed R-tree). Distances to boxes and to
-// what they hold are computed by the same monotone steps, so that a box can be skipped exactly when it cannot win.
-// Source: I. Kamel, C. Faloutsos, "On packing R-trees", CIKM 1993.
+// what they hold are computed by the same monotone steps, so that a box is skipped exactly when it cannot contain the
+// nearest point. Source: I. Kamel, C. Faloutsos, "On packing R-trees", CIKM 1993.
 #pragma once
 
 #include <Eigen/Core>

@@ -11,8 +11,8 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr int curveLevels = 10;      // bits for each axis
-constexpr std::size_t run_size = 8;  // cells with no more points are not refined
+constexpr int curveLevels = 10;     // bits for each axis
+constexpr std::size_t runSize = 8;  // cells with no more points are not refined
 constexpr std::size_t entriesPerTask = 1 << 15;
 
 // One level of the curve: for each state (entry corner, direction) and octant, the octant's place and the next state.
@@ -61,7 +61,7 @@ struct Bounds {
 
 // Place on the curve in the upper half, index in the lower half.
 using Entry = std::uint64_t;
-constexpr Entry place_mask = Entry{0xffffffff} << 32;
+constexpr Entry placeMask = Entry{0xffffffff} << 32;
 
 class Sorter {
 public:
@@ -173,8 +173,8 @@ private:
         std::vector<std::pair<std::size_t, std::size_t>> runs;
         for (std::size_t i = begin; i < end;) {
             std::size_t j = i + 1;
-            while (j < end && ((entries_[i] ^ entries_[j]) & place_mask) == 0) ++j;
-            if (j - i > run_size) runs.emplace_back(i, j);
+            while (j < end && ((entries_[i] ^ entries_[j]) & placeMask) == 0) ++j;
+            if (j - i > runSize) runs.emplace_back(i, j);
             i = j;
         }
         parallelFor(runs.size(), 64, progress_, [&](std::size_t from, std::size_t to) {

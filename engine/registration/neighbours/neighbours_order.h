@@ -1,4 +1,4 @@
-// The order along a Hilbert curve: points that follow each other lie near each other, whatever their distribution.
+// The order along a Hilbert curve: consecutive points are near each other for any distribution.
 // Source: C. H. Hamilton, A. Rau-Chaplin, "Compact Hilbert indices", Information Processing Letters 105 (2008), the
 // algorithm for equal side lengths.
 #pragma once
@@ -17,8 +17,8 @@ namespace lathelier::registration {
 std::uint32_t hilbertPlace(const std::array<std::uint32_t, 3>& cell);
 
 /// The indices of `points_mm` (finite, any unit) along a Hilbert curve that is refined wherever points are dense, so
-/// that clusters and far outliers cost nothing. Equal points keep their order. Time n log n at worst; the same for any
-/// number of threads. Throws Cancelled.
+/// that clusters and far outliers do not slow it down. Equal points keep their order. Time n log n at worst; the same
+/// for any number of threads. Throws Cancelled.
 std::vector<std::uint32_t> hilbertOrder(const std::vector<Eigen::Vector3d>& points_mm, const Progress& progress = {});
 
 }  // namespace lathelier::registration

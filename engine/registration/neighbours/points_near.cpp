@@ -121,14 +121,14 @@ std::vector<Vector3d> pointsNear(const std::vector<Vector3d>& points_mm, const s
 double roughSpacing_mm(const std::vector<Vector3d>& points_mm, const Progress& progress)
 {
     constexpr double cellsAlong = 100;
-    constexpr std::size_t enough = 1 << 20;  // they meet the same cells as all points do
+    constexpr std::size_t enough = 1 << 20;  // they occupy the same cells as all points
     const std::size_t step = std::max<std::size_t>(1, points_mm.size() / enough);
     const Eigen::AlignedBox3d box = boundsOf(points_mm, progress);
     const double size_mm = points_mm.empty() ? 0 : box.sizes().maxCoeff();
     if (!(size_mm > 0)) return 0;
     Cells cells(box, size_mm / cellsAlong);
     for (std::size_t i = 0; i < points_mm.size(); i += step) cells.mark(points_mm[i], points_mm[i]);
-    // A surface at a slant meets half as many cells again as one along them.
+    // An inclined surface meets 1.5 times as many cells as an axis-parallel one.
     const double area_mm2 = static_cast<double>(cells.marked()) * cells.cell_mm() * cells.cell_mm() / 1.5;
     return std::sqrt(area_mm2 / static_cast<double>(points_mm.size()));
 }

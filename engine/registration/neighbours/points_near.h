@@ -1,4 +1,4 @@
-// The part of a large cloud that lies near some places: what an index for a few questions needs.
+// The part of a large cloud that lies near some places: for an index that serves a few queries.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace lathelier::registration {
 
-/// Places and how far around each of them points are wanted.
+/// Spheres around places, within which points are needed.
 struct Vicinity {
     std::vector<Eigen::Vector3d> places_mm;  ///< in the frame of the cloud
-    double radius_mm = 0;                    ///< how far around each place
+    double radius_mm = 0;                    ///< radius of each sphere
 };
 
 /// All points within the radius of any place of any vicinity, and some further ones, in the order given. All are

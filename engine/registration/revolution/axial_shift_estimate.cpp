@@ -9,15 +9,16 @@
 namespace lathelier::registration {
 namespace {
 
-/// What one shoulder or slope says about the shift.
-struct Witness {
+/// Axial shift estimated from one shoulder or taper.
+struct ShiftEstimate {
     double shift;
     double variance;
     bool slope;
-    int facing;  ///< of a shoulder, in the reference
+    int facing;  ///< of a shoulder: direction of its outward normal along z of the reference; of a taper 0
 };
 
-void askShoulders(const TurnedPart& reference, const TurnedPart& copy, double shift, std::vector<Witness>& witnesses)
+void addShoulderEstimates(const TurnedPart& reference, const TurnedPart& copy, double shift,
+                          std::vector<ShiftEstimate>& estimates)
 {
     const double near = 4 * std::max(reference.fit.profile.step_mm, copy.fit.profile.step_mm);
     for (const Shoulder& c : copy.shoulders) {
@@ -30,13 +31,13 @@ void askShoulders(const TurnedPart& reference, const TurnedPart& copy, double sh
         }
         if (!found) continue;
         const double floor = 1e-9 * lengthOf(reference.fit.profile);
-        witnesses.push_back({found->z_mm - c.z_mm,
+        estimates.push_back({found->z_mm - c.z_mm,
                              found->sigma_mm * found->sigma_mm + c.sigma_mm * c.sigma_mm + floor * floor, false,
                              found->facing()});
     }
 }
 
-constexpr double kLeastSlope = 0.03;
+constexpr double leastSlope = 0.03;
 
 /// Difference of the radii (copy less reference) in a bin where both are cylinders, with its variance.
 struct Difference {
@@ -46,7 +47,7 @@ std::optional<Difference> levelDifference(const RadiusProfile& reference, const 
                                           std::size_t bin)
 {
     const auto level = [](const RadiusProfile& p, std::size_t i) {  // and no kink next to it
-        if (i < 1 || i + 1 >= p.size() || !(std::abs(p.slope[i]) < kLeastSlope)) return false;
+        if (i < 1 || i + 1 >= p.size() || !(std::abs(p.slope[i]) < leastSlope)) return false;
         const double most = 0.1 * p.step_mm;
         return std::abs(p.radius_mm[i] - p.radius_mm[i - 1]) < most &&
                std::abs(p.radius_mm[i + 1] - p.radius_mm[i]) < most;
@@ -77,14 +78,14 @@ double differenceOfForm(const RadiusProfile& reference, const RadiusProfile& cop
 std::optional<Difference> differenceBeside(const RadiusProfile& reference, const RadiusProfile& copy, double shift,
                                            std::ptrdiff_t from, std::ptrdiff_t step)
 {
-    constexpr int kKink = 8, kBins = 48;
-    int patience = 4;  // with bins whose slope is only noise
+    constexpr int kinkBins = 8, longestStretch_bins = 48;
+    int skips_left = 4;  // bins with a slope above the limit from noise alone that may be skipped
     double n = 0, sx = 0, sxx = 0, sy = 0, sxy = 0, variance = 0;
-    for (std::ptrdiff_t k = 0; k < kKink + kBins; ++k) {
+    for (std::ptrdiff_t k = 0; k < kinkBins + longestStretch_bins; ++k) {
         const std::ptrdiff_t i = from + step * k;
         if (i < 0 || i >= static_cast<std::ptrdiff_t>(copy.size())) break;
         const auto d = levelDifference(reference, copy, shift, static_cast<std::size_t>(i));
-        if (!d && (n > 0 ? --patience : kKink - k) <= 0) break;
+        if (!d && (n > 0 ? --skips_left : kinkBins - k) <= 0) break;
         if (!d) continue;
         const auto x = static_cast<double>(k);
         n += 1;
@@ -99,13 +100,14 @@ std::optional<Difference> differenceBeside(const RadiusProfile& reference, const
     return Difference{(sxx * sy - sx * sxy) / spread, variance / n * sxx / spread};
 }
 
-/// Slopes: in every run of bins that slope the same way, the shift that brings the radii together. A slope tells the
-/// place only as well as the copy has the radii of the reference: its radius is taken to differ by what that of the
-/// cylinders beside it does (they were turned together), as far as that can be told from noise, and by 3 % of what
-/// radii differ on the whole; without a cylinder beside it, by all of that.
-void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double shift, std::vector<Witness>& witnesses)
+/// Tapers: for every run of bins with slopes of one sign, the shift that makes the radii equal. A difference of the
+/// radii between copy and reference biases that shift. Its variance is estimated from the radius difference of the
+/// adjoining cylinders (turned in the same pass), shrunk by its noise, plus 3 % (standard deviation) of the overall
+/// radius difference; without an adjoining cylinder, it is the overall mean square.
+void addTaperEstimates(const RadiusProfile& reference, const RadiusProfile& copy, double shift,
+                       std::vector<ShiftEstimate>& estimates)
 {
-    constexpr double kOwn = 0.03 * 0.03;
+    constexpr double ownVarianceShare = 0.03 * 0.03;
     const double whole = differenceOfForm(reference, copy, shift);
     double weight = 0, sum = 0, lever = 0;
     int sign = 0;
@@ -116,14 +118,14 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
             for (const auto& beside : {differenceBeside(reference, copy, shift, first - 1, -1),
                                        differenceBeside(reference, copy, shift, static_cast<std::ptrdiff_t>(end), 1)})
                 if (beside && whole > 0) {
-                    // what is expected, given that radii differ by `whole` in the mean square and this is what was seen
-                    const double trust = whole / (whole + beside->variance);
-                    difference += trust * trust * beside->off * beside->off + trust * beside->variance;
+                    // posterior mean square of the difference: prior variance `whole`, one observation
+                    const double shrinkage = whole / (whole + beside->variance);
+                    difference += shrinkage * shrinkage * beside->off * beside->off + shrinkage * beside->variance;
                     sides += 1;
                 }
-            difference = sides > 0 ? difference / sides + kOwn * whole : whole;
+            difference = sides > 0 ? difference / sides + ownVarianceShare * whole : whole;
             const double bias = lever / weight;
-            witnesses.push_back({shift + sum / weight, 1 / weight + difference * bias * bias, true, 0});
+            estimates.push_back({shift + sum / weight, 1 / weight + difference * bias * bias, true, 0});
         }
         weight = sum = lever = 0;
         sign = 0;
@@ -137,7 +139,7 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
     };
     for (std::size_t i = 0; i < copy.size(); ++i) {
         const double q = copy.slope[i];
-        const bool sloped = !std::isnan(copy.radius_mm[i]) && std::abs(q) > kLeastSlope && smooth(copy, i);
+        const bool sloped = !std::isnan(copy.radius_mm[i]) && std::abs(q) > leastSlope && smooth(copy, i);
         if (!sloped || (sign != 0 && (q > 0) != (sign > 0))) finish(i);
         if (!sloped) continue;
         const double place = copy.middle_mm(i) + shift;
@@ -157,63 +159,63 @@ void askSlopes(const RadiusProfile& reference, const RadiusProfile& copy, double
     finish(copy.size());
 }
 
-AxialShift mean(const std::vector<Witness>& witnesses)
+AxialShift weightedMeanShift(const std::vector<ShiftEstimate>& estimates)
 {
     double weight = 0, sum = 0;
-    for (const Witness& w : witnesses) {
+    for (const ShiftEstimate& w : estimates) {
         weight += 1 / w.variance;
         sum += w.shift / w.variance;
     }
     return {sum / weight, 1 / weight};
 }
 
-/// Two scans may see every shoulder moved outward by a different amount (another spot, another handling of mixed
-/// pixels). Shoulders that face both ways tell: half of what the two kinds differ beyond their uncertainty is taken out
-/// as a displacement that all share, with its own prior variance; shoulders that all face one way stay as they are.
-void removeFacingBias(std::vector<Witness>& shoulders)
+/// Two scans may displace all shoulders outward by different amounts (spot size, treatment of mixed pixels). With
+/// shoulders that face both ways this bias is observable: half the difference of the two group means, shrunk by its
+/// noise, is subtracted from each estimate. Shoulders that all face one way are not corrected.
+void removeFacingBias(std::vector<ShiftEstimate>& shoulders)
 {
-    std::vector<Witness> up, down;
-    for (const Witness& w : shoulders) (w.facing > 0 ? up : down).push_back(w);
+    std::vector<ShiftEstimate> up, down;
+    for (const ShiftEstimate& w : shoulders) (w.facing > 0 ? up : down).push_back(w);
     if (up.empty() || down.empty()) return;
-    const AxialShift a = mean(up);
-    const AxialShift b = mean(down);
+    const AxialShift a = weightedMeanShift(up);
+    const AxialShift b = weightedMeanShift(down);
     const double half = (a.shift - b.shift) / 2;
     const double noise = (a.variance + b.variance) / 4;
     const double prior = half * half - 2 * noise;
     if (prior <= 0) return;
     const double bias = half * prior / (prior + noise);
-    for (Witness& w : shoulders) w.shift -= w.facing > 0 ? bias : -bias;
+    for (ShiftEstimate& w : shoulders) w.shift -= w.facing > 0 ? bias : -bias;
 }
 
-/// Adds to the variances of a group what its members differ beyond their own uncertainty (the moment estimator of
-/// DerSimonian and Laird, 1986).
-void settleAmong(std::vector<Witness>& group)
+/// Adds the between-estimate variance to the variances of a group (moment estimator of DerSimonian and Laird, 1986).
+void inflateVariances(std::vector<ShiftEstimate>& group)
 {
     if (group.size() < 2) return;
-    const AxialShift centre = mean(group);
+    const AxialShift centre = weightedMeanShift(group);
     double q = 0, w1 = 0, w2 = 0;
-    for (const Witness& w : group) {
+    for (const ShiftEstimate& w : group) {
         q += (w.shift - centre.shift) * (w.shift - centre.shift) / w.variance;
         w1 += 1 / w.variance;
         w2 += 1 / (w.variance * w.variance);
     }
     const double excess = (q - 2 * (static_cast<double>(group.size()) - 1)) / (w1 - w2 / w1);
-    for (Witness& w : group) w.variance += std::max(0.0, excess);
+    for (ShiftEstimate& w : group) w.variance += std::max(0.0, excess);
 }
 
-/// Inverse-variance mean of shoulders and slopes, each kind settled among itself first. Where the two kinds contradict
-/// each other, the one that is less sure gives way.
-AxialShift weigh(const std::vector<Witness>& witnesses)
+/// Inverse-variance mean of shoulders and tapers, after adding the variance within each group. Where the two group
+/// means differ by more than √6 standard uncertainties, the variance of the less certain group is inflated by the
+/// excess.
+AxialShift combineEstimates(const std::vector<ShiftEstimate>& estimates)
 {
-    std::vector<Witness> shoulders, slopes;
-    for (const Witness& w : witnesses) (w.slope ? slopes : shoulders).push_back(w);
+    std::vector<ShiftEstimate> shoulders, slopes;
+    for (const ShiftEstimate& w : estimates) (w.slope ? slopes : shoulders).push_back(w);
     removeFacingBias(shoulders);
-    settleAmong(shoulders);
-    settleAmong(slopes);
-    if (shoulders.empty()) return mean(slopes);
-    if (slopes.empty()) return mean(shoulders);
-    AxialShift a = mean(shoulders);
-    AxialShift b = mean(slopes);
+    inflateVariances(shoulders);
+    inflateVariances(slopes);
+    if (shoulders.empty()) return weightedMeanShift(slopes);
+    if (slopes.empty()) return weightedMeanShift(shoulders);
+    AxialShift a = weightedMeanShift(shoulders);
+    AxialShift b = weightedMeanShift(slopes);
     const double contradiction = (a.shift - b.shift) * (a.shift - b.shift) - 6 * (a.variance + b.variance);
     (a.variance < b.variance ? b : a).variance += std::max(0.0, contradiction);
     const double share = b.variance / (a.variance + b.variance);
@@ -224,11 +226,11 @@ AxialShift weigh(const std::vector<Witness>& witnesses)
 
 std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const TurnedPart& copy, double shift)
 {
-    std::vector<Witness> witnesses;
-    askShoulders(reference, copy, shift, witnesses);
-    askSlopes(reference.fit.profile, copy.fit.profile, shift, witnesses);
-    if (witnesses.empty()) return std::nullopt;
-    return weigh(witnesses);
+    std::vector<ShiftEstimate> estimates;
+    addShoulderEstimates(reference, copy, shift, estimates);
+    addTaperEstimates(reference.fit.profile, copy.fit.profile, shift, estimates);
+    if (estimates.empty()) return std::nullopt;
+    return combineEstimates(estimates);
 }
 
 }  // namespace lathelier::registration

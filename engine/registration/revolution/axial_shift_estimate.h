@@ -1,4 +1,4 @@
-// What shoulders and slopes say about the shift along the axis between two bodies of revolution.
+// Axial shift between two bodies of revolution, estimated from matched shoulders and tapers.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ struct AxialShift {
     double variance;  ///< mm²
 };
 
-/// The weighted word of all shoulders and slopes that the two parts have in common when the copy is moved by about
-/// `shift`; nullopt where there is none. Never from where the data end.
+/// Inverse-variance mean of the axial shifts from all shoulders and tapers that match when the copy is moved by about
+/// `shift`; nullopt when none match. The ends of the data are not used.
 std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const TurnedPart& copy, double shift);
 
 }  // namespace lathelier::registration

@@ -8,17 +8,17 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kStep = 3;          // scatters between neighbouring bins: more is a step
-constexpr double kSlope = 1.5;       // dR/dz: less is no step, however little the points scatter
-constexpr double kReach = 6;         // scatters that the noise of a face reaches over
-constexpr double kLand_mm = 0.2;     // no part has narrower lands
-constexpr std::size_t mostRuns = 2;  // runs between two sides
+constexpr double stepSigmas = 3;             // difference between neighbouring bins that is a step, in σ
+constexpr double leastStepSlope = 1.5;       // dR/dz: a smaller difference is no step, even with little scatter
+constexpr double faceNoiseReach_sigmas = 6;  // extent of the noise of a face along the axis, in σ
+constexpr double narrowestLand_mm = 0.2;     // narrower lands are not expected
+constexpr std::size_t mostRuns = 2;          // runs between two sides
 
 struct Run {
     std::size_t first, last;
 };
 
-void forget(RadiusProfile& profile, const Run& run)
+void clearRun(RadiusProfile& profile, const Run& run)
 {
     for (std::size_t i = run.first; i <= run.last; ++i) {
         profile.radius_mm[i] = profile.slope[i] = profile.sigma_mm[i] = notANumber;
@@ -28,10 +28,10 @@ void forget(RadiusProfile& profile, const Run& run)
 
 }  // namespace
 
-void forgetFaceBins(RadiusProfile& profile, double sigma_mm)
+void clearFaceBins(RadiusProfile& profile, double sigma_mm)
 {
-    const double step = std::max(kStep * sigma_mm, kSlope * profile.step_mm);
-    const double reach = kReach * sigma_mm + kLand_mm;
+    const double step = std::max(stepSigmas * sigma_mm, leastStepSlope * profile.step_mm);
+    const double reach = faceNoiseReach_sigmas * sigma_mm + narrowestLand_mm;
     std::vector<Run> runs;
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double radius = profile.radius_mm[i];
@@ -54,7 +54,7 @@ void forgetFaceBins(RadiusProfile& profile, double sigma_mm)
             const double after = end < runs.size() ? profile.radius_mm[runs[end].first] : 0;
             for (std::size_t k = begin; k < end; ++k) {
                 const double radius = profile.radius_mm[runs[k].first];
-                if ((radius - before) * (radius - after) < 0) forget(profile, runs[k]);
+                if ((radius - before) * (radius - after) < 0) clearRun(profile, runs[k]);
             }
         }
         begin = std::max(end, begin + 1);

@@ -1,4 +1,4 @@
-// Bins of a radius profile that noise made of a face across the axis.
+// Spurious bins of a radius profile caused by noise on a face across the axis.
 #pragma once
 
 #include "engine/registration/revolution/revolution_axis.h"
@@ -7,8 +7,8 @@ namespace lathelier::registration {
 
 /// Where a scan shows a face, noise along the axis gives single bins beside it a radius between those of its two sides,
 /// or beyond the end of the part. They would split a shoulder. A run of bins no longer than that noise reaches, with a
-/// step to what lies beside it, is no land of the part: its radius becomes unknown. Three such runs in a row are a
-/// slope, and stay. `sigma_mm`: scatter of the points.
-void forgetFaceBins(RadiusProfile& profile, double sigma_mm);
+/// step to its neighbours, is no land of the part: its radius becomes unknown. Three such runs in a row are a slope,
+/// and stay. `sigma_mm`: scatter of the points.
+void clearFaceBins(RadiusProfile& profile, double sigma_mm);
 
 }  // namespace lathelier::registration

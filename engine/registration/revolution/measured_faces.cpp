@@ -18,23 +18,23 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kReach_mm = 1;        // a face lies within this of where the profile has a step
-constexpr double kApart = 0.45;        // of the way to the next face
-constexpr double kLeastDensity = 0.1;  // of that of the other points
+constexpr double faceSearchReach_mm = 1;   // a face is sought within this distance of the step in the profile
+constexpr double nextFaceShare = 0.45;     // share of the distance to the next face
+constexpr double leastDensityRatio = 0.1;  // point density over that of the sides
 constexpr std::size_t leastFacePoints = 60;
-constexpr std::size_t kRingPoints = 24;  // enough for the median of a ring
-constexpr double kMostSlope = 0.2;       // dz/dr of a face across the axis
+constexpr std::size_t ringPoints = 24;     // least number of points for the median of a ring
+constexpr double steepestFaceSlope = 0.2;  // dz/dr of a face across the axis
 constexpr std::size_t faceSectors = 12;
-constexpr std::size_t kSectorPoints = 5;
-constexpr double kStrayShare = 0.25;    // of the reach: points that scatter more lie on no face
-constexpr double kOfMedian = 1.2533;    // standard error of a median over that of a mean
-constexpr double kManyQuantile = 1.96;  // of Student's distribution at 0.975 with many degrees of freedom
+constexpr std::size_t leastSectorPoints = 5;
+constexpr double largestScatterShare = 0.25;  // of the search distance: with a larger scatter there is no face
+constexpr double medianErrorFactor = 1.2533;  // standard error of a median over that of a mean
+constexpr double normalQuantile = 1.96;       // of Student's distribution at 0.975 with many degrees of freedom
 
 using FacePoints = std::vector<std::vector<Vector3d>>;
 
 /// The points about each of the faces, as (z, r, turn 0…1).
 FacePoints pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_points,
-                       const std::vector<FaceSought>& sought, const std::vector<double>& reach_mm,
+                       const std::vector<FaceCandidate>& sought, const std::vector<double>& reach_mm,
                        const Progress& progress)
 {
     return parallelReduce(
@@ -68,9 +68,9 @@ std::vector<double> axialPlaces(const Points& points)
     return z;
 }
 
-/// Standard error of the face's place: neighbours go together, and the face may lean, so that its sectors tell, but
-/// never less than the scatter of its points does: a dozen sectors may agree by chance. Multiplied by what Student's
-/// distribution asks of so few.
+/// Standard error of the face's place from the means of its sectors, since residuals of neighbours are correlated and
+/// the face may be tilted; bounded below by the scatter of its points, since a dozen sectors may agree by chance.
+/// Scaled by the quantile of Student's distribution over the normal one.
 double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& points, double scatter_mm)
 {
     std::vector<std::vector<double>> sectors(faceSectors);
@@ -82,7 +82,7 @@ double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& poin
     double sum = 0;
     double squares = 0;
     for (std::vector<double>& off : sectors) {
-        if (off.size() < kSectorPoints) continue;
+        if (off.size() < leastSectorPoints) continue;
         const double middle = median(std::move(off));
         n += 1;
         sum += middle;
@@ -90,8 +90,8 @@ double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& poin
     }
     if (n < 3) return std::numeric_limits<double>::infinity();
     const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
-    const double few = studentQuantile(0.975, static_cast<std::int64_t>(n) - 1) / kManyQuantile;
-    const double least = kOfMedian * scatter_mm / std::sqrt(static_cast<double>(points.size()));
+    const double few = studentQuantile(0.975, static_cast<std::int64_t>(n) - 1) / normalQuantile;
+    const double least = medianErrorFactor * scatter_mm / std::sqrt(static_cast<double>(points.size()));
     return few * std::max(std::sqrt(variance / n), least);
 }
 
@@ -126,7 +126,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
     for (const Vector3d& p : points)
         thin[std::min(rings - 1, static_cast<std::size_t>((p.y() - inner_mm) / face.ring_mm))].push_back(p);
     const auto filled = std::count_if(thin.begin(), thin.end(),
-                                      [](const std::vector<Vector3d>& ring) { return ring.size() >= kRingPoints; });
+                                      [](const std::vector<Vector3d>& ring) { return ring.size() >= ringPoints; });
     if (2 * static_cast<std::size_t>(filled) < rings) return notANumber;
 
     const double enough = static_cast<double>(points.size()) / static_cast<double>(rings);
@@ -137,7 +137,7 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
     std::vector<double> scatter;
     std::vector<Vector3d> ring;
     const auto close = [&](double end) {
-        if (ring.size() >= kRingPoints) {
+        if (ring.size() >= ringPoints) {
             const double z = median(axialPlaces(ring));
             std::vector<double> off;
             off.reserve(ring.size());
@@ -146,14 +146,14 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
                 off.push_back(std::abs(p.x() - z));
                 radius += p.y() / static_cast<double>(ring.size());
             }
-            scatter.push_back(mad_to_sigma * median(std::move(off)));
+            scatter.push_back(madToSigma * median(std::move(off)));
             const auto n = static_cast<double>(ring.size());
             if (face.line.empty()) face.inner_mm = start;
             face.outer_mm = end;
             face.line.emplace_back(z, radius);
             count += n;
             sum += n * z;
-            variance += std::pow(kOfMedian * scatter.back(), 2) / n;
+            variance += std::pow(medianErrorFactor * scatter.back(), 2) / n;
         }
         ring.clear();
         start = end;
@@ -175,12 +175,12 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
     return median(std::move(scatter));
 }
 
-/// How far from its place each of the faces is looked for.
-std::vector<double> reachesOf(const std::vector<FaceSought>& sought)
+/// Search distance along z for each of the faces.
+std::vector<double> reachesOf(const std::vector<FaceCandidate>& sought)
 {
-    std::vector<double> reach_mm(sought.size(), kReach_mm);
+    std::vector<double> reach_mm(sought.size(), faceSearchReach_mm);
     for (std::size_t f = 1; f < sought.size(); ++f) {
-        const double apart = kApart * (sought[f].z_mm - sought[f - 1].z_mm);
+        const double apart = nextFaceShare * (sought[f].z_mm - sought[f - 1].z_mm);
         reach_mm[f - 1] = std::min(reach_mm[f - 1], apart);
         reach_mm[f] = std::min(reach_mm[f], apart);
     }
@@ -202,7 +202,7 @@ double MeasuredFace::zAt_mm(double radius_mm) const
 
 std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& points_mm,
                                        const Eigen::Isometry3d& axis_T_points, const RadiusProfile& profile,
-                                       const std::vector<FaceSought>& sought, const Progress& progress)
+                                       const std::vector<FaceCandidate>& sought, const Progress& progress)
 {
     std::vector<MeasuredFace> faces;
     const std::vector<double> reach_mm = reachesOf(sought);
@@ -214,19 +214,19 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
         const double inner = sought[f].inner_mm + smearedEdge_mm;
         const double outer = sought[f].outer_mm - smearedEdge_mm;
         const double area = std::numbers::pi * (outer * outer - inner * inner);
-        if (static_cast<double>(points.size()) < kLeastDensity * density * area) continue;
-        if (std::abs(slopeOf(points)) > kMostSlope) continue;  // a chamfer or a cone
+        if (static_cast<double>(points.size()) < leastDensityRatio * density * area) continue;
+        if (std::abs(slopeOf(points)) > steepestFaceSlope) continue;  // a chamfer or a cone
         // As many rings of one width as points allow; neighbours with few points, near the middle of an end face, are
         // one.
         const double most = (outer - inner) / profile.step_mm;
         const auto rings = static_cast<std::size_t>(
-            std::clamp(static_cast<double>(points.size()) / (2 * kRingPoints), 1.0, std::max(1.0, most)));
+            std::clamp(static_cast<double>(points.size()) / (2 * ringPoints), 1.0, std::max(1.0, most)));
         MeasuredFace face;
         face.sought_mm = sought[f].z_mm;
         face.facing = sought[f].facing;
         face.ring_mm = (outer - inner) / static_cast<double>(rings);
         const double scatter_mm = layRings(points, inner, rings, face);
-        if (std::isnan(scatter_mm) || scatter_mm > kStrayShare * reach_mm[f]) continue;
+        if (std::isnan(scatter_mm) || scatter_mm > largestScatterShare * reach_mm[f]) continue;
         face.place_sigma_mm = placeSigma_mm(face, points, scatter_mm);
         faces.push_back(std::move(face));
     }

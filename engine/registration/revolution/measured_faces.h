@@ -9,9 +9,9 @@
 
 namespace lathelier::registration {
 
-/// Where a face may be: a ring across the axis, in the axis frame.
-struct FaceSought {
-    double z_mm = 0;      ///< about here
+/// A ring across the axis, in the axis frame, where a face is sought.
+struct FaceCandidate {
+    double z_mm = 0;      ///< expected place along the axis
     double inner_mm = 0;  ///< radius where it begins
     double outer_mm = 0;  ///< radius where it ends
     int facing = 1;       ///< direction of its outward normal along z
@@ -27,7 +27,7 @@ struct MeasuredFace {
     double outer_mm = 0;                ///< radius where the last ends
     double ring_mm = 0;                 ///< width of a ring but for those with few points
     double sigma_mm = 0;                ///< standard uncertainty of z in one ring
-    double place_sigma_mm = 0;          ///< standard uncertainty of `z_mm`, from what its sectors differ by
+    double place_sigma_mm = 0;          ///< standard uncertainty of `z_mm`, from the scatter over its sectors
 
     /// z of the face at a radius; beyond the rings that of the outermost.
     double zAt_mm(double radius_mm) const;
@@ -38,6 +38,6 @@ struct MeasuredFace {
 /// scattered as stray points are. No ring is narrower than the profile's bins. Throws Cancelled.
 std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& points_mm,
                                        const Eigen::Isometry3d& axis_T_points, const RadiusProfile& profile,
-                                       const std::vector<FaceSought>& sought, const Progress& progress = {});
+                                       const std::vector<FaceCandidate>& sought, const Progress& progress = {});
 
 }  // namespace lathelier::registration

@@ -13,9 +13,11 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kEdgeScatter = 2.5;   // a bin that scatters this much more than its fellows holds an edge…
-constexpr double kRoughScatter = 1.7;  // …or is rough, where the scatter is that of the quiet bins
-constexpr double kFaceShare = 0.02;    // of the points: a face with fewer says less about the axis than its errors cost
+constexpr double edgeScatterRatio =
+    2.5;  // ratio of a bin's scatter to the median of the bins: above it the bin contains an edge
+constexpr double roughScatterRatio = 1.7;  // ratio to the scatter of the quiet bins: above it the bin is rough
+constexpr double leastFacePointShare =
+    0.02;  // of all points: a face with fewer adds more systematic error than information about the axis
 
 struct MeridianPoint {
     double z;
@@ -80,14 +82,14 @@ double typical(const std::vector<Scatter>& scatters)
     return values.empty() ? 0.0 : upperMedianInPlace(values);
 }
 
-/// Scatter of the quietest fifth of the bins when that is lower than the median by a third (then the median is that of
-/// a thread or a knurl); else 0. Bins with few points have no say: their scatter itself scatters by as much.
+/// 20 % quantile of the scatter of the bins when it is lower than the median by a third (then the median is that of a
+/// thread or a knurl); else 0. Bins with few points are left out: their scatter is too uncertain.
 double quiet(const std::vector<Scatter>& scatters, double middle)
 {
-    constexpr double kEnough = 20;
+    constexpr double leastBinPoints = 20;
     std::vector<double> values;
     for (const Scatter& s : scatters)
-        if (s.points >= kEnough) values.push_back(s.sigma);
+        if (s.points >= leastBinPoints) values.push_back(s.sigma);
     if (values.size() < 15) return 0;
     const double fifth = quantileInPlace(values, 0.2);
     return 1.1 * fifth < middle * 2 / 3 ? fifth : 0;
@@ -121,7 +123,7 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
                 const std::size_t i = sorted.items[k];
                 values.push_back(std::abs(across(i) - bin.value - bin.slope * (along(i) - bin.middle)));
             }
-            bin.sigma = bin.own_mm = mad_to_sigma * upperMedianInPlace(values) * bin.cosine;
+            bin.sigma = bin.own_mm = madToSigma * upperMedianInPlace(values) * bin.cosine;
             scatters.push_back({bin.sigma, bin.points});
         }
         return scatters;
@@ -137,12 +139,12 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
 std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                                const std::vector<MeridianPoint>& points, const BinOrder& by_z, double largest)
 {
-    constexpr double kGap_mm = 0.4;
-    constexpr double kSharedSectors = 0.55;
-    constexpr std::size_t kStretches =
-        120;  // the walls are looked for in longer stretches than bins: a bore has few points
+    constexpr double wallGap_mm = 0.4;
+    constexpr double sharedSectorShare = 0.55;
+    constexpr std::size_t longestStretchCount =
+        120;  // walls are sought in stretches longer than a bin, since a bore has few points
     const std::size_t bins = by_z.first.size() - 1;
-    const std::size_t merged = (bins + kStretches - 1) / kStretches;
+    const std::size_t merged = (bins + longestStretchCount - 1) / longestStretchCount;
     const std::size_t count = (bins + merged - 1) / merged;
     std::vector<double> splits(count, notANumber);
     std::vector<double> radii;
@@ -150,7 +152,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
         std::vector<double> off;
         const double middle = radii[(from + to) / 2];
         for (std::size_t k = from; k < to; ++k) off.push_back(std::abs(radii[k] - middle));
-        return mad_to_sigma * upperMedianInPlace(off);
+        return madToSigma * upperMedianInPlace(off);
     };
     for (std::size_t b = 0; b < count; ++b) {
         const std::size_t from = by_z.first[b * merged];
@@ -159,7 +161,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
         for (std::size_t k = from; k < to; ++k) radii.push_back(points[by_z.items[k]].r);
         const std::size_t least = std::max<std::size_t>(6, radii.size() * 8 / 100);
         if (radii.size() < 2 * least) continue;
-        const double gap = std::min(kGap_mm, 0.05 * largest);
+        const double gap = std::min(wallGap_mm, 0.05 * largest);
         const auto [smallest, greatest] = std::minmax_element(radii.begin(), radii.end());
         if (*greatest - *smallest < gap) continue;
         std::sort(radii.begin(), radii.end());
@@ -174,7 +176,7 @@ std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const
                 const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
             }
-            if (std::popcount(inner & outer) >= kSharedSectors * std::popcount(inner)) {
+            if (std::popcount(inner & outer) >= sharedSectorShare * std::popcount(inner)) {
                 splits[b] = split;
                 break;
             }
@@ -238,7 +240,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     const auto z_of = [&](std::size_t i) { return points[i].z; };
     const auto r_of = [&](std::size_t i) { return points[i].r; };
     const double least = std::max(4.0, 0.15 * upperMedianInPlace(filled));
-    const double floor = 1e-5 * extent;  // exact meshes: no surface is worth more than this
+    const double floor = 1e-5 * extent;  // lower bound of the scatter, for exact meshes
     std::vector<Scatter> scatters =
         fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
     if (bored) {
@@ -255,14 +257,14 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     const double middle = typical(scatters);
     const double calm = quiet(scatters, middle);
     result.sigma_mm = std::max(floor, calm > 0 ? calm : middle);
-    const double most_scatter = (calm > 0 ? kRoughScatter : kEdgeScatter) * result.sigma_mm;
+    const double most_scatter = (calm > 0 ? roughScatterRatio : edgeScatterRatio) * result.sigma_mm;
     for (std::size_t b = sides; b < result.bins.size(); ++b) {
         MeridianBin& bin = result.bins[b];
         if (bin.active && bin.sigma > most_scatter) bin.active = false;
         bin.sigma = result.sigma_mm;
     }
 
-    // Bins that scatter more than the others hold an edge or a face; runs of them become faces of their own.
+    // Bins with more scatter than the others contain an edge or a face; runs of them become faces.
     result.face_of.assign(sides, -1);
     std::vector<std::size_t> face_points;
     for (std::size_t b = 0; b < sides; ++b) {
@@ -278,7 +280,8 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
     std::vector<int> kept(face_points.size(), -1);
     int faces = 0;
     for (std::size_t f = 0; f < face_points.size(); ++f)
-        if (static_cast<double>(face_points[f]) > kFaceShare * static_cast<double>(points.size())) kept[f] = faces++;
+        if (static_cast<double>(face_points[f]) > leastFacePointShare * static_cast<double>(points.size()))
+            kept[f] = faces++;
     for (int& face : result.face_of)
         if (face >= 0) face = kept[static_cast<std::size_t>(face)];
     const std::size_t walls = result.bins.size();
@@ -296,7 +299,7 @@ MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::I
         const double scatter =
             std::max(floor, typical(fillBins(own, result.face_columns, 0, result.step_mm, by_r, r_of, z_of, 4)));
         for (int c = 0; c < result.face_columns; ++c) {
-            if (own[c].sigma > kEdgeScatter * scatter) own[c].active = false;
+            if (own[c].sigma > edgeScatterRatio * scatter) own[c].active = false;
             own[c].sigma = scatter;
         }
         // A long run beside quiet bins whose points lie anywhere along it is rough, not a face.

@@ -11,7 +11,7 @@ namespace lathelier::registration {
 struct MeridianBin {
     double middle = 0;    ///< of the bin in `along`, in mm
     double value = 0;     ///< radius or z at the middle, in mm: the median, then fitted
-    double slope = 0;     ///< change of `value` with `along`; 0 where neighbours agree on none
+    double slope = 0;     ///< change of `value` with `along`; 0 where the slopes to both neighbours differ
     double cosine = 1;    ///< from the difference in value to the distance along the normal
     double sigma = 1;     ///< scatter along the normal
     double own_mm = 0;    ///< scatter of this bin alone
@@ -27,7 +27,7 @@ struct MeridianBins {
     double sigma_mm = 0;           ///< scatter at the side
     double largest_mm = 0;         ///< radius that 99 % of the points stay within
     int side_count = 0;            ///< number of side bins
-    int wall_count = 0;            ///< bins of side and bore together: what comes after them is faces
+    int wall_count = 0;            ///< number of bins of side and bore together: those of the faces follow
     int face_columns = 0;          ///< bins of each face, from the axis outward
     std::vector<double> split_mm;  ///< for each side bin: points inside this radius lie on the bore; empty without bore
     std::vector<int> face_of;      ///< for each side bin: the face its points belong to when it is not active, or -1
@@ -54,12 +54,12 @@ struct MeridianBins {
 };
 
 /// Robust bins (median, scatter) of a sample. `count` is the wished number of bins along the part. Where the radii of a
-/// bin fall into two walls with a gap between them, each wall has a bin. Rough zones (a thread, a knurl) do not set the
-/// scatter: when the quietest fifth of the bins scatters by a third less than their median, it does, and bins that
-/// scatter more than 1.7 times that stay inactive.
+/// bin fall into two walls with a gap between them, each wall has a bin. Rough zones (a thread, a knurl) do not
+/// determine the scatter: when the 20 % quantile over the bins is a third below their median, it is used, and bins
+/// above 1.7 times that stay inactive.
 MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count);
 
-/// Slopes anew from the values of neighbouring bins.
+/// Recomputes the slopes from the values of neighbouring bins.
 void refineSlopes(MeridianBins& bins);
 
 }  // namespace lathelier::registration

@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLeastFace_mm = 1.5;   // lower ones have nothing between what the spot smears
-constexpr double kSameFace_mm = 0.001;  // the place that was sought
+constexpr double lowestFace_mm = 1.5;  // the spot smears a lower face over its whole height
+constexpr double sameFace_mm = 0.001;  // tolerance for the place where the face was sought
 
-/// An end face seen in the scan: where it is and how far in it is known.
+/// An end face seen in the scan: its place and the inner radius down to which it is seen.
 struct EndFace {
     double z;
     double inner_radius;
@@ -64,7 +64,7 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
 MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points, const Progress& progress)
     : profile_(part.fit.profile)
 {
-    // Rough zones have no vote in the axis, but a surface to measure from.
+    // Rough zones are left out of the axis fit, but are part of the reference surface.
     for (std::size_t i = 0; i < std::min(profile_.size(), part.fit.rough_mm.size()); ++i)
         if (std::isnan(profile_.radius_mm[i]) && !std::isnan(part.fit.rough_mm[i])) {
             profile_.radius_mm[i] = part.fit.rough_mm[i];
@@ -76,7 +76,8 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         if (!std::isnan(profile_.radius_mm[i])) known.push_back(i);
     if (known.empty()) return;
 
-    // Vertices: the bins' middles, interrupted by shoulders (a vertical stroke) and by gaps (the line ends).
+    // Vertices: the middles of the bins, interrupted by shoulders (a segment across the axis) and by gaps (the line
+    // ends).
     std::vector<Vector2d> line;
     std::vector<double> corners;  // z of everything that is not smooth side
     const auto vertex = [&](std::size_t bin) { return Vector2d(profile_.middle_mm(bin), profile_.radius_mm[bin]); };
@@ -89,9 +90,9 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     };
     const auto first_face = endFace(known.front(), -1);
     const auto last_face = endFace(known.back(), 1);
-    std::vector<FaceSought> sought;
+    std::vector<FaceCandidate> sought;
     const auto seek = [&](double z, double inner, double outer, int facing) {
-        if (outer - inner >= kLeastFace_mm) sought.push_back({z, inner, outer, facing});
+        if (outer - inner >= lowestFace_mm) sought.push_back({z, inner, outer, facing});
     };
     if (first_face) seek(first_face->z, first_face->inner_radius, at(known.front(), first_face->z), -1);
     for (const Shoulder& s : part.shoulders)
@@ -140,7 +141,7 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     std::sort(corners.begin(), corners.end());
     clearance_.assign(profile_.size(), 0);
     for (const std::size_t i : known) {
-        if (i == 0 || i + 1 == profile_.size()) continue;  // an end face may lie beyond it, a neighbour does not
+        if (i == 0 || i + 1 == profile_.size()) continue;  // an end face may lie beyond it, an inner one does not
         const double z = profile_.middle_mm(i);
         const auto next = std::lower_bound(corners.begin(), corners.end(), z);
         double nearest = std::numeric_limits<double>::infinity();
@@ -155,11 +156,11 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
 }
 
-/// The stroke across the axis, through the rings of the face where it is measured.
+/// The segment across the axis, through the rings of the face where it is measured.
 void MeridianLine::addFace(std::vector<Vector2d>& line, double z, double from_radius, double to_radius) const
 {
     const auto face = std::find_if(faces_.begin(), faces_.end(),
-                                   [&](const MeasuredFace& f) { return std::abs(f.sought_mm - z) < kSameFace_mm; });
+                                   [&](const MeasuredFace& f) { return std::abs(f.sought_mm - z) < sameFace_mm; });
     if (face == faces_.end()) {
         line.emplace_back(z, from_radius);
         line.emplace_back(z, to_radius);
@@ -212,7 +213,7 @@ void MeridianLine::addBore(const RadiusProfile& bore)
         }
         line.push_back(here);
         before = i;
-        // Nearer to the bore than to the outside: no short cut for these points.
+        // Nearer to the bore than to the outside: the quick interpolation does not apply.
         if (!std::isnan(profile_.radius_mm[i])) {
             const double half = (profile_.radius_mm[i] - here.y()) / 2;
             for (std::size_t k = i < 3 ? 0 : i - 3; k < std::min(clearance_.size(), i + 4); ++k)
@@ -288,7 +289,7 @@ double MeridianLine::search(double z, double r, double reach) const
         const double side = (point - foot).dot(normal);
         signed_distance = open ? notANumber : std::copysign(std::sqrt(distance), side);
     };
-    // Outward from the point's own bin, until the bins are further than what was found.
+    // Outward from the point's own bin, until the bins are further than the nearest segment found.
     for (std::ptrdiff_t ring = 0; ring < bins; ++ring) {
         const double gap = (static_cast<double>(ring) - 1) * bin_step_;
         if (gap > 0 && gap * gap > nearest) break;

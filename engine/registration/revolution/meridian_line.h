@@ -31,7 +31,7 @@ private:
         Eigen::Vector2d from, to;                 ///< (z, r)
         Eigen::Vector2d normal;                   ///< out of the material
         Eigen::Vector2d from_normal, to_normal;   ///< summed with the neighbour's, for the sign at a corner
-        bool open_from = false, open_to = false;  ///< the line ends here because the data do
+        bool open_from = false, open_to = false;  ///< the line ends here with the data
     };
     /// Segments that reach into each bin: index of the first, and one past the last.
     struct Index {

@@ -32,7 +32,7 @@ bool isOnBin(const MeridianBins& bins, int key, double z, double r, double wides
 
 std::vector<bool> roughOf(const std::vector<SamplePlace>& places, const MeridianBins& bins)
 {
-    constexpr int kLeastRun = 5;
+    constexpr int leastRun_bins = 5;
     const auto sides = static_cast<std::size_t>(bins.side_count);
     std::vector<int> run_of(sides, -1);
     std::vector<int> lengths;
@@ -65,7 +65,7 @@ std::vector<bool> roughOf(const std::vector<SamplePlace>& places, const Meridian
     }
     std::vector<bool> round(lengths.size(), false);
     for (std::size_t run = 0; run < lengths.size(); ++run) {
-        if (lengths[run] < kLeastRun || counts[run] < 10 * roughnessSectors) continue;
+        if (lengths[run] < leastRun_bins || counts[run] < 10 * roughnessSectors) continue;
         double mean = 0;
         for (const Sector& s : sums[run]) mean += s.sum / counts[run];
         const double scatter = std::sqrt(squares[run] / counts[run]);
@@ -146,7 +146,7 @@ double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::
         const auto b = static_cast<std::size_t>(place);
         if (bins.bins[b].active || bins.bins[b].points <= 0) continue;
         const double reach = std::min(6 * bins.sigma_mm, widest);
-        // What was taken for a face may be a thread.
+        // A supposed face may be a thread.
         const bool on_shoulder = key < 0 && p.r > low[b] - reach && p.r < high[b] + reach;
         if (on_shoulder || (rough[b] && std::abs(p.r - bins.bins[b].value) < 4 * bins.bins[b].own_mm)) ++good;
     }

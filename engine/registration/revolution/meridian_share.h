@@ -1,4 +1,4 @@
-// How much of a sample lies on one surface of revolution.
+// Share of a sample that lies on one surface of revolution.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,13 +14,13 @@ namespace lathelier::registration {
 double consistentShare(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                        const MeridianBins& bins, double noise_mm);
 
-/// Side bins of rough zones: they scatter too much to vote, but are round on the whole, their mean radius the same in
-/// every direction. A prism scatters as much, but its corners lie in some directions.
+/// Side bins of rough zones: their scatter is too large for the axis fit, but their mean radius is the same in every
+/// sector. A prism has the same scatter, but a mean radius that varies with the sector.
 std::vector<bool> roughBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                             const MeridianBins& bins);
 
-/// The same of points on bins alone, without shoulders and rough zones: a wrong axis makes much of the surface look
-/// like shoulders.
+/// The same of points on bins alone, without shoulders and rough zones: with a wrong axis much of the surface appears
+/// as shoulders.
 double shareOnBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
                    const MeridianBins& bins, double noise_mm);
 

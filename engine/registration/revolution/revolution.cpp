@@ -78,7 +78,7 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
         way.match = initial == InitialPose::Identity
                         ? findShift(ref, own, way.home, 0.1 * lengthOf(own), way.home, cap)
                         : findShift(ref, own, middleOf(ref) - middleOf(own), span, way.home, cap);
-        // A part that looks the same from both ends keeps the smaller rotation.
+        // A part that is symmetric end for end keeps the smaller rotation.
         const bool as_good = best && std::abs(way.match.cost - best->match.cost) < 0.005 * cap;
         if (!best || (as_good ? way.angle < best->angle : way.match.cost < best->match.cost)) best = way;
     }
@@ -88,24 +88,24 @@ Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, I
     result.iterations = reference.fit.iterations + copy.fit.iterations;
     double shift = best->match.shift;
     double variance = 0;
-    bool settled = false;  // the last step was far below the uncertainty
-    bool done = false;     // nothing moves any more
+    bool is_settled = false;  // the last step was far below the uncertainty
+    bool done = false;        // converged
     for (int i = 0; i < 10 && !done; ++i, ++result.iterations) {
         const auto verdict = estimateAxialShift(reference, best->part, shift);
         if (!verdict) {
             shift = best->home;
-            settled = true;
+            is_settled = true;
             const Vector3d direction = reference.fit.axis_T_scan.linear().row(2);
             result.free_motions.push_back({FreeMotion::Kind::Translation, direction, Vector3d::Zero()});
             break;
         }
         const double change = std::abs(verdict->shift - shift);
         done = change < 1e-6 * std::sqrt(verdict->variance) || change < 1e-12 * lengthOf(ref);
-        settled = done || change < 0.01 * std::sqrt(verdict->variance);
+        is_settled = done || change < 0.01 * std::sqrt(verdict->variance);
         shift = verdict->shift;
         variance = verdict->variance;
     }
-    result.converged = settled && reference.fit.converged && copy.fit.converged;
+    result.converged = is_settled && reference.fit.converged && copy.fit.converged;
     result.reference_T_copy = withLeastRoll(reference.fit.axis_T_scan, best->part.fit.axis_T_scan, shift);
 
     const Axis axis = axisOf(reference.fit);

@@ -1,4 +1,4 @@
-// Registration of bodies of revolution: axis on axis, then one shift along it; the roll is left alone.
+// Registration of bodies of revolution: axis on axis, then one shift along it; the roll is not changed.
 #pragma once
 
 #include <vector>
@@ -20,10 +20,10 @@ struct TurnedPart {
 Axis axisOf(const RevolutionFit& fit);
 
 /// Aligns the copy's axis with the reference's. Both directions are tried (only the nearer one, and shifts of up to a
-/// tenth of the length, with InitialPose::Identity). The shift comes from shoulders and slopes, never from where the
-/// data end; each shoulder or slope counts by its own uncertainty, and slopes that contradict the shoulders (their
-/// radius differs) count less. Free motions keep the smallest rotation and no shift from the initial pose.
-/// Error partsDoNotMatch when the two profiles have nothing in common.
+/// tenth of the length, with InitialPose::Identity). The shift comes from shoulders and tapers, not from the ends of
+/// the data; each shoulder or taper is weighted by its inverse variance, and the variance of tapers that contradict the
+/// shoulders (because their radii differ) is inflated. Free motions keep the smallest rotation and no shift from the
+/// initial pose. Error partsDoNotMatch when the two profiles have nothing in common.
 Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial);
 
 }  // namespace lathelier::registration

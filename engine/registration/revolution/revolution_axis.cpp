@@ -19,10 +19,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kGuessPoints = 12000;
-constexpr std::size_t kSamplePoints = 60000;
-constexpr std::size_t kVotes = 200000;         // that the axis is found with…
-constexpr std::size_t mostPoints = 2'000'000;  // …before so many settle it, and the radii
+constexpr std::size_t guessPoints = 12000;
+constexpr std::size_t coarseFitPoints = 60000;
+constexpr std::size_t mostFitPoints = 200000;  // points of the sample that the axis is fitted to first
+constexpr std::size_t mostPoints = 2'000'000;  // points of the final fit of axis and radii
 constexpr std::size_t straightenedPerTask = 16384;
 
 /// `count` points spread over the whole cloud.
@@ -35,15 +35,15 @@ std::vector<Vector3d> samplePoints(const std::vector<Vector3d>& points, std::siz
     return sample;
 }
 
-/// A start and how good it turned out on a small sample.
+/// A start with its score on a small sample.
 struct PoseTrial {
     Eigen::Isometry3d pose;
     MeridianBins bins;
     double consistent = -1;
     double on_bins = -1;
 
-    /// Decides between trials: the share of the points that agree, and of those on bins. The one alone forgives bins
-    /// that hold anything, the other a part that is mostly thread and knurl.
+    /// Score of a trial: the consistent share of the points plus the share on active bins. The former alone is too
+    /// tolerant of wide bins, the latter alone rejects a part that is mostly thread and knurl.
     double worth() const { return consistent < 0 ? -1 : consistent * on_bins; }
 };
 
@@ -82,7 +82,7 @@ bool isFinerThanRows(const MeridianBins& bins)
     return runs > std::max(3, filled / 20);
 }
 
-/// The finest bins, up to 1000 along the part, that the rows of the scan fill.
+/// The finest bins, up to 1000 along the part, that are all filled by the rows of the scan.
 MeridianBins makeFinestBins(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& pose)
 {
     MeridianBins bins = makeBins(sample, pose, 1000);
@@ -123,7 +123,7 @@ std::vector<Vector3d> straightened(const std::vector<Vector3d>& points, const Be
 RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress& progress)
 {
     RevolutionFit fit;
-    const std::vector<Vector3d> small = samplePoints(points, kGuessPoints);
+    const std::vector<Vector3d> small = samplePoints(points, guessPoints);
     PoseTrial best;
     std::vector<PoseTrial> trials;
     int tried = 0;
@@ -134,7 +134,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
         trials.push_back(trial);
         if ((best.consistent > 0.93 && best.on_bins > 0.6) || ++tried == 4) break;
     }
-    std::vector<Vector3d> sample = samplePoints(points, kSamplePoints);
+    std::vector<Vector3d> sample = samplePoints(points, coarseFitPoints);
     const auto refused = [&] {
         fit.axis_T_scan = best.pose;
         fit.sigma_mm = best.bins.sigma_mm;
@@ -144,7 +144,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     if (best.consistent < 0) return refused();
     progress.report(0.3);
     const double round_mm = std::max(3 * candidates.noise_mm, 0.005 * best.bins.largest_mm);
-    if (best.consistent <= 0.93)  // a strong bend spoils all trials; round sections tell which one is right
+    if (best.consistent <= 0.93)  // with a strong bend all trials score badly; the one with round sections is right
         for (const PoseTrial& trial : trials) {
             if (trial.consistent < 0) continue;
             const Bend own = findBend(small, trial.pose, trial.bins);
@@ -153,8 +153,8 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
             break;
         }
 
-    // A bend is taken out of the points, in two rounds: the radii of the first are those of a crooked part. Sections
-    // that are not round have no centres to go by.
+    // A bend is subtracted from the points in two iterations, since the radii of the first are those of the bent part.
+    // Not done where the sections are not round, because their centres are not defined.
     Eigen::Isometry3d pose = best.pose;
     Bend bend = findBend(sample, pose, makeBins(sample, pose, 400));
     if (bend.isSeen() && bend.scatter_mm < round_mm) {
@@ -170,7 +170,8 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     if (points.size() > mostPoints) chosen = samplePoints(points, mostPoints);
     if (fit.bend.isSeen()) chosen = straightened(chosen.empty() ? points : chosen, fit.bend, progress);
     const std::vector<Vector3d>& all = chosen.empty() ? points : chosen;
-    const std::vector<Vector3d> fewer = all.size() > kVotes ? samplePoints(all, kVotes) : std::vector<Vector3d>{};
+    const std::vector<Vector3d> fewer =
+        all.size() > mostFitPoints ? samplePoints(all, mostFitPoints) : std::vector<Vector3d>{};
     const std::vector<Vector3d>& votes = fewer.empty() ? all : fewer;
 
     MeridianBins bins;
@@ -183,17 +184,17 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.consistent_share = consistentShare(sample, pose, bins, candidates.noise_mm);
     progress.report(0.5);
 
-    // The step shrinks tenfold or more each time; done when it was a tenth of the statistical uncertainty.
-    // Slopes that are hardly more than noise may come and go with every step: after a few they stay as they are.
-    constexpr int kSteps = 14, kSlopeSteps = 6;
+    // The step shrinks at least tenfold per iteration; converged at a tenth of the statistical uncertainty. Slopes near
+    // the noise may switch on and off with every step: they are fixed after a few.
+    constexpr int mostSteps = 14, slopeRefiningSteps = 6;
     Step step;
-    for (int i = 0; i < kSteps && !fit.converged; ++i) {
+    for (int i = 0; i < mostSteps && !fit.converged; ++i) {
         step = improve(votes, pose, bins, progress);
         ++fit.iterations;
         if (!step.determined) return refused();
         const double relative = std::sqrt(step.change.dot(step.hessian * step.change));  // in standard uncertainties
         fit.converged = relative < 0.1;
-        if (!fit.converged && i < kSlopeSteps) refineSlopes(bins);
+        if (!fit.converged && i < slopeRefiningSteps) refineSlopes(bins);
         progress.report(0.5 + 0.1 * std::min(i, 4));
     }
     if (!fewer.empty()) {
@@ -206,7 +207,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     fit.side_share = step.sums.side_weights / static_cast<double>(all.size());
     fit.covariance = covarianceOf(all, pose, bins, step, progress);
     fit.profile = radiusProfileOf(bins, step.sums.bins, 0);
-    forgetFaceBins(fit.profile, fit.sigma_mm);
+    clearFaceBins(fit.profile, fit.sigma_mm);
     if (bins.wall_count > bins.side_count) fit.bore = radiusProfileOf(bins, step.sums.bins, bins.side_count);
     const std::vector<bool> rough = roughBins(sample, pose, bins);
     for (std::size_t i = 0; i < rough.size(); ++i) fit.rough_mm.push_back(rough[i] ? bins.bins[i].value : notANumber);

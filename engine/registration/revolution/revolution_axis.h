@@ -24,28 +24,29 @@ struct RadiusProfile {
 
 /// Why points are not those of a body of revolution.
 enum class NotTurned {
-    No,             ///< they are
-    Line,           ///< on a line, as far as their scatter tells: a cylinder must be larger than its noise
+    No,             ///< a body of revolution
+    Line,           ///< on a line within their scatter: the radius of a cylinder must exceed its noise
     Flat,           ///< a plate
-    SeveralParts,   ///< in pieces beside each other
+    SeveralParts,   ///< disconnected pieces
     NoSingleAxis,   ///< a sphere
     SmallCoverage,  ///< less than 60° of the circle
     Bent,           ///< the centre line is off by more than 1 mm or a 200th of the length
     NotRound
 };
 
-/// Less of the circle than this gives no axis.
-inline constexpr double kLeastCoverage_deg = 60;
+/// Least coverage of the circle for an axis.
+inline constexpr double leastCoverage_deg = 60;
 
-/// What was found of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
+/// Fit of a body of revolution. Its frame has the axis as z and the middle of the data near its origin.
 struct RevolutionFit {
     Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();  ///< takes points of the scan into the axis frame
-    RadiusProfile profile;         ///< of the outside; of the bore where that alone is seen
-    RadiusProfile bore;            ///< in the same bins, where both are seen; empty without a bore
-    std::vector<double> rough_mm;  ///< median radius of bins too rough to vote (a thread, a knurl); NaN elsewhere
-    Bend bend;                     ///< taken out of the points before the fit when it is seen
+    RadiusProfile profile;  ///< of the outside; of the bore where that alone is seen
+    RadiusProfile bore;     ///< in the same bins, where both are seen; empty without a bore
+    std::vector<double>
+        rough_mm;  ///< median radius of bins that are too rough for the axis fit (a thread, a knurl); NaN elsewhere
+    Bend bend;     ///< subtracted from the points before the fit when significant
     NotTurned not_turned = NotTurned::NotRound;  ///< No, or the first reason against a body of revolution
-    double coverage_deg = 0;                     ///< how much of the circle the data see
+    double coverage_deg = 0;                     ///< angle of the circle covered by points
     double sigma_mm = 0;                         ///< robust scatter of the points about the profile, along its normal
     double consistent_share = 0;  ///< of the points: how many lie on one surface of revolution about the axis
     double side_share = 0;        ///< of the points: on the profile, where it determines the axis across
@@ -53,7 +54,7 @@ struct RevolutionFit {
     bool converged = false;  ///< the last step was below a tenth of the standard uncertainty
     int iterations = 0;      ///< steps of the fit in all stages
 
-    /// A point of the scan in the axis frame, a bend of the part taken out.
+    /// A point of the scan in the axis frame, with the bend of the part subtracted.
     Eigen::Vector3d onAxis(const Eigen::Vector3d& scan_point) const
     {
         return axis_T_scan * (bend.isSeen() ? bend.straightened(scan_point) : scan_point);
@@ -63,8 +64,8 @@ struct RevolutionFit {
 /// Robust least squares (Tukey weights) over the axis's four parameters with the radius free in every bin.
 /// Starts from each candidate on a sample and finishes on all points, or two million of a larger cloud, drawn evenly
 /// from it. Points: at least 50, finite, not all in a plane. The covariance is never less than that of independent
-/// residuals, and more where residuals of neighbours on the surface go together (patches of 22.5° by a 96th of the
-/// length, and whole rings of that length).
+/// residuals, and more where residuals of neighbours on the surface are correlated (clusters: patches of 22.5° by a
+/// 96th of the length, and whole rings of that length).
 RevolutionFit fitRevolution(const std::vector<Eigen::Vector3d>& points, const Progress& progress = {});
 
 /// True when the fit shows a body of revolution.

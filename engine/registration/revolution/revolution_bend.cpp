@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kSections = 24;
+constexpr std::size_t bendSections = 24;
 constexpr std::size_t leastSectionPoints = 12;
 
 struct SectionResidual {
@@ -54,7 +54,7 @@ bool centreOf(const std::vector<SectionResidual>& section, double reach_mm, Cent
         const double middle = upperMedianInPlace(sizes);
         const double before = scale;
         scale = std::clamp(6 * 1.4826 * middle, 1e-9 * reach_mm, reach_mm);
-        // Done: another round would change no more than a hundredth of the standard error.
+        // Converged: another iteration would change less than a hundredth of the standard error.
         const double error = scale / 6 / std::sqrt(static_cast<double>(section.size()));
         if (change.norm() < 0.01 * error && std::abs(scale - before) < 0.01 * scale) break;
     }
@@ -79,7 +79,7 @@ Bend Bend::sum(const Bend& first, const Bend& rest)
 Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, const MeridianBins& bins)
 {
     Bend bend;
-    // A strong bend spreads the radii of a bin, so that it has no vote in the fit; here it has.
+    // A strong bend spreads the radii of a bin, which therefore has weight 0 in the axis fit; it is used here.
     const auto isSide = [&](int i) {
         const auto b = static_cast<std::size_t>(i);
         return bins.bins[b].active ||
@@ -95,24 +95,24 @@ Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis
     if (to - from < 3) return bend;
     const double start = bins.z_start_mm + from * bins.step_mm;
     const double length = (to - from) * bins.step_mm;
-    const double reach = 0.15 * bins.largest_mm;  // a bow so large is no bow
-    std::vector<std::vector<SectionResidual>> sections(kSections);
+    const double reach = 0.15 * bins.largest_mm;  // a larger bow is rejected as an outlier
+    std::vector<std::vector<SectionResidual>> sections(bendSections);
     for (const Vector3d& point : sample) {
         const Vector3d p = axis_T_scan * point;
-        const double place = (p.z() - start) / length * static_cast<double>(kSections);
+        const double place = (p.z() - start) / length * static_cast<double>(bendSections);
         const double r = p.head<2>().norm();
-        if (!(place >= 0) || place >= static_cast<double>(kSections) || r == 0) continue;
+        if (!(place >= 0) || place >= static_cast<double>(bendSections) || r == 0) continue;
         const auto side = static_cast<std::size_t>((p.z() - bins.z_start_mm) / bins.step_mm);
         if (side >= static_cast<std::size_t>(bins.side_count)) continue;
         const MeridianBin& bin = bins.bins[side];
         if (!isSide(static_cast<int>(side)) || std::abs(bin.slope) > 0.3)
-            continue;  // beside an edge a centre is not that of the section
+            continue;  // beside an edge the fitted centre is biased
         const double off = r - bin.value - bin.slope * (p.z() - bin.middle);
         if (std::abs(off) < reach) sections[static_cast<std::size_t>(place)].push_back({p.x() / r, p.y() / r, off});
     }
     std::vector<Centre> centres;
-    for (std::size_t k = 0; k < kSections; ++k) {
-        Centre centre{(2 * (static_cast<double>(k) + 0.5) / static_cast<double>(kSections) - 1), Vector2d::Zero(), 1,
+    for (std::size_t k = 0; k < bendSections; ++k) {
+        Centre centre{(2 * (static_cast<double>(k) + 0.5) / static_cast<double>(bendSections) - 1), Vector2d::Zero(), 1,
                       0};
         if (centreOf(sections[k], reach, centre)) centres.push_back(centre);
     }

@@ -8,7 +8,7 @@
 
 namespace lathelier::registration {
 
-/// The curve of the section centres, a parabola over the length. Where it runs straight on, the axis lies.
+/// The curve of the section centres, a parabola over the length; its least-squares line is the axis.
 struct Bend {
     Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
     double middle_mm = 0;                              ///< of the data, along that direction
@@ -29,12 +29,12 @@ struct Bend {
         const double t = (along.dot(point) - middle_mm) / half_mm;
         return point - bow_mm * (t * t - 1.0 / 3);
     }
-    /// The bend of what is left when `first` has been taken out and `rest` was found on it.
+    /// The total bend when `rest` was found after `first` had been removed.
     static Bend sum(const Bend& first, const Bend& rest);
 };
 
-/// The bend of a sample about its axis (in the frame of the points). Circles about each section's own centre, robust,
-/// and a parabola through the centres; what the centres scatter about it counts in its uncertainty.
+/// The bend of a sample about its axis (in the frame of the points). A robust circle for each section and a parabola
+/// through the centres, whose scatter about it enters the uncertainty.
 Bend findBend(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
               const MeridianBins& bins);
 

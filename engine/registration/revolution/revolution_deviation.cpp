@@ -64,7 +64,8 @@ std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
 {
     std::vector<Interval> zones = result.parameters.exclude_z_mm;
     if (zones.empty()) return 0;
-    for (Interval& zone : zones) {  // a zone that begins or ends with the part takes what the noise puts beyond it
+    for (Interval& zone :
+         zones) {  // a zone that begins or ends with the part includes points that noise places beyond it
         if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
         if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
     }

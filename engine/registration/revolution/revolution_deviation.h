@@ -1,4 +1,4 @@
-// What a body of revolution adds to a comparison: deviation from its meridian, unrolled map, mean meridian.
+// Comparison with a body of revolution: deviation from its meridian, unrolled map, mean meridian.
 #pragma once
 
 #include "engine/registration/compare.h"

@@ -17,8 +17,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kNormals = 800;
-constexpr std::size_t kNeighbours = 14;
+constexpr std::size_t normalSamples = 800;
+constexpr std::size_t planeNeighbours = 14;
 
 struct OrientedPoint {
     Vector3d point;
@@ -29,8 +29,8 @@ struct OrientedPoint {
 /// Normals of a few points from planes through their nearest neighbours.
 std::vector<OrientedPoint> estimateNormals(const std::vector<Vector3d>& points, const Progress& progress)
 {
-    const std::size_t count = std::min(kNormals, points.size());
-    const std::size_t neighbours = std::min(kNeighbours, points.size());
+    const std::size_t count = std::min(normalSamples, points.size());
+    const std::size_t neighbours = std::min(planeNeighbours, points.size());
     const Neighbours index(points, progress);
     std::vector<OrientedPoint> result(count);
     parallelFor(count, 16, progress, [&](std::size_t begin, std::size_t end) {
@@ -60,15 +60,15 @@ struct Line {
 };
 
 /// Sine of the angle by which rotation about `line` would push the surface along its normal; 0 on a surface of
-/// revolution. Near the axis, where the angle says nothing, the lever counts at least `least_lever`.
+/// revolution. Near the axis, where the angle is ill-defined, the lever is bounded below by `least_lever`.
 double slip(const OrientedPoint& p, const Line& line, double least_lever)
 {
     const Vector3d motion = line.direction.cross(p.point - line.point);
     return p.normal.dot(motion) / std::max(motion.norm(), least_lever);
 }
 
-/// Weighted linear complex. With m eliminated, the direction is the weakest eigenvector of what is left; m keeps no
-/// part along the direction (a cylinder leaves that open).
+/// Weighted linear complex. With the moment m eliminated, the direction is the eigenvector of the smallest eigenvalue;
+/// the component of m along the direction is set to 0 (a cylinder does not determine it).
 Line solveComplex(const std::vector<OrientedPoint>& points, const std::vector<double>& weights, const Line& before,
                   double size)
 {
@@ -91,7 +91,7 @@ Line solveComplex(const std::vector<OrientedPoint>& points, const std::vector<do
     return {before.point + direction.cross(moment), direction};
 }
 
-/// The same with the direction given: the place alone.
+/// The same for a given direction: the position of the axis alone.
 Line placeAxis(const std::vector<OrientedPoint>& points, const Line& start)
 {
     Matrix3d sum = Matrix3d::Identity() * 1e-9;
@@ -116,7 +116,7 @@ double share(const std::vector<OrientedPoint>& points, const Line& line, double 
 Line refineAxis(const std::vector<OrientedPoint>& points, Line line, double size)
 {
     std::vector<double> weights(points.size());
-    double limit = 0.6;  // shrinks: first the crowd decides, then the points that agree
+    double limit = 0.6;  // annealed inlier threshold
     for (int i = 0; i < 12; ++i, limit = std::max(0.12, limit * 0.75)) {
         for (std::size_t k = 0; k < points.size(); ++k) {
             const double s = slip(points[k], line, 0.05 * size) / limit;
@@ -136,7 +136,7 @@ Line refineAxis(const std::vector<OrientedPoint>& points, Line line, double size
 AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Progress& progress)
 {
     const std::vector<OrientedPoint> oriented = estimateNormals(points, progress);
-    Vector3d centre;  // a median for each coordinate: spurious points do not pull it far
+    Vector3d centre;  // coordinate-wise median, robust to spurious points
     for (int k = 0; k < 3; ++k) {
         std::vector<double> values(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][k];
@@ -148,7 +148,7 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     const double size = std::sqrt(scatter.trace());
     const Matrix3d principal = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors();
 
-    // Starts: the complex of all normals, then each principal axis; each with and without robust refinement.
+    // Starts: the linear complex of all normals, then each principal axis; each with and without robust refinement.
     std::vector<Line> lines;
     const std::vector<double> equal(oriented.size(), 1.0);
     lines.push_back(refineAxis(oriented, solveComplex(oriented, equal, {centre, Vector3d::UnitZ()}, size), size));

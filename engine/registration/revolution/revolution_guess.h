@@ -1,4 +1,4 @@
-// Where the axis of a body of revolution may lie.
+// Starting values for the axis of a body of revolution.
 #pragma once
 
 #include <Eigen/Geometry>

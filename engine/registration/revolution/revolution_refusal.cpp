@@ -6,7 +6,7 @@
 namespace lathelier::registration {
 namespace {
 
-/// What scripts read as `reason`.
+/// Value of `reason`, for scripts.
 const char* reasonKey(NotTurned reason)
 {
     switch (reason) {
@@ -22,7 +22,7 @@ const char* reasonKey(NotTurned reason)
     return "";
 }
 
-/// What people read.
+/// Value of `why`, for people.
 Text phraseOf(NotTurned reason)
 {
     switch (reason) {
@@ -45,7 +45,7 @@ void refuseRevolution(const RevolutionFit& fit, const char* role)
     if (fit.not_turned == NotTurned::SmallCoverage)
         throw Error(
             errors::coverageTooSmall,
-            {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", kLeastCoverage_deg}});
+            {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}, {"minimum_deg", leastCoverage_deg}});
     Values values{{"role", std::string(role)},
                   {"reason", std::string(reasonKey(fit.not_turned))},
                   {"why", phraseOf(fit.not_turned)},
@@ -67,7 +67,7 @@ void remarkRevolution(const RevolutionFit& fit, const char* role, Notes& notes)
         notes.push_back({notes::coverageBelowHalf, {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}}});
 }
 
-void faceForward(RevolutionFit& fit)
+void orientAxis(RevolutionFit& fit)
 {
     const Eigen::Vector3d direction = fit.axis_T_scan.linear().row(2);
     Eigen::Index dominant = 0;

@@ -1,4 +1,4 @@
-// What is said of points that are no body of revolution, or hardly one.
+// Errors and notes for points that are not, or barely, a body of revolution.
 #pragma once
 
 #include "engine/core/error.h"
@@ -10,11 +10,11 @@ namespace lathelier::registration {
 /// "copy", "scan".
 [[noreturn]] void refuseRevolution(const RevolutionFit& fit, const char* role);
 
-/// What the fit says whatever is done with it: a line of noise is degenerate (error pointsDegenerate), a bend and a
-/// small arc are noted.
+/// Checks for every use of a fit: a line of noise is the error pointsDegenerate; a bend and a coverage below 180° are
+/// noted.
 void remarkRevolution(const RevolutionFit& fit, const char* role, Notes& notes);
 
 /// Turns the frame so that z runs toward the larger coordinate on the axis' dominant one.
-void faceForward(RevolutionFit& fit);
+void orientAxis(RevolutionFit& fit);
 
 }  // namespace lathelier::registration

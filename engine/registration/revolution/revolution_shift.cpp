@@ -20,7 +20,7 @@ double radiusAt(const RadiusProfile& p, double z)
     return (1 - t) * p.radius_mm[i] + t * p.radius_mm[i + 1];
 }
 
-/// Cost of one shift: mean difference of the radii, capped, plus half the cap for what does not overlap. `known`: bins
+/// Cost of one shift: mean difference of the radii, capped, plus half the cap for bins without overlap. `known`: bins
 /// of the reference that have a radius.
 double costOf(const RadiusProfile& reference, double known, const RadiusProfile& copy, double shift, double cap,
               std::size_t stride)

@@ -1,4 +1,4 @@
-// Where along the axis two radius profiles lie on each other, coarsely: the start of revolution_witnesses.h.
+// Coarse axial shift between two radius profiles: the start of axial_shift_estimate.h.
 #pragma once
 
 #include <limits>
@@ -23,8 +23,8 @@ struct ShiftMatch {
 };
 
 /// Best shift within `reach` of `centre` (mm) by the mean difference of the radii, capped at `cap`: a coarse scan, then
-/// finer ones around the best. `home` breaks ties: among equally good shifts the nearest to it wins. Infinite cost:
-/// nowhere do they overlap by a quarter.
+/// finer ones around the best. Among equally good shifts the nearest to `home` is taken. Infinite cost:
+/// they overlap by a quarter at no shift.
 ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, double centre, double reach,
                      double home, double cap);
 

@@ -12,7 +12,7 @@
 namespace lathelier::registration {
 namespace {
 
-/// An edge ready for trial places and widths.
+/// The likelihood of one edge for trial places and spot widths.
 class Smear {
 public:
     Smear(EdgeRays edge, double start) : edge_(std::move(edge)), start_(start)
@@ -36,28 +36,28 @@ public:
 
     struct Place {
         double height = 0;
-        double surprise = 0;  ///< -log of the likelihood
+        double neg_log_likelihood = 0;  ///< -log of the likelihood
     };
 
     /// The best place for a spot of this width: a fine scan, then three finer ones around the best.
     Place findPlace(double width) const
     {
-        Place best{start_, surprise(start_, width)};
+        Place best{start_, negativeLogLikelihood(start_, width)};
         double step = width / 16;
         for (int zoom = 0; zoom < 4; ++zoom, step /= 5) {
             const double centre = best.height;
             const int reach = zoom == 0 ? 16 : 6;
             for (int k = -reach; k <= reach; ++k) {
-                const Place trial{centre + k * step, surprise(centre + k * step, width)};
-                if (trial.surprise < best.surprise) best = trial;
+                const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, width)};
+                if (trial.neg_log_likelihood < best.neg_log_likelihood) best = trial;
             }
         }
         return best;
     }
 
-    /// Variance of the place that the rows leave open. Where the part does not lean against the scanner's rows, rays
-    /// come at few heights: with one of them or none within the ramp, place and width cannot be told apart, and the
-    /// place may lie anywhere between the rows beside it.
+    /// Variance of the place from the spacing of the rows. Where the part is parallel to the scanner's rows, rays exist
+    /// at few heights only: with one or none of them within the ramp, place and width are not separately identifiable,
+    /// and the place is uniform between the adjoining rows.
     double rowVariance(double place, double width) const
     {
         const auto below = [](const Ray& ray, double height) { return ray.height < height; };
@@ -75,11 +75,11 @@ public:
     }
 
 private:
-    double surprise(double place, double width) const
+    double negativeLogLikelihood(double place, double width) const
     {
-        constexpr double kStray = 0.003;  // spurious points hit or miss anywhere
-        static const double stray = -std::log(kStray);
-        static const double regular = -std::log(1 - kStray);
+        constexpr double spuriousProbability = 0.003;  // probability that a spurious point is a hit or a miss anywhere
+        static const double stray = -std::log(spuriousProbability);
+        static const double regular = -std::log(1 - spuriousProbability);
         const auto below = [](const Ray& ray, double height) { return ray.height < height; };
         const auto& rays = edge_.rays;
         const auto from = std::lower_bound(rays.begin(), rays.end(), place - width / 2, below);
@@ -94,7 +94,8 @@ private:
                        (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
         double product = 1;
         for (auto ray = from; ray != to; ++ray) {
-            const double p = std::clamp(0.5 + (ray->height - place) / width, kStray, 1 - kStray);
+            const double p =
+                std::clamp(0.5 + (ray->height - place) / width, spuriousProbability, 1 - spuriousProbability);
             product *= ray->hit ? p : 1 - p;
             if (product < 1e-200) {
                 total -= std::log(product);
@@ -125,7 +126,7 @@ using Group = std::vector<const Smear*>;
 /// One trial width for all shoulders of a group.
 struct WidthTrial {
     double log_width = 0;
-    double surprise = 0;
+    double neg_log_likelihood = 0;
     std::vector<double> heights;
 };
 
@@ -136,7 +137,7 @@ WidthTrial tryWidth(const Group& group, double log_width, const Progress& progre
                 [&](std::size_t i, std::size_t) { places[i] = group[i]->findPlace(std::exp(log_width)); });
     WidthTrial trial{log_width, 0, {}};
     for (const Smear::Place& place : places) {
-        trial.surprise += place.surprise;
+        trial.neg_log_likelihood += place.neg_log_likelihood;
         trial.heights.push_back(place.height);
     }
     return trial;
@@ -150,15 +151,15 @@ std::vector<WidthTrial> tryWidths(const Group& group, double from, double to, in
     return trials;
 }
 
-double leastSurprise(const std::vector<WidthTrial>& trials)
+double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
 {
     double least = std::numeric_limits<double>::infinity();
-    for (const WidthTrial& trial : trials) least = std::min(least, trial.surprise);
+    for (const WidthTrial& trial : trials) least = std::min(least, trial.neg_log_likelihood);
     return least;
 }
 
-/// Trials over a factor of 3 to either side of what the misplaced points suggest, on one ladder of widths for all
-/// groups, so that their likelihoods compare.
+/// Trial widths within a factor of 3 of the estimate from the misplaced points, on one geometric grid for all groups,
+/// so that their likelihoods are comparable.
 std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
@@ -169,13 +170,14 @@ std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Pr
     return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
 }
 
-/// The shoulders of a group, averaged over the widths that the data allow, each by its likelihood.
-std::vector<Shoulder> settle(const Group& group, const std::vector<WidthTrial>& coarse, const Progress& progress)
+/// The shoulders of a group, averaged over the trial widths with weights by likelihood.
+std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<WidthTrial>& coarse,
+                                        const Progress& progress)
 {
-    const double least = leastSurprise(coarse);
+    const double least = leastNegativeLogLikelihood(coarse);
     std::size_t first = coarse.size(), last = 0;
     for (std::size_t k = 0; k < coarse.size(); ++k)
-        if (coarse[k].surprise < least + 8) {
+        if (coarse[k].neg_log_likelihood < least + 8) {
             first = std::min(first, k);
             last = std::max(last, k);
         }
@@ -183,12 +185,12 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<WidthTrial>& 
     last = std::min(coarse.size() - 1, last + 1);
     const std::vector<WidthTrial> fine =
         tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
-    const double best = leastSurprise(fine);
+    const double best = leastNegativeLogLikelihood(fine);
     std::vector<Shoulder> shoulders;
     for (std::size_t i = 0; i < group.size(); ++i) {
         double weight = 0, sum = 0, squares = 0, width = 0;
         for (const WidthTrial& trial : fine) {
-            const double w = std::exp(best - trial.surprise);
+            const double w = std::exp(best - trial.neg_log_likelihood);
             const double off = trial.heights[i] - fine.front().heights[i];
             weight += w;
             sum += w * off;
@@ -199,7 +201,7 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<WidthTrial>& 
         width /= weight;
         const Edge& edge = group[i]->edge();
         const double density = group[i]->density();
-        const double open = std::max(0.0, squares / weight - mean * mean);  // variance that the width leaves
+        const double open = std::max(0.0, squares / weight - mean * mean);  // variance from the unknown width
         const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
         const double height = fine.front().heights[i] + mean;
         const double rows = group[i]->rowVariance(height, width);
@@ -209,12 +211,12 @@ std::vector<Shoulder> settle(const Group& group, const std::vector<WidthTrial>& 
     return shoulders;
 }
 
-/// Where the scan shows the face itself, that tells its place better than the rays beside it.
+/// A face that the scan shows is located from its own points: smaller uncertainty than from the rays beside it.
 void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vector3d>& points,
                   const RevolutionFit& fit, const Progress& progress)
 {
     if (shoulders.empty() || fit.bend.isSeen()) return;
-    std::vector<FaceSought> sought;
+    std::vector<FaceCandidate> sought;
     sought.reserve(shoulders.size());
     for (const Shoulder& s : shoulders)
         sought.push_back({s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing()});
@@ -247,14 +249,15 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
         const std::vector<WidthTrial> own1 = coarseTrials(first, finest, progress);
         const std::vector<WidthTrial> own2 = coarseTrials(second, finest, progress);
         const std::vector<WidthTrial> shared = coarseTrials(both, finest, progress);
-        if (leastSurprise(shared) < leastSurprise(own1) + leastSurprise(own2) + 6) {
-            const std::vector<Shoulder> all = settle(both, shared, progress);
+        if (leastNegativeLogLikelihood(shared) <
+            leastNegativeLogLikelihood(own1) + leastNegativeLogLikelihood(own2) + 6) {
+            const std::vector<Shoulder> all = averageOverWidths(both, shared, progress);
             const auto split = all.begin() + static_cast<std::ptrdiff_t>(first.size());
             result.reference.assign(all.begin(), split);
             result.copy.assign(split, all.end());
         } else {
-            result.reference = settle(first, own1, progress);
-            result.copy = settle(second, own2, progress);
+            result.reference = averageOverWidths(first, own1, progress);
+            result.copy = averageOverWidths(second, own2, progress);
         }
         placeByFaces(result.reference, reference_points, reference, progress);
         placeByFaces(result.copy, copy_points, copy, progress);

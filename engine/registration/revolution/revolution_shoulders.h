@@ -19,7 +19,7 @@ struct Shoulder {
 /// A scanner's spot smears a shoulder: near it, a ray may hit the larger radius or not, with a probability that rises
 /// in proportion to its height over the width of the spot. Place and width are fitted to that by maximum likelihood,
 /// the width for all shoulders of a scan together, and for both scans together when that contradicts neither (the same
-/// scanner). What the width leaves open is part of each shoulder's uncertainty.
+/// scanner). The uncertainty of the width is part of each shoulder's uncertainty.
 struct ShoulderPair {
     std::vector<Shoulder> reference;  ///< of the reference, in its axis frame
     std::vector<Shoulder> copy;       ///< of the copy, in its axis frame

@@ -16,18 +16,18 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 
 constexpr std::size_t pointsPerStepTask = 16384;
-constexpr double kTukey = 6;  // in standard deviations: 99 % efficient, and blind to what lies further off
+constexpr double tukeyLimit_sigmas = 6;  // in standard deviations; efficiency 99 % for normal residuals
 
-/// What one point says, in the frame of the axis: its error along the normal, its weight and how the error follows the
-/// axis.
+/// Contribution of one point in the frame of the axis: residual along the normal, weight and Jacobian with respect to
+/// the axis.
 struct PointRow {
-    int key = -1;  ///< of its bin; -1: it has no say
+    int key = -1;  ///< index of its bin; -1: the point is left out
     bool side = false;
     double cosine = 0;
     double error = 0;
     double share = 0;   ///< Tukey weight
-    double weight = 0;  ///< that, per variance
-    double u = 0;       ///< error over the reach of the weight
+    double weight = 0;  ///< Tukey weight over the variance of the bin
+    double u = 0;       ///< error over the range of the weight function
     double jacobian[4] = {};
 };
 
@@ -43,7 +43,7 @@ struct PointRow {
     const double across = row.side ? r : p.z();
     row.error = bin.cosine * (across - bin.value - bin.slope * (along - bin.middle));
     const double per_sigma = 1 / bin.sigma;
-    row.u = row.error * (per_sigma / kTukey);
+    row.u = row.error * (per_sigma / tukeyLimit_sigmas);
     if (!(row.u * row.u < 1)) return row;
     row.key = key;
     row.cosine = bin.cosine;
@@ -67,7 +67,7 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
                 const MeridianBins& bins, Sums& sums)
 {
     sums.bins.resize(bins.bins.size());
-    // The lower triangle by hand: this loop is where the time goes.
+    // The lower triangle written out: this loop dominates the run time.
     double h[10] = {}, g[4] = {};
     for (std::size_t i = begin; i < end; ++i) {
         const PointRow row = pointRowOf(pose * points[i], bins);
@@ -115,7 +115,7 @@ int sectorOf(double x, double y)
     return within + (x < 0 ? 4 : 0) + (y < 0 ? 8 : 0);
 }
 
-/// A covariance that is in no direction less than `least` nor, in the main directions of both, than `other`.
+/// A covariance that is in no direction less than `least` nor, in the common principal directions, than `other`.
 Matrix4d noLess(const Matrix4d& least, const Matrix4d& other)
 {
     const Eigen::LLT<Matrix4d> root(least);
@@ -152,7 +152,7 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
         step.hessian -= bin.jacobian * bin.jacobian.transpose() / bin.weight;
         gradient -= bin.jacobian * (bin.error / bin.weight);
     }
-    // Only what is singular is given up here: on the way, an exact face may outweigh a rough side by ten decades.
+    // Rejects only a singular system: before convergence an exact face may outweigh a rough side by ten decades.
     const double arm = bins.size_mm;
     const Vector4d unit(1, 1, 1 / arm, 1 / arm);
     const Matrix4d scaled = unit.asDiagonal() * step.hessian * unit.asDiagonal();
@@ -181,21 +181,21 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
 Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose, const MeridianBins& bins,
                       const Step& step, const Progress& progress)
 {
-    constexpr int kStretches = 96;
+    constexpr int patchStretches = 96;
     using Patches = std::vector<Vector4d>;
     const double length = bins.step_mm * bins.side_count;
     const Patches patches = parallelReduce(
         points.size(), std::max(pointsPerStepTask, points.size() / 24), progress,
-        Patches(static_cast<std::size_t>(patchSectors * kStretches), Vector4d::Zero()),
+        Patches(static_cast<std::size_t>(patchSectors * patchStretches), Vector4d::Zero()),
         [&](std::size_t begin, std::size_t end) {
-            Patches part(static_cast<std::size_t>(patchSectors * kStretches), Vector4d::Zero());
+            Patches part(static_cast<std::size_t>(patchSectors * patchStretches), Vector4d::Zero());
             for (std::size_t i = begin; i < end; ++i) {
                 const Vector3d p = pose * points[i];
                 const PointRow row = pointRowOf(p, bins);
                 if (row.key < 0) continue;
                 const int sector = sectorOf(p.x(), p.y());
-                const int stretch =
-                    std::clamp(static_cast<int>((p.z() - bins.z_start_mm) / length * kStretches), 0, kStretches - 1);
+                const int stretch = std::clamp(static_cast<int>((p.z() - bins.z_start_mm) / length * patchStretches), 0,
+                                               patchStretches - 1);
                 const Sums::Bin& bin = step.sums.bins[static_cast<std::size_t>(row.key)];
                 if (bin.weight <= 0) continue;
                 const Vector4d own(row.jacobian[0], row.jacobian[1], row.jacobian[2], row.jacobian[3]);
@@ -207,10 +207,10 @@ Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry
             for (std::size_t k = 0; k < all.size(); ++k) all[k] += part[k];
             return all;
         });
-    // Patches, for noise that goes together around a place; whole rings, for noise that goes on along a row.
+    // Patches, for noise correlated around a place; whole rings, for noise correlated along a row.
     Matrix4d places = Matrix4d::Zero();
     Matrix4d rings = Matrix4d::Zero();
-    for (int stretch = 0; stretch < kStretches; ++stretch) {
+    for (int stretch = 0; stretch < patchStretches; ++stretch) {
         Vector4d ring = Vector4d::Zero();
         for (int sector = 0; sector < patchSectors; ++sector) {
             const Vector4d& patch = patches[patchAt(stretch, sector)];

@@ -1,4 +1,4 @@
-// One step of the axis fit: what every point says of the axis and of the radius in its bin.
+// One Gauss-Newton step of the axis fit with one free radius in every bin.
 // Source: biweight of Beaton and Tukey, Technometrics 16 (1974) 147-185; covariance of White, Econometrica 48 (1980)
 // 817-838, over patches.
 #pragma once
@@ -11,8 +11,8 @@
 
 namespace lathelier::registration {
 
-/// Sums of one pass: the normal equations of the four axis parameters (per unit variance), and for each bin what
-/// eliminating its own free value takes.
+/// Sums of one pass: the normal equations of the four axis parameters (per unit variance), and for each bin the sums
+/// needed to eliminate its free value.
 struct Sums {
     Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();   ///< Σ w/σ² j jᵀ, by (x, y) at the origin and slopes
     Eigen::Vector4d gradient = Eigen::Vector4d::Zero();  ///< Σ w/σ² e j, e the distance of a point from its bin in mm
@@ -47,16 +47,16 @@ struct Sums {
 struct Step {
     Eigen::Vector4d change = Eigen::Vector4d::Zero();   ///< of (x, y) at the origin in mm and of the two slopes
     Eigen::Matrix4d hessian = Eigen::Matrix4d::Zero();  ///< with the bins' values eliminated, per unit variance
-    bool determined = false;                            ///< false: the points leave the axis open, nothing was moved
-    Sums sums;                                          ///< of the pass before the step
+    bool determined = false;  ///< false: the points do not determine the axis; nothing was moved
+    Sums sums;                ///< of the pass before the step
 };
 
 /// One Gauss-Newton step of axis and bins together. Moves the pose and the bins' values.
 Step improve(const std::vector<Eigen::Vector3d>& points, Eigen::Isometry3d& pose, MeridianBins& bins,
              const Progress& progress);
 
-/// Covariance of the axis from the scatter of what patches of the surface say (H. White's estimator with patches for
-/// points): residuals of neighbours that go together count as one. Never less than for independent residuals.
+/// Cluster-robust covariance of the axis (H. White's estimator with surface patches as clusters), valid for residuals
+/// that are correlated between neighbours. Never less than for independent residuals.
 Eigen::Matrix4d covarianceOf(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& pose,
                              const MeridianBins& bins, const Step& step, const Progress& progress);
 

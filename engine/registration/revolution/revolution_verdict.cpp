@@ -38,7 +38,7 @@ double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample,
     std::vector<double> sorted = counts;
     std::sort(sorted.begin(), sorted.end());
     const double most = sorted[sorted.size() * 49 / 50];
-    // Gaps of up to 10° are the scanner's steps of angle, not places that were not seen.
+    // Gaps of up to 10° are angular steps of the scanner, not occlusions.
     const std::size_t bridge = sectors * 10 / 360;
     std::vector<bool> seen(sectors);
     for (std::size_t k = 0; k < sectors; ++k) seen[k] = counts[k] > 0.1 * most;
@@ -76,7 +76,7 @@ bool isSphere(const std::vector<Vector3d>& sample, const Vector3d& middle, const
     return off.empty() || 1.4826 * upperMedianInPlace(off) < limit_mm;
 }
 
-/// Two or more groups of points, each with a seventh of them or more, that no chain of neighbouring cells connects.
+/// Two or more groups, each with at least a seventh of the points, that no chain of neighbouring cells connects.
 bool isInPieces(const std::vector<Vector3d>& sample)
 {
     Vector3d low = sample.front(), high = sample.front();
@@ -142,12 +142,12 @@ NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Vector3d>& sampl
     const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));
     bool turned = fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03 && tilt < 0.01;
     if (turned && 3 * fit.sigma_mm > 0.02 * largest) {
-        // So much scatter passes for noise only when it has the tails of noise: 19 % of it lie beyond 1.3 sigma.
+        // A larger scatter is accepted as noise only with the tails of a normal distribution: 19 % beyond 1.3 sigma.
         const auto far = std::count_if(errors.begin(), errors.end(), [&](double e) { return e > 1.3 * fit.sigma_mm; });
         turned = static_cast<double>(far) > 0.1 * static_cast<double>(errors.size());
     }
     if (turned && isSphere(sample, middle, extents, 2 * fit.sigma_mm)) return NotTurned::NoSingleAxis;
-    if (turned && fit.coverage_deg < kLeastCoverage_deg) return NotTurned::SmallCoverage;
+    if (turned && fit.coverage_deg < leastCoverage_deg) return NotTurned::SmallCoverage;
     if (fit.bend.isLarge()) return NotTurned::Bent;
     if (turned) return NotTurned::No;
 

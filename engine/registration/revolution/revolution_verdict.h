@@ -1,4 +1,4 @@
-// Is it a body of revolution?
+// Test whether a fit is a body of revolution.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,9 +8,9 @@
 
 namespace lathelier::registration {
 
-/// Judges the fit: nearly all points on one profile, enough of them at its side and around it, one axis, not bent, and
-/// a scatter that looks like noise. Fills `coverage_deg` and gives the first reason against. `noise_mm` as in
-/// AxisCandidates.
+/// Tests the fit: nearly all points on one profile, sufficient points on its side and around it, a single axis, no
+/// bend, and a scatter consistent with noise. Fills `coverage_deg` and returns the first reason against a body of
+/// revolution. `noise_mm` as in AxisCandidates.
 NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Eigen::Vector3d>& sample, double noise_mm);
 
 }  // namespace lathelier::registration

@@ -14,8 +14,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kPairs = 8000;
-constexpr double kUnknownPlace = 0.15;  // of the radius: how far rays may pass the part's axis when nothing tells
+constexpr std::size_t pairSamples = 8000;
+constexpr double axisOffsetSigmaShare = 0.15;  // of the radius: standard uncertainty of the distance between scanner
+                                               // axis and part axis when it cannot be estimated
 
 /// Neighbours in the file, in the part's axis frame.
 struct NeighbourPair {
@@ -27,9 +28,9 @@ std::vector<NeighbourPair> neighboursOf(const std::vector<Vector3d>& points, con
 {
     std::vector<NeighbourPair> pairs;
     if (points.size() < 2) return pairs;
-    pairs.reserve(kPairs);
-    for (std::size_t k = 0; k < kPairs; ++k) {
-        const std::size_t i = k * (points.size() - 1) / kPairs;
+    pairs.reserve(pairSamples);
+    for (std::size_t k = 0; k < pairSamples; ++k) {
+        const std::size_t i = k * (points.size() - 1) / pairSamples;
         pairs.push_back({axis_T_scan * points[i], axis_T_scan.linear() * (points[i + 1] - points[i])});
     }
     return pairs;
@@ -61,9 +62,9 @@ std::optional<Vector3d> acrossRows(const std::vector<NeighbourPair>& pairs)
     return normal.z() < 0 ? Vector3d(-normal) : normal;
 }
 
-/// The place from which neighbours lie one step of angle apart: noise runs along the rays and leaves their angles
-/// alone. Gauss-Newton over place and step with Tukey weights whose scale follows the residuals.
-/// Sigma infinite: there is no such place.
+/// The position from which neighbours lie one angular step apart: noise acts along the rays and leaves their angles
+/// unchanged. Gauss-Newton over position and step with Tukey weights scaled by the residuals. Sigma infinite: there is
+/// no such place.
 struct RayOrigin {
     Vector2d centre = Vector2d::Zero();
     double sigma = std::numeric_limits<double>::infinity();
@@ -136,7 +137,7 @@ std::optional<ScannerAxis> findScannerAxis(const std::vector<Vector3d>& points, 
     if (!normal) return std::nullopt;
     ScannerAxis axis;
     axis.direction = *normal;
-    axis.sigma_mm = kUnknownPlace * radius_mm;
+    axis.sigma_mm = axisOffsetSigmaShare * radius_mm;
 
     const Vector3d u = normal->unitOrthogonal();
     const Vector3d v = normal->cross(u);

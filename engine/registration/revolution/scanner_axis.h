@@ -1,4 +1,4 @@
-// Where the rays of a rotary scanner run, from the order and the places of its points.
+// Axis of a rotary scanner, from the order and the coordinates of its points.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@ struct ScannerAxis {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  ///< unit vector in that frame
     double sigma_mm = 0;                                   ///< standard uncertainty of the place across the direction
 
-    /// Out of the scanner's axis, along the ray that made `point`.
+    /// Unit vector from the scanner's axis along the ray that made `point`.
     Eigen::Vector3d outward(const Eigen::Vector3d& point) const
     {
         const Eigen::Vector3d arm = point - point_mm;

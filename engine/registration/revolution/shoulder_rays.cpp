@@ -89,7 +89,7 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
             edge.sign = rise > 0 ? 1 : -1;
             edge.from_mm = z1 - 3 * profile.step_mm;
             edge.to_mm = z2 + 3 * profile.step_mm;
-            // A steep but resolved slope is no shoulder: it has bins of its own, and goes on as it rises here.
+            // A steep but resolved slope is no shoulder: the bins beside it rise at the same rate.
             const double a_bin = 1 / static_cast<double>(gap);
             const bool goes_on = std::abs(radiusAt(i) - radiusAt(before)) * a_bin <
                                  2 * std::max(riseFrom(before, -1, edge.sign), riseFrom(i, 1, edge.sign));
@@ -118,9 +118,9 @@ double missDepth(const Edge& edge, const RevolutionFit& fit)
     return std::min(0.5 * heightOf(edge), 5 * fit.sigma_mm);
 }
 
-/// Height of the ray that made `p`, and where it decides between hit and miss. A ray that leans toward the face strikes
-/// the face when it does not strike the larger radius, and counts as a hit while it does so within `missDepth`; one
-/// that leans away from the face passes the larger radius or strikes it.
+/// Height of the ray that made `p` at the radius that separates hits from misses. A ray inclined toward the face
+/// strikes the face when it does not strike the larger radius, and counts as a hit while it does so within `missDepth`;
+/// one inclined away from the face passes the larger radius or strikes it.
 double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge, double miss_depth)
 {
     const Eigen::Vector3d outward = scanner.outward(p);
@@ -139,8 +139,8 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
     std::vector<std::int16_t> edge_at(profile.size() * 8, -1);
     const double slope = scanner ? leanOf(*scanner) : 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        // A leaning ray moves along the axis between the larger radius and the smaller one, where it may end; but what
-        // lies beyond the middle between two edges belongs to the other.
+        // An inclined ray is displaced along the axis between the larger radius and the smaller one, where it may end;
+        // points beyond the middle between two edges belong to the other edge.
         const double lean = slope * heightOf(edges[e]);
         const double from = std::max(edges[e].from_mm - lean,
                                      e > 0 ? (edges[e - 1].z_mm + edges[e].z_mm) / 2 : edges[e].from_mm - lean);
@@ -245,7 +245,7 @@ Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pla
                 }
             }
         }
-    // Two parameters more must lower the sum by clearly more than chance does.
+    // Two more parameters must lower the sum by significantly more than by chance.
     const double freedom = std::max(1.0, static_cast<double>(places.size()) - static_cast<double>(edges.size()) - 2);
     return without - least > 12 * least / freedom ? best : Lean{};
 }
@@ -296,8 +296,8 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
     std::vector<EdgeRays> result(edges.size());
     parallelFor(edges.size(), 1, progress, [&](std::size_t e, std::size_t) {
         const Edge& edge = edges[e];
-        // With the scanner known every ray is placed exactly, and what is not on the larger radius has missed it.
-        // Without, the middle of the shoulder divides hits from misses: points on the shoulder favour neither side.
+        // With a known scanner axis every ray is placed exactly, and a point not on the larger radius is a miss.
+        // Without, the middle of the shoulder separates hits from misses, so that points on the shoulder cause no bias.
         const double miss = scanner ? missDepth(edge, fit) / heightOf(edge) : 0.5;
         std::vector<Ray>& rays = result[e].rays;
         rays.reserve(found[e].size());

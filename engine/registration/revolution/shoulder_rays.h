@@ -14,7 +14,7 @@ struct Edge {
     double before_mm = 0;           ///< radius just before it, in z
     double after_mm = 0;            ///< radius just after it
     double sign = 1;                ///< 1: the radius rises with z, -1: it falls
-    double from_mm = 0, to_mm = 0;  ///< the stretch of z that was looked at
+    double from_mm = 0, to_mm = 0;  ///< range of z of the rays
     double above_mm = 0;            ///< how far beyond the larger radius its wall rises within that stretch
 };
 
@@ -25,12 +25,13 @@ struct Ray {
 };
 
 struct EdgeRays {
-    Edge edge;                 ///< where the radius jumps
-    std::vector<Ray> rays;     ///< in order of height
-    double lean_sigma_mm = 0;  ///< standard uncertainty of the heights as a whole from what is not known of the rays
+    Edge edge;              ///< where the radius jumps
+    std::vector<Ray> rays;  ///< in order of height
+    double lean_sigma_mm =
+        0;  ///< common standard uncertainty of the heights, from the uncertainty of the ray direction
 };
 
-/// The place with as many rays below it as there are misses in all; nullopt with too few hits or misses.
+/// The height with as many rays below it as there are misses in total; nullopt with too few hits or misses.
 std::optional<double> balance(const std::vector<Ray>& rays);
 
 /// All edges higher than 8 times the scatter with their rays.

@@ -9,7 +9,7 @@
 namespace lathelier::registration {
 namespace {
 
-/// What the chords of this share of the facets stay below.
+/// Quantile of the facets' sagitta.
 double sagittaQuantile(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, double share, const Progress& progress)
 {
     constexpr double side = 0.3;    // of the normal's length along the radius

@@ -1,4 +1,4 @@
-// How far the flat facets of a mesh lie off the round surface that they stand for.
+// Sagitta of the flat facets of a mesh under the round surface that they approximate.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,11 +8,11 @@
 
 namespace lathelier::registration {
 
-/// Of a body of revolution: what the chords of nine tenths of its side facets (those that face the axis or away from
-/// it) stay below. 0 without such facets. Throws Cancelled.
+/// Of a body of revolution: 90 % quantile of the sagitta over its side facets (normal toward or away from the axis). 0
+/// without such facets. Throws Cancelled.
 double facetSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress = {});
 
-/// The same of all but a thousandth of them.
+/// The 99.9 % quantile.
 double largestSagitta_mm(const Scan& mesh, const Eigen::Isometry3d& axis_T_mesh, const Progress& progress = {});
 
 }  // namespace lathelier::registration

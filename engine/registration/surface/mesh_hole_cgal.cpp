@@ -20,7 +20,7 @@ std::vector<std::array<std::uint32_t, 3>> fillHole(const std::vector<Eigen::Vect
     std::vector<CGAL::Triple<int, int, int>> found;
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(polyline, std::back_inserter(found));
     if (found.size() + 2 != rim_mm.size()) return {};
-    // Each edge of the rim belongs to one triangle: the one at the first edge tells the sense of all.
+    // Each edge of the rim belongs to one triangle: the one at the first edge determines the orientation of all.
     bool forward = false;
     for (const auto& t : found) {
         const std::array<int, 3> corners{t.first, t.second, t.third};

@@ -13,10 +13,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double same_corner = 1e-3;   // of the shortest rim edge at a corner
-constexpr double small_hole = 0.05;    // of the mesh's extent
-constexpr double largest_patch = 0.4;  // of the area of the piece around it
-constexpr std::size_t longest_rim = 100;
+constexpr double sameCornerShare = 1e-3;    // of the shortest rim edge at a corner
+constexpr double smallHoleShare = 0.05;     // of the mesh's extent
+constexpr double largestFilledShare = 0.4;  // of the area of the piece around it
+constexpr std::size_t longestRim = 100;
 
 class Repair {
 public:
@@ -99,11 +99,11 @@ private:
         bool any = false;
         std::vector<Neighbours::Found> found;
         for (const RimCorner& c : corners) {
-            const double near = same_corner * c.edge_mm;
+            const double near = sameCornerShare * c.edge_mm;
             index.nearest(c.at_mm, 4, near * near, found);
             for (const Neighbours::Found& f : found) {
                 const RimCorner& other = corners[index.input(f.place)];
-                if (other.number == c.number || f.squared_mm2 > std::pow(same_corner * other.edge_mm, 2)) continue;
+                if (other.number == c.number || f.squared_mm2 > std::pow(sameCornerShare * other.edge_mm, 2)) continue;
                 same.join(c.number, other.number, false);
                 any = true;
             }
@@ -124,7 +124,8 @@ private:
             all_agree = all_agree && agrees(first);
             senses.join(edges_[first].triangle, edges_[first + 1].triangle, !agrees(first));
         });
-        std::vector<double> turned_area(result_.triangles.size(), 0);  // of each piece: what the turned have in excess
+        std::vector<double> turned_area(result_.triangles.size(),
+                                        0);  // of each piece: area of the turned facets minus that of the others
         std::vector<std::uint8_t> flips(result_.triangles.size());
         pieces_.resize(result_.triangles.size());
         piece_area_.assign(result_.triangles.size(), 0);
@@ -172,9 +173,9 @@ private:
                 box.extend(end(e));
                 i = next[e.forward ? e.low() : e.high()];
             }
-            if (i != first || places.size() < 3 || places.size() > longest_rim) continue;
+            if (i != first || places.size() < 3 || places.size() > longestRim) continue;
             const double extent = box.diagonal().norm();
-            if (places.size() > 3 && extent > small_hole * all.diagonal().norm()) continue;
+            if (places.size() > 3 && extent > smallHoleShare * all.diagonal().norm()) continue;
             progress_.check();
             const std::vector<TriangleCorners> patch = fillHole(places);
             const std::size_t before = result_.triangles.size();
@@ -183,8 +184,8 @@ private:
                 result_.triangles.push_back({vertices[t[0]], vertices[t[1]], vertices[t[2]]});
                 area += areaOf(result_.triangles.back());
             }
-            // The outline of a small open piece is no hole of it: what fills it is as large as the piece.
-            if (patch.empty() || area > largest_patch * piece_area_[pieces_[rim[first].triangle]]) {
+            // The boundary of a small open piece is no hole: its filling would be as large as the piece.
+            if (patch.empty() || area > largestFilledShare * piece_area_[pieces_[rim[first].triangle]]) {
                 result_.triangles.resize(before);
                 continue;
             }

@@ -14,13 +14,14 @@
 
 namespace lathelier::registration {
 
-/// How a point lies to the surface. Nothing was found when `distance_mm` is NaN.
+/// Signed distance of a point from the surface and the normal there. `distance_mm` is NaN when no surface is within
+/// reach.
 struct SurfacePlace {
     double distance_mm = std::numeric_limits<double>::quiet_NaN();  ///< from the surface to the point along `normal`
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();  ///< unit; out of the material once the surface is oriented
     double slope_variance =
         0;                ///< of the normal's tangent in each direction, from the noise of the surface's own points
-    bool border = false;  ///< the point lies beside the surface, where nothing is known of it
+    bool border = false;  ///< the foot of the point lies on an open border: no deviation is defined
 
     bool found() const { return distance_mm == distance_mm; }
 };
@@ -32,12 +33,12 @@ public:
 
     using Trace = Neighbours::Trace;
 
-    /// Where each of the queries (finite, in Hilbert order) lies; found only up to `max_distance_mm`. With `traces`,
-    /// given back for the same points a little moved, they are found faster again; none where they are asked once.
+    /// Where each of the queries (finite, in Hilbert order) lies; found only up to `max_distance_mm`. `traces` speed up
+    /// a repeated call with the same points slightly moved; empty for a single call.
     virtual void place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
                        std::span<SurfacePlace> places, std::span<Trace> traces) const = 0;
 
-    /// Lets the normals point out of the material. False when inside and outside cannot be told.
+    /// Orients the normals out of the material. False when inside and outside are not determined.
     virtual bool orient(const Progress& progress) = 0;
 
     /// One standard deviation of the surface's own points about it; 0 for a mesh.
@@ -52,7 +53,7 @@ public:
     /// How far from a place of the surface its points typically lie; 0 for a mesh.
     virtual double spacing_mm() const = 0;
 
-    /// What was mended before the surface could be used.
+    /// Notes on repairs made before the surface could be used.
     virtual Notes notes() const { return {}; }
 };
 

@@ -15,15 +15,15 @@ namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t neighbourhood = 48;    // points to a patch
-constexpr std::uint32_t groupsTogether = 4;  // groups whose neighbourhoods are looked for together
-constexpr std::size_t largest_neighbourhood = 768;
-constexpr double min_breadth = 0.25;    // narrower ones (single scan lines) are widened
-constexpr double edge_ratio = 1.35;     // of a patch's scatter to the usual one
-constexpr double exact_scatter = 1e-3;  // of a patch's radius: what curvature leaves in a cloud without noise
-constexpr std::size_t max_sheets = 3;   // a corner
-constexpr std::size_t min_sheet_points = 10;
-constexpr double min_sheet_breadth = 0.15;
-constexpr double cos_same_sheet = 0.95;
+constexpr std::uint32_t groupsTogether = 4;  // groups whose neighbourhoods are searched together
+constexpr std::size_t largestNeighbourhood = 768;
+constexpr double leastBreadth = 0.25;       // narrower ones (single scan lines) are widened
+constexpr double edgeScatterFactor = 1.35;  // a patch whose scatter exceeds the median by this factor contains an edge
+constexpr double exactScatterShare = 1e-3;  // of a patch's radius: residual of curvature in a cloud without noise
+constexpr std::size_t mostSheets = 3;       // three sheets meet in a corner
+constexpr std::size_t leastSheetPoints = 10;
+constexpr double leastSheetBreadth = 0.15;
+constexpr double sameSheetCosine = 0.95;
 
 // Maps chunks of items to lists and joins the lists in order.
 template <class T, class Map>
@@ -83,12 +83,12 @@ CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
 
 std::uint32_t CloudSurface::groupEnd(std::uint32_t group) const
 {
-    return static_cast<std::uint32_t>(std::min<std::size_t>((group + 1) * std::size_t{group_size}, points_.size()));
+    return static_cast<std::uint32_t>(std::min<std::size_t>((group + 1) * std::size_t{groupSize}, points_.size()));
 }
 
 bool CloudSurface::isSmooth(const SurfacePatch& patch) const
 {
-    return patch.sigma_mm <= std::max(edge_ratio * scatter_mm_, exact_scatter * patch.radius_mm);
+    return patch.sigma_mm <= std::max(edgeScatterFactor * scatter_mm_, exactScatterShare * patch.radius_mm);
 }
 
 void CloudSurface::gather(std::uint32_t centre, std::size_t count, Search& search) const
@@ -111,45 +111,45 @@ void CloudSurface::surround(std::size_t group, std::size_t end, Search& search) 
     const auto first = static_cast<std::uint32_t>(group);
     const auto last = static_cast<std::uint32_t>(std::min(group + groupsTogether, end) - 1);
     Box box;
-    for (std::uint32_t i = first * group_size; i < groupEnd(last); ++i) box.add(points_.point_mm(i));
+    for (std::uint32_t i = first * groupSize; i < groupEnd(last); ++i) box.add(points_.point_mm(i));
     search.surroundings.collect(box, 1.1 * search.expected_mm2, 256);
 }
 
 void CloudSurface::fitGroup(std::uint32_t group, Search& search, std::vector<Member>& members) const
 {
     const std::size_t own = members.size();
-    std::uint32_t waiting = (1U << (groupEnd(group) - group * group_size)) - 1;  // points that no patch reaches yet
+    std::uint32_t waiting = (1U << (groupEnd(group) - group * groupSize)) - 1;  // points that no patch reaches yet
     while (waiting != 0) {
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
         int count = 0;
-        for (std::uint32_t i = 0; i < group_size; ++i)
+        for (std::uint32_t i = 0; i < groupSize; ++i)
             if ((waiting >> i & 1) != 0) {
-                middle += points_.point_mm(group * group_size + i);
+                middle += points_.point_mm(group * groupSize + i);
                 ++count;
             }
         middle /= count;
-        std::uint32_t centre = 0;  // the middle itself may lie between two walls
+        std::uint32_t centre = 0;  // the mean of the points may lie between two walls
         double nearest = std::numeric_limits<double>::infinity();
-        for (std::uint32_t i = 0; i < group_size; ++i) {
+        for (std::uint32_t i = 0; i < groupSize; ++i) {
             const double off =
-                (points_.point_mm(std::min(group * group_size + i, groupEnd(group) - 1)) - middle).squaredNorm();
+                (points_.point_mm(std::min(group * groupSize + i, groupEnd(group) - 1)) - middle).squaredNorm();
             if ((waiting >> i & 1) != 0 && off < nearest) {
                 nearest = off;
                 centre = i;
             }
         }
         waiting &= ~(1U << centre);
-        Member member{group, group * group_size + centre, {}};
-        for (std::size_t wanted = neighbourhood; wanted <= largest_neighbourhood; wanted *= 2) {
+        Member member{group, group * groupSize + centre, {}};
+        for (std::size_t wanted = neighbourhood; wanted <= largestNeighbourhood; wanted *= 2) {
             gather(member.centre, wanted, search);
             search.weights.assign(search.points_mm.size(), 1);
             member.patch = fitPatch(search.points_mm, search.weights);
-            if (member.patch.breadth > min_breadth || search.points_mm.size() < wanted) break;
+            if (member.patch.breadth > leastBreadth || search.points_mm.size() < wanted) break;
         }
         const Eigen::Vector3d at = points_.point_mm(member.centre);
-        for (std::uint32_t i = 0; i < group_size; ++i)
+        for (std::uint32_t i = 0; i < groupSize; ++i)
             if ((waiting >> i & 1) != 0 &&
-                (points_.point_mm(group * group_size + i) - at).norm() <= 0.9 * member.patch.radius_mm)
+                (points_.point_mm(group * groupSize + i) - at).norm() <= 0.9 * member.patch.radius_mm)
                 waiting &= ~(1U << i);
         if (member.patch.radius_mm > 0)
             members.push_back(member);
@@ -197,7 +197,7 @@ void CloudSurface::split(const Member& rough, const Neighbours& smooth_index, co
 {
     const std::size_t own = sheets.size();
     const double reach = 3 * rough.patch.radius_mm;
-    const double sigma = std::max(scatter_mm_, exact_scatter * rough.patch.radius_mm);
+    const double sigma = std::max(scatter_mm_, exactScatterShare * rough.patch.radius_mm);
     std::vector<Neighbours::Found> starts;
     smooth_index.nearest(points_.point_mm(rough.centre), 16, reach * reach, starts);
     gather(rough.centre, neighbourhood + neighbourhood / 3, search);
@@ -206,15 +206,15 @@ void CloudSurface::split(const Member& rough, const Neighbours& smooth_index, co
         const auto isKnown = [&] {
             return std::any_of(
                 sheets.begin() + static_cast<std::ptrdiff_t>(own), sheets.end(), [&](const Member& other) {
-                    return std::abs(other.patch.normal.dot(sheet.patch.normal)) > cos_same_sheet &&
+                    return std::abs(other.patch.normal.dot(sheet.patch.normal)) > sameSheetCosine &&
                            std::abs(other.patch.distance_mm(sheet.patch.centre_mm)) < 0.3 * sheet.patch.radius_mm;
                 });
         };
         if (isKnown()) continue;
-        if (fitRobustPatch(search.points_mm, sigma, 4, sheet.patch) < min_sheet_points) continue;
-        if (sheet.patch.breadth < min_sheet_breadth || isKnown()) continue;
+        if (fitRobustPatch(search.points_mm, sigma, 4, sheet.patch) < leastSheetPoints) continue;
+        if (sheet.patch.breadth < leastSheetBreadth || isKnown()) continue;
         sheets.push_back(sheet);
-        if (sheets.size() == own + max_sheets) break;
+        if (sheets.size() == own + mostSheets) break;
     }
     if (sheets.size() == own) sheets.push_back(rough);
 }
@@ -242,15 +242,15 @@ SurfacePlace CloudSurface::placeOn(std::uint32_t spot, const Eigen::Vector3d& qu
     const double nearest_mm = std::sqrt(nearest.squared_mm2);
     for (std::uint32_t p = spots_[spot].first_patch; p < spots_[spot + 1].first_patch; ++p) {
         const SurfacePatch& patch = patches_[p];
-        // A patch that does not pass near its points, or not where the query is, says nothing about them.
+        // A patch that does not pass near its points, or does not extend to the query, is not used.
         const double d = patch.distance_mm(query_mm);
-        const double farthest = nearest_mm + 4 * std::max(scatter_mm_, exact_scatter * patch.radius_mm);
+        const double farthest = nearest_mm + 4 * std::max(scatter_mm_, exactScatterShare * patch.radius_mm);
         if (std::abs(d) > farthest || patch.lateral_mm(query_mm) > 2 * patch.radius_mm) continue;
         if (best.found() && std::abs(d) >= std::abs(best.distance_mm)) continue;
         best.distance_mm = d;
         best.normal = patch.normalAt(query_mm);
         best.slope_variance = patch.slopeVariance(query_mm);
-        // Far off the surface, noise decides which point is nearest: sideways by up to the second term.
+        // Far from the surface the nearest point depends on noise: its lateral offset reaches the second term.
         const double sideways2 = offset.squaredNorm() - std::pow(offset.dot(best.normal), 2);
         const double usual = 0.7 * patch.radius_mm + scatter_mm_;
         best.border = sideways2 > usual * usual + 16 * std::abs(d) * scatter_mm_;
@@ -261,8 +261,8 @@ SurfacePlace CloudSurface::placeOn(std::uint32_t spot, const Eigen::Vector3d& qu
 SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const
 {
     const Eigen::Vector3d point = points_.point_mm(nearest.place);
-    const std::uint32_t first = first_spot_[nearest.place / group_size];
-    const std::uint32_t end = first_spot_[nearest.place / group_size + 1];
+    const std::uint32_t first = first_spot_[nearest.place / groupSize];
+    const std::uint32_t end = first_spot_[nearest.place / groupSize + 1];
     std::uint32_t nearest_spot = first;
     for (std::uint32_t s = first; s < end; ++s)
         if ((spots_[s].centre_mm - point).squaredNorm() < (spots_[nearest_spot].centre_mm - point).squaredNorm())
@@ -297,7 +297,7 @@ bool CloudSurface::orient(const Progress& progress)
             for (std::uint32_t p = spots_[first_spot_[g]].first_patch; p < spots_[first_spot_[g + 1]].first_patch;
                  ++p) {
                 double agreement = 0;
-                for (std::uint32_t i = g * group_size; i < groupEnd(g); ++i)
+                for (std::uint32_t i = g * groupSize; i < groupEnd(g); ++i)
                     agreement += given_normals_[points_.input(i)].cast<double>().dot(patches_[p].normal);
                 if (agreement < 0) patches_[p].flip();
             }

@@ -1,4 +1,4 @@
-// The smooth surface through a cloud: patches fitted to the neighbourhoods of its points, split at sharp edges.
+// The smooth surface through a cloud: quadric patches fitted to the neighbourhoods of its points, split at sharp edges.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ public:
     double spacing_mm() const override { return 0.25 * reach_mm_; }
 
 private:
-    static constexpr std::uint32_t group_size = 8;
+    static constexpr std::uint32_t groupSize = 8;
 
     struct Member {
         std::uint32_t group;
@@ -34,11 +34,11 @@ private:
         SurfacePatch patch;
     };
 
-    struct Search;  // what one thread needs to collect neighbourhoods
+    struct Search;  // working memory of one thread
 
     std::uint32_t groupCount() const
     {
-        return static_cast<std::uint32_t>((points_.size() + group_size - 1) / group_size);
+        return static_cast<std::uint32_t>((points_.size() + groupSize - 1) / groupSize);
     }
     std::uint32_t groupEnd(std::uint32_t group) const;
     void gather(std::uint32_t centre, std::size_t count, Search& search) const;

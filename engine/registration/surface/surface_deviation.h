@@ -13,12 +13,13 @@
 namespace lathelier::registration {
 
 struct SurfaceDeviation {
-    std::vector<float> deviation_mm;  ///< one per point; NaN further than asked, and where the reference has no surface
+    std::vector<float>
+        deviation_mm;  ///< one per point; NaN beyond max_distance_mm, and where the reference has no surface
     /// One per point: the direction in which the deviation is measured, so that deviation × direction leads from the
     /// surface to the point; zero where there is none.
     std::vector<Eigen::Vector3f> direction;
     bool has_sign = true;  ///< false: unsigned distances, with the note signUndetermined
-    Notes notes;           ///< what had to be assumed or repaired for the reference's surface
+    Notes notes;           ///< assumptions and repairs of the reference's surface
 };
 
 /// Deviation along the surface normal, + where the copy has material in excess. Mesh reference: exact distance to its

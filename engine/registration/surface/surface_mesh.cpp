@@ -11,7 +11,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double rim_margin = 1e-4;  // of the mesh's extent
+constexpr double rimMarginShare = 1e-4;  // of the mesh's extent
 
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
@@ -48,7 +48,7 @@ void MeshSurface::build(const Scan& mesh, std::span<const TriangleCorners> trian
         centres.push_back((mesh.points_mm[t[0]] + mesh.points_mm[t[1]] + mesh.points_mm[t[2]]) / 3);
     const std::vector<std::uint32_t> order = hilbertOrder(centres, progress);
     triangles_.assign(order.size(), {});
-    std::vector<Box> boxes((order.size() + leaf_size - 1) / leaf_size);
+    std::vector<Box> boxes((order.size() + leafSize - 1) / leafSize);
     Box all;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const auto& t = triangles[order[i]];
@@ -56,12 +56,12 @@ void MeshSurface::build(const Scan& mesh, std::span<const TriangleCorners> trian
         triangle.corners = numbers.of(t);
         for (std::size_t k = 0; k < 3; ++k) {
             triangle.corners_mm[k] = mesh.points_mm[t[k]];
-            boxes[i / leaf_size].add(triangle.corners_mm[k]);
+            boxes[i / leafSize].add(triangle.corners_mm[k]);
             all.add(triangle.corners_mm[k]);
             if (mesh.hasNormals()) given_normals_ += mesh.normals[t[k]].cast<double>().dot(triangle.normal());
         }
     }
-    rim_margin_mm_ = triangles_.empty() ? 0 : rim_margin * (all.high_mm - all.low_mm).norm();
+    rim_margin_mm_ = triangles_.empty() ? 0 : rimMarginShare * (all.high_mm - all.low_mm).norm();
     progress.report(0.6);
     boxes_ = BoxTree(boxes, progress);
     corner_normals_.assign(numbers.count, Eigen::Vector3d::Zero());
@@ -124,8 +124,8 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
     std::uint32_t where = Neighbours::Found::none;
     double bound = std::nextafter(max_distance_mm * max_distance_mm, std::numeric_limits<double>::infinity());
     const auto look = [&](std::uint32_t leaf, double& limit) {
-        const std::uint32_t end = std::min((leaf + 1) * leaf_size, static_cast<std::uint32_t>(triangles_.size()));
-        for (std::uint32_t t = leaf * leaf_size; t < end; ++t) {
+        const std::uint32_t end = std::min((leaf + 1) * leafSize, static_cast<std::uint32_t>(triangles_.size()));
+        for (std::uint32_t t = leaf * leafSize; t < end; ++t) {
             const TrianglePoint here = nearestOnTriangle(query_mm, triangles_[t].corners_mm);
             const double squared = (here.point_mm - query_mm).squaredNorm();
             if (squared < limit) {
@@ -135,7 +135,7 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
             }
         }
     };
-    if (hint != Neighbours::Found::none) look(hint / leaf_size, bound);
+    if (hint != Neighbours::Found::none) look(hint / leafSize, bound);
     boxes_.visit(Box(query_mm), bound, look);
     SurfacePlace place;
     if (where == Neighbours::Found::none) return place;
@@ -166,7 +166,7 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
 void MeshSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_distance_mm,
                         std::span<SurfacePlace> places, std::span<Trace> traces) const
 {
-    std::uint32_t hint = Neighbours::Found::none;  // queries lie near each other
+    std::uint32_t hint = Neighbours::Found::none;  // neighbouring queries share the bound
     for (std::size_t q = 0; q < queries_mm.size(); ++q) {
         if (!traces.empty() && traces[q].place != Neighbours::Found::none) hint = traces[q].place;
         places[q] = placeOne(queries_mm[q], max_distance_mm, hint);

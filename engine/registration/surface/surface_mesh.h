@@ -31,7 +31,7 @@ public:
     Notes notes() const override { return notes_; }
 
 private:
-    static constexpr std::uint32_t leaf_size = 4;
+    static constexpr std::uint32_t leafSize = 4;
 
     struct Triangle {
         std::array<Eigen::Vector3d, 3> corners_mm;    ///< in the sense in which the facet runs round

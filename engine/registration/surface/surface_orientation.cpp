@@ -18,12 +18,12 @@ namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t links = 8;      // of an element to its neighbours
-constexpr std::size_t samples = 120;  // places where the winding number is looked at
-constexpr double winding_tolerance = 0.25;
-constexpr double min_good_share = 0.9;
+constexpr std::size_t samples = 120;  // places where the winding number is evaluated
+constexpr double windingTolerance = 0.25;
+constexpr double leastConsistentShare = 0.9;
 
 struct Link {
-    std::uint32_t cost;  // 0: the two senses agree beyond doubt
+    std::uint32_t cost;  // 0: the orientations are certain to agree
     std::uint32_t from;
     std::uint32_t to;
     bool opposite;
@@ -96,7 +96,7 @@ Graph connect(const std::vector<SurfaceElement>& elements, const Progress& progr
                 if (k + 1 >= found.size()) continue;
                 link.to = index.input(found[k + 1].place);
                 const SurfaceElement& b = elements[link.to];
-                // The normal that a continues with, were the surface an arc from a to b.
+                // The normal at b that continues a along a circular arc from a to b.
                 const Eigen::Vector3d step = (b.centre_mm - a.centre_mm).normalized();
                 const double agreement = (a.normal - 2 * a.normal.dot(step) * step).dot(b.normal);
                 link.opposite = agreement < 0;
@@ -136,21 +136,21 @@ std::vector<bool> turnOutward(const std::vector<SurfaceElement>& elements, const
     return flips;
 }
 
-// What a set of elements that lie together contributes to the winding number: seen from afar, as one element would.
+// Contribution of a cluster of elements to the winding number, in the far field as a single element.
 struct Bundle {
     Eigen::Vector3d centre_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d area_mm2 = Eigen::Vector3d::Zero();  ///< times the normals
     double radius_mm = 0;
 };
 
-constexpr std::size_t bundle_size = 32;
+constexpr std::size_t bundleSize = 32;
 
 std::vector<Bundle> bundlesOf(const std::vector<SurfaceElement>& elements, const std::vector<Eigen::Vector3d>& areas)
 {
-    std::vector<Bundle> bundles((elements.size() + bundle_size - 1) / bundle_size);
+    std::vector<Bundle> bundles((elements.size() + bundleSize - 1) / bundleSize);
     for (std::size_t b = 0; b < bundles.size(); ++b) {
-        const std::size_t begin = b * bundle_size;
-        const std::size_t end = std::min(begin + bundle_size, elements.size());
+        const std::size_t begin = b * bundleSize;
+        const std::size_t end = std::min(begin + bundleSize, elements.size());
         Bundle& bundle = bundles[b];
         double weight = 0;
         for (std::size_t i = begin; i < end; ++i) {
@@ -169,7 +169,7 @@ std::vector<Bundle> bundlesOf(const std::vector<SurfaceElement>& elements, const
 double solidAngle(const std::vector<SurfaceElement>& elements, const std::vector<Eigen::Vector3d>& areas,
                   const std::vector<Bundle>& bundles, const Eigen::Vector3d& at_mm)
 {
-    constexpr double far = 4;  // radii; what is neglected is the square of the inverse
+    constexpr double far = 4;  // in radii; the neglected term is of the order of its inverse square
     const auto seen = [&](const Eigen::Vector3d& area, const Eigen::Vector3d& centre) {
         const Eigen::Vector3d d = centre - at_mm;
         const double squared = d.squaredNorm();
@@ -182,8 +182,8 @@ double solidAngle(const std::vector<SurfaceElement>& elements, const std::vector
             sum += seen(bundle.area_mm2, bundle.centre_mm);
             continue;
         }
-        const std::size_t end = std::min((b + 1) * bundle_size, elements.size());
-        for (std::size_t i = b * bundle_size; i < end; ++i) sum += seen(areas[i], elements[i].centre_mm);
+        const std::size_t end = std::min((b + 1) * bundleSize, elements.size());
+        for (std::size_t i = b * bundleSize; i < end; ++i) sum += seen(areas[i], elements[i].centre_mm);
     }
     return sum;
 }
@@ -209,12 +209,12 @@ bool isClosed(const std::vector<SurfaceElement>& elements, const std::vector<dou
                 };
                 const double inside = windingAt(at.centre_mm - out);
                 const double outside = windingAt(at.centre_mm + out);
-                result += std::abs(inside - 1) < winding_tolerance && std::abs(outside) < winding_tolerance;
+                result += std::abs(inside - 1) < windingTolerance && std::abs(outside) < windingTolerance;
             }
             return result;
         },
         [](int a, int b) { return a + b; });
-    return good >= min_good_share * static_cast<double>(count);
+    return good >= leastConsistentShare * static_cast<double>(count);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@ namespace {
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr double min_points_of_quadric = 9;
+constexpr double leastQuadricPoints = 9;
 
-// Two points side by side: most processors work on both at once.
+// Two points at once (SIMD).
 using Pair = Eigen::Array2d;
 
 struct Pairs {
@@ -56,7 +56,8 @@ Pair weightsAt(std::span<const double> weights, std::size_t i)
     return {weights[i], i + 1 < weights.size() ? weights[i + 1] : 0};
 }
 
-// The least-squares quadric z = s0 + s1 x + s2 y + s3 x² + s4 xy + s5 y²; false where the points do not tell all six.
+// The least-squares quadric z = s0 + s1 x + s2 y + s3 x² + s4 xy + s5 y²; false where the points do not determine all
+// six.
 bool fitQuadric(const PatchFrame& frame, std::span<const double> weights, Vector6& s)
 {
     // Sums of x^i y^j for i + j up to 4, and of z x^i y^j up to 2, in the order of the powers below.
@@ -231,7 +232,7 @@ SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<cons
     rows << patch.u.transpose(), patch.v.transpose(), patch.normal.transpose();
     const PatchFrame frame(points_mm, patch.centre_mm, scale * rows);
     Vector6 s = Vector6::Zero();
-    const bool is_quadric = total >= min_points_of_quadric && fitQuadric(frame, weights, s);
+    const bool is_quadric = total >= leastQuadricPoints && fitQuadric(frame, weights, s);
     patch.c << s[0] * patch.radius_mm, s[1], s[2], s[3] * scale, s[4] * scale, s[5] * scale;
     patch.sigma_mm =
         patch.radius_mm * std::sqrt(sumOfSquares(frame, weights, s) / std::max(1.0, total - (is_quadric ? 6 : 3)));

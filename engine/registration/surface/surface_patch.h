@@ -35,8 +35,8 @@ struct SurfacePatch {
 /// Fits a patch to at least 3 points with weights; a plane when they are too few or too unevenly spread for a quadric.
 SurfacePatch fitPatch(std::span<const Eigen::Vector3d> points_mm, std::span<const double> weights);
 
-/// The same with Tukey's weights about the last fit, starting from `start`; points further off it than 4.685
-/// `sigma_mm` count nothing. Gives the number of points that count.
+/// The same with Tukey's weights about the last fit, starting from `start`; points further than 4.685 `sigma_mm` from
+/// it have weight 0. Gives the number of points that count.
 std::size_t fitRobustPatch(std::span<const Eigen::Vector3d> points_mm, double sigma_mm, int rounds,
                            SurfacePatch& patch);
 

@@ -14,15 +14,16 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t kMostFindings = 8;
-constexpr std::size_t kMostBumps = 3;
-constexpr double kStandsOut = 4;        // standard uncertainties of a step, a taper, a barrel
-constexpr double kSmallest_mm = 0.002;  // systematic errors of the method stay below
-constexpr double kOfTolerance = 0.1;    // smaller differences are not worth a word
-constexpr double kLocal = 0.3;          // of the length of its stretch: a bump is no longer
-constexpr double kHeight = 2.5;         // coverage factor of the height of a bump, chosen among a few windows about it
-constexpr double kLeastMissing_mm = 1;  // rings without points
-constexpr double kThin = 0.02;          // of the usual points of a ring: none worth the name
+constexpr std::size_t mostFindings = 8;
+constexpr std::size_t mostBumps = 3;
+constexpr double significanceSigmas = 4;  // significance limit of a step, a taper, a barrel, in standard uncertainties
+constexpr double smallestFinding_mm = 0.002;   // upper bound of the systematic errors of the method
+constexpr double leastShareOfTolerance = 0.1;  // of the half-width of the limits: smaller differences are not reported
+constexpr double longestBumpShare = 0.3;       // largest length of a bump as a share of its stretch
+constexpr double bumpHeightCoverage =
+    2.5;  // coverage factor of the height of a bump, which is selected among a few windows
+constexpr double shortestMissing_mm = 1;    // least length of rings without points
+constexpr double missingPointShare = 0.02;  // of the median number of points of a ring: fewer count as none
 
 /// The form of one stretch: ends (mean of both), half the change from end to end, middle above the mean of the ends.
 struct Form {
@@ -70,7 +71,7 @@ void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings,
     for (const SurfaceRow* ring : rings)
         chi2 += std::pow(ring->mean_mm - row(*ring).dot(form.value), 2) / varianceOf(*ring);
     const double degrees = std::max(1.0, static_cast<double>(rings.size()) - 3);
-    const double inflation = std::max(1.0, chi2 / degrees);  // what is left of the form counts as noise
+    const double inflation = std::max(1.0, chi2 / degrees);  // the residual form counts as noise
     form.sigma = (inverse.diagonal() * inflation).cwiseSqrt();
     const Eigen::Vector3d facing =
         stretch.isFace() ? Eigen::Vector3d(stretch.facing * all.axis_T_reference->linear().row(2).transpose())
@@ -81,21 +82,23 @@ void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings,
         if (!wanted[k]) form.value[static_cast<int>(k)] = form.sigma[static_cast<int>(k)] = 0;
 }
 
-double alikeFor(const SurfaceWindows& all, double size_mm)
+double inflationFor(const SurfaceWindows& all, double size_mm)
 {
-    double alike = 1;
-    for (const auto& [size, here] : all.alike)
-        if (size <= std::max(size_mm, all.alike.front().first)) alike = std::max(alike, here);
-    return alike;
+    double variance_inflation = 1;
+    for (const auto& [size, here] : all.variance_inflation)
+        if (size <= std::max(size_mm, all.variance_inflation.front().first))
+            variance_inflation = std::max(variance_inflation, here);
+    return variance_inflation;
 }
 
-bool standsOut(double value, double sigma, const std::optional<DeviationLimits>& limits)
+bool isSignificant(double value, double sigma, const std::optional<DeviationLimits>& limits)
 {
-    const double least = limits ? std::max(kSmallest_mm, kOfTolerance * limits->half_mm()) : kSmallest_mm;
-    return std::abs(value) > kStandsOut * sigma && std::abs(value) > least;
+    const double least =
+        limits ? std::max(smallestFinding_mm, leastShareOfTolerance * limits->half_mm()) : smallestFinding_mm;
+    return std::abs(value) > significanceSigmas * sigma && std::abs(value) > least;
 }
 
-/// Forms of all stretches with enough rings, the terms that say nothing taken out.
+/// Forms of all stretches with enough rings, without the terms that are not significant.
 std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
 {
     std::vector<Form> forms;
@@ -107,30 +110,31 @@ std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
         for (const SurfaceRow& ring : all.rows)
             if (ring.stretch == static_cast<std::int32_t>(s)) most = std::max(most, ring.points);
         for (const SurfaceRow& ring : all.rows)
-            if (ring.stretch == static_cast<std::int32_t>(s) && ring.points > kThin * most) rings.push_back(&ring);
+            if (ring.stretch == static_cast<std::int32_t>(s) && ring.points > missingPointShare * most)
+                rings.push_back(&ring);
         if (rings.empty()) continue;
         Form form;
         form.stretch = s;
         form.start_mm = rings.front()->z_start_mm;
         form.end_mm = rings.back()->z_end_mm;
         const auto here = limits.between(form.start_mm, form.end_mm);
-        const double alike = alikeFor(all, 10);
+        const double variance_inflation = inflationFor(all, 10);
         std::array<bool, 3> wanted{true, rings.size() >= 4, rings.size() >= 8};
-        fit(all, rings, alike, wanted, form);
-        if (wanted[2] && !standsOut(form.value[2], form.sigma[2], here)) {
+        fit(all, rings, variance_inflation, wanted, form);
+        if (wanted[2] && !isSignificant(form.value[2], form.sigma[2], here)) {
             wanted[2] = false;
-            fit(all, rings, alike, wanted, form);
+            fit(all, rings, variance_inflation, wanted, form);
         }
-        if (wanted[1] && !standsOut(2 * form.value[1], 2 * form.sigma[1], here)) {
+        if (wanted[1] && !isSignificant(2 * form.value[1], 2 * form.sigma[1], here)) {
             wanted[1] = false;
-            fit(all, rings, alike, wanted, form);
+            fit(all, rings, variance_inflation, wanted, form);
         }
         forms.push_back(form);
     }
     return forms;
 }
 
-/// A mean without what facets amount to.
+/// A mean corrected for the sagitta of the facets.
 double withoutFacets(const SurfaceWindows& all, std::size_t stretch, double value)
 {
     SurfaceWindow window;
@@ -159,14 +163,14 @@ void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong
 {
     const auto here = limits.between(form.start_mm, form.end_mm);
     const auto add = [&](Finding::Kind kind, double value, double sigma) {
-        if (!standsOut(value, sigma, here)) return;
+        if (!isSignificant(value, sigma, here)) return;
         Finding finding;
         finding.kind = kind;
         finding.z_start_mm = form.start_mm;
         finding.z_end_mm = form.end_mm;
         finding.value_mm = value;
         finding.uncertainty_mm = 2 * sigma;
-        if (here) judgeFinding(all, finding, kStandsOut * sigma, *here, rule);
+        if (here) judgeFinding(all, finding, significanceSigmas * sigma, *here, rule);
         findings.push_back(finding);
     };
     add(Finding::Kind::Step, withoutFacets(all, form.stretch, form.value[0]), form.sigma[0]);
@@ -174,12 +178,12 @@ void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong
     add(Finding::Kind::Barrel, form.value[2], form.sigma[2]);
 }
 
-/// Windows that stand out from the form of their stretch, the surest first, none over another.
+/// Windows that differ significantly from the form of their stretch, in order of falling significance, not overlapping.
 void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits, DecisionRule rule,
                double factor, std::vector<Finding>& findings)
 {
     if (!all.has_sign && all.axis_T_reference) return;
-    const double allowance = all.factor + 0.5;  // beyond what decides: a bump that is none is worse than none
+    const double allowance = all.factor + 0.5;  // stricter than the verdict: a false bump is worse than a missed one
     struct Bump {
         double excess = 0;
         double beyond = 0;
@@ -195,25 +199,25 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         if (w.stretch >= 0) {
             const Form* form = by_stretch[static_cast<std::size_t>(w.stretch)];
             if (!form) continue;
-            if (static_cast<double>(w.size_mm) > kLocal * all.stretches[form->stretch].extent_mm()) continue;
+            if (static_cast<double>(w.size_mm) > longestBumpShare * all.stretches[form->stretch].extent_mm()) continue;
             usual = form->at((start + end) / 2);
         }
         const double rest = std::abs(judgedMean_mm(all, w) - usual) - (usual > 0 ? all.facets_mm : 0);
         const double excess = rest - allowance * static_cast<double>(w.sigma_mm);
-        if (excess <= kSmallest_mm) continue;
+        if (excess <= smallestFinding_mm) continue;
         const auto here = limits.between(start, end);
-        if (here && rest < kOfTolerance * here->half_mm()) continue;
+        if (here && rest < leastShareOfTolerance * here->half_mm()) continue;
         bumps.push_back({excess, rest, &w});
     }
     std::vector<Bump> kept;
-    while (kept.size() < kMostBumps && !bumps.empty()) {
+    while (kept.size() < mostBumps && !bumps.empty()) {
         const Bump best = *std::max_element(bumps.begin(), bumps.end(),
                                             [](const Bump& a, const Bump& b) { return a.excess < b.excess; });
-        // The surest window may reach beyond the bump: the one that shows its height is no larger, and holds its
-        // middle.
+        // The most significant window may extend beyond the bump: its height is that of a window no larger that
+        // contains its middle.
         Bump top = best;
         const auto heightOf = [](const Bump& b) {
-            return b.beyond - kHeight * static_cast<double>(b.window->sigma_mm);
+            return b.beyond - bumpHeightCoverage * static_cast<double>(b.window->sigma_mm);
         };
         for (const Bump& b : bumps)
             if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
@@ -236,9 +240,9 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
             finding.z_end_mm = static_cast<double>(w.z_end_mm);
         }
         finding.value_mm = judgedMean_mm(all, w);
-        finding.uncertainty_mm = kHeight * static_cast<double>(w.sigma_mm);
+        finding.uncertainty_mm = bumpHeightCoverage * static_cast<double>(w.sigma_mm);
         if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm))) {
-            // `factor` is for the windows that judge alone; noisier ones were chosen among all.
+            // `factor` holds for the windows that may be out; noisier ones were selected among all windows.
             const auto sigma = static_cast<double>(w.sigma_mm);
             judgeFinding(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
         }
@@ -252,7 +256,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     std::vector<double> counts;
     for (const SurfaceRow& ring : all.rows) counts.push_back(ring.points / (ring.z_end_mm - ring.z_start_mm));
     if (counts.empty()) return;
-    const double least = kThin * upperMedianInPlace(counts);
+    const double least = missingPointShare * upperMedianInPlace(counts);
     const auto isThere = [&](const SurfaceRow& ring) {
         return ring.points > least * (ring.z_end_mm - ring.z_start_mm);
     };
@@ -266,7 +270,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     const SurfaceRow* begin = nullptr;
     const SurfaceRow* end = nullptr;
     const auto finish = [&] {
-        if (begin && end->z_end_mm - begin->z_start_mm >= kLeastMissing_mm) {
+        if (begin && end->z_end_mm - begin->z_start_mm >= shortestMissing_mm) {
             Finding finding;
             finding.kind = Finding::Kind::Missing;
             finding.z_start_mm = begin->z_start_mm;
@@ -290,7 +294,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     finish();
 }
 
-/// How far the value goes toward its limit, or what stands for that without limits.
+/// Sort key: the value relative to its limit, or a substitute without limits.
 double strengthOf(const Finding& finding)
 {
     if (finding.kind == Finding::Kind::Missing) return 0;
@@ -317,7 +321,7 @@ double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_m
                     const Eigen::Vector3d& mean_normal)
 {
     const double length = z_end_mm - z_start_mm;
-    double variance = std::isinf(points) ? 0 : alikeFor(all, length) * all.scatter_mm * all.scatter_mm / points;
+    double variance = std::isinf(points) ? 0 : inflationFor(all, length) * all.scatter_mm * all.scatter_mm / points;
     if (!std::isinf(points)) {
         double sigma = 0;
         double step = 1;
@@ -353,7 +357,7 @@ std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlon
     findMissing(all, findings);
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& a, const Finding& b) { return strengthOf(a) > strengthOf(b); });
-    if (findings.size() > kMostFindings) findings.resize(kMostFindings);
+    if (findings.size() > mostFindings) findings.resize(mostFindings);
     return findings;
 }
 

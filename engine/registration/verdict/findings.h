@@ -1,4 +1,4 @@
-// What differs, in the words of the shop: steps, tapers, barrels, bumps, missing stretches.
+// Form differences in workshop terms: steps, tapers, barrels, bumps, missing stretches.
 #pragma once
 
 #include <vector>
@@ -7,9 +7,9 @@
 
 namespace lathelier::registration {
 
-/// The differences that stand out from their own uncertainty, the largest against its limit first; eight at most.
+/// The significant differences, ordered by their value relative to the limit; at most eight.
 /// A taper and a barrel are judged by the width of the tolerance band, all others by the limit on their side. Where the
-/// deviation has no sign there are none but missing stretches. `factor`: of SurfaceVerdict, what a bump fails by.
+/// deviation has no sign there are none but missing stretches. `factor`: SurfaceVerdict::factor, for bumps.
 std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
                                      double factor);
 
@@ -17,8 +17,8 @@ std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlon
 double meanSigma_mm(const SurfaceWindows& all, double z_start_mm, double z_end_mm, double points,
                     const Eigen::Vector3d& mean_normal);
 
-/// Mean of the surface's normals over a stretch of the axis, by the points that are there: nearly along the axis or
-/// zero where the copy is seen from all sides.
+/// Mean of the surface's normals over a stretch of the axis, weighted by points: nearly parallel to the axis or zero
+/// where the copy is seen from all sides.
 Eigen::Vector3d meanNormal(const SurfaceWindows& all, double z_start_mm, double z_end_mm);
 
 }  // namespace lathelier::registration

@@ -19,13 +19,13 @@ namespace {
 
 using Cube = std::array<std::int32_t, 3>;
 
-constexpr double kTurns = 0.8;     // cosine between normals: more is an edge, where it happens within a cell
-constexpr double kSameSide = 0.7;  // cosine between normals of cells that may be averaged
+constexpr double smoothCellCosine = 0.8;  // cosine between normals; a smaller one within a cell is an edge
+constexpr double sameSideCosine = 0.7;    // cosine between normals of cells that may be averaged
 // Radius of windows, in sizes of a cell: of about 9, 13 and 21 cells.
-constexpr std::array<double, 3> kWindows = {1.6, 2.1, 2.5};
-constexpr double kRound = 1.77;  // √π: from the radius of a circle to the side of a square of its area
-constexpr int kMostLevels = 12;
-constexpr std::uint32_t noCell = CellPoints::kOutside;
+constexpr std::array<double, 3> windowRadii_cells = {1.6, 2.1, 2.5};
+constexpr double squareSidePerRadius = 1.77;  // √π: from the radius of a circle to the side of a square of its area
+constexpr int mostLevels = 12;
+constexpr std::uint32_t noCell = CellPoints::noCell;
 
 /// Where a normal points, as one of six sides (three where the deviation has no sign: then 0, 2, 4).
 int sideOf(const Eigen::Vector3f& normal)
@@ -43,14 +43,14 @@ std::uint64_t keyOf(const Cube& cube, int side)
     return key << 3 | static_cast<std::uint64_t>(side);
 }
 
-/// Numbers of keys, found again quickly.
+/// Hash table from keys to consecutive numbers (open addressing).
 class KeyTable {
 public:
     explicit KeyTable(std::size_t most)
     {
         std::size_t size = 16;
         while (size < 2 * most) size *= 2;
-        slots_.assign(size, {kEmpty, noCell});
+        slots_.assign(size, {emptySlot, noCell});
     }
 
     std::uint32_t find(std::uint64_t key) const { return slots_[place(key)].second; }
@@ -58,17 +58,17 @@ public:
     std::uint32_t add(std::uint64_t key, std::uint32_t next)
     {
         auto& slot = slots_[place(key)];
-        if (slot.first == kEmpty) slot = {key, next};
+        if (slot.first == emptySlot) slot = {key, next};
         return slot.second;
     }
 
 private:
-    static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+    static constexpr std::uint64_t emptySlot = ~std::uint64_t{0};
 
     std::size_t place(std::uint64_t key) const
     {
         std::size_t at = (key * 0x9e3779b97f4a7c15ULL >> 20) & (slots_.size() - 1);
-        while (slots_[at].first != kEmpty && slots_[at].first != key) at = (at + 1) & (slots_.size() - 1);
+        while (slots_[at].first != emptySlot && slots_[at].first != key) at = (at + 1) & (slots_.size() - 1);
         return at;
     }
 
@@ -115,8 +115,8 @@ CountedPoints pointsOf(const std::vector<Eigen::Vector3d>& points, const std::ve
     return used;
 }
 
-/// The area that the points lie on: of coarse cubes with a few points each, as large as the faces through them are on
-/// average.
+/// The area covered by the points: from coarse cubes with a few points each, times the mean area of a plane through a
+/// cube.
 double areaOf(const CountedPoints& points)
 {
     double size = 0;
@@ -136,11 +136,11 @@ double areaOf(const CountedPoints& points)
     return area;
 }
 
-/// One level in the making: its cells with their cubes.
+/// One level under construction: its cells with their cubes.
 struct CubeLevel {
     double size_mm = 1;
-    std::vector<Cube> cube;  ///< of each cell
-    std::vector<int> side;   ///< likewise
+    std::vector<Cube> cube;  ///< of each cell, with `side`
+    std::vector<int> side;   ///< sideOf() of its normals
     KeyTable table{0};
 };
 
@@ -148,7 +148,7 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
 {
     const std::size_t count = level.cells.size();
     struct Found {
-        std::array<std::vector<std::uint32_t>, kWindows.size()> rings;
+        std::array<std::vector<std::uint32_t>, windowRadii_cells.size()> rings;
         std::array<std::array<std::uint32_t, 2>, 3> row{};
     };
     std::vector<Found> found(count);
@@ -163,12 +163,13 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
                     const std::uint32_t other = cubes.table.find(keyOf(at, side));
                     if (other == noCell) continue;
                     const SurfaceCell& there = level.cells[other];
-                    if (here.normal.dot(there.normal) < kSameSide * here.normal.norm() * there.normal.norm()) continue;
+                    if (here.normal.dot(there.normal) < sameSideCosine * here.normal.norm() * there.normal.norm())
+                        continue;
                     const double distance = (here.place_mm - there.place_mm).norm();
-                    const auto ring =
-                        std::upper_bound(kWindows.begin(), kWindows.end(), other == c ? 0 : distance / cubes.size_mm);
-                    if (ring != kWindows.end())
-                        mine.rings[static_cast<std::size_t>(ring - kWindows.begin())].push_back(other);
+                    const auto ring = std::upper_bound(windowRadii_cells.begin(), windowRadii_cells.end(),
+                                                       other == c ? 0 : distance / cubes.size_mm);
+                    if (ring != windowRadii_cells.end())
+                        mine.rings[static_cast<std::size_t>(ring - windowRadii_cells.begin())].push_back(other);
                 }
             };
             for (int x = -2; x <= 2; ++x)
@@ -184,7 +185,8 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
             }
         }
     });
-    for (const double radius : kWindows) level.window_mm.push_back(kRound * radius * cubes.size_mm);
+    for (const double radius : windowRadii_cells)
+        level.window_mm.push_back(squareSidePerRadius * radius * cubes.size_mm);
     level.first.push_back(0);
     for (std::uint32_t c = 0; c < count; ++c) {
         const Found& mine = found[c];
@@ -224,7 +226,8 @@ std::vector<bool> edgeCells(const std::vector<SurfaceCell>& cells, const std::ve
             if (other == noCell || points[other] < 2) continue;
             const double cosine =
                 normals[other].dot(cells[c].normal) / (normals[other].norm() * cells[c].normal.norm());
-            is_edge[c] = cosine < kTurns && cosine > -kTurns;  // the other side of a thin wall is no edge
+            is_edge[c] = cosine < smoothCellCosine &&
+                         cosine > -smoothCellCosine;  // opposite normals belong to the two sides of a thin wall
         }
     }
     return is_edge;
@@ -301,7 +304,7 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
     for (std::size_t c = 0, number = 0; c < cells.size(); ++c) {
         if (cells[c].points == 0) continue;
         const std::size_t here = number++;
-        if (!strays.isInQuestion(cells[c])) continue;
+        if (!strays.isSparse(cells[c])) continue;
         around.clear();
         for (std::uint32_t k = levels[0].first[here]; k < levels[0].first[here + 1]; ++k)
             around.push_back(&levels[0].cells[levels[0].neighbours[k]]);
@@ -311,7 +314,7 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
         if (cells[sorted.cell[i]].points == 0) all.counted[used.number[i]] = 0;
     levels[0] = {};
     kept = keepFilled(cells, cubes, levels[0]);
-    for (int k = 0; k < kMostLevels; ++k) {
+    for (int k = 0; k < mostLevels; ++k) {
         CellLevel& level = levels.back();
         level.size_mm = kept.size_mm;
         joinCubes(kept, level, progress);
@@ -332,7 +335,7 @@ SurfaceWindows generalWindows(const std::vector<Eigen::Vector3d>& points, const 
             coarser.cells[parent].add(level.cells[c]);
             level.parent.push_back(parent);
         }
-        if (coarser.cells.size() * 10 > level.cells.size() * 9 || k + 1 == kMostLevels) {
+        if (coarser.cells.size() * 10 > level.cells.size() * 9 || k + 1 == mostLevels) {
             level.parent.clear();
             break;
         }

@@ -48,14 +48,14 @@ std::vector<SmoothRun> smoothRuns(const TurnedPart& part)
 
 std::vector<Interval> automaticZones(const TurnedPart& part, const MeridianLine& line)
 {
-    constexpr std::size_t kMargin = 2;  // bins: the spot smears what lies nearer to an edge
+    constexpr std::size_t margin_bins = 2;  // the scanner's spot smears bins nearer to an edge
     const RadiusProfile& p = part.fit.profile;
     const double longest = (line.zLast_mm() - line.zFirst_mm()) / 8;
     std::vector<Interval> zones;
     for (const SmoothRun& run : smoothRuns(part)) {
-        if (run.last < run.first + 2 * kMargin + 3) continue;
-        const double start = p.z_start_mm + static_cast<double>(run.first + kMargin) * p.step_mm - line.zFirst_mm();
-        const double length = static_cast<double>(run.last - run.first - 2 * kMargin) * p.step_mm;
+        if (run.last < run.first + 2 * margin_bins + 3) continue;
+        const double start = p.z_start_mm + static_cast<double>(run.first + margin_bins) * p.step_mm - line.zFirst_mm();
+        const double length = static_cast<double>(run.last - run.first - 2 * margin_bins) * p.step_mm;
         const int parts = std::max(1, static_cast<int>(std::ceil(length / longest - 1e-9)));
         for (int k = 0; k < parts; ++k) zones.push_back({start + length * k / parts, start + length * (k + 1) / parts});
     }

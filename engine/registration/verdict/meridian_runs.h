@@ -13,8 +13,8 @@ namespace lathelier::registration {
 struct SmoothRun {
     std::size_t first = 0;  ///< bin
     std::size_t last = 0;   ///< bin behind it
-    double start_mm = 0;    ///< of the profile
-    double end_mm = 0;      ///< of the profile
+    double start_mm = 0;    ///< z of the profile
+    double end_mm = 0;      ///< z of the profile
 };
 
 /// The outside's runs in order of z; runs of less than 3 bins are left out.

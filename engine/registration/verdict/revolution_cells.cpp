@@ -15,15 +15,15 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kCoarse_mm = 3;  // cells that tell how much of the surface has points
+constexpr double coarseCell_mm = 3;  // side of the cells from which the covered area is estimated
 constexpr std::size_t pointsPerCellTask = 32768;
-constexpr std::uint8_t kNoStretch = Stretches::kNoStretch;
-constexpr std::uint32_t kOutside = CellPoints::kOutside;
+constexpr std::uint8_t noStretch = Stretches::noStretch;
+constexpr std::uint32_t outsideCell = CellPoints::noCell;
 
 /// The cells of one level by their place in the grids, and the level made of those that have points.
 class GridLevel {
 public:
-    GridLevel(std::vector<Grid> grids, std::size_t count) : grids_(std::move(grids)), number_(count, kOutside) {}
+    GridLevel(std::vector<Grid> grids, std::size_t count) : grids_(std::move(grids)), number_(count, outsideCell) {}
 
     /// `cells` by place in the grids.
     void fill(const std::vector<SurfaceCell>& cells, CellLevel& level)
@@ -74,7 +74,7 @@ private:
             for (std::size_t row = 0; row < grids_[g].rows; ++row)
                 for (std::size_t column = 0; column < grids_[g].columns; ++column) {
                     const std::uint32_t cell = number_[grids_[g].first + row * grids_[g].columns + column];
-                    if (cell != kOutside) use(g, row, column, cell);
+                    if (cell != outsideCell) use(g, row, column, cell);
                 }
     }
 
@@ -90,7 +90,7 @@ private:
             far.clear();
             forWindow(grid, row, column, [&](std::size_t place, bool is_near) {
                 const std::uint32_t found = number_[place];
-                if (found != kOutside) (is_near ? level.neighbours : far).push_back(found);
+                if (found != outsideCell) (is_near ? level.neighbours : far).push_back(found);
             });
             level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
             level.neighbours.insert(level.neighbours.end(), far.begin(), far.end());
@@ -99,7 +99,7 @@ private:
             const auto inRow = [&](std::size_t direction, std::size_t before, std::size_t after) {
                 const std::uint32_t a = number_[before];
                 const std::uint32_t b = number_[after];
-                if (a != kOutside && b != kOutside) level.rows[direction].push_back({a, cell, b});
+                if (a != outsideCell && b != outsideCell) level.rows[direction].push_back({a, cell, b});
             };
             const std::size_t place = grid.first + row * grid.columns + column;
             if (row > 0 && row + 1 < grid.rows) inRow(0, place - grid.columns, place + grid.columns);
@@ -110,12 +110,12 @@ private:
     }
 
     std::vector<Grid> grids_;
-    std::vector<std::uint32_t> number_;  ///< of the cell at each place; kOutside where there are no points
+    std::vector<std::uint32_t> number_;  ///< of the cell at each place; outsideCell where there are no points
 };
 
-/// Takes the cells that hold stray points alone out, and these points out of `counted`.
-void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const CellPoints& points,
-                    std::vector<std::uint8_t>& counted)
+/// Removes the cells that hold stray points only, and these points from `counted`.
+void removeStrayPoints(const std::vector<Grid>& grids, CellMeans& means, const CellPoints& points,
+                       std::vector<std::uint8_t>& counted)
 {
     const StrayCells strays(means.cells, means.reach_mm);
     std::vector<std::size_t> out;
@@ -123,7 +123,7 @@ void leaveOutStrays(const std::vector<Grid>& grids, CellMeans& means, const Cell
     for (const Grid& grid : grids)
         for (std::size_t k = 0; k < grid.rows * grid.columns; ++k) {
             const SurfaceCell& cell = means.cells[grid.first + k];
-            if (!strays.isInQuestion(cell)) continue;
+            if (!strays.isSparse(cell)) continue;
             around.clear();
             forWindow(grid, k / grid.columns, k % grid.columns, [&](std::size_t place, bool) {
                 if (means.cells[place].points > 0) around.push_back(&means.cells[place]);
@@ -180,7 +180,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                                  const std::vector<Eigen::Vector3d>& points, const CompareResult& result,
                                  double facets_mm, const Progress& progress)
 {
-    constexpr double kRing_mm = 1;
+    constexpr double ringWidth_mm = 1;
     SurfaceWindows all;
     all.axis_T_reference = Eigen::Translation3d(0, 0, -line.zFirst_mm()) * reference.fit.axis_T_scan;
     all.facets_mm = facets_mm;
@@ -191,7 +191,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     all.axial_sigma_mm = u.axial_um / 2000;
     all.radial_sigma_mm = u.radial_um / 2000;
     all.tilt_sigma = u.axis_deg * std::numbers::pi / 360;
-    // Without an axial shift that the geometry determines, a face is where the two scans happened to be put.
+    // Without a determined axial shift the position of a face depends on the initial poses.
     const Eigen::Vector3d axis = reference.fit.axis_T_scan.linear().row(2);
     const bool is_shift_known = std::none_of(
         result.alignment.free_motions.begin(), result.alignment.free_motions.end(), [&](const FreeMotion& motion) {
@@ -202,12 +202,12 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     all.z_mm.assign(points.size(), std::numeric_limits<float>::quiet_NaN());
     if (all.stretches.empty()) return all;
 
-    // Which stretch, and how much of the surface has points: a scan from one side is no thin scan.
+    // The stretch, and the covered area: the point density of a scan from one side refers to that side.
     std::vector<Grid>& grids = stretches.grids();
-    std::vector<std::atomic<bool>> has_points(layOut(grids, kCoarse_mm));
+    std::vector<std::atomic<bool>> has_points(layOut(grids, coarseCell_mm));
     std::vector<float> turns(points.size());
     std::vector<float> along(points.size());  // z from the first data; on a face the radius
-    std::vector<std::uint8_t> stretch_of(points.size(), kNoStretch);
+    std::vector<std::uint8_t> stretch_of(points.size(), noStretch);
     const auto used = parallelReduce(
         points.size(), pointsPerCellTask, progress, std::size_t{0},
         [&](std::size_t begin, std::size_t end) {
@@ -218,7 +218,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
                 all.z_mm[i] = static_cast<float>(p.z() - line.zFirst_mm());
                 const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
                 const std::uint8_t found = stretches.find(p.z(), r);
-                if (found == kNoStretch) continue;
+                if (found == noStretch) continue;
                 along[i] = stretches.isFace(found) ? static_cast<float>(r) : all.z_mm[i];
                 const double turn = quickTurn(p.y(), p.x());
                 turns[i] = static_cast<float>(turn < 0 ? turn + 1 : turn);
@@ -236,10 +236,10 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         for (std::size_t k = grid.first; k < grid.first + grid.rows * grid.columns; ++k)
             area += has_points[k] ? grid.cellArea() : 0;
     const double size = cellSize_mm(static_cast<double>(used), area);
-    CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), kOutside), layOut(grids, size)};
+    CellPoints sorted{result.deviation_mm, std::vector<std::uint32_t>(points.size(), outsideCell), layOut(grids, size)};
     parallelFor(points.size(), pointsPerCellTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            if (const std::uint8_t found = stretch_of[i]; found != kNoStretch) {
+            if (const std::uint8_t found = stretch_of[i]; found != noStretch) {
                 const double first = stretches.isFace(found) ? 0 : line.zFirst_mm();
                 sorted.cell[i] = static_cast<std::uint32_t>(
                     cellOf(grids[found], static_cast<double>(along[i]) + first, static_cast<double>(turns[i])));
@@ -281,8 +281,8 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
             cell.z_end_mm = static_cast<float>(z + grid.rowHeight_mm() - line.zFirst_mm());
         }
     }
-    leaveOutStrays(grids, means, sorted, all.counted);
-    all.rows = ringsOf(grids, cells, line.zFirst_mm(), kRing_mm);
+    removeStrayPoints(grids, means, sorted, all.counted);
+    all.rows = ringsOf(grids, cells, line.zFirst_mm(), ringWidth_mm);
     std::erase_if(all.rows, [&](const SurfaceRow& ring) {
         return std::any_of(result.parameters.exclude_z_mm.begin(), result.parameters.exclude_z_mm.end(),
                            [&](const Interval& out) { return ring.z_start_mm < out.to && ring.z_end_mm > out.from; });

@@ -18,12 +18,12 @@ Stretches::Stretches(const TurnedPart& part, const MeridianLine& line, bool with
 
 void Stretches::addFaces()
 {
-    constexpr double kReach_mm = 2;  // a copy's face lies within this of the reference's
+    constexpr double faceReach_mm = 2;  // largest distance of a copy's face from the reference's
     const std::vector<MeasuredFace>& faces = line_.faces();
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const MeasuredFace& face = faces[f];
-        if (stretches_.size() >= kNoStretch || face.outer_mm - face.inner_mm < smearedEdge_mm) continue;
-        double reach = kReach_mm;
+        if (stretches_.size() >= noStretch || face.outer_mm - face.inner_mm < smearedEdge_mm) continue;
+        double reach = faceReach_mm;
         if (f > 0) reach = std::min(reach, (face.z_mm - faces[f - 1].z_mm) / 2);
         if (f + 1 < faces.size()) reach = std::min(reach, (faces[f + 1].z_mm - face.z_mm) / 2);
         const double middle = (face.inner_mm + face.outer_mm) / 2;
@@ -40,7 +40,7 @@ void Stretches::add(const SmoothRun& run, const RadiusProfile& profile, bool is_
 {
     const double start = run.start_mm + smearedEdge_mm;
     const double end = run.end_mm - smearedEdge_mm;
-    if (end < start + smearedEdge_mm || stretches_.size() >= kNoStretch) return;
+    if (end < start + smearedEdge_mm || stretches_.size() >= noStretch) return;
     Grid grid{start, end};
     double variance = 0;
     double known = 0;
@@ -79,8 +79,8 @@ void Stretches::addBore(const RadiusProfile& bore)
 std::vector<std::uint8_t> Stretches::tableOf(bool is_bore) const
 {
     const RadiusProfile& profile = part_.fit.profile;
-    std::vector<std::uint8_t> table(profile.size() * kFine, kNoStretch);
-    const double step = profile.step_mm / static_cast<double>(kFine);
+    std::vector<std::uint8_t> table(profile.size() * tablePlacesPerBin, noStretch);
+    const double step = profile.step_mm / static_cast<double>(tablePlacesPerBin);
     for (std::size_t s = 0; s < grids_.size(); ++s) {
         if (stretches_[s].is_bore != is_bore || stretches_[s].isFace()) continue;
         const auto at = [&](double z) {

@@ -18,7 +18,7 @@ namespace lathelier::registration {
 /// A stretch with its grid of cells: rows along the axis, columns around. The rows of a face are rings of equal area.
 struct Grid {
     double start_mm = 0;   ///< in z of the profile; of a face: inner radius
-    double end_mm = 0;     ///< likewise; outer radius
+    double end_mm = 0;     ///< end in z of the profile; of a face: outer radius
     double radius_mm = 0;  ///< largest; of a face: in the middle
     bool is_face = false;
     std::size_t rows = 1, columns = 1;
@@ -39,37 +39,37 @@ struct Grid {
 /// The smooth stretches of a meridian between its edges, its faces, and which of them a point belongs to.
 class Stretches {
 public:
-    /// `with_faces`: false where the shift along the axis is not determined, so that a face says nothing.
+    /// `with_faces`: false where the axial shift is not determined, so that the deviation of a face is arbitrary.
     Stretches(const TurnedPart& part, const MeridianLine& line, bool with_faces);
 
     const std::vector<MeridianStretch>& list() const { return stretches_; }
     std::vector<Grid>& grids() { return grids_; }
 
-    /// Number of the stretch for a point at (z, r), or kNoStretch.
+    /// Number of the stretch for a point at (z, r), or noStretch.
     std::uint8_t find(double z, double r) const
     {
-        if (const std::uint8_t face = findFace(z, r); face != kNoStretch) return face;
+        if (const std::uint8_t face = findFace(z, r); face != noStretch) return face;
         const RadiusProfile& profile = part_.fit.profile;
         const double place = (z - profile.z_start_mm) / profile.step_mm;
-        if (!(place >= 0) || place >= static_cast<double>(profile.size())) return kNoStretch;
+        if (!(place >= 0) || place >= static_cast<double>(profile.size())) return noStretch;
         const auto bin = static_cast<std::size_t>(place);
-        const auto fine = static_cast<std::size_t>(place * static_cast<double>(kFine));
+        const auto fine = static_cast<std::size_t>(place * static_cast<double>(tablePlacesPerBin));
         std::uint8_t found = outside_[fine];
         if (!bore_.empty()) {
             const double bore = part_.fit.bore.radius_mm[bin];
             if (!std::isnan(bore) && !(r > (bore + profile.radius_mm[bin]) / 2)) found = bore_[fine];
         }
-        if (found == kNoStretch) return found;
+        if (found == noStretch) return found;
         const Grid& grid = grids_[found];
-        return z >= grid.start_mm && z < grid.end_mm ? found : kNoStretch;
+        return z >= grid.start_mm && z < grid.end_mm ? found : noStretch;
     }
 
     bool isFace(std::uint8_t stretch) const { return grids_[stretch].is_face; }
 
-    static constexpr std::uint8_t kNoStretch = 255;
+    static constexpr std::uint8_t noStretch = 255;
 
 private:
-    static constexpr std::size_t kFine = 8;  ///< places of the table of stretches in one bin of the profile
+    static constexpr std::size_t tablePlacesPerBin = 8;  ///< places of the table of stretches in one bin of the profile
 
     /// The face whose surface is nearer than the sides beside it.
     std::uint8_t findFace(double z, double r) const
@@ -80,7 +80,7 @@ private:
             const double side = std::min(r - face.inner_mm, face.outer_mm - r);
             if (std::abs(z - face.measured->zAt_mm(r)) < side) return face.stretch;
         }
-        return kNoStretch;
+        return noStretch;
     }
 
     struct Face {

@@ -12,23 +12,24 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kPointsPerCell = 6;   // on average
-constexpr double kFineCell_mm2 = 0.5;  // smaller ones only where there are few of them
-constexpr double kManyCells = 30000;
-constexpr double kMostCells = 400000;
-constexpr double straySigmas = 6;           // robust standard deviations from the median of the cell
-constexpr std::size_t kSpreads = 2000;      // so many cells, if there are, tell the scatter of the points
-constexpr std::size_t kOfSpreads = 16;      // or one in so many
-constexpr double fewInCell = 3;             // points whose median a stray one moves
-constexpr double kUsualNeighbours = 21;     // cells of a window
-constexpr double kLonely = 0.1;             // of the usual number of points in a window: these are stray points
-constexpr double kFamily = 0.05;            // chance that any window of a perfect surface exceeds the allowance
-constexpr double kPrior = 50;               // points that the scatter of the whole surface counts for in a window's own
-constexpr std::size_t kLeastRows = 24;      // second differences that a variance is taken from
-constexpr double kCoincident_mm = 1e-9;     // smaller deviations are rounding
-constexpr std::size_t cellsPerTask = 2048;  // cells of one step
+constexpr double pointsPerCell = 6;     // on average
+constexpr double finestCell_mm2 = 0.5;  // smaller cells only where their number stays small
+constexpr double usualCellCount = 30000;
+constexpr double largestCellCount = 400000;
+constexpr double straySigmas = 6;  // robust standard deviations from the median of the cell
+constexpr std::size_t spreadSampleCells =
+    2000;  // least number of cells that the scatter is estimated from, if there are as many
+constexpr std::size_t largestSpreadStep = 16;  // and at least every 16th cell
+constexpr double fewInCell = 3;                // cells with fewer points have a median that a stray point may shift
+constexpr double usualWindowCells = 21;        // cells of a window
+constexpr double strayPointShare = 0.1;   // of the usual number of points in a window: below it they are stray points
+constexpr double familyErrorRate = 0.05;  // chance that any window of a perfect surface exceeds the allowance
+constexpr double priorPoints = 50;        // weight, in points, of the overall scatter in the scatter of a window
+constexpr std::size_t leastDifferences = 24;  // least number of second differences for a variance
+constexpr double coincident_mm = 1e-9;        // smaller deviations are rounding errors
+constexpr std::size_t cellsPerTask = 2048;    // cells of one step
 
-/// In the type of the values: as cheap as can be, for it is taken of every cell.
+/// In the type of the values: fast, since it is called for every cell.
 double medianOf(std::vector<float>& values)
 {
     const auto upper = static_cast<double>(upperMedianInPlace(values));
@@ -37,7 +38,7 @@ double medianOf(std::vector<float>& values)
     return (upper + static_cast<double>(*std::max_element(values.begin(), middle))) / 2;
 }
 
-/// Where the points of each cell stand in `order`.
+/// Positions of the points of each cell in `order`.
 struct CellOrder {
     std::vector<std::uint32_t> first;  ///< of cell i: from first[i] to first[i + 1] - 1
     std::vector<std::uint32_t> order;  ///< numbers of points
@@ -48,26 +49,26 @@ CellOrder sortByCell(const CellPoints& points)
     CellOrder sorted;
     sorted.first.assign(points.cell_count + 1, 0);
     for (const std::uint32_t c : points.cell)
-        if (c != CellPoints::kOutside) ++sorted.first[c + 1];
+        if (c != CellPoints::noCell) ++sorted.first[c + 1];
     for (std::size_t c = 0; c < points.cell_count; ++c) sorted.first[c + 1] += sorted.first[c];
     sorted.order.resize(sorted.first.back());
     std::vector<std::uint32_t> next(sorted.first.begin(), sorted.first.end() - 1);
     for (std::uint32_t i = 0; i < points.cell.size(); ++i)
-        if (points.cell[i] != CellPoints::kOutside) sorted.order[next[points.cell[i]]++] = i;
+        if (points.cell[i] != CellPoints::noCell) sorted.order[next[points.cell[i]]++] = i;
     return sorted;
 }
 
 double robustSigma(std::vector<float>& absolute_values)
 {
-    return absolute_values.empty() ? 0 : mad_to_sigma * medianOf(absolute_values);
+    return absolute_values.empty() ? 0 : madToSigma * medianOf(absolute_values);
 }
 
 /// Variance of the mean of a cell times its points over the variance of a point: 1 for independent points.
-double alikeAt(const CellLevel& level, double scatter_mm)
+double inflationAt(const CellLevel& level, double scatter_mm)
 {
-    double alike = 0;
+    double variance_inflation = 0;
     for (const auto& rows : level.rows) {
-        if (rows.size() < kLeastRows) continue;
+        if (rows.size() < leastDifferences) continue;
         std::vector<float> sizes;
         sizes.reserve(rows.size());
         for (const auto& [a, b, c] : rows) {
@@ -79,34 +80,35 @@ double alikeAt(const CellLevel& level, double scatter_mm)
             sizes.push_back(static_cast<float>(std::abs(difference) / std::sqrt(scale)));
         }
         const double sigma = robustSigma(sizes);
-        alike = std::max(alike, sigma * sigma / (scatter_mm * scatter_mm));
+        variance_inflation = std::max(variance_inflation, sigma * sigma / (scatter_mm * scatter_mm));
     }
-    return alike;
+    return variance_inflation;
 }
 
-/// What is seen at each level; where it has too few cells, at the one before.
-std::vector<double> alikeOf(const std::vector<CellLevel>& levels, double scatter_mm)
+/// Variance inflation at each level; with too few cells that of the level before.
+std::vector<double> inflationsOf(const std::vector<CellLevel>& levels, double scatter_mm)
 {
     std::vector<double> seen(levels.size(), 1);
     if (scatter_mm > 0)
-        for (std::size_t k = 0; k < levels.size(); ++k) seen[k] = alikeAt(levels[k], scatter_mm);
+        for (std::size_t k = 0; k < levels.size(); ++k) seen[k] = inflationAt(levels[k], scatter_mm);
     for (std::size_t k = 1; k < seen.size(); ++k)
         if (seen[k] == 0) seen[k] = seen[k - 1];
-    for (double& alike : seen) alike = std::max(alike, 1.0);
+    for (double& variance_inflation : seen) variance_inflation = std::max(variance_inflation, 1.0);
     return seen;
 }
 
-/// What counts for a window of so many sizes of a cell of this level: the most that is seen at sizes up to its own, for
-/// what varies together may be larger than a cell. Between two levels it lies on a straight line over the logarithm.
-double alikeOfWindow(const std::vector<double>& seen, std::size_t level, double sizes)
+/// Variance inflation of a window `sizes` cells of this level wide: the maximum over sizes up to its own, since the
+/// correlation length may exceed a cell. Linear in the logarithm of the size between levels.
+double inflationOfWindow(const std::vector<double>& seen, std::size_t level, double sizes)
 {
     const double last = static_cast<double>(seen.size() - 1);
     const double at = std::min(static_cast<double>(level) + std::max(0.0, std::log2(sizes)), last);
     const auto below = static_cast<std::size_t>(at);
-    double alike = seen[below];
-    if (below + 1 < seen.size()) alike += (at - static_cast<double>(below)) * (seen[below + 1] - seen[below]);
-    for (std::size_t k = level; k <= below; ++k) alike = std::max(alike, seen[k]);
-    return alike;
+    double variance_inflation = seen[below];
+    if (below + 1 < seen.size())
+        variance_inflation += (at - static_cast<double>(below)) * (seen[below + 1] - seen[below]);
+    for (std::size_t k = level; k <= below; ++k) variance_inflation = std::max(variance_inflation, seen[k]);
+    return variance_inflation;
 }
 
 /// Standard uncertainty of a window's mean from the reference's own noise and the registration.
@@ -133,14 +135,14 @@ double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum)
     return std::sqrt(variance);
 }
 
-SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double alike, const SurfaceWindows& all)
+SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double variance_inflation, const SurfaceWindows& all)
 {
     const double degrees = std::max(0.0, sum.points - sum.smallest);
     const double pooled = all.scatter_mm * all.scatter_mm;
-    const double variance = (kPrior * pooled + sum.squares_mm2) / (kPrior + degrees);
-    // Student's quantile over the normal one where the worst of many stands (Peiser's expansion): a window's scatter is
-    // known from so few of its points.
-    const double few = 1 + (all.factor * all.factor + 1) / (4 * (kPrior + degrees));
+    const double variance = (priorPoints * pooled + sum.squares_mm2) / (priorPoints + degrees);
+    // Ratio of Student's quantile to the normal one at the level of the extreme of many (Peiser's expansion), since a
+    // window's scatter is estimated from few points.
+    const double few = 1 + (all.factor * all.factor + 1) / (4 * (priorPoints + degrees));
     SurfaceWindow window;
     window.place_mm = sum.place_mm.cast<float>();
     window.normal = sum.normal.cast<float>();
@@ -149,8 +151,8 @@ SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double alike, con
     window.size_mm = static_cast<float>(size_mm);
     window.points = static_cast<float>(sum.points);
     window.mean_mm = static_cast<float>(sum.mean_mm);
-    window.sigma_mm =
-        static_cast<float>(std::hypot(few * std::sqrt(alike * variance / sum.points), fixedSigma(all, sum)));
+    window.sigma_mm = static_cast<float>(
+        std::hypot(few * std::sqrt(variance_inflation * variance / sum.points), fixedSigma(all, sum)));
     window.stretch = sum.stretch;
     return window;
 }
@@ -176,8 +178,8 @@ void SurfaceCell::add(const SurfaceCell& other)
 
 double cellSize_mm(double points, double area_mm2)
 {
-    const double worth = std::max(std::min(area_mm2 / kManyCells, kFineCell_mm2), area_mm2 / kMostCells);
-    return std::sqrt(std::max(kPointsPerCell * area_mm2 / std::max(points, 1.0), worth));
+    const double worth = std::max(std::min(area_mm2 / usualCellCount, finestCell_mm2), area_mm2 / largestCellCount);
+    return std::sqrt(std::max(pointsPerCell * area_mm2 / std::max(points, 1.0), worth));
 }
 
 CellMeans cellMeans(const CellPoints& points, const Progress& progress)
@@ -189,7 +191,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
         for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k)
             values.push_back(points.deviation_mm[sorted.order[k]]);
     };
-    const std::size_t every = std::clamp<std::size_t>(points.cell_count / kSpreads, 1, kOfSpreads);
+    const std::size_t every = std::clamp<std::size_t>(points.cell_count / spreadSampleCells, 1, largestSpreadStep);
     std::vector<float> spreads((points.cell_count + every - 1) / every, -1);  // median distance from the median
     parallelFor(spreads.size(), cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> values;
@@ -218,7 +220,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
             valuesOf(c, values);
             if (values.empty()) continue;
             const auto [least, most] = std::minmax_element(values.begin(), values.end());
-            // Values that are all within reach of each other are within reach of their median, whatever it is.
+            // Values that are all within reach of each other are within reach of their median: it need not be computed.
             const bool is_close = static_cast<double>(*most - *least) <= reach;
             const double middle = is_close ? static_cast<double>(*least) : medianOf(values);
             SurfaceCell& cell = cells[c];
@@ -249,7 +251,7 @@ StrayCells::StrayCells(const std::vector<SurfaceCell>& cells, double reach_mm) :
     if (!counts.empty()) usual_ = medianOf(counts);
 }
 
-bool StrayCells::isInQuestion(const SurfaceCell& cell) const
+bool StrayCells::isSparse(const SurfaceCell& cell) const
 {
     return cell.points > 0 && cell.points <= fewInCell;
 }
@@ -258,7 +260,7 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
 {
     double all = 0;
     for (const SurfaceCell* other : around) all += other->points;
-    if (all < kLonely * kUsualNeighbours * usual_) return true;
+    if (all < strayPointShare * usualWindowCells * usual_) return true;
     std::sort(around.begin(), around.end(),
               [](const SurfaceCell* a, const SurfaceCell* b) { return a->mean_mm < b->mean_mm; });
     double half = 0;
@@ -267,10 +269,10 @@ bool StrayCells::isStray(const SurfaceCell& cell, std::vector<const SurfaceCell*
     return std::abs(cell.mean_mm - around[middle]->mean_mm) > reach_mm_;
 }
 
-double allowanceOfWorst(std::size_t windows, std::size_t about, int sides)
+double coverageFactorOfWorst(std::size_t windows, std::size_t about, int sides)
 {
     const double independent = std::max(2.0, 2 * static_cast<double>(windows) / static_cast<double>(3 * about));
-    const double single = -std::expm1(std::log1p(-kFamily) / independent);
+    const double single = -std::expm1(std::log1p(-familyErrorRate) / independent);
     return std::max(2.0, std::numbers::sqrt2 * boost::math::erfc_inv(2 * single / sides));
 }
 
@@ -285,16 +287,17 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
         degrees += cell.points - 1;
     }
     result.scatter_mm = degrees > 0 ? std::sqrt(squares / degrees) : 0;
-    const auto isZero = [](const SurfaceCell& cell) { return std::abs(cell.mean_mm) < kCoincident_mm; };
-    if (result.scatter_mm < kCoincident_mm &&
+    const auto isZero = [](const SurfaceCell& cell) { return std::abs(cell.mean_mm) < coincident_mm; };
+    if (result.scatter_mm < coincident_mm &&
         std::all_of(levels.front().cells.begin(), levels.front().cells.end(), isZero)) {
-        // The same data twice: nothing about their pose is uncertain.
+        // Identical data: the pose has no uncertainty.
         result.axial_sigma_mm = result.radial_sigma_mm = result.tilt_sigma = 0;
         for (MeridianStretch& stretch : result.stretches) stretch.reference_sigma_mm = 0;
     }
-    const std::vector<double> alike = alikeOf(levels, result.scatter_mm);
-    result.alike.clear();
-    for (std::size_t k = 0; k < levels.size(); ++k) result.alike.emplace_back(levels[k].size_mm, alike[k]);
+    const std::vector<double> variance_inflation = inflationsOf(levels, result.scatter_mm);
+    result.variance_inflation.clear();
+    for (std::size_t k = 0; k < levels.size(); ++k)
+        result.variance_inflation.emplace_back(levels[k].size_mm, variance_inflation[k]);
 
     const std::size_t about = levels.front().window_mm.size();
     result.about = static_cast<std::uint32_t>(about);
@@ -305,7 +308,7 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
         count += about * level.cells.size();
     }
     result.windows.resize(count);
-    result.factor = allowanceOfWorst(count, about, 2);
+    result.factor = coverageFactorOfWorst(count, about, 2);
     for (std::size_t k = 0; k < levels.size(); ++k) {
         const CellLevel& level = levels[k];
         parallelFor(level.cells.size(), cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
@@ -319,8 +322,8 @@ void makeWindows(const std::vector<CellLevel>& levels, SurfaceWindows& result, c
                     const double fixed = level.window_mm[w];
                     const double size_mm =
                         fixed > 0 ? fixed : level.size_mm * std::sqrt(static_cast<double>(cells_held));
-                    result.windows[place + w] =
-                        windowOf(sum, size_mm, alikeOfWindow(alike, k, size_mm / level.size_mm), result);
+                    result.windows[place + w] = windowOf(
+                        sum, size_mm, inflationOfWindow(variance_inflation, k, size_mm / level.size_mm), result);
                     if (w + 1 < about)
                         result.windows[place + w].wider = static_cast<std::uint32_t>(place + w + 1);
                     else if (k + 1 < levels.size())

@@ -10,8 +10,10 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double kFewPoints = 0.005;  // so many may lie where no decision is possible, at rims and in small corners
-constexpr double kSure = 0.5;         // of the half-width: an allowance within it lets a window stand for its place
+constexpr double toleratedUndecidedShare =
+    0.005;  // largest share of points without a possible decision (rims, small corners)
+constexpr double sureHalfWidthShare =
+    0.5;  // of the half-width of the limits: with an expanded uncertainty up to it a window represents its place
 
 /// Number of the zone that holds the stretch, or none.
 std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
@@ -22,8 +24,8 @@ std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
     return static_cast<std::size_t>(after - 1 - zones.begin());
 }
 
-/// Coverage factor of the worst of many: 2 where it stands out by far, so that no other could have been chosen; the
-/// whole allowance where it may be what noise makes of so many.
+/// Coverage factor of the worst place: 2 where it exceeds all others by far, so that selection has no effect; the full
+/// factor for the extreme of many where noise may have caused the selection.
 double chosenFactor(const SurfaceWindows& all, const SurfaceWindow& window)
 {
     const double out = std::abs(static_cast<double>(window.mean_mm)) / static_cast<double>(window.sigma_mm);
@@ -62,13 +64,14 @@ WorstPlace worstPlaceOf(const SurfaceWindows& all, const SurfaceWindow& window, 
 
 /// One of the smallest windows, with those that hold it.
 struct WindowPlace {
-    std::optional<DeviationLimits> limits;  ///< of the window that stands for it
-    const SurfaceWindow* window = nullptr;  ///< the smallest that is sure enough; else the surest that can be judged
+    std::optional<DeviationLimits> limits;  ///< of the chosen window
+    const SurfaceWindow* window =
+        nullptr;  ///< the smallest with sufficient uncertainty; else the one of least uncertainty that has limits
     double needed_mm = std::numeric_limits<double>::infinity();  ///< the least U of all
     double cell_mm = 0;                                          ///< of the window that has it
 };
 
-WindowPlace climb(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& smallest)
+WindowPlace chooseWindow(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& smallest)
 {
     WindowPlace place;
     for (const SurfaceWindow* w = &smallest;;) {
@@ -83,9 +86,9 @@ WindowPlace climb(const SurfaceWindows& all, const LimitsAlong& limits, const Su
                 place.limits = here;
                 place.window = w;
             }
-            if (all.factor * sigma <= kSure * here->half_mm()) break;
+            if (all.factor * sigma <= sureHalfWidthShare * here->half_mm()) break;
         }
-        if (w->wider == SurfaceWindow::kNone) break;
+        if (w->wider == SurfaceWindow::noWiderWindow) break;
         w = &all.windows[w->wider];
     }
     return place;
@@ -142,7 +145,8 @@ double judgedMean_mm(const SurfaceWindows& all, const SurfaceWindow& window)
     const auto mean = static_cast<double>(window.mean_mm);
     if (!all.has_sign) return std::max(0.0, std::abs(mean) - all.facets_mm);
     if (window.stretch >= 0 && all.stretches[static_cast<std::size_t>(window.stretch)].isFace()) return mean;
-    // Facets lie inside the round surface: a round copy stands out from them, and in a bore it lies behind them.
+    // Facets lie inside the round surface: the deviation of a round copy from them is positive outside and negative in
+    // a bore.
     const bool is_bore = window.stretch >= 0 && all.stretches[static_cast<std::size_t>(window.stretch)].is_bore;
     if (is_bore) return mean < 0 ? std::min(0.0, mean + all.facets_mm) : mean;
     return mean > 0 ? std::max(0.0, mean - all.facets_mm) : mean;
@@ -159,8 +163,8 @@ std::optional<Verdict> WindowsVerdict::verdict() const
 {
     if (fails) return Verdict::Fail;
     if (judged_points == 0) return std::nullopt;
-    const double few = kFewPoints * judged_points;
-    return undecided_points > few || unsure_points > 0 ? Verdict::Undecided : Verdict::Pass;
+    const double few = toleratedUndecidedShare * judged_points;
+    return undecided_points > few || ambiguous_points > 0 ? Verdict::Undecided : Verdict::Pass;
 }
 
 SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
@@ -169,7 +173,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     SurfaceVerdict result;
     result.zones.resize(zones.size());
     const bool any = limits.any();
-    // Windows that are small and noisy count only where they fail: else the worst is that of the sure ones.
+    // Small, noisy windows count only where they fail: else the worst is that of the chosen windows.
     struct Worst {
         double excess = -std::numeric_limits<double>::infinity();
         const SurfaceWindow* window = nullptr;
@@ -178,7 +182,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     Worst sure;
     Worst judged;
     struct MayBeOut {
-        double beyond;  ///< the limit
+        double beyond;  ///< the limit that may be exceeded
         const SurfaceWindow* window;
     };
     std::vector<MayBeOut> may_be_out;
@@ -193,12 +197,12 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
             if (beyond - all.factor * sigma > worst.excess) worst = {beyond - all.factor * sigma, &window};
         };
         take(judged);
-        const double enough = any ? kSure * here->half_mm() : kSure * all.scatter_mm;
+        const double enough = any ? sureHalfWidthShare * here->half_mm() : sureHalfWidthShare * all.scatter_mm;
         if (all.factor * sigma <= enough) take(sure);
         if (beyond + all.factor * sigma > 0) may_be_out.push_back({beyond, &window});
     }
-    // Each of them may be out on one side only: the other limit is four standard uncertainties further off at least.
-    result.factor = any ? std::min(all.factor, allowanceOfWorst(may_be_out.size(), all.about, 1)) : all.factor;
+    // One-sided: the other limit is at least four standard uncertainties further away.
+    result.factor = any ? std::min(all.factor, coverageFactorOfWorst(may_be_out.size(), all.about, 1)) : all.factor;
     for (const MayBeOut& one : may_be_out) {
         const SurfaceWindow& window = *one.window;
         const double excess = one.beyond - result.factor * static_cast<double>(window.sigma_mm);
@@ -210,7 +214,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
             zoneOf(zones, static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
         if (zone < zones.size()) result.zones[zone].fails = true;
     }
-    // The one that fails was chosen among those that may be out, the other among all.
+    // A failing window is selected among those that may be out, any other among all windows.
     for (const Worst* worst : {&failing, &sure, &judged})
         if (worst->window && !result.worst) {
             const double most = worst == &failing ? result.factor : all.factor;
@@ -221,7 +225,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
     forEachSmallest(all, [&](const SurfaceWindow& window) {
         const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
         if (!limits.at(middle)) return;
-        const WindowPlace place = climb(all, limits, window);
+        const WindowPlace place = chooseWindow(all, limits, window);
         if (std::isinf(place.needed_mm)) return;  // at the border of what is left out
         const auto points = static_cast<double>(window.points);
         bool unsure = false;
@@ -237,7 +241,7 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
                     verdict.cell_mm = place.cell_mm;
                 }
             }
-            if (unsure) verdict.unsure_points += points;
+            if (unsure) verdict.ambiguous_points += points;
         };
         add(result.all);
         const std::size_t zone = zoneOf(zones, middle, middle);

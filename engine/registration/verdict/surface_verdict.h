@@ -1,6 +1,6 @@
 // The verdict about the surface: every local mean, with its uncertainty, against the limits at its place.
-// Sources: ISO 14253-1 (decision rules); Z. Šidák, JASA 62 (1967) (the worst of many); P. R. Hansen, JBES 23 (2005)
-// 365-380 (inequalities that surely hold do not count among the many).
+// Sources: ISO 14253-1 (decision rules); Z. Šidák, JASA 62 (1967) (simultaneous intervals); P. R. Hansen, JBES 23
+// (2005) 365-380 (inequalities that clearly hold are left out of the family).
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace lathelier::registration {
 
 /// Limits of the deviation at one place.
 struct DeviationLimits {
-    double lower_mm = 0;  ///< smallest deviation allowed
-    double upper_mm = 0;  ///< largest deviation allowed
+    double lower_mm = 0;  ///< lower limit of the deviation
+    double upper_mm = 0;  ///< upper limit of the deviation
 
     double half_mm() const { return (upper_mm - lower_mm) / 2; }
 };
@@ -24,11 +24,11 @@ class LimitsAlong {
 public:
     LimitsAlong(const std::optional<double>& tolerance_mm, const std::vector<ZoneLimits>& zones);
 
-    /// Are there any limits at all?
+    /// Is there any limit?
     bool any() const;
-    /// Those at one place; none where nothing is judged.
+    /// Limits at one place; none where nothing is judged.
     std::optional<DeviationLimits> at(double z_mm) const;
-    /// The wider ones of what lies between two places; none where some of it is not judged.
+    /// The widest limits between two places; none where a part of it has no limits.
     std::optional<DeviationLimits> between(double z_start_mm, double z_end_mm) const;
 
 private:
@@ -36,19 +36,19 @@ private:
     std::vector<ZoneLimits> zones_;  ///< in order of z
 };
 
-/// A window's mean without what a coarse reference's facets amount to, the sign dropped where it says nothing.
+/// A window's mean corrected for the sagitta of a coarse reference; absolute where the deviation has no sign.
 double judgedMean_mm(const SurfaceWindows& all, const SurfaceWindow& window);
 
-/// How far `mean` is surely outside the limits, when `allowance` is what it may be off; negative within them.
+/// How far the interval mean_mm ± allowance_mm lies outside the limits; negative where it reaches into them.
 double excess_mm(const SurfaceWindows& all, double mean_mm, double allowance_mm, const DeviationLimits& limits);
 
-/// What the windows of one stretch of the axis, or of all, say together.
+/// Combined verdict of the windows of one stretch of the axis, or of all.
 struct WindowsVerdict {
     double judged_points = 0;     ///< of the smallest windows that have limits
-    double undecided_points = 0;  ///< of them, where no window is sure enough
-    double unsure_points = 0;     ///< of them, where the guarded rule neither passes nor fails
-    double needed_mm = 0;         ///< half-width that the unsure ones would need, at most
-    double cell_mm = 0;           ///< size of the window that needs it
+    double undecided_points = 0;  ///< of these, in windows with too large an uncertainty
+    double ambiguous_points = 0;  ///< of these, where the guarded rule gives neither pass nor fail
+    double needed_mm = 0;         ///< largest half-width of the limits that the undecided ones would need
+    double cell_mm = 0;           ///< size of the window with `needed_mm`
     bool fails = false;           ///< a window is out of its limits
 
     /// None where nothing has limits.
@@ -60,8 +60,8 @@ struct SurfaceVerdict {
     WindowsVerdict all;
     std::vector<WindowsVerdict> zones;  ///< of the windows within each of `zones`
     std::optional<WorstPlace> worst;    ///< none where nothing is judged
-    /// What a window has to be out of its limits by, in standard uncertainties, to fail: the allowance for the worst of
-    /// those that may be out. Windows that are surely within, by the allowance for the worst of all, cannot be it.
+    /// Coverage factor for failing: that of the extreme of the windows that may be out of their limits. Windows that
+    /// are within by the factor for all windows are left out of the family.
     double factor = 2;
 };
 

@@ -77,7 +77,7 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
     const auto sumsOf = [&](std::size_t begin, std::size_t end) {
         ZoneSums sums{std::vector<std::array<double, 3>>(zones.size())};
         for (std::size_t i = begin; i < end; ++i) {
-            if (all.counted[i] != 1) continue;  // faces lie across what a zone is the mean of
+            if (all.counted[i] != 1) continue;  // faces lie across the axis and are no part of a zone's mean
             const auto z = static_cast<double>(all.z_mm[i]);
             const auto after = std::upper_bound(zones.begin(), zones.end(), z,
                                                 [](double value, const Zone& zone) { return value < zone.z_start_mm; });
@@ -130,7 +130,7 @@ void judgeSurface(CompareResult& result, const LimitsAlong& limits)
     }
     result.verdict = verdict;
     const WindowsVerdict& whole = found.all;
-    if (*verdict == Verdict::Undecided && whole.undecided_points > 0 && whole.unsure_points == 0) {
+    if (*verdict == Verdict::Undecided && whole.undecided_points > 0 && whole.ambiguous_points == 0) {
         double limit = std::numeric_limits<double>::infinity();
         if (const auto& tolerance = result.parameters.tolerance_mm) limit = *tolerance;
         for (const ZoneLimits& zone : result.parameters.zones)

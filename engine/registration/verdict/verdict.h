@@ -1,5 +1,5 @@
-// The part of a comparison that follows from limits, rules and scanner accuracy alone: asked again without registering
-// again.
+// The part of a comparison that follows from limits, rules and scanner accuracy alone: recomputed without a new
+// registration.
 #pragma once
 
 #include "engine/registration/compare.h"
@@ -9,11 +9,11 @@ namespace lathelier::registration {
 /// Do `a` and `b` differ in nothing but what judge() takes: tolerance, rules, zones, pass percentage, scanner accuracy?
 bool sameButVerdict(const CompareParameters& a, const CompareParameters& b);
 
-/// Takes what concerns the verdict from `parameters` into the result and fills scatter, zones, findings, worst place,
-/// share within the limits, verdict, distinguishable_from_scanner and the notes about them anew, from the deviations of
+/// Copies the parameters of the verdict into the result and recomputes scatter, zones, findings, worst place,
+/// share within the limits, verdict, distinguishable_from_scanner and the notes about them from the deviations of
 /// the used points and the local means (`windows`; without them the rule surface decides nothing). Distinguishable: the
-/// RMS deviation is more than a tenth above the scanner's standard deviation, because a stated accuracy is hardly known
-/// better than that. A few milliseconds for a million points. Error valueNotUnderstood for zones that overlap.
+/// RMS deviation is more than a tenth above the scanner's standard deviation, because a stated accuracy is known to
+/// about 10 %. A few milliseconds for a million points. Error valueNotUnderstood for zones that overlap.
 void judge(CompareResult& result, const CompareParameters& parameters, const Progress& progress = {});
 
 }  // namespace lathelier::registration

@@ -8,9 +8,9 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t kMostZones = 1000;
+constexpr std::size_t mostZones = 1000;
 
-/// What is wrong with a zone, and the key where it shows; no key: nothing.
+/// The fault of a zone and the key concerned; empty key: no fault.
 struct Fault {
     const char* key = nullptr;
     Text expected;
@@ -50,7 +50,7 @@ std::vector<ZoneLimits> readZones(std::string json_text, Notes& notes)
 {
     const io::JsonDocument document(std::move(json_text));
     std::vector<ZoneLimits> zones;
-    document.root().items(kMostZones, [&](const io::JsonCursor& item) {
+    document.root().items(mostZones, [&](const io::JsonCursor& item) {
         if (!item.isObject())
             item.reject(LT_TEXT("Engine", "an object with name, z_start_mm, z_end_mm, lower_mm, upper_mm"));
         const auto zone = io::readFields<ZoneLimits>(item, notes);

@@ -11,7 +11,7 @@
 namespace lathelier::stability {
 namespace {
 
-/// The stretch of a segment from `from_mm` to `to_mm` of its length, with less radius.
+/// The stretch of a segment from `from_mm` to `to_mm` of its length, with the radius reduced by depth_mm.
 ShaftSegment stretchOf(const ShaftSegment& segment, double from_mm, double to_mm, double depth_mm)
 {
     const beam::SegmentContour contour(segment);

@@ -5,8 +5,8 @@
 
 namespace lathelier::stability {
 
-/// Between `from_z_mm` and `to_z_mm` the outer radius is less by `depth_mm`; the segments are cut there. An arc keeps
-/// its radius. Errors: placeOutsideShaft; shaftSegmentUnusable where nothing, or nothing around the bore, would be
+/// Between `from_z_mm` and `to_z_mm` the outer radius is reduced by `depth_mm`; the segments are split there. An arc
+/// keeps its radius. Errors: placeOutsideShaft; shaftSegmentUnusable if no material, or none around the bore, would be
 /// left.
 Shaft cutShaft(const Shaft& stock, double from_z_mm, double to_z_mm, double depth_mm);
 

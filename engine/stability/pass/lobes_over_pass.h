@@ -1,5 +1,5 @@
-// Lobes over a pass: while the tool goes toward the chuck the shaft behind it has less diameter, and the place that is
-// cut is stiffer or softer. At each station the shaft as it is then, on its spindle, gives the limit at the tool.
+// Lobes over a pass: while the tool moves toward the chuck, the diameter behind it decreases and the stiffness at the
+// tool changes. At each station the limit follows from the receptance of the partly turned shaft on its spindle.
 #pragma once
 
 #include <limits>
@@ -17,7 +17,7 @@
 namespace lathelier::stability {
 
 struct PassParameters {
-    std::vector<Interval> pass_z_mm;      ///< at most one: from the end toward the free end to that toward the chuck
+    std::vector<Interval> pass_z_mm;      ///< at most one: z range of the pass
     std::optional<double> pass_depth_mm;  ///< a, depth of cut on the radius
     int pass_stations = 25;               ///< places of the tool, evenly over the pass, its ends among them
 
@@ -29,47 +29,47 @@ const std::vector<Field<PassParameters>>& fieldsOf(const PassParameters*);
 /// Tool and shaft at one place of the pass.
 struct PassStation {
     double z_mm = 0;                     ///< of the tool
-    double diameter_mm = 0;              ///< of the surface that the tool leaves there
-    std::optional<double> minimum_mm{};  ///< limit at every speed shown; none: nothing chatters
+    double diameter_mm = 0;              ///< machined diameter there
+    std::optional<double> minimum_mm{};  ///< limit over all shown speeds; none: no chatter
 };
 
 struct PassResult {
-    PassParameters parameters;          ///< as asked
+    PassParameters parameters;
     std::vector<double> speed_rpm;      ///< of the columns, evenly spaced
     std::vector<PassStation> stations;  ///< of the rows, z ascending
     std::vector<double> limit_mm;       ///< row by row; NaN where no lobe limits
     LobeLimit worst;                    ///< the least limit over the pass; `k` of the lobe
-    std::vector<double> worst_z_mm;     ///< where it is; NaN where no lobe limits
+    std::vector<double> worst_z_mm;     ///< z of the least limit; NaN where no lobe limits
     Notes notes;                        ///< of the material
 
     double at(std::size_t station, std::size_t speed) const { return limit_mm[station * speed_rpm.size() + speed]; }
 };
 
-/// `receptance` says lines, shear coefficient and method; its places are those of the tool. `lobes`: coefficient
-/// (needed), relation, one range of speeds (needed), points; process damping takes the diameter that the tool leaves.
+/// `receptance`: lines, shear coefficient and method; its positions are replaced by those of the tool. `lobes`:
+/// coefficient (needed), relation, one range of speeds (needed), points; process damping uses the machined diameter.
 /// Errors: valueNotUnderstood; those of cutShaft(), shaftReceptance() and findLobes(). Throws Cancelled.
 PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
                          const receptance::ReceptanceParameters& receptance,
                          const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
                          const Progress& progress = {});
 
-/// What is known of a spindle speed for the whole pass.
+/// Stability of the whole pass at one spindle speed.
 struct PassPoint {
     double speed_rpm = 0;              ///< nearest column of the result
     double limit_mm = notANumber;      ///< least limit over the pass; NaN: none
-    double z_mm = notANumber;          ///< where it is, at that column
-    double frequency_hz = notANumber;  ///< of the chatter there, likewise
+    double z_mm = notANumber;          ///< z of the least limit at that column
+    double frequency_hz = notANumber;  ///< of the chatter there; NaN: none
     bool stable = true;                ///< the depth of the pass is below the limit
 };
 /// The limit is linear between columns. Precondition: the speed lies within those of the result.
 PassPoint pointOfPass(const PassResult& result, double speed_rpm);
 
-/// The speed whose least limit over the pass is highest.
+/// The speed with the highest least limit over the pass.
 PassPoint bestOfPass(const PassResult& result);
 
-/// How far the depth of cut lies beyond the limit over speed and z: above 0 the pass chatters there.
+/// Excess of the depth of cut over the limit, over speed and z; above 0 the pass chatters.
 report::ColourMap passMap(const PassResult& result);
-/// The least limit over the pass; speed and depth of the pass as a handle, where there is a speed.
+/// The least limit over the pass; speed and depth of the pass as a handle, if a speed is given.
 report::Plot passPlot(const PassResult& result, const std::optional<double>& speed_rpm = {});
 report::Table stationsTable(const PassResult& result);
 report::Section passSection(const PassResult& result, const Language& language = {});

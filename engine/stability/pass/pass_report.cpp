@@ -55,7 +55,7 @@ PassPoint pointOfPass(const PassResult& result, double speed_rpm)
     if (column == result.speed_rpm.size()) --column;
     if (column > 0 && speed_rpm - result.speed_rpm[column - 1] < result.speed_rpm[column] - speed_rpm) --column;
     PassPoint point = pointOfColumn(result, column);
-    const double between = depthAt(result.worst, speed_rpm);  // NaN beside a speed without a limit
+    const double between = depthAt(result.worst, speed_rpm);  // NaN next to a speed without a limit
     if (std::isnan(between)) return point;
     point.limit_mm = between;
     point.stable = *result.parameters.pass_depth_mm < between;
@@ -91,7 +91,7 @@ report::ColourMap passMap(const PassResult& result)
     const double depth_mm = *result.parameters.pass_depth_mm;
     map.limit = report::niceLimit(depth_mm);
     map.values.reserve(result.limit_mm.size());
-    // Where no lobe limits, any depth is stable: the end of the scale.
+    // If no lobe limits, any depth is stable: end of the colour scale.
     for (const double limit : result.limit_mm)
         map.values.push_back(static_cast<float>(std::isnan(limit) ? -map.limit : depth_mm - limit));
     return map;
@@ -107,7 +107,7 @@ report::Plot passPlot(const PassResult& result, const std::optional<double>& spe
     curve.colour = report::ColourRole::Limit;
     plot.curves = {std::move(curve)};
     shadeStability(plot, result.speed_rpm, result.worst.depth_mm);
-    // Shown to above the best speed, but not so far that the depth of the pass lies at the foot of the chart.
+    // Scaled to include the limit of the best speed, bounded so that the depth of the pass remains visible.
     const double depth_mm = *result.parameters.pass_depth_mm;
     const double best_mm = bestOfPass(result).limit_mm;
     plot.y.range =

@@ -11,10 +11,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double startsPerTurn = 6;    ///< of e^{iωT}
+constexpr double startsPerTurn = 6;    ///< start values per turn of e^{iωT}
 constexpr double beyondHighest = 1.6;  ///< last start over the highest natural frequency
 constexpr int mostRootSteps = 60;
-constexpr double farthest = 40;      ///< of |Re(s)| T
+constexpr double farthest = 40;      ///< bound of |Re(s)| T
 constexpr double converged = 1e-12;  ///< last step over the size of the root
 
 /// Newton's step for the equation times all denominators of G, which has no poles.

@@ -7,13 +7,13 @@ namespace lathelier::stability {
 namespace {
 
 constexpr double glide_s = 0.03;      ///< time constant of speed and depth
-constexpr double crossFade_s = 0.03;  ///< of one cut into the next, and of the volume
+constexpr double crossFade_s = 0.03;  ///< duration of fades between cuts and of the volume
 constexpr double steady_s = 0.15;     ///< time constant of the mean deflection
 constexpr double loudness_s = 0.05;   ///< time constant of the mean size
 constexpr double fullScaleFeeds = 1;  ///< a vibration of this mean size sounds half as loud as the loudest
-constexpr double headroom = 0.5;      ///< of full scale, for a pure tone that is louder than any
+constexpr double headroom = 0.5;      ///< output level of the loudest pure tone, over full scale
 
-/// Share of the way that is gone in one sample.
+/// Step of a first-order low-pass filter in one sample.
 double share(double time_constant_s, double rate_hz)
 {
     return -std::expm1(-1 / (time_constant_s * rate_hz));
@@ -39,7 +39,7 @@ void CutStream::moveTo(double speed_rpm, double depth_mm)
     wanted_.depth_mm = std::max(0.0, depth_mm);
 }
 
-/// Roughly normal, of standard deviation 1: the sum of four even numbers.
+/// Approximately normal with standard deviation 1: sum of four uniform numbers.
 double CutStream::noise()
 {
     double sum = 0;
@@ -50,7 +50,7 @@ double CutStream::noise()
     return sum * std::sqrt(3.0);
 }
 
-/// What was left so many samples ago, through four neighbours (Catmull and Rom).
+/// The surface cut `samples` ago, interpolated by a Catmull-Rom spline.
 double CutStream::surfaceBefore(double samples) const
 {
     const auto size = static_cast<double>(surface_.size());
@@ -99,7 +99,7 @@ void CutStream::fill(std::span<float> samples)
 
 void CutSound::take(const std::vector<Mode>& modes, const StreamParameters& parameters)
 {
-    constexpr std::size_t mostVoices = 4;  // of a hand that changes quickly, the oldest are next to silent
+    constexpr std::size_t mostVoices = 4;  // for rapid changes; the oldest voices are nearly silent
     if (streams_.size() == mostVoices) streams_.erase(streams_.begin());
     streams_.push_back({CutStream(modes, parameters, rate_hz_)});
 }

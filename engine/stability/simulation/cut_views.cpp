@@ -14,11 +14,11 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr int mostColumns = 720;  ///< of the unrolled surface
+constexpr int mostColumns = 720;  ///< columns of the unrolled surface
 constexpr double umPerMm = 1000;
-constexpr double leastAmplitude_um = 1e-4;  ///< less is nothing to be seen
+constexpr double leastAmplitude_um = 1e-4;  ///< smaller amplitudes are not displayed
 
-/// Calls `take` with each revolution up to `last`: its number, the surface before the tool, the surface behind it.
+/// Calls `take` with each revolution up to `last`: its number, the surface before and after the tool.
 template <class Take>
 void followSurface(const SimulationResult& result, int last, const Take& take)
 {
@@ -87,7 +87,7 @@ report::Plot wavesPlot(const SimulationResult& result, const WavePair& waves, co
     for (double& height : inner) height -= result.static_deflection_mm;
     report::Region chip =
         report::between(LT_TEXT("Engine", "chip"), report::ColourRole::Neutral, waves.angle_deg, inner, outer);
-    for (std::size_t i = 0; i < inner.size(); ++i)  // the chip has no thickness where the tool is out of the cut
+    for (std::size_t i = 0; i < inner.size(); ++i)  // no chip where the tool is out of the cut
         if (inner[i] > outer[i]) chip.y[i] = outer[i];
     plot.regions.push_back(std::move(chip));
     plot.curves = {{LT_TEXT("Engine", "outer wave, left before"), waves.angle_deg, std::move(outer)},
@@ -147,7 +147,7 @@ report::Plot amplitudePlot(const SimulationResult& result)
         found.y.push_back(amplitude);
     }
     if (found.y.empty()) return plot;
-    // From the third revolution on: the first ones hold the shock of the entry as well.
+    // From the third revolution on, as the first ones contain the transient of the entry.
     const std::size_t from = std::min<std::size_t>(2, found.y.size() - 1);
     report::Curve alone{LT_TEXT("Engine", "by the growth alone"), {}, {}, report::Curve::Style::Dashed};
     const double top = 3 * *std::max_element(found.y.begin(), found.y.end());
@@ -177,7 +177,8 @@ report::Plot spectrumPlot(const SimulationResult& result, double highest_hz, con
     for (const double x : part) mean += x / count;
     for (std::size_t i = 0; i < part.size(); ++i)
         part[i] = (part[i] - mean) * (1 - std::cos(2 * std::numbers::pi * static_cast<double>(i) / count));
-    part.resize(signal::quickTransformLength(4 * part.size()), 0.0);  // finer lines, so that a peak shows its height
+    part.resize(signal::quickTransformLength(4 * part.size()),
+                0.0);  // zero padding, so that peaks show their full height
     const double line_hz = 1 / (result.step_s * static_cast<double>(part.size()));
     const auto amplitudes = signal::FourierTransform(part.size()).forward(part);
     report::Curve curve;

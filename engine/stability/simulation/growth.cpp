@@ -11,29 +11,29 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr int atOnce = 8;            ///< cuts that share the modes' constants
-constexpr double fewestPeriods = 2;  ///< steps of a revolution, in periods
-constexpr double smallest = 1e-60;   ///< sizes outside are scaled
+constexpr int batchSize = 8;  ///< cuts simulated side by side with common mode constants
+constexpr double fewestPeriods = 2;  ///< smallest length of a revolution, in periods of the highest mode
+constexpr double smallest = 1e-60;   ///< magnitudes outside are rescaled
 constexpr int growthStepsBetweenChecks = 1 << 15;
 
-using Lanes = Eigen::Array<double, atOnce, 1>;
+using Lanes = Eigen::Array<double, batchSize, 1>;
 
-/// Eight cuts of one speed and direction side by side.
-class CutsAtOnce {
+/// A batch of eight cuts of one speed and direction.
+class CutBatch {
 public:
-    CutsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s, int steps)
+    CutBatch(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s, int steps)
         : steps_(static_cast<std::size_t>(steps)),
           constants_(modeSteps(modes, revolution_s / steps, cuts.front().direction_factor)),
           deflection_(modes.size(), Lanes::Zero()),
           speed_(modes.size(), Lanes::Zero())
     {
-        for (int lane = 0; lane < atOnce; ++lane) {
+        for (int lane = 0; lane < batchSize; ++lane) {
             const CutForces& cut = cuts[std::min<std::size_t>(static_cast<std::size_t>(lane), cuts.size() - 1)];
             stiffness_[lane] = cut.stiffness_N_mm;
             damping_[lane] = cut.damping_N_s_mm;
         }
         share_ = 1 / (1 + stiffness_ * constants_.q1 + damping_ * constants_.v1);
-        // A blow on every mode, as a hammer gives it.
+        // Initial impulse on every mode.
         for (std::size_t m = 0; m < modes.size(); ++m)
             speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
     }
@@ -61,16 +61,16 @@ public:
         }
     }
 
-    /// Brings the vibration back to an ordinary size: the equation is linear.
+    /// Rescales the vibration, as the equation is linear.
     void scale(Lanes* now)
     {
         Lanes size = Lanes::Zero();
         for (std::size_t i = 0; i < steps_; ++i) size = size.max(now[i].abs());
         bool ordinary = true;
-        for (int lane = 0; lane < atOnce; ++lane)
+        for (int lane = 0; lane < batchSize; ++lane)
             ordinary = ordinary && size[lane] > smallest && size[lane] < 1 / smallest;
         if (ordinary) return;
-        for (int lane = 0; lane < atOnce; ++lane)
+        for (int lane = 0; lane < batchSize; ++lane)
             size[lane] = size[lane] > 0 && std::isfinite(size[lane]) ? 1 / size[lane] : 1;
         for (std::size_t i = 0; i < steps_; ++i) now[i] *= size;
         for (Lanes& q : deflection_) q *= size;
@@ -86,14 +86,14 @@ private:
     Lanes force_ = Lanes::Zero();
 };
 
-/// Up to eight cuts.
-void growthsAtOnce(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,
-                   const GrowthEffort& effort, const Progress& progress, std::span<Growth> result)
+/// Growths of up to eight cuts.
+void growthsOfBatch(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,
+                    const GrowthEffort& effort, const Progress& progress, std::span<Growth> result)
 {
     const auto steps = static_cast<std::size_t>(effort.steps);
     const int snapshots = std::clamp(effort.snapshots, 1, mostSnapshots);
     const auto count = static_cast<std::size_t>(snapshots) + 1;
-    CutsAtOnce all(modes, cuts, revolution_s, effort.steps);
+    CutBatch all(modes, cuts, revolution_s, effort.steps);
     std::vector<Lanes> room((count + 1) * steps, Lanes::Zero());
     Lanes* before = room.data();
     Lanes* now = before + steps;
@@ -143,10 +143,10 @@ std::vector<Growth> growthsOf(std::span<const Mode> modes, std::span<const CutFo
                               const GrowthEffort& effort, const Progress& progress)
 {
     std::vector<Growth> result(cuts.size());
-    for (std::size_t first = 0; first < cuts.size(); first += atOnce) {
-        const std::size_t count = std::min<std::size_t>(atOnce, cuts.size() - first);
-        growthsAtOnce(modes, cuts.subspan(first, count), revolution_s, effort, progress,
-                      std::span(result).subspan(first, count));
+    for (std::size_t first = 0; first < cuts.size(); first += batchSize) {
+        const std::size_t count = std::min<std::size_t>(batchSize, cuts.size() - first);
+        growthsOfBatch(modes, cuts.subspan(first, count), revolution_s, effort, progress,
+                       std::span(result).subspan(first, count));
     }
     return result;
 }

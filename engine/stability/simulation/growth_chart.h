@@ -1,5 +1,4 @@
-// The lobes over the growth that simulation finds at every point, and the two relations between speed and frequency
-// with simulation as their referee.
+// Lobes over the simulated growth at every point, and both relations between speed and frequency checked by simulation.
 #pragma once
 
 #include "engine/stability/simulation/stability_raster.h"
@@ -7,12 +6,12 @@
 
 namespace lathelier::stability {
 
-/// The limit over the growth per revolution, red where it grows and blue where it dies out; without a raster the
-/// regions of lobesPlot().
+/// The limit over the growth per revolution, red for growth, blue for decay; without a raster the regions of
+/// lobesPlot().
 report::Plot growthChart(const LobeResult& lobes, const RasterResult* raster, const OperatingPoint& point,
                          const Language& language = {});
 
-/// The limits of both relations over the growth: what the papers' N = 60 f/k promises and what the simulation finds.
+/// The limits of both relations over the growth: the papers' N = 60 f/k against the simulation.
 report::Plot comparisonChart(const LobeResult& exact, const LobeResult& published, const RasterResult* raster,
                              const OperatingPoint& point, const Language& language = {});
 

@@ -18,8 +18,8 @@ ModeStep modeStep(const Mode& mode, double step_s, double factor)
     step.qv = sine_s;
     step.vq = -omega * omega * sine_s;
     step.vv = cosine - zeta * omega * sine_s;
-    // The deflection that follows a straight force F₀ + S t for ever is (F₀ + S (t - 2ζ/ω))/k; what the state differs
-    // from it at the beginning goes on by the exponential.
+    // The particular solution for a linear force F₀ + S t is (F₀ + S (t - 2ζ/ω))/k; the difference of the initial state
+    // decays by the matrix exponential.
     const double compliance = factor / mode.stiffness_N_mm;
     const double lag = 2 * zeta / (omega * step_s), rate = 1 / step_s;
     step.q0 = compliance * (lag - step.qq * (1 + lag) + step.qv * rate);

@@ -14,11 +14,11 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double firstStepsPerPeriod = 48;  ///< of the highest mode, at first
-constexpr double growthTolerance = 1e-3;    ///< change of the growth by half the step
+constexpr double firstStepsPerPeriod = 48;  ///< initial steps per period of the highest mode
+constexpr double growthTolerance = 1e-3;    ///< accepted change of the growth when the step is halved
 constexpr int mostHalvings = 5;
-constexpr double mostWaveformSteps = 5e7;  ///< of the waveform, and of a revolution's growth
-constexpr double lastShare = 0.1;          ///< of the revolutions: the state reached
+constexpr double mostWaveformSteps = 5e7;  ///< limit for the waveform, and for a revolution of the growth
+constexpr double lastShare = 0.1;          ///< share of revolutions evaluated as final state
 constexpr std::size_t stepsBetweenReports = 1 << 15;
 
 CutForces forcesOf(const SimulationParameters& p)
@@ -34,7 +34,7 @@ CutForces forcesOf(const SimulationParameters& p)
     return cut;
 }
 
-/// Growth with a step that is fine enough; `steps` comes out as that of a revolution.
+/// Growth with a converged step; `steps` returns the steps per revolution.
 Growth fineGrowthOf(const std::vector<Mode>& modes, const CutForces& cut, double revolution_s, int& steps,
                     double& difference, const Progress& progress)
 {
@@ -53,9 +53,9 @@ Growth fineGrowthOf(const std::vector<Mode>& modes, const CutForces& cut, double
     }
 }
 
-/// The whole cut with loss of contact, into `result`.
-void cutThrough(const std::vector<Mode>& modes, const CutForces& cut, SimulationResult& result,
-                const Progress& progress)
+/// Simulates the whole cut with loss of contact into `result`.
+void simulateContactLoss(const std::vector<Mode>& modes, const CutForces& cut, SimulationResult& result,
+                         const Progress& progress)
 {
     const auto steps = static_cast<std::size_t>(result.steps_per_revolution);
     const std::size_t all = steps * static_cast<std::size_t>(result.parameters.revolutions);
@@ -63,7 +63,7 @@ void cutThrough(const std::vector<Mode>& modes, const CutForces& cut, Simulation
     const ModeSteps constants = modeSteps(modes, result.step_s, cut.direction_factor);
     const double share = 1 / (1 + cut.stiffness_N_mm * constants.q1 + cut.damping_N_s_mm * constants.v1);
     std::vector<double> deflection(modes.size(), 0.0), speed(modes.size(), 0.0);
-    std::vector<double> left(steps, 0.0);  // by the revolution before: w
+    std::vector<double> left(steps, 0.0);  // surface w of the previous revolution
     std::vector<double>& outer = result.waves.outer_mm;
     result.deflection_mm.resize(all);
     result.chip_mm.resize(all);
@@ -100,7 +100,7 @@ void cutThrough(const std::vector<Mode>& modes, const CutForces& cut, Simulation
         result.waves.angle_deg.push_back(360.0 * static_cast<double>(i) / static_cast<double>(steps));
 }
 
-void lookAtTheEnd(SimulationResult& result)
+void evaluateLastRevolutions(SimulationResult& result)
 {
     const int revolutions = std::max(1, static_cast<int>(std::lround(lastShare * result.parameters.revolutions)));
     const auto count = static_cast<std::ptrdiff_t>(revolutions) * result.steps_per_revolution;
@@ -171,15 +171,15 @@ SimulationResult simulate(const std::vector<Mode>& modes, const SimulationParame
                  : growth.per_revolution < 1 - known ? CutVerdict::Stable
                                                      : CutVerdict::Undecided;
     while (static_cast<double>(steps) * parameters.revolutions > mostWaveformSteps)
-        steps /= 2;  // the first step always fits
+        steps /= 2;  // the first step always satisfies the limit
     result.steps_per_revolution = steps;
     result.step_s = revolution_s / steps;
     result.waves.turns = result.frequency_hz * revolution_s;
     for (const Mode& mode : modes)
         result.static_deflection_mm +=
             cut.stiffness_N_mm * parameters.feed_mm_rev * cut.direction_factor / mode.stiffness_N_mm;
-    cutThrough(modes, cut, result, progress.part(0.5, 1));
-    lookAtTheEnd(result);
+    simulateContactLoss(modes, cut, result, progress.part(0.5, 1));
+    evaluateLastRevolutions(result);
     progress.report(1);
     return result;
 }

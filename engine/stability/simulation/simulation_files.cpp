@@ -13,7 +13,7 @@ namespace {
 
 constexpr int sampleRate_hz = 44100;
 constexpr double endFade_s = 0.005;
-constexpr double highestShare = 0.9;  ///< of full scale
+constexpr double highestShare = 0.9;  ///< peak level over full scale
 constexpr double fullScale = 32767;
 constexpr std::size_t step_bytes = 1 << 16;
 
@@ -39,7 +39,7 @@ std::string wavHead(std::uint32_t samples)
     return head;
 }
 
-/// Through four neighbours (Catmull and Rom); beyond the ends their values.
+/// Catmull-Rom interpolation; constant beyond the ends.
 double smoothBetween(const std::vector<double>& values, double place)
 {
     const auto last = static_cast<double>(values.size() - 1);

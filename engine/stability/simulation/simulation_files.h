@@ -9,16 +9,16 @@
 
 namespace lathelier::stability {
 
-/// Columns time_s, deflection_mm, chip_thickness_mm, all digits, with a decimal point in every locale; handed on in
-/// steps.
+/// Columns time_s, deflection_mm, chip_thickness_mm, all digits, with a decimal point in every locale; passed to
+/// `append` in chunks.
 void writeWaveform(const SimulationResult& result, const std::function<void(std::string_view)>& append);
 
 /// 16-bit PCM, mono, 44.1 kHz (RIFF WAVE). The vibration is the deflection less that of the steady cut, interpolated by
-/// cubics; its largest value stands at 0.9 of full scale, and both ends are faded over 5 ms so that nothing clicks.
+/// cubics; its largest value is scaled to 0.9 of full scale, and both ends are faded over 5 ms to avoid clicks.
 struct Sound {
-    std::string bytes;         ///< of the file
-    double full_scale_mm = 0;  ///< deflection that a sample of 32767 means
-    double seconds = 0;        ///< it lasts
+    std::string bytes;
+    double full_scale_mm = 0;  ///< deflection of a sample of 32767
+    double seconds = 0;        ///< duration
 };
 Sound soundOf(const SimulationResult& result);
 

@@ -13,10 +13,10 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr double rasterStepsPerPeriod = 24;  ///< the growth is then within a few parts in a thousand
+constexpr double rasterStepsPerPeriod = 24;  ///< gives the growth to a few parts in a thousand
 constexpr int warmUp = 14;                   ///< revolutions
 constexpr int rasterSnapshots = 8;           ///< revolutions
-constexpr double shownGrowth = 0.5;          ///< |ln growth| at the ends of the colours
+constexpr double shownGrowth = 0.5;          ///< |ln growth| at the ends of the colour scale
 
 void require(bool fine, const char* parameter, Text expected)
 {

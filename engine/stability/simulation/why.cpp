@@ -9,7 +9,7 @@
 namespace lathelier::stability {
 namespace {
 
-/// Receptance at a frequency, straight between two lines; NaN outside.
+/// Receptance at a frequency, linear between two lines; NaN outside.
 std::complex<double> at(const Frf& frf, double frequency_hz)
 {
     const auto& lines = frf.frequency_hz;
@@ -51,7 +51,7 @@ std::vector<WhyLine> whyOf(const SimulationResult& cut, const LobeResult& lobes,
                          ? LT_TEXT("Engine", "The wave comes back larger after every revolution: it grows to chatter.")
                          : LT_TEXT("Engine", "The wave comes back smaller after every revolution: it dies out."),
                      "e^(Re(s) · T)", number(cut.growth_per_revolution, 3)});
-    const PointOfWork work = pointOfWork(lobes, speed, *p.depth_mm);
+    const PointStability work = pointStabilityAt(lobes, speed, *p.depth_mm);
     if (!std::isfinite(work.limit_mm) || !std::isfinite(work.frequency_hz) || lobes.isRelative()) return lines;
     const std::complex<double> g = p.direction_factor * at(frf, work.frequency_hz);
     if (!std::isfinite(g.real())) return lines;

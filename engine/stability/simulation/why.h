@@ -1,5 +1,5 @@
-// Why a cut chatters or not, line by line: the idea, its formula, the same with the numbers of this cut.
-// Source: J. Tlusty, "Manufacturing Processes and Equipment"; Y. Altintas, "Manufacturing Automation".
+// Explanation of the stability of a cut in lines: statement, formula, numerical values of this cut. Source: J. Tlusty,
+// "Manufacturing Processes and Equipment"; Y. Altintas, "Manufacturing Automation".
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct WhyLine {
     std::string numbers;  ///< the formula with the numbers of this cut
 };
 
-/// The delay, the chip, whole waves and phase, the marks, the growth, the limit at this speed, the speed by both
-/// relations. Lines whose numbers do not exist (no lobe limits here) are left out.
+/// The delay, the chip, whole waves and phase, chatter marks, the growth, the limit at this speed, the speed by both
+/// relations. Lines without values (no limiting lobe) are omitted.
 std::vector<WhyLine> whyOf(const SimulationResult& cut, const LobeResult& lobes, const Frf& frf,
                            const Language& language = {});
 

@@ -383,10 +383,10 @@ TEST_P(ChainOfPart, ASectionWithoutASafeSpeedIsSaid)
         EXPECT_NE(section["reason"].get<std::string>().find("no stable speed"), std::string::npos);
         EXPECT_LE(section["speed_rpm"].get<double>(), 200);
     }
-    std::size_t said = 0;
-    for (const Json& note : dossier["notes"]) said += note["code"] == "no_stable_speed";
+    std::size_t noteCount = 0;
+    for (const Json& note : dossier["notes"]) noteCount += note["code"] == "no_stable_speed";
     EXPECT_GT(chosen, 0u);
-    EXPECT_GE(said, chosen);
+    EXPECT_GE(noteCount, chosen);
     for (const Json& step : dossier["steps"])
         if (step["step"] == "draw" || step["step"] == "speeds") {
             EXPECT_EQ(step["state"], "done");

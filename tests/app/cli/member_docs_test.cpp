@@ -1,5 +1,5 @@
-// Public data members of structs are documented: a comment behind the member, or above it or the run it belongs to,
-// tells meaning and unit.
+// Public data members of structs say what they are: in a comment behind the member, or above it or its group, or by a
+// name that ends in a unit (depth_mm), which a comment would only repeat.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -57,6 +57,14 @@ bool isMember(const std::string& code)
            code.substr(0, code.find_first_of("={")).find('(') == std::string::npos;
 }
 
+/// "double depth_mm = 0;": the name ends in a unit.
+bool namesItsUnit(const std::string& code)
+{
+    static const std::regex unit(
+        R"(_(mm|mm2|mm3|um|m|deg|rad|hz|rpm|s|ms|percent|N|N_mm|N_mm2|MPa|V|upr|bytes|px)\s*[;={,])");
+    return std::regex_search(code, unit);
+}
+
 /// Follows braces and access through the lines of one header.
 class Scopes {
 public:
@@ -96,7 +104,7 @@ void countMembers(const fs::path& header, const std::string& name, Count& count)
         if (scopes.arePublicMembersHere() && isMember(words)) {
             ++count.members;
             const bool goesOnBelow = i + 1 < lines.size() && trimmed(lines[i + 1]).starts_with("///<");
-            if (line.find("///") == std::string::npos && !documentedAbove && !goesOnBelow)
+            if (line.find("///") == std::string::npos && !documentedAbove && !goesOnBelow && !namesItsUnit(words))
                 count.undocumented.push_back(name + ":" + std::to_string(i + 1) + " " + words);
         }
         scopes.take(code);

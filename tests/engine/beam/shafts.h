@@ -1,4 +1,4 @@
-// Shafts that the tests of beams speak of.
+// Shafts for the tests of beams.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace lathelier::beam {
 
-/// Stiffness of a support that gives no way.
+/// Stiffness of a practically rigid support.
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
 inline Shaft cylinder(double length_mm, double diameter_mm, double bore_mm = 0)

@@ -1,4 +1,4 @@
-// Macros for FreeCAD and SolidWorks: as many constraints as unknowns, aliases that are no cells, metres.
+// Macros for FreeCAD and SolidWorks: as many constraints as unknowns, aliases that are not cell names, metres.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Shafts as CSV: Table 1 of the paper, the full table there and back, decimal commas, refusals.
+// Shafts as CSV: Table 1 of the paper, round trip of the full table, decimal commas, refusals.
 #include "engine/cad/shaft_csv.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr CsvStyle comma{',', ';'};
 
-/// What a CSV file holds of a shaft.
+/// The part of a shaft that a CSV file represents.
 Shaft nameless(Shaft shaft)
 {
     shaft.name.clear();

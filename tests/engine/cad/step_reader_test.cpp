@@ -1,5 +1,4 @@
-// STEP to shafts: what the writer made comes back, in any pose; what is no turned part is refused; broken bytes end
-// with a located error.
+// STEP to shafts: round trip in any pose; parts that are not turned are refused; corrupt bytes give a located error.
 #include "engine/cad/step_reader.h"
 
 #include <gtest/gtest.h>
@@ -209,7 +208,7 @@ TEST(StepReader, BrokenBytesEndWithALocatedError)
     }
 }
 
-// Each of these was the end of the kernel.
+// Each of these crashed the kernel.
 TEST(StepReader, RecordsOfTheWrongKind)
 {
     const std::string whole = stepText(blindBores(), fixedTime());

@@ -28,7 +28,7 @@ inline Job jobOf(const std::string& name)
     return job;
 }
 
-/// Line, from 1, of the first place where a text holds some words.
+/// Line (from 1) of the first occurrence of `words` in a text.
 inline std::int64_t lineOf(const std::string& text, const std::string& words)
 {
     const std::size_t at = text.find(words);
@@ -49,7 +49,7 @@ inline CheckResult checked(const std::string& text, const Job& job, const CheckP
     return checkTurning(text, *job.shaft, job, parameters, inputs);
 }
 
-/// The interval of the rest that holds this z best; fails where there is none.
+/// The rest interval that contains z, or the nearest; fails if there is none.
 inline const RestInterval* restAt(const CheckResult& result, double z_mm)
 {
     for (const RestInterval& rest : result.rest)

@@ -1,4 +1,4 @@
-// What a drawing asks of a row besides its shape: roughness, limits, threads, edges.
+// Requirements of a row besides its shape: roughness, limits, threads, edges.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ TEST(DrawingDemands, GripAvoidsACylinderWithLimits)
     grip = gripBefore(*job.shaft, job, split, missing);
     ASSERT_TRUE(grip);
     EXPECT_TRUE(grip->has_tolerance);
-    // With a choice the shorter one without limits.
+    // The shorter one without limits is preferred.
     Shaft part;
     part.segments = {row(60, 24, 24), row(30, 30, 30), row(40, 37, 37), row(30, 20, 20)};
     part.segments[0].tolerance_um = 13;
@@ -122,7 +122,7 @@ std::vector<SectionSpeed> sectionsAt(double z, double first, double second)
     return sections;
 }
 
-/// Way of feed moves from the change to the cylinder of the second section.
+/// Length of feed moves from the speed change to the cylinder of the second section.
 double wayBefore(const Operation& finish, double speed, double high)
 {
     double way = 0;
@@ -147,7 +147,7 @@ TEST(SpeedRamps, StandBeforeTheSection)
     setFinishSpeeds(high, sectionsAt(50, 2154, 1750), part);
     EXPECT_EQ(high.moves.size(), 5U);
     EXPECT_EQ(high.moves[2].speed_rpm, 1750);
-    // One of 1 mm is not: what is missing lies on the cylinder before, which carries no limits.
+    // One of 1 mm is not: the remaining length is on the previous cylinder, which has no limits.
     Operation low = stepped(50, 15, 16);
     setFinishSpeeds(low, sectionsAt(50, 2154, 1750), part);
     EXPECT_NEAR(wayBefore(low, 1750, 16), ramp, 1e-9);
@@ -210,7 +210,7 @@ TEST(Edges, TheOtherEndIsBrokenByTheSecondClamping)
     expectSound(plan, "both ends");
     EXPECT_NEAR(plan.part.segments.back().end_diameter_mm, 33.2, 1e-9);
     for (const RestInterval& rest : plan.rest) EXPECT_LT(rest.z_end_mm, 149);
-    // The check of the second program knows of it; the drawing with sharp edges is cut into.
+    // The check of the second program includes the chamfer; against the drawing with sharp edges it is a gouge.
     CheckParameters second = plan.setups[1].check.parameters;
     CheckInputs inputs;
     inputs.before = plan.setups[0].text;

@@ -1,4 +1,4 @@
-// The nose-centre curve and what it leaves, against closed forms and properties.
+// The nose-centre curve and its residual material, against closed forms and properties.
 #include "engine/cam/envelope.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::vector<Unreached> leftBy(const HeightContour& contour, const ToolWedge& too
     return restOf(contour, {{1, noseCurve(contour, tool), tool.radius_mm, 0}});
 }
 
-/// Clearance of the drawing's points from the curve's disc: never negative where the curve is right.
+/// Clearance of the drawing's points from the curve's disc: never negative for a correct curve.
 double worstGouge(const HeightContour& contour, const Curve& curve, double radius)
 {
     double worst = 0;
@@ -132,7 +132,7 @@ TEST(NoseCurve, NeverGougesRandomShafts)
 
 TEST(NoseCurve, TouchesWhereNothingIsLeft)
 {
-    // The curve lies as deep as it can: every piece but rays, bridges and joins touches the drawing.
+    // The curve is minimal: every piece except rays, bridges and joins touches the drawing.
     std::mt19937 random(8);
     for (int i = 0; i < 100; ++i) {
         const HeightContour contour = heightContour(randomShaft(random));
@@ -161,7 +161,7 @@ TEST(NoseCurve, MirroredShaftHasTheMirroredCurve)
     std::mt19937 random(9);
     for (int i = 0; i < 50; ++i) {
         const HeightContour contour = heightContour(randomShaft(random));
-        // Without edges both hands see the same.
+        // Without edges both hands give the same curve.
         const Curve there = noseCurve(contour, {0.4, 90, 90});
         const Curve back = mirrored(noseCurve(mirrored(contour), {0.4, 90, 90}), contour.length_mm);
         for (int k = 1; k < 50; ++k) {

@@ -1,4 +1,4 @@
-// Orders of operations: which can be, which cannot and why, and what a plan makes of them.
+// Orders of operations: possible and impossible ones with reasons, and their effect on a plan.
 #include "engine/cam/operation_order.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Jobs whose rest is known, and what every plan has to keep.
+// Jobs with known residual material, and invariants of every plan.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -7,12 +7,12 @@
 
 namespace lathelier::cam {
 
-/// What stays on the drawing.
+/// Expected residual material.
 struct Expected {
     double from, to, left;
 };
 
-/// A job whose rest is known.
+/// A job with known residual material.
 struct Practice {
     const char* name;
     Job job;

@@ -110,7 +110,7 @@ TEST(PlanPrograms, AToolThatTheJobLacksIsSaid)
     EXPECT_EQ(*find(note->values, "tool"), Value(std::int64_t{77}));
     EXPECT_EQ(unknownToolOf(again.setups[0].check), 77);
     EXPECT_NE(again.verdict, Verdict::Pass);
-    // Remarks of a check that is not there any more are gone as well.
+    // Notes of a removed check are removed as well.
     const TurningPlan back = withPrograms(again, {{0, plan.setups[0].text, {}, true}}, linuxcnc());
     EXPECT_FALSE(contains(back.notes, notes::toolNotInJob));
     EXPECT_EQ(back.notes.size(), plan.notes.size());
@@ -120,7 +120,7 @@ TEST(PlanPrograms, AToolThatTheJobLacksIsSaid)
 TEST(PlanPrograms, WithoutAStableSpeedNoOtherTextPasses)
 {
     Job job = jobWith({row(98, 30, 30), row(20, 37, 37)}, 40, 200, {roughC80(), finishC80()});
-    job.shaft->segments = {row(100, 30, 30)};  // nothing stays
+    job.shaft->segments = {row(100, 30, 30)};  // no residual material
     job.max_rpm = 2000;
     TurningInputs inputs = linuxcnc();
     inputs.spindle = receptance::SpindleReceptance{receptance::SpindleSprings{14850, 198.3e6, 0.06}};

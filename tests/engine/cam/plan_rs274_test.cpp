@@ -1,7 +1,7 @@
-// Planned programs against the interpreter of LinuxCNC. Part of the tests where its rs274 is installed.
+// Planned programs against the interpreter of LinuxCNC. Built only if rs274 is installed.
 //
-// Run alone, rs274 knows no tools: moves are those of the tip, which is what a plan writes. X is printed as radius with
-// four decimals. That it says nothing proves nothing: its moves are compared with ours.
+// Stand-alone rs274 has no tool table: moves are those of the tip, as written by a plan. X is printed as radius with
+// four decimals. Absence of errors is not sufficient, so its moves are compared with ours.
 #include <gtest/gtest.h>
 
 #ifdef LATHELIER_RS274

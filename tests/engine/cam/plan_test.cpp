@@ -1,4 +1,4 @@
-// Plans: written, read again and checked; what stays is what the curves say.
+// Plans: written, read again and checked; residual material equals that predicted from the curves.
 #include "engine/cam/plan.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,8 @@ TEST(TurningPlan, RestToolsLeaveLess)
     Job job = paperJob({roughD55(), finishV35(), backV35(), blade(8, ToolUse::Groove, 3, 0.2, 22)}, true);
     const TurningPlan plan = planned(job);
     expectSound(plan, "paper all");
-    // The shoulder keeps the finishing nose; the foot behind the collar and the end keep the blade's corner at most.
+    // The shoulder retains the radius of the finishing nose; the foot behind the collar and the end at most that of the
+    // blade corner.
     ASSERT_GE(plan.rest.size(), 2U);
     EXPECT_NEAR(plan.rest[0].left_mm, 0.1657, 0.002);
     EXPECT_NEAR(plan.rest[1].z_start_mm, 108, 0.05);
@@ -91,7 +92,7 @@ TEST(TurningPlan, RandomShaftsLeaveWhatTheCurvesSay)
         expectSound(plan, what);
         if (i % 2 == 1) continue;
         const SetupPlan& setup = plan.setups[0];
-        // Rounding moves what is left by up to 2 µm, and with it what is large enough to be listed.
+        // Rounding changes residuals by up to 2 µm, and so the list of those above the limit.
         constexpr double rounding_mm = 0.002;
         for (const Unreached& unreached : setup.predicted) {
             if (unreached.left_mm <= leastRest_mm + rounding_mm) continue;

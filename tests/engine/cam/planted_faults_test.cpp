@@ -1,4 +1,4 @@
-// Faults of one word in programs of our own: each is found at its line or the next, the untouched program has none.
+// Faults of one word in programs of our own: each is found at its line or the next; the original program has none.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -54,7 +54,7 @@ bool swapWord(std::string& line, const std::string& word, const std::string& by)
     return true;
 }
 
-/// A program with what its blocks are.
+/// A correct program with the operation of each block.
 struct Sound {
     std::string name, text;
     Job job;
@@ -147,7 +147,7 @@ TEST(PlantedFaults, DiameterTooSmallByThirtyMicrometres)
                 continue;
             ++planted;
             const CheckResult result = checkedAs(joined(lines), sound);
-            if (result.path.has_errors) {  // an arc behind the pass no longer ends on its circle
+            if (result.path.has_errors) {  // a following arc no longer ends on its circle
                 bool is_said = false;
                 for (const gcode::Diagnostic& diagnostic : result.path.diagnostics)
                     is_said = is_said || (diagnostic.error && std::abs(diagnostic.line - sound.moves[i].line) <= 1);
@@ -233,7 +233,7 @@ TEST(PlantedFaults, ArcTheOtherWay)
             if (move.kind != gcode::MoveKind::Arc ||
                 sound.operations[sound.operationOf(move.line)].kind != OperationKind::Finish)
                 continue;
-            // An arc that is worth seeing: its other half stands off by more than 0.05 mm.
+            // A relevant arc: its other half deviates by more than 0.05 mm.
             const gcode::Move& before = *(&move - 1);
             const double radius = std::hypot(move.x_mm - move.centre_x_mm, move.z_mm - move.centre_z_mm);
             const double chord = std::hypot(move.x_mm - before.x_mm, move.z_mm - before.z_mm);
@@ -266,7 +266,7 @@ TEST(PlantedFaults, NoseAndInsertThatAreNotTheJobs)
             if (tool.use == ToolUse::Finish) tool.nose_radius_mm = 0.8;
         const CheckResult nose = checkedAs(sound.text, other);
         const CheckResult right = checkedAs(sound.text, sound);
-        // Somewhere 0.05 mm more stay, or the drawing is cut.
+        // Either 0.05 mm more residual material, or a gouge.
         const auto is_more = [&](const RestInterval& rest) {
             return std::all_of(right.rest.begin(), right.rest.end(), [&](const RestInterval& known) {
                 return known.z_start_mm > rest.z_end_mm || known.z_end_mm < rest.z_start_mm ||

@@ -1,4 +1,4 @@
-// Posts as data, and the text that they make of moves.
+// Posts as data, and the program text of moves.
 #include "engine/cam/post/post.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Roughing and finish as G71 and G70: what is left, what is met, and when moves stay.
+// Roughing and finish as G71 and G70: residual material, collisions, and conditions for moves instead of cycles.
 #include "engine/cam/post/roughing_cycle.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +59,7 @@ TEST(RoughingCycle, LeavesWhatMovesLeave)
                 EXPECT_NEAR(cycles.rest[i].left_mm, moves.rest[i].left_mm, 0.002) << what;
                 EXPECT_NEAR(cycles.rest[i].z_start_mm, moves.rest[i].z_start_mm, 0.05) << what;
             }
-            // The finish takes the same way at the same speeds.
+            // Finishing has the same path and speeds.
             const auto finish_of = [](const TurningPlan& plan) {
                 const auto& all = plan.setups[0].operations;
                 return *std::find_if(all.begin(), all.end(),

@@ -1,4 +1,5 @@
-// The pruned search gives what trying every stroke at every point gives; distances are those of finely cut strokes.
+// The pruned search equals the exhaustive search over all strokes and points; distances are those of finely cut
+// strokes.
 #include "engine/cam/check/surface_deviation.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Work between chuck and tailstock: where the tool may stand, when the tailstock comes, what it leaves on the face.
+// Work between chuck and tailstock: allowed tool positions, engagement of the tailstock, residual material on the face.
 #include "engine/cam/tailstock.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ TEST(Tailstock, AllPostsGiveASoundProgram)
         ASSERT_GE(setup.operations.size(), 4U) << post;
         EXPECT_EQ(setup.operations[0].kind, OperationKind::Face) << post;
         EXPECT_EQ(setup.operations[1].kind, OperationKind::CentreDrill) << post;
-        // The stop stands after the drill's last block and before the next tool's first.
+        // The stop is between the last block of the drill and the first of the next tool.
         const std::size_t stop = setup.text.find("BRING THE TAILSTOCK");
         ASSERT_NE(stop, std::string::npos) << post;
         EXPECT_GT(stop, setup.text.find("CENTRE DRILL")) << post;
@@ -46,7 +46,7 @@ TEST(Tailstock, NothingFacesTheEndAfterItsHole)
         is_drilled = is_drilled || operation.kind == OperationKind::CentreDrill;
     }
     EXPECT_TRUE(is_drilled);
-    // X leaves alone, before Z.
+    // X is retracted before Z.
     EXPECT_NE(plan.setups[0].text.find("G28 U0.\nN"), std::string::npos);
     EXPECT_EQ(plan.setups[0].text.find("G28 U0. W0."), std::string::npos);
 }
@@ -77,7 +77,7 @@ TEST(Tailstock, StatedOutlineIsKeptClearOf)
             expectSound(plan, std::to_string(radius) + (drill ? " drill" : ""));
         }
     }
-    // Where the outline stands before the whole bar, the end stays as it is.
+    // If the outline covers the whole bar, the end is not faced.
     job.setup.tailstock = JobTailstock{5, {{-2, 30}, {-40, 30}}};
     job.tools.pop_back();
     const TurningPlan plan = planned(job, "fanuc_a");
@@ -92,7 +92,7 @@ TEST(Tailstock, CheckFindsAMoveIntoItOnlyAfterItCame)
     const Job job = tailstockJob();
     const TurningPlan plan = planned(job, "fanuc_a");
     const std::string& text = plan.setups[0].text;
-    // The finish comes down to X4 before the face: into the centre.
+    // Finishing goes down to X4 before the face: into the centre.
     const std::size_t finish = text.find("(FINISH)"), down = text.find("\nN", text.find(" X", text.find(" Z", finish)));
     ASSERT_NE(down, std::string::npos);
     std::string wrong = text;
@@ -103,13 +103,13 @@ TEST(Tailstock, CheckFindsAMoveIntoItOnlyAfterItCame)
     for (const CheckFinding& finding : result.findings)
         is_found = is_found || (finding.kind == CheckKind::Tailstock && std::abs(finding.line - line) <= 1);
     EXPECT_TRUE(is_found);
-    // The drill itself goes where the tailstock will stand.
+    // The drill works in the region of the later tailstock.
     EXPECT_TRUE(checkTurning(text, *job.shaft, job).findings.empty());
 }
 
 TEST(Tailstock, WhatItKeepsAToolFromIsPredictedWithItsCause)
 {
-    // The holder meets the tailstock's body before the tip is over the first rows.
+    // The holder collides with the tailstock before the tip reaches the first rows.
     Job job = tailstockJob();
     job.shaft->segments = {row(39, 28, 28), row(40, 34, 34), row(60, 42, 42)};
     job.tools = {roughD55(), finishD55(), centreDrill(9)};
@@ -135,7 +135,7 @@ TEST(Tailstock, WhatItKeepsAToolFromIsPredictedWithItsCause)
 TEST(Tailstock, WithTwoClampingsTheRingOnTheFirstFaceIsStillListed)
 {
     Job job = tailstockJob();
-    job.tools.pop_back();  // no drill: it stands from the start
+    job.tools.pop_back();  // no drill: engaged from the start
     job.shaft->segments = {row(40, 28, 28), row(40, 42, 42), row(50, 34, 34)};
     const TurningPlan plan = planned(job, "fanuc_a", SetupChoice::Two);
     ASSERT_EQ(plan.setups.size(), 2U);

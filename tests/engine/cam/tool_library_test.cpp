@@ -120,7 +120,7 @@ TEST(ToolLibrary, PlansWithHoldersOfTheLibrary)
     job.tools = {rough, finish};
     const TurningPlan plan = planned(job, "fanuc_a");
     expectSound(plan, "library");
-    // What is assumed is said, in the head of the program too.
+    // Assumed values are noted, also in the head of the program.
     EXPECT_EQ(std::count_if(plan.notes.begin(), plan.notes.end(),
                             [](const Note& note) { return note.code == notes::toolFromLibrary; }),
               4);
@@ -147,7 +147,7 @@ TEST(ToolLibrary, DeepRestIsTakenInPasses)
     for (const PlannedOperation& operation : plan.setups[0].operations)
         passes += operation.kind == OperationKind::SemiFinish && operation.tool == 3 ? 1 : 0;
     EXPECT_EQ(passes, 1U);
-    // What the finish still takes off is a step at most.
+    // Finishing removes at most one step.
     const PlannedOperation& last = plan.setups[0].operations.back();
     EXPECT_EQ(last.kind, OperationKind::Finish);
     EXPECT_LT(last.volume_cm3, 0.4 * 3.1416 * 6 * 1.4 * 7);

@@ -1,4 +1,4 @@
-// Programs of which the truth is known: nothing is found in sound ones, every planted fault is, at its line.
+// Programs with known faults: none found in correct programs, every planted fault found at its line.
 #include "engine/cam/check/turning_check.h"
 
 #include <gtest/gtest.h>
@@ -69,7 +69,7 @@ TEST(TurningCheck, ContourWithoutCompensationLeavesItsChamfer)
     EXPECT_EQ(result.verdict, Verdict::Fail);
 }
 
-/// One word changed; what is to be found, at which block.
+/// One changed word, with the expected finding and its block.
 struct Planted {
     const char* words;
     const char* by;
@@ -100,7 +100,7 @@ TEST(TurningCheck, FaultsInOneWordAreFoundAtTheirLines)
 
 TEST(TurningCheck, ArcTheOtherWayLeavesItsFillet)
 {
-    // Three quarters of a turn through the air: nothing is met, and the fillet stays.
+    // Three quarters of a turn through the air: no collision, and the fillet is not cut.
     const std::string text = replaced(textOf("small.nc"), "N360 G2", "N360 G3");
     const CheckResult result = checked(text, jobOf("small"));
     ASSERT_EQ(result.rest.size(), 1U);
@@ -129,7 +129,7 @@ TEST(TurningCheck, AnotherNoseAndAnotherInsertAreFound)
     EXPECT_FALSE(nose.findings.empty() && nose.rest.empty());
     EXPECT_GT(nose.gouge_um + 1000 * nose.left_max_mm, 100);
 
-    // 80° in place of 55°: the nose stays off the drawing, the back edge cuts into the falling cone.
+    // 80° in place of 55°: the nose does not gouge, the back edge cuts into the falling cone.
     job = jobOf("neck_all");
     job.tools[1].tip_angle_deg = 80;
     const std::string text = textOf("neck_all_fanuc_a.nc");
@@ -168,7 +168,7 @@ TEST(TurningCheck, CorrectedProgramIsCheckedAgainstDrawingAndCorrection)
 
 TEST(TurningCheck, SecondClampingStandsOnWhatTheFirstLeft)
 {
-    // The same small part, turned round: an empty second program leaves the chuck's side as it is.
+    // The same small part, turned round: an empty second program leaves the chuck side uncut.
     const Job job = jobOf("small");
     CheckParameters second;
     second.setup = 2;
@@ -180,7 +180,7 @@ TEST(TurningCheck, SecondClampingStandsOnWhatTheFirstLeft)
     EXPECT_NEAR(result.rest.front().z_start_mm, 0, 1e-6);
     EXPECT_NEAR(result.rest.front().left_mm, 1, 0.02);
     EXPECT_TRUE(contains(result.notes, notes::secondChuckUnknown));
-    // Facing it is air no more and leaves nothing; a rapid move there meets what is left.
+    // Facing it cuts stock and leaves no residual; a rapid move there collides with the remaining stock.
     const std::string face =
         "%\nO2\nN10 G21 G18 G40 G99\nT0202\nG96 S190 M3\nG0 X38. Z0.\nG1 X-0.8 F0.1\nZ2.\nG0 X38.\nM30\n%\n";
     const CheckResult faced = checked(face, job, second, inputs);
@@ -201,7 +201,7 @@ TEST(TurningCheck, AStatedXZeroIsAPlaceAndAnUnstatedOneIsNot)
             checked("G21 G18 G40 G90 G7 G95\nT1 M6\nG97 S500 M3\n" + start + "\nG0 X60.\nM2\n", job, parameters);
         return result.findings.size();
     };
-    EXPECT_EQ(found("G0 Z-10."), 0U);      // X is not known before it is named
+    EXPECT_EQ(found("G0 Z-10."), 0U);      // X is unknown before it is programmed
     EXPECT_GT(found("G0 X0. Z-10."), 0U);  // into the bar
 }
 

@@ -1,4 +1,4 @@
-// A dossier that is read back: every digest computed anew, every number looked up where it is said to stand.
+// Verification of a dossier: digests recomputed, numbers compared with their files.
 #include "engine/chain/dossier.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ InputFile fileAt(const std::string& folder, const std::string& name)
     return {name, static_cast<std::int64_t>(bytes.size()), io::sha256(bytes)};
 }
 
-/// Two steps, the second of which takes what the first one made.
+/// Two steps; the second uses the output of the first.
 struct SmallChain {
     ScratchFolder scratch;
     std::string folder = (scratch / "chain").string();

@@ -1,4 +1,4 @@
-// Prediction and measurement of a chain on one z, the bars of two clampings, and the machine fitted to the copy.
+// Predicted and measured errors of a chain, the stock of two clampings, and the machine identified from the copy.
 #include "engine/chain/proof.h"
 
 #include <gtest/gtest.h>
@@ -227,7 +227,7 @@ TEST(MachineFit, FindsTheMachineThatMadeTheCopy)
     EXPECT_LT(fit->found.rms_after_um, 0.05 * fit->found.rms_before_um);
     for (const deflection::IdentifiedFactor& factor : fit->found.factors)
         EXPECT_NEAR(factor.factor, factor.influence == deflection::Influence::Forces ? 1.2 : 0.7, 0.03);
-    // What goes back: the chain lays the bar anew, the panel takes it from where it lies.
+    // Returned set-up: the chain replaces the stock, the panel uses its original path.
     Notes notes;
     EXPECT_TRUE(deflection::readSetup(fit->setup_text, notes).stock.empty());
     EXPECT_NE(deflection::readSetup(fit->whole_text, notes).stock.find("bar.json"), std::string::npos);

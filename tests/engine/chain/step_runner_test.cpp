@@ -1,4 +1,4 @@
-// The runner of steps with verbs of the test: what is asked, what is taken over, what a look says.
+// The runner of steps with test verbs: steps run, reused steps, result of a dry run.
 #include "engine/chain/step_runner.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@
 namespace lathelier::chain {
 namespace {
 
-/// Verbs that copy their operands to their output, and refuse what says so.
+/// Test verbs that copy operands to outputs, and refuse marked operands.
 struct Workshop {
     ScratchFolder scratch;
     std::string folder = (scratch / "chain").string();
@@ -63,7 +63,7 @@ struct Workshop {
         runner.run({"draw", "draw", {runner.path("a.txt")}, {{"wish", wish}}, {{"--out", "b.txt"}}}, {});
         runner.run({"copy", "look", {scan}, {}, {{"--out", "c.txt"}}}, {});
         Dossier dossier = std::move(runner.dossier());
-        if (mode != RunMode::Look) {
+        if (mode != RunMode::DryRun) {
             io::writeFile(folder + "/" + dossierFile, report::toText(wholeDossier(dossier, {}, {})));
             earlier = std::make_shared<const Dossier>(dossier);
         }
@@ -84,7 +84,7 @@ using Names = std::vector<std::string>;
 TEST(StepRunner, ALookMakesNothing)
 {
     Workshop shop;
-    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{NotReached, NotReached, NotReached}));
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::DryRun)), (States{NotReached, NotReached, NotReached}));
     EXPECT_TRUE(shop.asked.empty());
     EXPECT_FALSE(std::filesystem::exists(shop.folder));
 }
@@ -114,7 +114,7 @@ TEST(StepRunner, ADossierFromTheDiskIsTakenOverToo)
     const Dossier again = shop.run(RunMode::OutOfDate);
     EXPECT_TRUE(shop.asked.empty());
     const Json json = wholeDossier(again, {}, {});
-    ASSERT_EQ(json["notes"].size(), 3u);  // as they were written, though this process has not run the steps
+    ASSERT_EQ(json["notes"].size(), 3u);  // as written, although this process has not run the steps
     EXPECT_EQ(json["assumed"].size(), 3u);
     EXPECT_EQ(json["steps"][0]["remarks"].size(), 1u);
 }
@@ -123,7 +123,7 @@ TEST(StepRunner, AChangedQuestionRunsTheStepAndWhatFollowsFromIt)
 {
     Workshop shop;
     shop.run(RunMode::Everything);
-    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look, "otherwise")), (States{Done, OutOfDate, Done}));
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::DryRun, "otherwise")), (States{Done, OutOfDate, Done}));
     EXPECT_TRUE(shop.asked.empty());
     shop.run(RunMode::OutOfDate, "otherwise");
     EXPECT_EQ(shop.asked, Names{"draw"});
@@ -134,7 +134,7 @@ TEST(StepRunner, AChangedFileRunsAllThatTookIt)
     Workshop shop;
     shop.run(RunMode::Everything);
     io::writeFile(shop.scan, "4 5 6 7\n");
-    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{OutOfDate, OutOfDate, OutOfDate}));
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::DryRun)), (States{OutOfDate, OutOfDate, OutOfDate}));
     shop.run(RunMode::OutOfDate);
     EXPECT_EQ(shop.asked, (Names{"read", "draw", "look"}));
 }
@@ -144,7 +144,7 @@ TEST(StepRunner, AFileOfTheChainThatWasChangedIsMadeAnew)
     Workshop shop;
     shop.run(RunMode::Everything);
     io::writeFile(shop.folder + "/b.txt", "by hand");
-    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{Done, OutOfDate, Done}));
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::DryRun)), (States{Done, OutOfDate, Done}));
     shop.run(RunMode::OutOfDate);
     EXPECT_EQ(shop.asked, Names{"draw"});
     EXPECT_NE(io::fileSha256(shop.folder + "/b.txt"), io::sha256("by hand"));
@@ -161,8 +161,8 @@ TEST(StepRunner, ARefusalStopsTheChainAndWhatWasMadeStays)
     ASSERT_TRUE(dossier.error());
     EXPECT_EQ(std::string(dossier.error()->code().key), "file_empty");
     EXPECT_EQ(io::fileSha256(shop.folder + "/c.txt"), made);
-    // A look says the same without asking; a run tries again.
-    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::Look)), (States{Failed, NotReached, NotReached}));
+    // A dry run gives the same without running verbs; a run tries again.
+    EXPECT_EQ(Workshop::statesOf(shop.run(RunMode::DryRun)), (States{Failed, NotReached, NotReached}));
     EXPECT_TRUE(shop.asked.empty());
     shop.run(RunMode::OutOfDate);
     EXPECT_EQ(shop.asked, Names{"read"});
@@ -173,11 +173,11 @@ TEST(StepRunner, AStopBringsBackWhatTheStepHadMade)
     Workshop shop;
     shop.run(RunMode::Everything);
     const std::string made = io::fileSha256(shop.folder + "/a.txt"),
-                      told = io::fileSha256(shop.folder + "/recognise.json");
+                      digest_before = io::fileSha256(shop.folder + "/recognise.json");
     io::writeFile(shop.scan, "stop\n");
     EXPECT_THROW(shop.run(RunMode::OutOfDate), Cancelled);
     EXPECT_EQ(io::fileSha256(shop.folder + "/a.txt"), made);
-    EXPECT_EQ(io::fileSha256(shop.folder + "/recognise.json"), told);
+    EXPECT_EQ(io::fileSha256(shop.folder + "/recognise.json"), digest_before);
     EXPECT_FALSE(std::filesystem::exists(shop.folder + "/.earlier"));
 }
 
@@ -244,7 +244,7 @@ TEST(StepRunner, AStepThatIsNoVerbFollowsItsFiles)
     int made = 0;
     const auto go = [&](RunMode mode) {
         StepRunner runner(shop.folder, shop.asker(), mode, shop.earlier);
-        runner.write("in.txt", mode == RunMode::Look ? "new" : "old");
+        runner.write("in.txt", mode == RunMode::DryRun ? "new" : "old");
         runner.make("proof", {"in.txt"},
                     [&] {
                         ++made;
@@ -252,13 +252,13 @@ TEST(StepRunner, AStepThatIsNoVerbFollowsItsFiles)
                     },
                     {});
         Dossier dossier = std::move(runner.dossier());
-        if (mode != RunMode::Look) shop.earlier = std::make_shared<const Dossier>(dossier);
+        if (mode != RunMode::DryRun) shop.earlier = std::make_shared<const Dossier>(dossier);
         return dossier.steps.front().state;
     };
     EXPECT_EQ(go(RunMode::Everything), Done);
     EXPECT_EQ(go(RunMode::OutOfDate), Done);
     EXPECT_EQ(made, 1);
-    EXPECT_EQ(go(RunMode::Look), OutOfDate);  // its file would be written anew
+    EXPECT_EQ(go(RunMode::DryRun), OutOfDate);  // its file would be rewritten
     EXPECT_EQ(shop.earlier->numbers.size(), 1u);
 }
 

@@ -1,4 +1,4 @@
-// Edits of bores: what each makes of the rows, and that depths count from the mouth.
+// Edits of bores: resulting rows, and depths from the mouth.
 #include "engine/core/bore_edit.h"
 
 #include <gtest/gtest.h>

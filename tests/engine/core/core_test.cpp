@@ -108,7 +108,7 @@ TEST(Texts, TranslationAndNumbersOfTheReader)
     EXPECT_EQ(fill("{a} {unit}: end", {{"a", 2.0}, {"unit", Text{}}}), "2: end");
 }
 
-// Codes are objects beside their rooms: found in the sources, so that none can be forgotten here.
+// Codes are objects beside their rooms: collected from the sources, so that none is missed.
 TEST(Codes, KeysAreUniqueAndPatternsNameNoValueCode)
 {
     const std::regex definition(R"re((Error|Note)Code (\w+)\{\s*"([^"]*)")re");
@@ -166,8 +166,7 @@ TEST(Parallel, SameBitsForAnyNumberOfThreads)
     EXPECT_EQ(sum(1), sum(0));
 }
 
-// A loop within a loop is whole or throws, whatever happens beside it: half of its results, taken for all, once ended
-// the program.
+// A nested loop completes or throws, whatever its siblings do: incomplete results once crashed the program.
 TEST(Parallel, AnErrorBesideALoopDoesNotCutIt)
 {
     for (int round = 0; round < 200; ++round) {
@@ -179,7 +178,7 @@ TEST(Parallel, AnErrorBesideALoopDoesNotCutIt)
             seen = inner;
         };
         EXPECT_THROW(parallelFor(2, 1, {}, both), std::runtime_error);
-        ASSERT_EQ(seen, 1000) << round;  // whole, or not begun
+        ASSERT_EQ(seen, 1000) << round;  // complete, or not started
     }
 }
 

@@ -1,4 +1,4 @@
-// Rows of a shaft edited as in a drawing: what changes, what stays, what follows.
+// Rows of a shaft edited as in a drawing: changed, kept and adapted sizes.
 #include "engine/core/shaft_edit.h"
 
 #include <gtest/gtest.h>

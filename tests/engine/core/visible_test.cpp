@@ -1,4 +1,4 @@
-// Text of unknown origin: nothing in it may hide, move or turn round what stands beside it.
+// Text of unknown origin must not hide, move or reverse neighbouring text.
 #include "engine/core/visible.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace lathelier::deflection {
 namespace {
 
 /// By unit loads: the work clamped behind the chuck's springs, the forces of the other springs as unknowns. Moments and
-/// shear forces are integrated over every piece of the plan with its radii as they are now.
+/// shear forces are integrated over every piece of the plan with its current radii.
 class ForceMethod {
 public:
     ForceMethod(const WorkPlan& plan, const TurningWork& work, const TurningSetup& setup)
@@ -71,7 +71,7 @@ private:
     const TurningSetup& setup_;
 };
 
-/// Takes the run up to each of some nodes and compares there.
+/// Simulates the run up to several nodes and compares there.
 void compareWithForceMethod(const Shaft& stock, std::vector<ToolRun> runs, const TurningSetup& setup)
 {
     const WorkPlan plan = workPlan(stock, runs, setup);
@@ -86,7 +86,7 @@ void compareWithForceMethod(const Shaft& stock, std::vector<ToolRun> runs, const
         const auto expected = static_cast<double>(ForceMethod(plan, work, setup).compliance(plan.z_mm[node]));
         // The last piece behind the tool is taken with the error of the node before it.
         EXPECT_NEAR(found / expected, 1, 2e-7) << share;
-        // Where nothing is cut both know the same work.
+        // Without cutting both have the same workpiece.
         TurningWork uncut(plan, setup);
         CutPlan air = plan.cuts.front();
         for (CutPiece& piece : air.pieces) piece.start_mm = piece.end_mm = 1e3;

@@ -1,4 +1,4 @@
-// Case A of the DRITTO paper at every printed place, and what wrong programs would give.
+// Case A of the DRITTO paper at every printed position, and the results of typical implementation errors.
 #include <gtest/gtest.h>
 
 #include <cmath>

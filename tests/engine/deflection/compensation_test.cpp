@@ -1,4 +1,4 @@
-// Correction: the direct formula, the written program, its corners, what it is worth on other plants, refusals.
+// Correction: the direct formula, the corrected program, its corners, robustness, refusals.
 #include "engine/deflection/compensation.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Compensation, DirectFormulaOfCaseA)
                 0.1);
     EXPECT_NEAR(2 * stations.back().x_mm, 27.989549, 2e-6);
 
-    // Programmed without rounding it leaves nothing: the same stations as a contour.
+    // Programmed without rounding it leaves no error: same stations as a contour.
     CutPlan corrected = plan.cuts.front();
     for (const Station& s : stations) {
         if (s.at_start) corrected.pieces[s.piece].start_mm = s.x_mm;
@@ -101,12 +101,12 @@ TEST(Compensation, StagesWithShoulderConeAndArc)
     // Where the feed changes the correction jumps: two corners at one z.
     EXPECT_TRUE(std::any_of(result.runs[1].nodes.begin(), result.runs[1].nodes.end(),
                             [](const CorrectedNode& node) { return node.z_mm == 160 && node.added; }));
-    // Ends of blocks stay where they were, in order, with their lines.
+    // Block ends are unchanged, in order, with their lines.
     std::vector<std::int64_t> lines;
     for (const CorrectedNode& node : result.runs[1].nodes)
         if (!node.added) lines.push_back(node.line);
     EXPECT_EQ(lines, (std::vector<std::int64_t>{14, 15, 16, 17, 18, 19, 20}));
-    // A given run that is not corrected stays as it was.
+    // A run that is not corrected is unchanged.
     CompensationParameters finish;
     finish.runs = CorrectedRuns::Finish;
     std::vector<ToolRun> hidden = straightCut(16, 280);

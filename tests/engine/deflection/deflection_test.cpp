@@ -1,4 +1,5 @@
-// Prediction: signatures of wrong programs, properties, passes that carry errors over, shapes of stock, refusals.
+// Prediction: signatures of implementation errors, properties, error propagation between passes, stock shapes,
+// refusals.
 #include "engine/deflection/deflection.h"
 
 #include <gtest/gtest.h>
@@ -134,7 +135,7 @@ TEST(Deflection, PassesCarryErrorsOver)
     runs.push_back(straightCut(14.5, 150).front());
     const DeflectionResult result = predictDeflection(caseAStock(), runs, caseASetup());
     ASSERT_EQ(result.passes.size(), 3U);
-    // The second pass takes what it was meant to, and what the first one left, less what it leaves itself.
+    // The second pass removes its nominal depth plus the error of the first pass minus its own.
     const PassResult &first = result.passes[0], &second = result.passes[1];
     EXPECT_NEAR(second.depth_mm[0], 1 + (first.diameter_error_um[0] - second.diameter_error_um[0]) / 2000, 1e-8);
     EXPECT_EQ(result.final.target_radius_mm.front(), 14.5);
@@ -154,11 +155,11 @@ TEST(Deflection, WhatACutTowardTheFreeEndLeavesIsNotJudged)
     EXPECT_NEAR(result.final.z_mm[result.final.gaps[0]], 160, 1e-9);
     EXPECT_EQ(result.summary.max_um, without.summary.max_um);
     EXPECT_EQ(result.summary.wear_offset_um, without.summary.wear_offset_um);
-    // A measured diameter in there has nothing to be compared with.
+    // A diameter measured there has no predicted value.
     const std::vector<MeasuredDiameter> inside{{140, 26, 1}}, beside{{100, 30, 1}};
     EXPECT_EQ(codeOfError([&] { MeasuredPlaces(result.final, inside); }), errors::measuredOutsideCut);
     EXPECT_NO_THROW(MeasuredPlaces(result.final, beside));
-    // Cut toward the chuck once more, it is judged again.
+    // After another cut toward the chuck it is predicted again.
     runs.push_back(straightCut(12.5, 200, 110).front());
     const DeflectionResult again = predictDeflection(caseAStock(), runs, caseASetup());
     EXPECT_TRUE(again.final.gaps.empty());
@@ -207,7 +208,7 @@ TEST(Deflection, RubbingIsNotedAndHasNoForce)
     EXPECT_TRUE(contains(result.notes, notes::belowScallop));
     EXPECT_EQ(result.passes.front().F_t_N.front(), 0);
     EXPECT_EQ(result.summary.max_um, 0);
-    // A very soft work holds no cut: it gives way until the edge rubs.
+    // A very compliant workpiece deflects until the edge rubs.
     TurningSetup soft = caseASetup();
     soft.tailstock.reset();
     const DeflectionResult thin = predictDeflection(rod(287.5, 6), straightCut(2.9, 280), soft);

@@ -1,4 +1,4 @@
-// What a window needs of a drawing to edit it: chains of lengths, what each text says, where the view lies.
+// Drawing data for editing: chains of lengths, targets of texts, position of the view.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What must hold of every drawing's placement.
+// Checks of the placement in a drawing.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Drawings of the six parts: what they say, and that it can be read.
+// Drawings of the six parts: their texts, and legibility.
 #include "engine/drawing/shaft_drawing.h"
 
 #include <gmock/gmock.h>
@@ -308,7 +308,7 @@ TEST(ShaftDrawing, ExtremesDoNotLeaveTheSheet)
         EXPECT_TRUE(drawing.complete) << size;
         EXPECT_TRUE(frameBox(drawing.sheet).contains(boxOf(drawing))) << size;
     }
-    Shaft many;  // 120 collars: more than any sheet can say
+    Shaft many;  // 120 collars: too many for any sheet
     for (int i = 0; i < 240; ++i)
         many.segments.push_back({1.25, i % 2 ? 20.0 : 25.0 + i, i % 2 ? 20.0 : 25.0 + i, 0, {}, ""});
     const Drawing drawing = drawShaft(many, {});

@@ -52,7 +52,7 @@ TEST(Nominal, Lengths)
 }
 
 /// Draws sizes as a drawing has them (whole 75 %, half 15 %, tenth 10 %), or any; makes them to ±IT8/2 (40 %),
-/// 0…-IT8 (40 %) or -IT8…-2·IT8 (20 %), measures them, and counts what is suggested, in percent.
+/// 0…-IT8 (40 %) or -IT8…-2·IT8 (20 %), measures them, and counts the suggestions, in percent.
 struct Shares {
     double right = 0, wrong = 0;
 };

@@ -20,7 +20,7 @@ TEST(Planes, AStepOfTheNoiseIsPlacedAsWellAsItIsSaid)
     for (std::uint64_t seed = 31; seed < 36; ++seed) {
         const Recognition r = recognize(scanShaft(shaft, askew(seed)), {});
         ASSERT_EQ(r.segments.size(), 4U) << seed;
-        const double shift = r.segments[2].z_end_mm - 60;  // of the free end, which is less sure
+        const double shift = r.segments[2].z_end_mm - 60;  // of the free end, which is less certain
         for (const std::size_t i : {0U, 1U}) {
             const double off = 1e3 * (r.segments[i].z_end_mm - shift - (i == 0 ? 20 : 40));
             EXPECT_NEAR(off, 0, 12) << seed << " step " << i;
@@ -139,7 +139,7 @@ TEST(Planes, WearDoesNotBendTheUndercutBesideIt)
         EXPECT_NEAR(r.segments[2].half_angle_deg, -15, 2) << seed;
         EXPECT_NEAR(r.segments[3].start_diameter_mm, 19.6, 6e-3) << seed;
         EXPECT_NEAR(r.segments[1].start_diameter_mm, 20 + 4 * 0.012 / 3, 2e-3) << seed;
-        EXPECT_GT(r.segments[1].form_pv_um, 9) << seed;  // the wear is told, though it was taken off
+        EXPECT_GT(r.segments[1].form_pv_um, 9) << seed;  // the wear is reported although it was subtracted
     }
 }
 

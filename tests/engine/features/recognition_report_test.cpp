@@ -1,4 +1,4 @@
-// What is said and drawn of a recognition: tables, charts, accepted sizes, the part of a shaft out of the chuck.
+// Report of a recognition: tables, charts, accepted sizes, the part of a shaft outside the chuck.
 #include "engine/features/recognition_report.h"
 
 #include <gtest/gtest.h>

@@ -187,7 +187,7 @@ TEST(Recognition, AWornSeatIsOneRowWithItsForm)
     EXPECT_NEAR(r.segments[0].form_pv_um, 15, 3);
     EXPECT_EQ(r.segments[2].kind, RowKind::Cylinder);
     EXPECT_NEAR(r.segments[2].taper_um, -12, 3);
-    // Without the tolerance nothing is taken together.
+    // Without the tolerance nothing is merged.
     RecognitionParameters exact;
     exact.form_tolerance_mm = 0;
     const Recognition all = recognize(scanShaft(worn, askew(7)), exact);

@@ -76,7 +76,7 @@ TEST(Refit, RowsOfTwoDiametersBecomeOneMeanCylinder)
     ASSERT_EQ(merged.segments.size(), 3U);
     EXPECT_GT(merged.segments[0].start_diameter_mm, 30);
     EXPECT_LT(merged.segments[0].start_diameter_mm, 31.5);
-    EXPECT_GT(merged.segments[0].residual_um, 200);  // and it says that it does not fit
+    EXPECT_GT(merged.segments[0].residual_um, 200);  // and the residual shows the misfit
     EXPECT_NEAR(merged.segments[0].z_end_mm, 108, 0.05);
 }
 

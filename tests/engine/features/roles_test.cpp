@@ -74,7 +74,7 @@ TEST(Roles, UndercutsAndGroove)
                             "undercut DIN 509 - F 0.8×0.3", "shoulder", "chamfer 0.5×45°", "chamfer 0.5×45°",
                             "shoulder", "fillet R1", "shoulder", "chamfer 1.5×45°"));
     EXPECT_EQ(nominalOf(part.segments[2], "length_mm"), 1.3);
-    EXPECT_EQ(nominalOf(part.segments[2], "z_mm"), -1);  // its width says it
+    EXPECT_EQ(nominalOf(part.segments[2], "z_mm"), -1);  // given by its width
     EXPECT_EQ(nominalOf(part.segments[1], "z_mm"), 12);
     EXPECT_EQ(nominalOf(part.segments[6], "undercut"), 0.6);
     EXPECT_EQ(nominalOf(part.segments[6], "z_mm"), 40);

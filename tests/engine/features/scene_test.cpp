@@ -176,7 +176,7 @@ TEST(Scene, ShouldersStayWhereAPartIsHeldByItsEnd)
         lost_elsewhere += part.points[i].z() < 108;
     }
     EXPECT_EQ(lost_elsewhere, 0U);
-    EXPECT_GT(lost, 0U);  // where the jaws touch, no point tells which of the two it is of
+    EXPECT_GT(lost, 0U);  // points at the contact of the jaws cannot be assigned
 }
 
 TEST(Scene, AMillionPointsGiveTheSameTwice)

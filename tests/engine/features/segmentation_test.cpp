@@ -1,4 +1,4 @@
-// The exact cutting against all cuttings, the likelihood on discrete rows, junctions and ties of the model.
+// The exact segmentation against all segmentations, the likelihood on discrete rows, junctions and ties of the model.
 #include "engine/features/segmentation.h"
 
 #include <gtest/gtest.h>
@@ -35,12 +35,12 @@ double bestOfAll(const std::vector<Wall>& walls)
         if (j == 0) return 0;
         if (known[j] >= 0) return known[j];
         double best = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + kLeastOfLine <= j; ++i) {
+        for (std::size_t i = 0; i + leastLineWalls <= j; ++i) {
             const double before = upTo(i);
             if (before == std::numeric_limits<double>::infinity()) continue;
             const std::span<const Wall> piece(walls.data() + i, j - i);
             best = std::min(best, before + lineCost(piece) + linePrice(n));
-            if (piece.size() >= kLeastOfArc) best = std::min(best, before + arcCost(piece) + arcPrice(n));
+            if (piece.size() >= leastArcWalls) best = std::min(best, before + arcCost(piece) + arcPrice(n));
         }
         return known[j] = best;
     };

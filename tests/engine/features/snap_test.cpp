@@ -125,7 +125,7 @@ TEST(Snap, MeasuredIsUntouched)
     EXPECT_NO_THROW(checkShaft(shaft));
 }
 
-/// Whatever is suggested, the contour closes and keeps the rules; what was drawn comes back.
+/// With any suggestions the contour is closed and valid; drawn sizes are recovered.
 TEST(Snap, PracticeParts)
 {
     for (const Table& truth : {tableOne(), undercutPart(), taperPart()})

@@ -1,4 +1,4 @@
-// Long profiles take shorter ways: the answers are those of the long ones.
+// Fast paths for long profiles give the results of the general ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>

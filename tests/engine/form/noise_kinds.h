@@ -96,10 +96,10 @@ inline std::vector<NoiseCase> noiseCases()
             {"stepped", stepped}};
 }
 
-/// What came of so many measurements of parts under one kind of noise.
+/// Coverage statistics of repeated measurements under one kind of noise.
 struct Coverage {
     int runs = 0, covered = 0;
-    double uncertainty_um = 0, error_um = 0;  ///< means
+    double uncertainty_um = 0, error_um = 0;  ///< mean values
 };
 
 /// The same part without noise.

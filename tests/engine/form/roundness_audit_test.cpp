@@ -1,4 +1,4 @@
-// Derived numbers where the data are uneven, interrupted, coarse or off centre: bounded, left out, or said.
+// Derived numbers where the data are uneven, interrupted, coarse or off centre: bounded, omitted, or noted.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What programs do: positions, modes, arcs, corners, cycles, flow, compensation.
+// Execution of programs: positions, modes, arcs, corners, cycles, flow, compensation.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace lathelier::gcode {
 namespace {
 
-/// The moves of both that cut or go somewhere known agree to 1e-9.
+/// Moves of both with known end points agree to 1e-9.
 void expectTwins(const std::string& fanuc, const std::string& linuxCnc)
 {
     const auto known = [](const Toolpath& path) {
@@ -23,7 +23,7 @@ void expectTwins(const std::string& fanuc, const std::string& linuxCnc)
     EXPECT_FALSE(two.has_errors);
     std::vector<Move> a = known(one);
     const std::vector<Move> b = known(two);
-    if (a.size() > b.size()) a.resize(b.size());  // the way home
+    if (a.size() > b.size()) a.resize(b.size());  // return moves
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(a[i].kind, b[i].kind) << i;

@@ -1,4 +1,4 @@
-// A program as an item: the same back, and what is none.
+// A program as an item: round trip, and invalid values.
 #include "engine/gcode/program_item.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Blocks and words: nothing of the text is lost, everything that is not understood is named with its place.
+// Blocks and words: the text is preserved, unsupported parts are reported with their positions.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

@@ -1,4 +1,4 @@
-// Changes of single words and blocks: the rest of the program stays as it was, and its moves too.
+// Changes of single words and blocks: the rest of the program and its moves are unchanged.
 #include <gtest/gtest.h>
 
 #include "engine/gcode/gcode_codes.h"

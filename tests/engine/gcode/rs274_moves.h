@@ -1,4 +1,4 @@
-// What LinuxCNC's interpreter makes of a program: its rs274 run alone, and the moves that it prints.
+// Moves of the LinuxCNC interpreter: runs stand-alone rs274 and parses its output.
 #pragma once
 
 #ifdef LATHELIER_RS274
@@ -27,7 +27,7 @@ inline std::vector<double> argumentsOf(const std::string& line, std::size_t open
     return found;
 }
 
-/// Moves that cut or position, of what rs274 prints. Its coordinates have the unit of the program.
+/// Cutting and positioning moves from the output of rs274. Its coordinates have the unit of the program.
 inline std::vector<Move> movesOf(std::istream& printed)
 {
     std::vector<Move> moves;
@@ -58,11 +58,11 @@ inline std::vector<Move> movesOf(std::istream& printed)
     return moves;
 }
 
-/// Prints what rs274 does of a program, in a folder of its own; expects it to end well.
+/// Runs rs274 on a program in a separate folder; expects success.
 inline std::vector<Move> movesOfLinuxCnc(const std::string& program, const std::filesystem::path& folder)
 {
     std::ofstream(folder / "program.ngc", std::ios::binary) << program;
-    // It refuses tools that are not in its table. Without an INI file it takes the table for inches: nothing but zeros.
+    // rs274 refuses tools missing in its table. Without INI file the table is in inches: all zeros.
     std::ofstream table(folder / "tools.tbl", std::ios::binary);
     for (int tool = 1; tool <= 20; ++tool) table << fmt::format("T{0} P{0} X0 Z0 D0\n", tool);
     table.close();

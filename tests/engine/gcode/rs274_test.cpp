@@ -1,4 +1,4 @@
-// Programs made at random against the interpreter of LinuxCNC. Part of the tests where its rs274 is installed.
+// Random programs against the interpreter of LinuxCNC. Built only if rs274 is installed.
 #include <gtest/gtest.h>
 
 #ifdef LATHELIER_RS274
@@ -19,7 +19,7 @@
 namespace lathelier::gcode {
 namespace {
 
-/// Writes blocks at random and keeps the place where the tool is.
+/// Generates random blocks and tracks the tool position.
 class RandomProgram {
 public:
     explicit RandomProgram(std::uint32_t seed) : random_(seed) {}
@@ -38,7 +38,7 @@ public:
 private:
     bool chance(double share) { return std::uniform_real_distribution<>(0, 1)(random_) < share; }
     double between(double low, double high) { return std::uniform_real_distribution<>(low, high)(random_); }
-    /// As a program can state it.
+    /// Rounded to the resolution of a program.
     double rounded(double mm) const { return std::round(mm / unit_mm_ * 1e5) / 1e5 * unit_mm_; }
     double wordOfX(double x_mm) const
     {

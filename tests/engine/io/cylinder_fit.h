@@ -1,4 +1,4 @@
-// A small geometric least-squares cylinder, to check that a cloud was read right.
+// A small geometric least-squares cylinder, to check that a cloud was read correctly.
 #pragma once
 
 #include <Eigen/Core>

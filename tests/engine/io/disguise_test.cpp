@@ -1,4 +1,4 @@
-// Text clouds in every disguise we could think of: what is read is exactly what was written.
+// Text clouds in many notations: the values read equal those written.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -124,8 +124,8 @@ TEST_P(RewrittenFile, isReadWholeOrRefused)
         }
         return torn;
     };
-    // A writer that gets no processor from the first look to the last cannot be told from one that is through: on a
-    // busy machine that happens now and then. Without the looks a fifth of the reads are torn, in every round.
+    // A writer preempted from the first check to the last cannot be distinguished from a finished one, which happens
+    // occasionally on a busy machine. Without the checks a fifth of the reads are inconsistent, in every round.
     int torn = tornOf(40);
     for (int round = 1; round < 3 && torn > 1; ++round) torn = tornOf(40);
     EXPECT_GT(refused, 0) << "the writer was never met";

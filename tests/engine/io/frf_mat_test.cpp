@@ -19,10 +19,10 @@ using testing::rawBytes;
 struct MatText {
     bool big = false;
     bool compressed = false;
-    bool storedSmall = false;  ///< real doubles as int16, as MATLAB does
+    bool stored_small = false;  ///< real doubles as int16, as MATLAB does
     std::string bytes;
 
-    MatText(bool isBig, bool isCompressed, bool isSmall) : big(isBig), compressed(isCompressed), storedSmall(isSmall)
+    MatText(bool isBig, bool isCompressed, bool isSmall) : big(isBig), compressed(isCompressed), stored_small(isSmall)
     {
         bytes = "MATLAB 5.0 MAT-file, made by a test";
         bytes.resize(124, ' ');
@@ -40,8 +40,8 @@ struct MatText {
     {
         std::string data;
         for (const double value : values)
-            data += storedSmall ? rawBytes(static_cast<std::int16_t>(value), big) : rawBytes(value, big);
-        return element(storedSmall ? 3 : 9, data);
+            data += stored_small ? rawBytes(static_cast<std::int16_t>(value), big) : rawBytes(value, big);
+        return element(stored_small ? 3 : 9, data);
     }
 
     void add(const std::string& name, const std::vector<double>& re, const std::vector<double>& im = {})

@@ -15,7 +15,7 @@ struct LGraphSetup {
     Made version = Made::One;
     std::string device = "L783";
     std::vector<int> active = {1, 3, 4};  ///< physical channels
-    std::vector<int> gainCodes = std::vector<int>(32, 0);
+    std::vector<int> gain_codes = std::vector<int>(32, 0);
     std::int64_t frames = 100;
     double channel_kHz = 10;
     double converter_kHz = 30;
@@ -76,7 +76,7 @@ inline std::string makePar(const LGraphSetup& setup)
             put<std::uint8_t>(par, 95 + k, 1);
     }
     for (std::size_t k = 0; k < 32; ++k)
-        put<std::uint8_t>(par, (wide ? 277 : 159) + k, static_cast<std::uint8_t>(setup.gainCodes[k]));
+        put<std::uint8_t>(par, (wide ? 277 : 159) + k, static_cast<std::uint8_t>(setup.gain_codes[k]));
     if (setup.version == Made::Two) {
         put<std::int32_t>(par, 223, 3);
         put<std::int64_t>(par, 227, setup.frames);

@@ -64,8 +64,8 @@ TEST_P(LGraphVersions, everySampleIsWhereItBelongs)
 {
     LGraphSetup setup;
     setup.version = GetParam();
-    setup.gainCodes[2] = 2;  // channel 3, × 4
-    setup.gainCodes[3] = 3;  // channel 4, × 8
+    setup.gain_codes[2] = 2;  // channel 3, × 4
+    setup.gain_codes[3] = 3;  // channel 4, × 8
     const io::ProbeFile file = readMade(setup);
     const io::ProbeRecord& made = record(file);
     ASSERT_EQ(made.channels.size(), 3U);

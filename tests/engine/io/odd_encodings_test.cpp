@@ -1,4 +1,4 @@
-// The same cloud in many disguises: a cylinder through it has the certified diameter (NIST, cylinder 1).
+// The same cloud in many encodings: a cylinder through it has the certified diameter (NIST, cylinder 1).
 #include <filesystem>
 
 #include "engine/io/io_codes.h"

@@ -29,7 +29,7 @@ double relative(const ReceptanceMatrix& a, const ReceptanceMatrix& b)
     return ((a - b).cwiseAbs().array() / b.cwiseAbs().array()).maxCoeff();
 }
 
-/// Springs with a cross term would tell the sign of L; two springs, one of them beside the chuck face, do it too.
+/// The sign of L is tested by two springs, one of them beside the chuck face, which have a cross term.
 TEST(Coupling, IsTheAssembledModel)
 {
     const std::vector<double> places{0, 60, 150, 200};

@@ -1,4 +1,4 @@
-// Responses that are something else than their label says.
+// Mislabelled responses.
 #include "engine/receptance/frf_checks.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Machines and shafts that the tests of coupling speak of.
+// Machines and shafts for the tests of coupling.
 #pragma once
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// SPINDLE.json, SHAFT.json, stock files and MEASUREMENTS.json: what they say and where they are wrong.
+// SPINDLE.json, SHAFT.json, stock files and MEASUREMENTS.json: content and located errors.
 #include <gtest/gtest.h>
 
 #include "../core/code_of_error.h"

@@ -1,4 +1,4 @@
-// Shafts, spindles and responses as items of the project: what they say comes back, and nothing else does.
+// Shafts, spindles and responses as items of the project: round trip, and rejection of other values.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Files of shafts, spindles and tap tests are told apart, and from everything else.
+// Files of shafts, spindles and tap tests are distinguished from each other and from other kinds.
 #include <gtest/gtest.h>
 
 #include "engine/io/json/json_head.h"

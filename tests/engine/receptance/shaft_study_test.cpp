@@ -131,11 +131,11 @@ TEST(ShaftReport, SaysMassAndCompliance)
 {
     const ShaftHolding holding{springs(), {}};
     const ShaftStudy study = studyShaft(newPart(), coarse(), holding);
-    const report::Answer said = answer(study);
-    EXPECT_NEAR(*said.value, study.modes.front().frequency_hz, 1e-7);
-    ASSERT_EQ(said.findings.size(), 2U);
-    EXPECT_NE(report::findingText(said.findings[0]).find("nm/N"), std::string::npos);
-    EXPECT_NE(report::findingText(said.findings[1]).find("200.0"), std::string::npos);
+    const report::Answer studyAnswer = answer(study);
+    EXPECT_NEAR(*studyAnswer.value, study.modes.front().frequency_hz, 1e-7);
+    ASSERT_EQ(studyAnswer.findings.size(), 2U);
+    EXPECT_NE(report::findingText(studyAnswer.findings[0]).find("nm/N"), std::string::npos);
+    EXPECT_NE(report::findingText(studyAnswer.findings[1]).find("200.0"), std::string::npos);
     const report::Document document = shaftReport(study, newPart(), holding);
     ASSERT_GE(document.sections.size(), 4U);
     EXPECT_EQ(document.sections[1].blocks.size(), 3U);

@@ -209,7 +209,7 @@ inline Scan boxInLines(std::uint64_t stream, double sigma_mm, double points_per_
 }
 
 /// A box of 60 × 40 × 30 mm twice; the copy with a raised disc on its top, in another pose. Clouds carry no normals.
-/// With `alike_mm` both are in scan lines, with noise alike so far along them.
+/// With `alike_mm` both are in scan lines, with noise correlated over that length.
 inline BoxScans boxTwice(std::uint64_t seed, double sigma_mm, double points_per_mm2, double height_mm, double across_mm,
                          bool reference_is_mesh, double alike_mm = 0)
 {

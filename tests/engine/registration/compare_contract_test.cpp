@@ -1,4 +1,4 @@
-// What compare() refuses, how it stops, and what scripts read of its answer.
+// compare(): errors, cancellation, and its JSON.
 #include <gtest/gtest.h>
 
 #include <atomic>

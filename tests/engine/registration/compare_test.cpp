@@ -45,12 +45,12 @@ double meanBetween(const CompareResult& result, const Pair& pair, double from_mm
 double truthBetween(double from_mm, double to_mm)
 {
     double sum = 0;
-    constexpr int kSteps = 1000;
-    for (int k = 0; k < kSteps; ++k) {
-        const double z = from_mm + (to_mm - from_mm) * (k + 0.5) / kSteps;
+    constexpr int profileSteps = 1000;
+    for (int k = 0; k < profileSteps; ++k) {
+        const double z = from_mm + (to_mm - from_mm) * (k + 0.5) / profileSteps;
         sum += radius_mm(sample::copiedShaft(), z) - radius_mm(sample::nominalShaft(), z);
     }
-    return sum / kSteps;
+    return sum / profileSteps;
 }
 
 Isometry3d motion(double angle, double shift)
@@ -77,10 +77,10 @@ TEST(Compare, ReadsTheErrorsPutIntoTheCopy)
     EXPECT_NEAR(meanBetween(result, pair, 140, 146), 0.040, 0.002);
     EXPECT_NEAR(meanBetween(result, pair, 178.5, 182.5), 0, 0.002);
     EXPECT_GT(result.statistics.overlap_percent, 99.9);
-    EXPECT_GT(result.statistics.min_mm, -0.5);  // sane beside the edges as well
+    EXPECT_GT(result.statistics.min_mm, -0.5);  // finite beside the edges as well
     EXPECT_LT(result.statistics.max_mm, 0.5);
 
-    // A reader of the zones sees the collar.
+    // The zones show the collar.
     const auto collar = std::find_if(result.zones.begin(), result.zones.end(),
                                      [](const Zone& z) { return z.z_start_mm > 97.9 && z.z_end_mm < 108.1; });
     ASSERT_NE(collar, result.zones.end());
@@ -101,7 +101,7 @@ TEST(Compare, WithItselfIsTheIdentity)
     EXPECT_NEAR(result.cloud_to_cloud_rmse_mm, 0, 1e-6);
     EXPECT_FALSE(contains(result.notes, notes::endForEnd));
     EXPECT_TRUE(contains(result.notes, notes::samePoints));
-    // The same points in another order are another measurement, as far as can be told.
+    // The same points in another order count as another measurement.
     Scan turned = pair.reference;
     std::reverse(turned.points_mm.begin(), turned.points_mm.end());
     const CompareResult other = compare(pair.reference, turned);

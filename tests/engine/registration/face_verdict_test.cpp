@@ -1,4 +1,4 @@
-// Faces across the axis: their place, the verdict about them, and where they say nothing.
+// Faces across the axis: their place, the verdict about them, and where they are left out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -96,7 +96,7 @@ TEST(FaceVerdict, FacesHaveALocalMeanToShow)
         const double r = p.head<2>().norm();
         if (std::abs(p.z()) > 0.2 || r > 14) continue;
         ++on_faces;
-        if (windows[i] != kNoWindow) ++shown;
+        if (windows[i] != noWindow) ++shown;
     }
     ASSERT_GT(on_faces, 1000U);
     EXPECT_GT(static_cast<double>(shown), 0.95 * static_cast<double>(on_faces));
@@ -122,26 +122,26 @@ TEST(FaceBins, ForgetsWhatNoiseMadeOfAFaceAndKeepsLandsAndSlopes)
     radii.insert(radii.end(), front.begin(), front.end());
     radii.push_back(12);
     RadiusProfile shoulder = profileOfRadii(radii, 0.1);
-    forgetFaceBins(shoulder, 0.1);
+    clearFaceBins(shoulder, 0.1);
     for (const std::size_t bin : {12U, 15U, 28U}) EXPECT_TRUE(std::isnan(shoulder.radius_mm[bin])) << bin;
     EXPECT_EQ(shoulder.radius_mm[11], 20);
     EXPECT_EQ(shoulder.radius_mm[16], 15);
 
     // The same bins of 2 mm are lands of the part.
     RadiusProfile lands = profileOfRadii(radii, 2);
-    forgetFaceBins(lands, 0.1);
+    clearFaceBins(lands, 0.1);
     EXPECT_EQ(lands.radius_mm[12], 18.9);
     // A groove is not between its sides, and a steep cone has many bins.
     RadiusProfile groove =
         profileOfRadii({20, 20, 20, 20, 20, 20, 20, 20, 20, 20, 17, 20, 20, 20, 20, 20, 20, 20, 20, 20}, 0.1);
-    forgetFaceBins(groove, 0.1);
+    clearFaceBins(groove, 0.1);
     EXPECT_EQ(groove.radius_mm[10], 17);
     std::vector<double> slope = side(20);
     for (int i = 1; i <= 6; ++i) slope.push_back(20 - 0.5 * i);
     const std::vector<double> low = side(16.5);
     slope.insert(slope.end(), low.begin(), low.end());
     RadiusProfile cone = profileOfRadii(slope, 0.1);
-    forgetFaceBins(cone, 0.05);
+    clearFaceBins(cone, 0.05);
     EXPECT_EQ(cone.radius_mm[13], 19);
 }
 

@@ -191,7 +191,7 @@ TEST(NearestDistances, AQueryThatIsNotFiniteHasNone)
     EXPECT_EQ(d[2], 1.0F);
 }
 
-// Each of these takes minutes where the index degenerates into comparing everything with everything.
+// Each of these takes minutes where the index degenerates to a brute-force search.
 TEST(NearestDistances, NoDistributionIsQuadratic)
 {
     const Points queries = unevenPoints(3, 200000);

@@ -1,4 +1,4 @@
-// Does the stated uncertainty of a general pose hold the truth?
+// Coverage of the stated uncertainty of a general pose.
 #include "engine/registration/general/general_uncertainty.h"
 
 #include <gtest/gtest.h>
@@ -56,8 +56,8 @@ Coverage coverageOf(Noise kind, bool onto_mesh)
     return c;
 }
 
-/// A statement of k = 2 holds 95 of 100 where the noise is what was assumed. Which neighbours are alike has to be found
-/// from the data: no less than 90, and the statement no more than four times the error that there is.
+/// Coverage of k = 2 is 95 % for independent noise. With a correlation length estimated from the data: at least 90 %,
+/// and an uncertainty of at most four times the true error.
 void expectHonest(const Coverage& c)
 {
     EXPECT_GE(c.translation, 90);

@@ -26,7 +26,7 @@ inline const char* nameOf(Noise kind)
 }
 
 /// About `count` points in scan lines 1.5 mm apart, in the order of the lines. Noise of `sigma_mm` along the normal:
-/// white, or alike over about 30 neighbours of a line (and white of a third of it).
+/// white, or correlated over about 30 neighbours of a line (plus white noise of a third).
 inline Scan noisyScan(const Scan& mesh, Noise kind, std::size_t count, double sigma_mm, std::uint64_t seed)
 {
     const Scan even = registration::sampleSurface(mesh, kind == Noise::UnevenCoverage ? 3 * count : count, seed);

@@ -1,4 +1,4 @@
-// What is a body of revolution and what is not: bores, rough zones, bends, arcs, and clouds that only look like one.
+// What is a body of revolution and what is not: bores, rough zones, bends, arcs, and clouds that resemble one.
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -45,15 +45,15 @@ std::pair<double, double> axisError(const RevolutionFit& fit, const Isometry3d& 
     return {place.head<2>().norm(), std::asin(std::min(1.0, direction.head<2>().norm())) * 180 / std::numbers::pi};
 }
 
-const sample::ShaftModel kDisc{{.z_start_mm = 0, .z_end_mm = 6, .radius_start_mm = 50, .radius_end_mm = 50}};
-const sample::ShaftModel kCone{{.z_start_mm = 0, .z_end_mm = 50, .radius_start_mm = 8, .radius_end_mm = 30}};
-const sample::ShaftModel kPin{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
+const sample::ShaftModel discModel{{.z_start_mm = 0, .z_end_mm = 6, .radius_start_mm = 50, .radius_end_mm = 50}};
+const sample::ShaftModel coneModel{{.z_start_mm = 0, .z_end_mm = 50, .radius_start_mm = 8, .radius_end_mm = 30}};
+const sample::ShaftModel pinModel{{.z_start_mm = 0, .z_end_mm = 80, .radius_start_mm = 10, .radius_end_mm = 10}};
 
 TEST(RevolutionAxis, IsFoundForAnyBodyInAnyPose)
 {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         const Isometry3d pose = anyPose(seed);
-        for (const sample::ShaftModel& model : {sample::nominalShaft(), kDisc, kCone, kPin}) {
+        for (const sample::ShaftModel& model : {sample::nominalShaft(), discModel, coneModel, pinModel}) {
             const double middle = (model.front().z_start_mm + model.back().z_end_mm) / 2;
             const RevolutionFit fit = fitRevolution(cloudOf(model, pose, 0.02));
             ASSERT_TRUE(isBodyOfRevolution(fit)) << "seed " << seed << " length " << 2 * middle;
@@ -100,7 +100,7 @@ TEST(RevolutionAxis, IsDeniedToOtherParts)
         << "square bar";
     EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(sample::nominalShaft(), anyPose(3), 0.02, 6))))
         << "hexagonal bar";
-    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(kDisc, anyPose(4), 0.02, 4)))) << "square plate";
+    EXPECT_FALSE(isBodyOfRevolution(fitRevolution(cloudOf(discModel, anyPose(4), 0.02, 4)))) << "square plate";
     // A crank: journals on one axis, two pins of the same size beside it.
     std::vector<Vector3d> crank = cloudOf(
         {{.z_start_mm = 0, .z_end_mm = 120, .radius_start_mm = 10, .radius_end_mm = 10}}, Isometry3d::Identity(), 0.02);
@@ -145,7 +145,7 @@ void expectWithin(const PairOptions& options, const Limits& limits, std::uint64_
         EXPECT_LT(e.radial_um, limits.radial_um) << "seed " << seed;
         EXPECT_LT(e.axis_deg, limits.axis_deg) << "seed " << seed;
         EXPECT_EQ(contains(alignment.notes, notes::endForEnd), options.flip);
-        // k = 2 covers the error but for the rare case; never a claim ten times too good or too modest
+        // k = 2 covers the error up to rare cases; never wrong by a factor of ten
         EXPECT_LT(e.axial_um, 2.5 * alignment.uncertainty.axial_um);
         EXPECT_LT(e.radial_um, 2 * alignment.uncertainty.radial_um);
         EXPECT_LT(e.axis_deg, 2 * alignment.uncertainty.axis_deg);

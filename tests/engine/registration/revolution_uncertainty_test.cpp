@@ -98,8 +98,8 @@ TEST(LeaningScans, AxialUncertaintyCoversTheTruth)
 {
     const LeaningScans scans(7.2);
     int covered = 0;
-    constexpr int kSets = 30;
-    for (int k = 0; k < kSets; ++k) {
+    constexpr int setCount = 30;
+    for (int k = 0; k < setCount; ++k) {
         const auto draw = [&](std::uint64_t i) { return randomUniform(431, static_cast<std::uint64_t>(k), i); };
         sample::ScannerModel b;
         b.seed = 2000 + static_cast<std::uint64_t>(k);
@@ -113,7 +113,7 @@ TEST(LeaningScans, AxialUncertaintyCoversTheTruth)
         if (std::abs(scan.axial_um) <= scan.alignment.uncertainty.axial_um) ++covered;
         EXPECT_LT(std::abs(scan.axial_um), 2.5 * scan.alignment.uncertainty.axial_um) << k;
     }
-    EXPECT_GE(covered, kSets * 90 / 100);
+    EXPECT_GE(covered, setCount * 90 / 100);
 }
 
 /// Adds noise along the scanner's rays, which run toward z.
@@ -128,11 +128,11 @@ void disturb(std::vector<Vector3d>& points, const std::function<double(std::size
 TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
 {
     enum Kind { White, Correlated, Quantised, Spiky, Stepped, Kinds };
-    constexpr int kSets = 20;
+    constexpr int setCount = 20;
     int all_radial = 0, all_angle = 0;
     for (int kind = 0; kind < Kinds; ++kind) {
         int radial = 0, angle = 0;
-        for (int k = 0; k < kSets; ++k) {
+        for (int k = 0; k < setCount; ++k) {
             const auto seed = static_cast<std::uint64_t>(100 * kind + k);
             sample::ScannerModel scanner;
             scanner.row_pitch_mm = 0.5;
@@ -170,14 +170,14 @@ TEST(AxisUncertainty, CoversTheTruthForEveryKindOfNoise)
             if (place.head<2>().norm() <= 2 * std::sqrt(c(0, 0) + c(1, 1))) ++radial;
             if (direction.head<2>().norm() <= 2 * std::sqrt(c(2, 2) + c(3, 3))) ++angle;
         }
-        // Of 20 sets at a coverage of 95 in 100, fewer than 16 hold the truth once in 400.
-        EXPECT_GE(radial, kSets * 80 / 100) << "noise of kind " << kind;
-        EXPECT_GE(angle, kSets * 80 / 100) << "noise of kind " << kind;
+        // With 20 sets at a coverage of 95 %, fewer than 16 contain the true value with probability 1/400.
+        EXPECT_GE(radial, setCount * 80 / 100) << "noise of kind " << kind;
+        EXPECT_GE(angle, setCount * 80 / 100) << "noise of kind " << kind;
         all_radial += radial;
         all_angle += angle;
     }
-    EXPECT_GE(all_radial, Kinds * kSets * 90 / 100);
-    EXPECT_GE(all_angle, Kinds * kSets * 90 / 100);
+    EXPECT_GE(all_radial, Kinds * setCount * 90 / 100);
+    EXPECT_GE(all_angle, Kinds * setCount * 90 / 100);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The local means that colour map and part: nearer to the truth than the points are, sharp at shoulders, and nothing
-// where the data carry nothing.
+// The local means that colour map and part: nearer to the truth than the points, sharp at shoulders, and empty without
+// data.
 #include "engine/registration/surface_form.h"
 
 #include <gtest/gtest.h>
@@ -30,9 +30,9 @@ TEST(SurfaceForm, IsFarNearerToTheTruthThanThePointsAndSharpAtTheCollar)
     const ShaftScans scans = shaftTwice(5, options);
     const CompareResult result = compare(scans.reference, scans.copy);
     const std::vector<std::uint32_t> windows = windowsOfPoints(scans.copy, result);
-    const double sure_mm = sureOfColours_mm(result);
-    EXPECT_LT(sure_mm, 0.01);
-    const std::vector<float> form = meansOf(*result.windows, windows, sure_mm);
+    const double sigma_limit_mm = colourSigmaLimit_mm(result);
+    EXPECT_LT(sigma_limit_mm, 0.01);
+    const std::vector<float> form = meansOf(*result.windows, windows, sigma_limit_mm);
     ASSERT_EQ(form.size(), scans.copy.points_mm.size());
     double squares = 0, raw = 0, collar = 0, collar_points = 0;
     std::size_t shown = 0;
@@ -49,7 +49,7 @@ TEST(SurfaceForm, IsFarNearerToTheTruthThanThePointsAndSharpAtTheCollar)
     }
     EXPECT_GT(static_cast<double>(shown), 0.9 * static_cast<double>(form.size()));
     const double rms = std::sqrt(squares / static_cast<double>(shown));
-    EXPECT_LT(rms, 2 * sure_mm);
+    EXPECT_LT(rms, 2 * sigma_limit_mm);
     EXPECT_LT(5 * rms, std::sqrt(raw / static_cast<double>(shown)));
     EXPECT_NEAR(collar / collar_points, 0.05, 0.003);
 }
@@ -74,7 +74,7 @@ TEST(SurfaceForm, WhatIsLeftOutHasNoColour)
     const std::vector<std::uint32_t> windows = windowsOfPoints(scans.copy, result);
     for (std::size_t i = 0; i < windows.size(); ++i) {
         if (result.used[i]) continue;
-        ASSERT_EQ(windows[i], kNoWindow);
+        ASSERT_EQ(windows[i], noWindow);
     }
     const std::vector<float> map = localMeansOfMap(result);
     const UnrolledMap& grid = *result.unrolled;
@@ -91,7 +91,7 @@ TEST(SurfaceForm, APartOfAnyShapeHasItToo)
     asked.symmetry = Symmetry::None;
     const CompareResult result = compare(scans.reference, scans.copy, asked);
     const std::vector<float> form =
-        meansOf(*result.windows, windowsOfPoints(scans.copy, result), sureOfColours_mm(result));
+        meansOf(*result.windows, windowsOfPoints(scans.copy, result), colourSigmaLimit_mm(result));
     double squares = 0;
     std::size_t shown = 0;
     for (const float mean : form) {
@@ -106,8 +106,8 @@ TEST(SurfaceForm, APartOfAnyShapeHasItToo)
 TEST(SurfaceForm, NothingToDecideWithoutWindows)
 {
     const SurfaceWindows none;
-    EXPECT_EQ(formReach_mm(none, 0.98), 0);
-    EXPECT_TRUE(std::isnan(meanOf(none, kNoWindow, 1)));
+    EXPECT_EQ(formLimit_mm(none, 0.98), 0);
+    EXPECT_TRUE(std::isnan(meanOf(none, noWindow, 1)));
     EXPECT_TRUE(meansOf(none, {}, 1).empty());
 }
 

@@ -1,4 +1,4 @@
-// The verdict about the surface: what passes, what fails, what stays open, and how sure the numbers are.
+// The verdict about the surface: pass, fail, undecided, and the coverage of the uncertainties.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing_bump;
 
-/// What the verdict needs, of a part that is no body of revolution.
+/// Input of the verdict for a part that is no body of revolution.
 CompareResult compareQuickly(const BoxScans& scans, CompareParameters asked)
 {
     asked.symmetry = Symmetry::None;
@@ -45,7 +45,7 @@ TEST(SurfaceVerdict, TheSameShapeTwicePassesWhateverTheNoise)
 }
 
 /// Rows 0.2 mm apart, a spot of 0.15 mm, and a part that does not lean against the rows: shoulders between two rows are
-/// seen no better than the rows lie apart, the chamfer tells the place.
+/// known to the row spacing only, the chamfer determines the shift.
 TEST(SurfaceVerdict, RowsCoarserThanTheSpotMoveNothing)
 {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -183,7 +183,7 @@ TEST(SurfaceVerdict, ZonesHaveLimitsOfTheirOwn)
     judge(result, asked);
     EXPECT_EQ(result.verdict, Verdict::Fail);
     EXPECT_EQ(result.zones[1].verdict, Verdict::Fail);
-    asked.tolerance_mm.reset();  // zones judge alone
+    asked.tolerance_mm.reset();  // only zones have limits
     asked.zones = {{"end", 120, 170, -0.05, 0.07}};
     judge(result, asked);
     EXPECT_EQ(result.verdict, Verdict::Pass);

@@ -1,4 +1,4 @@
-// Abbreviations are told from the words and units around them.
+// Abbreviations are distinguished from words and units around them.
 #include "engine/report/abbreviations.h"
 
 #include <gtest/gtest.h>

@@ -178,8 +178,8 @@ TEST(ChartCsv, BarsStandAtTheirMiddlesAndNamesAreQuoted)
     plot.y = {std::string("amplitude"), Text{"µm"}};
     plot.curves = {{{}, {0.5, 1.5, 2.5}, {3, NAN}, report::Curve::Style::Bars}};
     EXPECT_EQ(toCsv(plot), "\"z, along (mm)\",amplitude (µm)\n1,3\n2,\n");
-    plot.curves[0].said = {0.125, 0.25};
-    plot.curves[0].said_unit = Text{"mm"};
+    plot.curves[0].readout_y = {0.125, 0.25};
+    plot.curves[0].readout_unit = Text{"mm"};
     EXPECT_EQ(occurrences(toCsv(plot), "0.125"), 1u);
 }
 

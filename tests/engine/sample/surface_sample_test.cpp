@@ -1,4 +1,4 @@
-// The photographs of the sample against its machine and against their own truth.
+// The photographs of the sample against its machine and their known truth.
 #include "engine/sample/surface_sample.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What is heard of a cut: its growth and frequency against the characteristic equation, and no jump at any change.
+// Audio signal of a cut: growth and frequency against the characteristic equation, continuity at changes.
 #include "engine/stability/simulation/cut_stream.h"
 
 #include <gtest/gtest.h>

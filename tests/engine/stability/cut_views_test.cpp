@@ -1,4 +1,4 @@
-// Looks at a simulated cut: phase and marks against worked numbers, waves, surface, amplitude, spectrum, reasons.
+// Views of a simulated cut: phase and marks against worked numbers, waves, surface, amplitude, spectrum, explanation.
 #include "engine/stability/simulation/cut_views.h"
 
 #include <gtest/gtest.h>

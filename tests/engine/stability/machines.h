@@ -1,4 +1,4 @@
-// What several tests of the room cut on, and with.
+// Machines and cutting data shared by the tests of the room.
 #pragma once
 
 #include <vector>

@@ -33,7 +33,7 @@ TEST(MarksItem, ComesBackFromItsValues)
 TEST(MarksItem, IsComparedWithTheModelAtItsSpeed)
 {
     const LobeResult lobes = model();
-    const double at_2016 = pointOfWork(lobes, 2016, 0).frequency_hz;
+    const double at_2016 = pointStabilityAt(lobes, 2016, 0).frequency_hz;
     const auto check = checkModel({"", 2016, 1.02 * at_2016, 1, {}}, lobes);
     ASSERT_TRUE(check);
     EXPECT_NEAR(check->model_hz, at_2016, 1e-9);

@@ -20,7 +20,7 @@
 namespace lathelier::stability {
 namespace {
 
-const std::vector<Mode> out_of_phase{{223, 0.03, 1e4}, {560, 0.03, -2e4}};  // of places that move opposite ways
+const std::vector<Mode> out_of_phase{{223, 0.03, 1e4}, {560, 0.03, -2e4}};  // of points moving in opposite directions
 const std::vector<Mode> three{{223, 0.03, 1e4}, {410, 0.02, 3e4}, {905, 0.01, 5e4}};
 
 SimulationParameters cutting(double speed_rpm, double depth_mm, int revolutions = 1)
@@ -65,20 +65,20 @@ TEST(Simulation, AgreesWithTheExactBoundary)
         }
 }
 
-/// The papers' N = 60 f/k says at most of 30 points the wrong thing; the exact relation at none.
+/// The papers' N = 60 f/k is wrong at most of 30 points; the exact relation at none.
 TEST(Simulation, ThePublishedRelationAgreesAtFewPoints)
 {
     int published = 0;
     for (std::uint64_t i = 0; i < 30; ++i) {
         const double speed = drawnSpeed(i, 1200, 6000), exact = limitAt(paperA, speed);
-        const double said = limitAt(paperA, speed, SpeedRelation::Published);
-        const double depth = std::sqrt(exact * said);  // between the two, unless they agree
+        const double published_depth = limitAt(paperA, speed, SpeedRelation::Published);
+        const double depth = std::sqrt(exact * published_depth);  // between the two, unless they agree
         const bool chatters = simulate(paperA, cutting(speed, depth)).cut == CutVerdict::Chatter;
         EXPECT_EQ(chatters, depth > exact) << speed;
-        published += chatters == (depth > said);
+        published += chatters == (depth > published_depth);
     }
     EXPECT_EQ(published, 0);
-    // At depths that know of neither relation it is right now and then.
+    // At depths independent of both relations it is sometimes right.
     int right = 0;
     for (std::uint64_t i = 0; i < 30; ++i) {
         const double speed = drawnSpeed(i, 2500, 4500), depth = 0.31 + 0.5 * randomUniform(7, 2, i);
@@ -257,7 +257,7 @@ TEST(ProcessDamping, TheSimulationAgreesWithItsLobes)
     const LobeResult lobes = findLobes(frfOf(paperA, 9000), damped({300, 4300}, 4001));
     for (std::uint64_t i = 0; i < 10; ++i) {
         const double speed = std::round(drawnSpeed(i, 320, 4200));
-        const double limit = pointOfWork(lobes, speed, 0).limit_mm;
+        const double limit = pointStabilityAt(lobes, speed, 0).limit_mm;
         ASSERT_TRUE(std::isfinite(limit)) << speed;
         for (const double share : {0.95, 1.05}) {
             SimulationParameters p = cutting(speed, share * limit);

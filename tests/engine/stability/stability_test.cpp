@@ -81,7 +81,7 @@ TEST(Lobes, FulfilTheCharacteristicEquation)
         else
             EXPECT_NEAR(worst, 1, 1e-9);
     }
-    // On the lines themselves there is nothing between.
+    // On the lines themselves there is no interpolation error.
     const Frf frf = frfOf(modes, 9000);
     for (const auto& stretch : boundaryOf(frf, 1, 1))
         for (const BoundaryPoint& point : stretch) {
@@ -200,12 +200,12 @@ TEST(Lobes, TheBandHoldsTheLimitAndGrowsWithTheUncertainty)
         EXPECT_LE(result.band->low_mm[i], result.limit.depth_mm[i] * 1.0001);
         EXPECT_GE(result.band->high_mm[i], result.limit.depth_mm[i] * 0.9);
     }
-    const PointOfWork below = pointOfWork(result, 3200, 0.1), above = pointOfWork(result, 3200, 5);
+    const PointStability below = pointStabilityAt(result, 3200, 0.1), above = pointStabilityAt(result, 3200, 5);
     EXPECT_TRUE(below.stable);
     EXPECT_EQ(below.probability_stable, 1);
     EXPECT_FALSE(above.stable);
     EXPECT_EQ(above.probability_stable, 0);
-    const PointOfWork at = pointOfWork(result, 3200, below.limit_mm);
+    const PointStability at = pointStabilityAt(result, 3200, below.limit_mm);
     EXPECT_GT(at.probability_stable, 0.2);
     EXPECT_LT(at.probability_stable, 0.8);
 }

@@ -163,7 +163,7 @@ RC_GTEST_PROP(MeridianStockProperty, TheOrderOfCutsDoesNotMatter, (unsigned seed
     }
 }
 
-/// Shoelace over all closed polylines: cavities count against it, for the material lies to the left.
+/// Shoelace over all closed polylines: cavities count negative, as material is on the left.
 double areaOf(const StockOutline& outline)
 {
     double twice = 0;

@@ -1,5 +1,5 @@
-// Whole turning programs as a control gets them: they collide with nothing, a planted rapid move does, and finer
-// columns change nothing.
+// Complete turning programs: free of collisions, a planted rapid move collides, and results do not depend on the column
+// width.
 #include <gtest/gtest.h>
 
 #include <cmath>

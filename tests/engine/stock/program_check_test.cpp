@@ -91,7 +91,7 @@ TEST(DrawnPath, KnowsItsBlocks)
     EXPECT_TRUE(drawn.piecesOf(1).empty());
     EXPECT_TRUE(drawn.piecesOf(-3).empty());
     EXPECT_TRUE(drawn.piecesOf(1000).empty());
-    EXPECT_FALSE(drawn.isPiece(drawn.piecesOf(7).front()));  // comes from nowhere
+    EXPECT_FALSE(drawn.isPiece(drawn.piecesOf(7).front()));  // start unknown
     EXPECT_EQ(drawn.corner(drawn.piecesOf(9).front()), (Corner{50, 15}));
     EXPECT_EQ(drawn.lineOf(drawn.nearest({30, 15.2}, 0.1, 0.1)), 9);
     EXPECT_EQ(drawn.lineOf(drawn.nearest({10, 14.1}, 0.1, 0.1)), 13);
@@ -106,7 +106,7 @@ TEST(DrawnPath, IsThinnedToWhatIsSeen)
     const DrawnPath drawn(moves, 0, moves.size());
     const PathWindow whole = drawn.whole(1000);
     const report::Curve all = drawn.curves(whole).front();
-    EXPECT_LT(all.x.size(), 15000U);  // of 200 000; it goes up and down three times
+    EXPECT_LT(all.x.size(), 15000U);  // of 200 000; the path oscillates three times
     EXPECT_EQ(all.x.back(), 200.0);   // the end is there
     // Enlarged a thousand times every corner within is drawn again.
     PathWindow part = whole;
@@ -116,7 +116,7 @@ TEST(DrawnPath, IsThinnedToWhatIsSeen)
     const report::Curve near = drawn.curves(part).front();
     EXPECT_GT(near.x.size(), 190U);
     EXPECT_LT(near.x.size(), 220U);
-    // The same way a hundred times is drawn once.
+    // A path repeated a hundred times is drawn once.
     std::vector<Move> again;
     for (int k = 0; k < 20000; ++k)
         for (const double z : {0., -100.}) again.push_back(moveTo(MoveKind::Feed, 10, z, 1));
@@ -158,11 +158,11 @@ TEST(ProgramCheck, ErrorsAreAnAnswer)
 {
     const ProgramCheck check = checkProgram("%\nO1\nG21 G99\nG0 X4$0.\nM30\n%\n", {}, barOf(36, 100));
     EXPECT_FALSE(check.stock);
-    const report::Answer said = answer(check);
-    EXPECT_EQ(said.verdict, Verdict::Fail);
-    EXPECT_FALSE(said.value);
-    ASSERT_FALSE(said.findings.empty());
-    EXPECT_EQ(said.findings.front().place.line, std::optional<std::int64_t>(4));
+    const report::Answer shown_answer = answer(check);
+    EXPECT_EQ(shown_answer.verdict, Verdict::Fail);
+    EXPECT_FALSE(shown_answer.value);
+    ASSERT_FALSE(shown_answer.findings.empty());
+    EXPECT_EQ(shown_answer.findings.front().place.line, std::optional<std::int64_t>(4));
     EXPECT_FALSE(programReport(check, check.notes).sections.empty());
 }
 

@@ -1,4 +1,4 @@
-// What a program does to its stock: closed forms, located findings, what is none, limits, properties.
+// Stock removal by a program: closed forms, located findings, absence of false findings, limits, properties.
 #include "engine/stock/stock_check.h"
 
 #include <gtest/gtest.h>
@@ -187,7 +187,7 @@ TEST(StockCheck, AMoveFromAReferencePointHasNoPath)
     const Note* note = noteOf(result, notes::startUnknown);
     ASSERT_NE(note, nullptr);
     EXPECT_EQ(std::get<std::int64_t>(*find(note->values, "count")), 2);
-    // Its end alone is checked.
+    // Only its end is checked.
     const StockResult inside = run(bar(60, 40), "G28 U0. W0.\nG0 X30. Z-20.\n", with(insertC()));
     ASSERT_EQ(inside.findings.size(), 1U);
     EXPECT_EQ(inside.findings[0].path, MovePath::Programmed);

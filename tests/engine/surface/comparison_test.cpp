@@ -1,5 +1,5 @@
-// Two pictures of one surface are laid over each other; those of two cuts are not. The same answer from 16 bits and
-// from a picture made smaller.
+// Two pictures of one surface are registered; those of two cuts are not. Equal results from 16 bits and from a reduced
+// picture.
 #include "engine/surface/picture_comparison.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Curved fields, their scale from the feed, coarse pictures, and what readings are left open.
+// Curved fields, their scale from the feed, coarse pictures, and ambiguous readings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ SyntheticParameters chatteringOverview(int seed)
     return truth;
 }
 
-/// Several waves are in view, and the whole number of them is still not known.
+/// Several waves are visible, but their number per revolution remains unknown.
 TEST(CurvedField, ThatIsNotUnrolledIsNeverCertain)
 {
     const SyntheticParameters truth = chatteringOverview(3);
@@ -38,9 +38,9 @@ TEST(CurvedField, ThatIsNotUnrolledIsNeverCertain)
     EXPECT_GT(marks.chatter_marks->candidates_hz.size(), 1U);
     EXPECT_TRUE(contains(result.notes, notes::curvatureIgnored));
     EXPECT_FALSE(contains(result.notes, notes::wavesUncertain));  // there are enough of them
-    const auto said = certaintySentence(marks);
-    ASSERT_TRUE(said);
-    EXPECT_NE(std::string(said->pattern.english).find("curves away"), std::string::npos);
+    const auto sentence = certaintySentence(marks);
+    ASSERT_TRUE(sentence);
+    EXPECT_NE(std::string(sentence->pattern.english).find("curves away"), std::string::npos);
 
     const ImageMarks unrolled = marksOf(picture, known(truth));
     EXPECT_TRUE(unrolled.unrolled && !unrolled.curved && unrolled.chatter_marks->m_certain);
@@ -60,7 +60,7 @@ TEST(CurvedField, IsUnrolledWithTheScaleFromTheFeed)
     EXPECT_TRUE(marks.chatter_marks->m_certain);
     EXPECT_NEAR(*marks.chatter_marks->frequency_hz, 361, 0.3);
 
-    // Which line is the feed's is not known without a direction: nothing is certain then.
+    // Without a direction the feed line is ambiguous: no certainty.
     p.feed_direction_deg.reset();
     const ImageMarks open = marksOf(syntheticPicture(truth), p);
     EXPECT_TRUE(!open.chatter_marks || !open.chatter_marks->m_certain);
@@ -106,7 +106,7 @@ SyntheticParameters coarse(double px_per_feed)
     return truth;
 }
 
-/// Under two pixels for a feed the marks that are seen are an alias; from two on they are the marks themselves.
+/// Below two pixels per feed the visible marks are aliases; from two on they are the true marks.
 TEST(CoarsePicture, AnAliasIsToldFromTheMarks)
 {
     const Error aliased = refusal(coarse(1.45));  // 0.69 cycles per pixel are seen as 0.31
@@ -118,7 +118,8 @@ TEST(CoarsePicture, AnAliasIsToldFromTheMarks)
     EXPECT_EQ(refusal(coarse(2.4)).code(), errors::feedNotResolved);
 }
 
-/// |ν| above ¼ with the sign open: n (m + ν) and n (m + 1 - |ν|)… the nearest of all readings, whatever is listed.
+/// |ν| above ¼ with the sign open: n (m + ν) and n (m + 1 - |ν|)…: the nearest of all readings, including unlisted
+/// ones.
 TEST(Readings, TheNearestOtherIsThatOfAllReadings)
 {
     ChatterLattice lattice;
@@ -144,9 +145,9 @@ TEST(Readings, TheNearestOtherIsThatOfAllReadings)
     EXPECT_NEAR(*open.nearest_other_hz, 30 * (1 - 2 * 0.4), 0.1);
     facts.feed_direction_deg = 0;
     facts.cut = CutDirection::Down;
-    const ChatterMarks sure = readChatter(lattice, feed, facts, "a", notes);
-    EXPECT_NEAR(sure.nu, nu, 1e-3);
-    EXPECT_NEAR(*sure.nearest_other_hz, 30, 0.1);
+    const ChatterMarks determined = readChatter(lattice, feed, facts, "a", notes);
+    EXPECT_NEAR(determined.nu, nu, 1e-3);
+    EXPECT_NEAR(*determined.nearest_other_hz, 30, 0.1);
 }
 
 /// Speeds: one may be unknown, and each picture may have its own scale and direction.

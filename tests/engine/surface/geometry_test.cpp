@@ -22,8 +22,7 @@ TEST(ChatterGeometry, WorkedExample)
     EXPECT_NEAR(helixAngle_deg(0.1, 30), 0.061, 5e-4);
 }
 
-/// Every line K_c + j K_f of the lattice, or its opposite, reads as the same vibration, whichever way the camera is
-/// held.
+/// Every line K_c + j K_f of the lattice, or its opposite, reads as the same vibration for any camera orientation.
 TEST(ChatterGeometry, EveryLineReadsTheSame)
 {
     const double f = 0.1, D = 30, mm_per_px = 0.006;

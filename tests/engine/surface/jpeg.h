@@ -1,4 +1,4 @@
-// A picture through a JPEG file: what cameras do to it.
+// A picture compressed as JPEG, as by cameras.
 #pragma once
 
 #include <string>

@@ -31,7 +31,7 @@ inline SyntheticParameters overview(int seed)
     return p;
 }
 
-/// What is known of such a picture beforehand, directions included.
+/// Prior knowledge of such a picture, including directions.
 inline SurfaceParameters known(const SyntheticParameters& truth)
 {
     SurfaceParameters p;

@@ -1,4 +1,4 @@
-// Questions: the same number is the same picture, the truth can be found in it, and wrong answers are told apart.
+// Questions: reproducible by number, solvable, and wrong answers are classified.
 #include "engine/surface/quiz.h"
 
 #include <gtest/gtest.h>

@@ -82,7 +82,7 @@ TEST(Surface, OverviewSettlesTheFrequency)
     EXPECT_NEAR(*marks.chatter_marks->frequency_hz, 361, 0.3);
     EXPECT_NEAR(*marks.chatter_marks->frequency_uncertainty_hz, 1.8, 0.1);  // half a percent of the speed
 
-    SurfaceParameters nothing_known = known(truth);  // both hands are told, the usual one first
+    SurfaceParameters nothing_known = known(truth);  // both signs of ν are listed, the usual one first
     nothing_known.feed_direction_deg.reset();
     nothing_known.cut_direction = CutDirection::Unknown;
     const SurfaceResult both = findSurfaceMarks({{"a", picture}}, nothing_known);
@@ -181,7 +181,7 @@ TEST(Surface, RefusesWhatItCannotSee)
     const SyntheticParameters truth = smallField(6);
     const io::Image picture = syntheticPicture(truth);
     SurfaceParameters p = known(truth);
-    p.mm_per_px = 0.03;  // 3.3 px for a feed, as far as anyone is told
+    p.mm_per_px = 0.03;  // 3.3 px per feed by the stated scale
     EXPECT_STREQ(refusalOf([&] { marksOf(picture, p); }), errors::feedNotResolved.key);
     p = known(truth);
     p.roi = {{0, 0, 200, 100}};

@@ -1,4 +1,4 @@
-// Stripes on the crests of a wave, and what the sentences about a picture say.
+// Stripes on the crests of a wave, and the sentences about a picture.
 #include "engine/surface/surface_words.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace lathelier::surface {
 namespace {
 
-std::string said(const report::Paragraph& paragraph)
+std::string englishText(const report::Paragraph& paragraph)
 {
     return fill(paragraph.pattern.english, paragraph.values);
 }
@@ -60,7 +60,7 @@ TEST(Stripes, StandOnTheCrestsOfTheWave)
                 static_cast<float>(std::cos(2 * std::numbers::pi * (frequency.x * x + frequency.y * y + phase)));
     EXPECT_NEAR(phaseOf(grid, frequency), phase, 0.002);
     const auto stripes = stripesOf(frequency, phase, grid.columns, grid.rows);
-    // From corner to corner |k|·(width, height) turns are crossed.
+    // From corner to corner the wave has |k|·(width, height) turns.
     EXPECT_NEAR(static_cast<double>(stripes.size()), 0.031 * 300 + 0.012 * 200, 1.01);
     for (const auto& [a, b] : stripes)
         for (const Vector& end : {a, b}) {
@@ -79,24 +79,28 @@ TEST(Stripes, OfNothingOrOfTooManyAreNone)
     EXPECT_TRUE(stripesOf({0.5, 0}, 0, 1e5, 10).empty());
 }
 
-TEST(SurfaceWords, TheRefereeDecidesByTheRestOfAWave)
+TEST(SurfaceWords, TheSpeedRelationCheckFollowsTheFractionOfAWave)
 {
-    EXPECT_EQ(refereeOf(*marksWithNu(-0.256, ChatterKind::Regenerative).chatter_marks), Referee::Exact);
-    EXPECT_EQ(refereeOf(*marksWithNu(-0.02, ChatterKind::Forced).chatter_marks), Referee::Published);
-    EXPECT_EQ(refereeOf(*marksWithNu(0.25, ChatterKind::Forced).chatter_marks), Referee::Neither);
-    EXPECT_EQ(refereeOf(*marksWithNu(-0.48, ChatterKind::Regenerative).chatter_marks), Referee::Neither);
-    const auto sentence = refereeSentence(marksWithNu(-0.256, ChatterKind::Regenerative), knownDirections());
+    EXPECT_EQ(speedRelationCheckOf(*marksWithNu(-0.256, ChatterKind::Regenerative).chatter_marks),
+              SpeedRelationCheck::Exact);
+    EXPECT_EQ(speedRelationCheckOf(*marksWithNu(-0.02, ChatterKind::Forced).chatter_marks),
+              SpeedRelationCheck::Published);
+    EXPECT_EQ(speedRelationCheckOf(*marksWithNu(0.25, ChatterKind::Forced).chatter_marks), SpeedRelationCheck::Neither);
+    EXPECT_EQ(speedRelationCheckOf(*marksWithNu(-0.48, ChatterKind::Regenerative).chatter_marks),
+              SpeedRelationCheck::Neither);
+    const auto sentence = speedRelationSentence(marksWithNu(-0.256, ChatterKind::Regenerative), knownDirections());
     ASSERT_TRUE(sentence);
-    EXPECT_NE(said(*sentence).find("ν = -0.256, axial period 3.9 f"), std::string::npos) << said(*sentence);
-    // Without the directions the sign of ν is open.
-    EXPECT_FALSE(refereeSentence(marksWithNu(-0.256, ChatterKind::Regenerative), {}));
+    EXPECT_NE(englishText(*sentence).find("ν = -0.256, axial period 3.9 f"), std::string::npos)
+        << englishText(*sentence);
+    // Without the directions the sign of ν is unknown.
+    EXPECT_FALSE(speedRelationSentence(marksWithNu(-0.256, ChatterKind::Regenerative), {}));
 }
 
 TEST(SurfaceWords, ForcedOrRegenerative)
 {
-    EXPECT_NE(said(*originSentence(marksWithNu(0.02, ChatterKind::Forced))).find("Forced or regenerative?"),
+    EXPECT_NE(englishText(*originSentence(marksWithNu(0.02, ChatterKind::Forced))).find("Forced or regenerative?"),
               std::string::npos);
-    EXPECT_NE(said(*originSentence(marksWithNu(-0.256, ChatterKind::Regenerative))).find("ε = 268°"),
+    EXPECT_NE(englishText(*originSentence(marksWithNu(-0.256, ChatterKind::Regenerative))).find("ε = 268°"),
               std::string::npos);
 }
 
@@ -137,10 +141,10 @@ TEST(SurfaceWords, ReportOfBeforeAndAfter)
                 std::abs(result.images[0].chatter_marks->nu), 0.01);
     const auto words = beforeAndAfter(result);
     ASSERT_EQ(words.size(), 2U);
-    EXPECT_NE(said(words[0]).find("Before, 2016 rpm: marks of"), std::string::npos);
-    EXPECT_NE(said(words[1]).find("After, 2154 rpm: no chatter marks above"), std::string::npos);
-    EXPECT_NE(said(*alignmentSentence(result)).find("not registered"), std::string::npos);
-    EXPECT_NE(said(*certaintySentence(result.images[0])).find("is not"), std::string::npos);
+    EXPECT_NE(englishText(words[0]).find("Before, 2016 rpm: marks of"), std::string::npos);
+    EXPECT_NE(englishText(words[1]).find("After, 2154 rpm: no chatter marks above"), std::string::npos);
+    EXPECT_NE(englishText(*alignmentSentence(result)).find("not registered"), std::string::npos);
+    EXPECT_NE(englishText(*certaintySentence(result.images[0])).find("is not"), std::string::npos);
     const std::string html = toHtml(surfaceReport(result));
     EXPECT_NE(html.find("cannot tell heights"), std::string::npos);
     EXPECT_EQ(html.find("Ra "), std::string::npos);

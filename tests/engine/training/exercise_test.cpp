@@ -1,4 +1,4 @@
-// Exercises: the same bits for the same seed, solved by what a pupil can see and hear, failed by wrong answers.
+// Exercises: the same bits for the same seed, solvable from displayed and audible data, wrong answers fail.
 #include "engine/training/exercise.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using stability::SpeedRelation;
 
 constexpr std::uint32_t seeds = 50;
 
-/// Swings per second over the last second of a cut, by its crossings of the steady deflection.
+/// Oscillations per second over the last second of a cut, by its crossings of the steady deflection.
 double heardFrequency(const stability::SimulationResult& cut)
 {
     const std::vector<double>& x = cut.deflection_mm;
@@ -87,7 +87,7 @@ TEST(Exercise, AnswersThatAreNoNumbersHaveNoPoints)
     }
 }
 
-/// A pupil listens at a speed, hears the frequency f and answers the nearest 60 f/j; two more cuts put it right.
+/// From the frequency f of a first cut the nearest 60 f/j is answered; two further cuts correct it.
 TEST(Exercise, ASafeSpeedIsFoundByThreeCuts)
 {
     int first_time = 0;
@@ -130,7 +130,7 @@ TEST(Exercise, ASafeSpeedIsFoundByThreeCuts)
         expectFailed(exercise, to * 1.1);
     }
     RecordProperty("solved_by_the_second_cut", first_time);
-    EXPECT_LT(stable_share, 0.5);  // guessing does not do
+    EXPECT_LT(stable_share, 0.5);  // guessing is not sufficient
 }
 
 TEST(Exercise, WavesAreCountedOnTheSurface)
@@ -174,7 +174,7 @@ TEST(Exercise, TheFrequencyIsHeard)
     }
 }
 
-/// The exact relation with its phase says what the simulation does; the papers' shortcut says the opposite.
+/// The exact relation agrees with the simulation; N = 60 f/k of the papers predicts the opposite.
 TEST(Exercise, ThePredictionIsThatOfTheExactRelation)
 {
     int chatter = 0;

@@ -1,4 +1,4 @@
-// The reader of lessons: what a school may write, and every slip of the pen with its line and column.
+// The reader of lessons: valid lessons, and every error with its line and column.
 #include "engine/training/lesson.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ struct Slip {
     std::string text;
     ErrorCode code;
     std::int64_t line, column;
-    std::string found;  ///< in the sentence
+    std::string found;  ///< expected part of the sentence
 };
 
 TEST(Lesson, EverySlipHasItsPlace)
@@ -193,7 +193,7 @@ TEST(Lesson, ChecksAreWrittenAsTheyAreRead)
         EXPECT_EQ(written(readLesson("# T\n## S\ntask: t\ncheck: " + check, "c").steps[0].checks[0]), check);
 }
 
-/// Random changes of a good lesson: an answer or an error with a place, never anything else.
+/// Random changes of a good lesson: a lesson or a located error, nothing else.
 TEST(Lesson, RandomBytesAreRefusedWithAPlace)
 {
     for (std::uint64_t round = 0; round < 3000; ++round) {

@@ -42,7 +42,7 @@ TEST(Scenario, LimitsAndFrequenciesMakeSense)
         const double best = *std::max_element(depth.begin(), depth.end());
         EXPECT_GT(best, 2 * *limits.exact.minimum_depth_mm);
         EXPECT_GT(scenario.greatest_depth_mm, 0.95 * best);
-        EXPECT_LT(scenario.start_depth_mm, *limits.exact.minimum_depth_mm);  // begins in peace
+        EXPECT_LT(scenario.start_depth_mm, *limits.exact.minimum_depth_mm);  // starts stable
         EXPECT_GT(scenario.start_speed_rpm, scenario.speed_rpm.from);
         EXPECT_LT(scenario.start_speed_rpm, scenario.speed_rpm.to);
     }

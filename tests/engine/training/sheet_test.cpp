@@ -12,7 +12,7 @@
 namespace lathelier::training {
 namespace {
 
-/// One pupil answers all rightly, the other nothing.
+/// One pupil answers everything correctly, the other nothing.
 std::vector<Answered> answersOf(const std::vector<Exercise>& test)
 {
     std::vector<Answered> answers;

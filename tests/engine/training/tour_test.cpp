@@ -37,7 +37,7 @@ struct Done {
     double speed_rpm, depth_mm;
 };
 
-/// What a pupil may do in each step.
+/// A solution of each step.
 const std::vector<Done> solutions{{"slender", 2885, 0.4},   {"slender", 2880, 0.33}, {"slender", 2885, 0.31},
                                   {"slender", 2650, 0.585}, {"slender", 2400, 0.4},  {"slender", 3300, 0.55},
                                   {"slender", 3150, 0.6},   {"slender", 2885, 0.8},  {"tailstock", 2700, 0.92},
@@ -84,7 +84,7 @@ TEST(Tour, EveryTaskCanBeDoneAndIsNotDoneAtFirst)
         LessonState before = stateAfter(step, step.set.scenario.c_str(), *step.set.speed_rpm, *step.set.depth_mm);
         before.view = step.show.front();
         EXPECT_FALSE(isDone(step, before));
-        before.heard_s = 60;  // to have listened is never all of it
+        before.heard_s = 60;  // listening alone never completes a step
         EXPECT_FALSE(isDone(step, before));
         LessonState after = stateAfter(step, solutions[i].scenario, solutions[i].speed_rpm, solutions[i].depth_mm);
         after.view = step.show.front();
@@ -95,19 +95,19 @@ TEST(Tour, EveryTaskCanBeDoneAndIsNotDoneAtFirst)
     }
 }
 
-/// What a hint tells to do does the task.
+/// Following the hint completes the task.
 TEST(Tour, TheHintsAreTrue)
 {
     const Lesson lesson = tour("en");
     EXPECT_TRUE(isDone(lesson.steps[2], stateAfter(lesson.steps[2], "slender", 2885, 0.31)));
     EXPECT_TRUE(isDone(lesson.steps[7], stateAfter(lesson.steps[7], "slender", 2885, 0.8)));
     EXPECT_TRUE(isDone(lesson.steps[9], stateAfter(lesson.steps[9], "slender", 3700, 0.35)));
-    // The worn bearing is no answer to the question for a better machine.
+    // The worn bearing does not satisfy the question for a better machine.
     EXPECT_FALSE(isDone(lesson.steps[8], stateAfter(lesson.steps[8], "worn_bearing", 2700, 0.92)));
     EXPECT_TRUE(isDone(lesson.steps[8], stateAfter(lesson.steps[8], "rigid", 2700, 0.92)));
 }
 
-/// What schools are told: the example is a lesson, and no key is left out.
+/// The guide for schools: its example is valid, and all keys are documented.
 TEST(Tour, TheGuideForSchoolsIsTrue)
 {
     const std::string guide = contentOf("README.md");

@@ -1,4 +1,4 @@
-// What the source paper gets wrong, as regression tests.
+// Errors of the source paper, as regression tests.
 #include <gtest/gtest.h>
 
 #include <cmath>

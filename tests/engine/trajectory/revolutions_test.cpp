@@ -77,7 +77,7 @@ TEST(Revolutions, TheMarkerMayLieOnAnyChannel)
     sample::SpindleModel model = oneSectionModel();
     io::ProbeRecord record = sample::makeProbeRecord(model);
     std::rotate(record.channels.begin(), record.channels.begin() + 1, record.channels.end());
-    for (io::ProbeChannel& channel : record.channels) channel.name = "ai";  // nothing tells by its name
+    for (io::ProbeChannel& channel : record.channels) channel.name = "ai";  // names without a meaning
     TrajectoryParameters parameters;
     parameters.channels = "X3=0, Y3=1, Xp=2, Yp=3, marker=4";
     const PreparedRecord ready = prepared(record, parameters);

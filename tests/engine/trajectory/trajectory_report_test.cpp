@@ -55,11 +55,11 @@ std::size_t count(const std::string& text, const std::string& part)
 TEST(TrajectoryReport, TheAnswerGivesTheWorstSectionTaperBarrelAndVerdict)
 {
     TrajectoryResult result = rawResult(50);
-    const std::string said = report::plainText(answer(result));
-    EXPECT_TRUE(said.starts_with("RONt(MZCI) ")) << said;
+    const std::string answerText = report::plainText(answer(result));
+    EXPECT_TRUE(answerText.starts_with("RONt(MZCI) ")) << answerText;
     for (const char* part :
          {" of 4 is the worst", "no filter", "Taper +16.", "Barrel ", "limit 50\u00A0µm", "✓ within"})
-        EXPECT_NE(said.find(part), std::string::npos) << part << " in " << said;
+        EXPECT_NE(answerText.find(part), std::string::npos) << part << " in " << answerText;
     EXPECT_EQ(answer(result).verdict, Verdict::Pass);
     EXPECT_EQ(answer(result).expanded_uncertainty,
               result.sections[*result.worstSection()].roundness.RONt_expanded_uncertainty_um);

@@ -1,4 +1,4 @@
-// What "Verify installation" says, by itself and quoted.
+// Report of "Verify installation", alone and quoted.
 #include "engine/verify/verify_report.h"
 
 #include <gtest/gtest.h>
@@ -35,8 +35,8 @@ TEST(VerifyReport, IsQuotedOnceAsTheLastSection)
     verify::quoteVerification(document);
     verify::quoteVerification(document);
     ASSERT_EQ(document.sections.size(), 2U);
-    const std::string said = report::toPlainText(document.sections.back());
-    EXPECT_NE(said.find(made(true).kinds.front().name.english), std::string::npos);
+    const std::string quotedText = report::toPlainText(document.sections.back());
+    EXPECT_NE(quotedText.find(made(true).kinds.front().name.english), std::string::npos);
     report::Document itself = verify::verifyReport(made(true));
     itself.verification = {&part};
     const std::size_t sections = itself.sections.size();

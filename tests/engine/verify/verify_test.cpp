@@ -50,7 +50,7 @@ TEST(Verify, SaysWhatIsWrongWithADirectory)
         }
         return std::string();
     };
-    // Nothing of this installation was proved, nor refuted.
+    // Unusable reference data are an error, not a failed verification.
     EXPECT_EQ(refusal(), "reference_data_missing");
     std::ofstream(folder / "b.ds") << "4\n1 0 0\n0 1 5\n-1 0 10\n0 -1 2\n";
     EXPECT_EQ(refusal(), "file_not_found");  // a set without its answer
@@ -62,7 +62,7 @@ TEST(Verify, SaysWhatIsWrongWithADirectory)
     std::ofstream(folder / "a.ds") << "3\n1 2 0\n3 4 zero\n";
     std::ofstream(folder / "a.fit") << "1 2 3 0 0 1 4\n";
     EXPECT_THROW(verify::verify(verify::verifyParts(), folder.string()), Error);
-    // A wrong answer is seen: the circle through these has the diameter 2.
+    // A wrong reference value is detected: the circle through these has the diameter 2.
     std::ofstream(folder / "a.ds") << "3\n1 0 0\n0 1 0\n-1 0 0\n";
     std::ofstream(folder / "a.fit") << "0 0 0 0 0 1 2.0001\n";
     const verify::VerifyResult wrong = verify::verify(verify::verifyParts(), folder.string());

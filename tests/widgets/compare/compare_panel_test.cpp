@@ -24,7 +24,7 @@
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
@@ -84,8 +84,8 @@ private slots:
         const report::Document report = *panel_->reportDocument();
         QVERIFY(std::any_of(report.sections.front().blocks.begin(), report.sections.front().blocks.end(),
                             [](const report::Block& block) {
-                                const auto* said = std::get_if<Notes>(&block);
-                                return said && contains(*said, notes::sourceChangedSince);
+                                const auto* blockNotes = std::get_if<Notes>(&block);
+                                return blockNotes && contains(*blockNotes, notes::sourceChangedSince);
                             }));
 
         panel_->recompute();
@@ -100,13 +100,13 @@ private slots:
                                     drawingFile(cad::stepText(drawing(), {}), "nominal.step")}) {
             drop(panel_.get(), {file, copy_});
             settle();
-            const auto picture = panel_->result();
-            QVERIFY(picture->drawn && picture->sizes);
+            const auto outcome = panel_->result();
+            QVERIFY(outcome->drawn && outcome->sizes);
             QCOMPARE(session_->panel("compare").inputs.at("reference").path, file.toStdString());
             auto* sizes = part<CopyTable>("sizes");
-            QCOMPARE(sizes->rowCount(), static_cast<int>(picture->sizes->rows.size()));
+            QCOMPARE(sizes->rowCount(), static_cast<int>(outcome->sizes->rows.size()));
             QVERIFY(sizes->rowCount() >= 8);
-            QVERIFY(panel_->views().heroes()->keys().contains("sizes"));
+            QVERIFY(panel_->views().primaryViews()->keys().contains("sizes"));
             emit sizes->cellClicked(0, 0);  // the first row: z 0-98
             QVERIFY(panel_->views().place());
             QVERIFY(std::abs(*panel_->views().place()->z_mm - 49) < 1);
@@ -117,10 +117,10 @@ private slots:
     {
         drop(panel_.get(), {drawingFile(io::shaftText(drawing()), "nominal.json"), copy_});
         settle();
-        const report::Answer said = features::answer(*panel_->result()->sizes, screenLanguage());
-        QVERIFY(said.verdict == Verdict::Fail);  // the collar of the copy is 0.1 mm too large
-        QVERIFY(!said.findings.empty());
-        const Interval place = *said.findings.front().place.z_mm;
+        const report::Answer panelAnswer = features::answer(*panel_->result()->sizes, screenLanguage());
+        QVERIFY(panelAnswer.verdict == Verdict::Fail);  // the collar of the copy is 0.1 mm too large
+        QVERIFY(!panelAnswer.findings.empty());
+        const Interval place = *panelAnswer.findings.front().place.z_mm;
         QVERIFY(std::abs(place.from - 98) < 1 && std::abs(place.to - 108) < 1);
         const auto before = panel_->result()->sizes;
         setTolerance(0.2);  // judged again, nothing recognised again
@@ -232,7 +232,7 @@ private slots:
         tolerance();
         QVERIFY(QApplication::focusWidget() && QApplication::focusWidget()->objectName() == "tolerance_mm");
         meridian();
-        QCOMPARE(panel_->findChild<HeroViews*>()->hero(), QString("meridian"));
+        QCOMPARE(panel_->findChild<PrimaryViews*>()->primary(), QString("meridian"));
     }
 
     void severalCopiesMakeATableWithTrend()
@@ -253,7 +253,7 @@ private slots:
         const report::Plot& trend = part<plot::ChartView>("trend")->data();
         QCOMPARE(trend.limits.size(), std::size_t{2});
         QCOMPARE(trend.curves.back().y.size(), std::size_t{3});
-        QVERIFY(panel_->views().heroes()->keys().contains("copies"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("copies"));
         const auto document = panel_->reportDocument();
         QVERIFY(document && report::toHtml(*document).find("third.xyz") != std::string::npos);
         QCOMPARE(document->inputs.size(), std::size_t{3});  // with its digest; the broken one was not read whole
@@ -272,7 +272,7 @@ private slots:
             project.panels["compare"].inputs.erase("copies.2");
         });
         settle();
-        QVERIFY(!panel_->views().heroes()->keys().contains("copies"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("copies"));
     }
 
     void swapAndUndo()

@@ -19,7 +19,7 @@
 #include "widgets/compare/compare_views.h"
 #include "widgets/compare/zone_dialog.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
@@ -237,7 +237,7 @@ private slots:
     void aZoneClickedInTheTableIsMarked()
     {
         dropBoth();
-        panel_->findChild<HeroViews*>()->setHero("tables");
+        panel_->findChild<PrimaryViews*>()->setPrimary("tables");
         auto* zones = part<compare_panel::ZoneTable>("zones");
         QTRY_VERIFY(zones->isVisible());
         QTest::mouseClick(zones->viewport(), Qt::LeftButton, {}, zones->visualItemRect(zones->item(1, 2)).center());
@@ -278,15 +278,15 @@ private slots:
     void everyViewCanStandAlone()
     {
         dropBoth();
-        auto* heroes = panel_->findChild<HeroViews*>();
-        QCOMPARE(heroes->hero(), QString("part"));
+        auto* primaryViews = panel_->findChild<PrimaryViews*>();
+        QCOMPARE(primaryViews->primary(), QString("part"));
         QVERIFY(part<QWidget>("scene")->isVisible() && part<QWidget>("along")->isVisible());
         const std::pair<const char*, const char*> views[] = {
             {"map", "map"}, {"meridian", "meridian"}, {"distribution", "histogram"}, {"tables", "statistics"}};
         for (const auto& [key, view] : views) {
             if (QString(view) == "statistics") panel_->findChild<QTabWidget*>()->setCurrentIndex(1);
             QTest::mouseClick(part<QWidget>((std::string("cover_") + key).c_str()), Qt::LeftButton);
-            QCOMPARE(heroes->hero(), QString(key));
+            QCOMPARE(primaryViews->primary(), QString(key));
             QTRY_VERIFY2(part<QWidget>(view)->isVisible(), view);
             QTRY_VERIFY2(part<QWidget>(view)->height() > 400, view);
             QVERIFY(part<QWidget>("scene")->isVisible());  // small, beside it
@@ -294,10 +294,10 @@ private slots:
         QCOMPARE(session_->view("compare", "hero"), Value(std::string("tables")));
         panel_->recompute();
         settle();
-        QCOMPARE(heroes->hero(), QString("tables"));  // a new answer leaves the view as it is
-        QTest::keyClick(heroes, Qt::Key_1);
-        QCOMPARE(heroes->hero(), QString("part"));
-        heroes->setShowsAll(true);
+        QCOMPARE(primaryViews->primary(), QString("tables"));  // a new answer leaves the view as it is
+        QTest::keyClick(primaryViews, Qt::Key_1);
+        QCOMPARE(primaryViews->primary(), QString("part"));
+        primaryViews->setShowsAll(true);
         QTRY_VERIFY(part<QWidget>("map")->isVisible() && part<QWidget>("meridian")->isVisible());
         QVERIFY(std::abs(part<QWidget>("map")->height() - part<QWidget>("meridian")->height()) < 4);
     }

@@ -147,7 +147,7 @@ private slots:
         AnswerStrip strip;
         strip.setAnswer(made(15));
         std::optional<report::Place> wanted;
-        connect(&strip, &AnswerStrip::placeWanted, this, [&](const report::Place& place) { wanted = place; });
+        connect(&strip, &AnswerStrip::placeRequested, this, [&](const report::Place& place) { wanted = place; });
         QTest::mouseClick(strip.findChild<FindingLink*>("finding1"), Qt::LeftButton);
         QVERIFY(wanted.has_value());
         QCOMPARE(wanted->z_mm->from, 98.0);

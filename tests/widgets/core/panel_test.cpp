@@ -108,7 +108,7 @@ private slots:
     void emptyStateInvites()
     {
         QVERIFY(find<QPushButton>("open")->isVisible());
-        QSignalSpy sample(panel_.get(), &PanelBase::sampleWanted);
+        QSignalSpy sample(panel_.get(), &PanelBase::sampleRequested);
         QTest::mouseClick(find<QPushButton>("openSample"), Qt::LeftButton);
         QCOMPARE(sample.count(), 1);
         QVERIFY(!panel_->hasResult());

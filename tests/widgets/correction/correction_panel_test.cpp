@@ -11,7 +11,7 @@
 #include "engine/gcode/program_item_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "tests/widgets/deflection/slender_files.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/correction/correction_panel.h"
 #include "widgets/correction/correction_views.h"

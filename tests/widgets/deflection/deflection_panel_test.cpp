@@ -11,8 +11,8 @@
 #include "engine/receptance/spindle_file.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"
-#include "widgets/chatter_common/taken_input.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/chatter_common/input_value.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/deflection/deflection_panel.h"
 #include "widgets/deflection/deflection_views.h"
@@ -196,17 +196,17 @@ private slots:
     {
         open();
         settle();
-        QVERIFY(views().heroes()->keys().contains("map"));
-        QVERIFY(!views().heroes()->keys().contains("power"));
-        QVERIFY(!views().heroes()->keys().contains("diameters"));
-        QVERIFY(!views().heroes()->keys().contains("feed"));  // no tolerance
+        QVERIFY(views().primaryViews()->keys().contains("map"));
+        QVERIFY(!views().primaryViews()->keys().contains("power"));
+        QVERIFY(!views().primaryViews()->keys().contains("diameters"));
+        QVERIFY(!views().primaryViews()->keys().contains("feed"));  // no tolerance
         set("map", false);
         set("tolerance_um", 50.0);
         set("cutting_speed_m_min", 150.0);
         settle();
-        QVERIFY(!views().heroes()->keys().contains("map"));
-        QVERIFY(views().heroes()->keys().contains("power"));
-        QVERIFY(views().heroes()->keys().contains("feed"));
+        QVERIFY(!views().primaryViews()->keys().contains("map"));
+        QVERIFY(views().primaryViews()->keys().contains("power"));
+        QVERIFY(views().primaryViews()->keys().contains("feed"));
         QVERIFY(study().feed->max_um <= 50.5);
     }
 
@@ -230,7 +230,7 @@ private slots:
         QVERIFY(study().identified.has_value());
         QVERIFY(std::abs(study().identified->factors.front().value - 8000) < 10);
         QVERIFY(study().triage.has_value());
-        QVERIFY(views().heroes()->keys().contains("diameters"));
+        QVERIFY(views().primaryViews()->keys().contains("diameters"));
     }
 
     void theSpindleOfChatterStandsInForTheChuck()
@@ -257,19 +257,19 @@ private slots:
         settle();
         QVERIFY(study().stock && study().stock->findings.empty());
         QCOMPARE(study().stock->passes.size(), std::size_t{2});
-        QVERIFY(!views().heroes()->keys().contains("findings"));
+        QVERIFY(!views().primaryViews()->keys().contains("findings"));
         std::string program = deflection_common::slenderProgram;
         program.replace(program.find("X40.\nG0 X100."), 13, "G0 Z-150.\nX100.");
         open(program);
         settle();
         QVERIFY(study().stock->findings.size() >= 1);
         QCOMPARE(study().stock->findings.front().line, std::int64_t{12});
-        QVERIFY(views().heroes()->keys().contains("findings"));
+        QVERIFY(views().primaryViews()->keys().contains("findings"));
         QVERIFY(contains(panel_->result()->notes, notes::toolMeets));
         set("check_stock", false);
         settle();
         QVERIFY(!study().stock.has_value());
-        QVERIFY(!views().heroes()->keys().contains("stock"));
+        QVERIFY(!views().primaryViews()->keys().contains("stock"));
     }
 
     void aProgramWithAnErrorSaysWhere()

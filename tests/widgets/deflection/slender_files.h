@@ -8,7 +8,7 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/project/project.h"
-#include "widgets/deflection_common/deflection_picture.h"
+#include "widgets/deflection_common/deflection_outcome.h"
 
 namespace lathelier::deflection_common {
 

@@ -262,17 +262,17 @@ private slots:
 
     void aSizeThatCannotBeIsRefused()
     {
-        std::string said;
+        std::string errorCode;
         connect(panel_.get(), &PanelBase::messageRaised, this, [&](const Message& message) {
-            if (const auto* error = std::get_if<Error>(&message.content)) said = error->code().key;
+            if (const auto* error = std::get_if<Error>(&message.content)) errorCode = error->code().key;
         });
         const int steps = session_->undoStack().count();
         type("⌀45", "0");
-        QCOMPARE(said, std::string("shaft_row_wrong"));
+        QCOMPARE(errorCode, std::string("shaft_row_wrong"));
         type("⌀45", "wide");
-        QCOMPARE(said, std::string("value_not_understood"));
+        QCOMPARE(errorCode, std::string("value_not_understood"));
         type("⌀45", "18");  // narrower than the bore
-        QCOMPARE(said, std::string("shaft_crosses"));
+        QCOMPARE(errorCode, std::string("shaft_crosses"));
         QCOMPARE(session_->undoStack().count(), steps);
         QVERIFY(says("⌀45"));
     }
@@ -357,19 +357,19 @@ private slots:
 
     void whatWasMeasuredStandsBesideWhatWasSet()
     {
-        QVERIFY(!panel_->views().heroes()->keys().contains("measured"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("measured"));
         set("measured", true);
         settle();
         type("⌀45", "45,5");
         auto* table = child<QTableWidget>("measured");
-        QVERIFY(panel_->views().heroes()->keys().contains("measured"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("measured"));
         QCOMPARE(table->item(0, 2)->text(), QString("45.500"));
         QVERIFY(table->item(0, 4)->text().endsWith("0.5000") && !table->item(0, 4)->text().startsWith('0'));
         const auto document = panel_->reportDocument();
         QVERIFY(document);
         bool drawn = false;
         for (const report::Block& block : document->sections.front().blocks)
-            if (const auto* picture = std::get_if<report::Picture>(&block)) drawn = picture->png.find("<svg") == 0;
+            if (const auto* outcome = std::get_if<report::Picture>(&block)) drawn = outcome->png.find("<svg") == 0;
         QVERIFY(drawn);
     }
 
@@ -379,7 +379,7 @@ private slots:
         settle();
         Languages languages;
         languages.use("pl");
-        QTRY_COMPARE(panel_->views().heroes()->title("sheet"), QString("Rysunek"));
+        QTRY_COMPARE(panel_->views().primaryViews()->title("sheet"), QString("Rysunek"));
         QVERIFY(says("48,5") && says("Podziałka"));
         languages.use("en");
         QLocale::setDefault(QLocale::c());

@@ -17,7 +17,7 @@
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
 #include "tests/widgets/core/panel_fixture.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/frf/frf_panel.h"
 #include "widgets/frf/frf_views.h"
@@ -86,7 +86,7 @@ private slots:
         QVERIFY(chart.y.scale == report::Axis::Scale::Logarithmic);
         QVERIFY(panel_->views().nyquist()->data().equal_scales);
         QCOMPARE(panel_->views().modes()->rowCount(), 2);
-        QVERIFY(panel_->views().heroes()->keys().contains("coherence"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("coherence"));
         const auto document = panel_->reportDocument();
         QVERIFY(document.has_value());
         QCOMPARE(document->inputs.size(), std::size_t{1});
@@ -95,10 +95,10 @@ private slots:
     void withoutCoherenceThereIsNoSuchView()
     {
         openResponse(false);
-        QVERIFY(!panel_->views().heroes()->keys().contains("coherence"));
-        QVERIFY(panel_->views().heroes()->keys().contains("error"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("coherence"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("error"));
         ask("fit", false);
-        QVERIFY(!panel_->views().heroes()->keys().contains("modes"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("modes"));
         QVERIFY(panel_->views().magnitude()->data().handles.empty());
         QVERIFY(panel_->reportDocument().has_value());
     }

@@ -9,7 +9,7 @@
 #include "engine/io/frf/frf_writer.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/lobes/lobes_panel.h"
 #include "widgets/lobes/lobes_views.h"
@@ -43,11 +43,11 @@ private slots:
     {
         QVERIFY(!panel_->hasResult());
         askPaperA();
-        const LobesPicture& picture = *panel_->result();
-        QVERIFY(std::abs(*picture.lobes->minimum_depth_mm - 0.309) < 1e-3);
-        QVERIFY(!picture.work.stable);  // a lobe's foot
+        const LobesOutcome& outcome = *panel_->result();
+        QVERIFY(std::abs(*outcome.lobes->minimum_depth_mm - 0.309) < 1e-3);
+        QVERIFY(!outcome.work.stable);  // a lobe's foot
         QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("chatter"));
-        QVERIFY(picture.speed.has_value());
+        QVERIFY(outcome.speed.has_value());
         const report::Plot& chart = panel_->views().chart()->data();
         QCOMPARE(chart.handles.size(), std::size_t{1});
         QCOMPARE(chart.handles[0].x, 2885.0);
@@ -124,7 +124,7 @@ private slots:
         set("operating_speed_rpm", 19000.0);
         settle();
         QVERIFY(!panel_->result()->speed);
-        QVERIFY(!panel_->views().heroes()->keys().contains("candidates"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("candidates"));
     }
 };
 

@@ -9,7 +9,7 @@
 #include "engine/receptance/spindle_file.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/pass/pass_panel.h"
 #include "widgets/pass/pass_views.h"
@@ -86,11 +86,11 @@ private slots:
     void withoutASpeedTheBestIsJudged()
     {
         askForAPass();
-        const auto picture = panel_->result();
-        const stability::PassPoint best = bestOfPass(*picture->pass);
-        QCOMPARE(picture->speed_rpm, best.speed_rpm);
-        for (std::size_t i = 0; i < picture->pass->speed_rpm.size(); ++i)
-            QVERIFY(std::isnan(best.limit_mm) || picture->pass->worst.depth_mm[i] <= best.limit_mm);
+        const auto outcome = panel_->result();
+        const stability::PassPoint best = bestOfPass(*outcome->pass);
+        QCOMPARE(outcome->speed_rpm, best.speed_rpm);
+        for (std::size_t i = 0; i < outcome->pass->speed_rpm.size(); ++i)
+            QVERIFY(std::isnan(best.limit_mm) || outcome->pass->worst.depth_mm[i] <= best.limit_mm);
     }
 
     void theBestSpeedIsTakenByAClickAndThePassStays()

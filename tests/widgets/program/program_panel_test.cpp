@@ -139,8 +139,8 @@ private slots:
         QVERIFY(panel_->result()->isDraft());
         QVERIFY(check().times.all.feed_time_s > before);
         QVERIFY(contains(panel_->result()->notes, notes::programEdited));
-        const deflection_common::DeflectionPicture other = deflection_common::deflectionPicture(
-            session_->panel("deflection"), deflection_common::Wanted::Prediction, session_->stores(), Progress());
+        const deflection_common::DeflectionOutcome other = deflection_common::deflectionOutcome(
+            session_->panel("deflection"), deflection_common::StudyKind::Prediction, session_->stores(), Progress());
         QVERIFY(contains(other.notes, notes::programEdited));
         QCOMPARE(other.job->program.text, editor().program().toStdString());
         QVERIFY(session_->isModified());

@@ -203,12 +203,12 @@ private slots:
         drop(panel_.get(), {part_});
         settle();
         QVERIFY(!recognised().complete && !recognised().length_mm);
-        std::string said;
+        std::string errorCode;
         connect(panel_.get(), &PanelBase::messageRaised, this, [&](const Message& message) {
-            if (const auto* error = std::get_if<Error>(&message.content)) said = error->code().key;
+            if (const auto* error = std::get_if<Error>(&message.content)) errorCode = error->code().key;
         });
         child<QToolButton>("useShaft")->click();
-        QCOMPARE(said, std::string("shaft_incomplete"));
+        QCOMPARE(errorCode, std::string("shaft_incomplete"));
         QVERIFY(session_->project().items.empty());
     }
 
@@ -277,13 +277,13 @@ private slots:
 
     void aChangeThatCannotBeFittedIsNoStep()
     {
-        std::string said;
+        std::string errorCode;
         connect(panel_.get(), &PanelBase::messageRaised, this, [&](const Message& message) {
-            if (const auto* error = std::get_if<Error>(&message.content)) said = error->code().key;
+            if (const auto* error = std::get_if<Error>(&message.content)) errorCode = error->code().key;
         });
         const int steps = session_->undoStack().count();
-        emit panel_->views().changeWanted("Split", {features::RowChange::What::Split, 1, 150});
-        QCOMPARE(said, std::string("row_not_changeable"));
+        emit panel_->views().changeRequested("Split", {features::RowChange::What::Split, 1, 150});
+        QCOMPARE(errorCode, std::string("row_not_changeable"));
         QCOMPARE(session_->undoStack().count(), steps);
     }
 
@@ -315,7 +315,7 @@ private slots:
     {
         Languages languages;
         languages.use("pl");
-        QTRY_COMPARE(panel_->views().heroes()->title("meridian"), QString("Zarys osiowy"));
+        QTRY_COMPARE(panel_->views().primaryViews()->title("meridian"), QString("Zarys osiowy"));
         auto* rows = child<QTableWidget>("rows");
         QTRY_COMPARE(rows->item(0, 1)->text(), QString("walec"));
         QVERIFY(rows->item(0, 2)->text().startsWith("30,0"));

@@ -125,7 +125,7 @@ report::Answer answer(Verdict verdict = Verdict::Fail)
 class BaselinesTest : public QObject {
     Q_OBJECT
 
-    /// `picture` is as the file says; `other`, of other data, is not: the tolerance tells them apart.
+    /// `picture` equals the stored baseline; `other`, of other data, does not: the tolerance separates them.
     static void compare(const QString& name, const QImage& picture, const QImage& other)
     {
         const QString path = QStringLiteral(LATHELIER_SOURCE_DIR "/tests/data/baselines/") + name + ".png";

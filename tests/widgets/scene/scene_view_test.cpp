@@ -177,8 +177,8 @@ private slots:
         view_->setObjects({shaft(blue)});
         view_->turn(5, 0);
         const scene::SceneView::Speed speed = view_->speed();
-        QVERIFY(speed.movingPoints > 0);
-        QVERIFY(speed.movingPoints <= view_->objects()[0].scan->points_mm.size());
+        QVERIFY(speed.moving_points > 0);
+        QVERIFY(speed.moving_points <= view_->objects()[0].scan->points_mm.size());
         QTRY_VERIFY(view_->speed().moving_s > 0);
         const double rested = speed.resting_s;
         QTRY_VERIFY(view_->speed().resting_s != rested);  // a full picture follows by itself

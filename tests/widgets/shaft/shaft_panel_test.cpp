@@ -16,7 +16,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/shaft/shaft_panel.h"
 #include "widgets/shaft/shaft_views.h"
@@ -190,7 +190,7 @@ private slots:
         });
         settle();
         QCOMPARE(panel_->result()->study.response.frf.frequency_hz.back(), 400.0);
-        QVERIFY(!panel_->views().heroes()->keys().contains("shapes"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("shapes"));
         QVERIFY(!panel_->reportDocument()->sections.empty());
     }
 
@@ -236,7 +236,7 @@ private slots:
     void shapesSwingAndComeToRest()
     {
         open(file_);
-        panel_->views().heroes()->setHero("shapes");
+        panel_->views().primaryViews()->setPrimary("shapes");
         auto* play = panel_->findChild<QToolButton*>("playShapes");
         const double rest = panel_->views().shapes()->data().curves.front().y.front();
         QTest::mouseClick(play, Qt::LeftButton);

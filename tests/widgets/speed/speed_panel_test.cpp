@@ -11,7 +11,7 @@
 #include "engine/receptance/spindle_file.h"
 #include "engine/stability/stability_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/speed/speed_panel.h"
 #include "widgets/speed/speed_views.h"
@@ -78,8 +78,8 @@ private slots:
     void typedValuesGiveTheSpeedOfThePaper()
     {
         typeTheRod();
-        const SpeedPicture& picture = *panel_->result();
-        const stability::SpeedResult& speed = *picture.speed;
+        const SpeedOutcome& outcome = *panel_->result();
+        const stability::SpeedResult& speed = *outcome.speed;
         QVERIFY(std::abs(speed.selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
         // Equation 24 by hand.
         const double k = std::ceil(60 * speed.frequency_hz / speed.selected_rpm);

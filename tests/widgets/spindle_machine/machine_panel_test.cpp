@@ -12,7 +12,7 @@
 #include "engine/sample/chatter_sample.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/spindle_machine/machine_views.h"
@@ -48,16 +48,16 @@ private slots:
     {
         QVERIFY(!panel_->hasResult());
         open();
-        const MachinePicture& picture = *panel_->result();
-        QVERIFY(picture.identified != nullptr);
-        QCOMPARE(picture.identified->frfs, std::size_t{18});
-        QVERIFY(picture.identified->residual_rms_percent < 2);  // noise of 1 %
-        QCOMPARE(picture.inputs.size(), std::size_t{2});        // the responses too
-        const receptance::Complex H = picture.spindle.at(500)(0, 0);
+        const MachineOutcome& outcome = *panel_->result();
+        QVERIFY(outcome.identified != nullptr);
+        QCOMPARE(outcome.identified->frfs, std::size_t{18});
+        QVERIFY(outcome.identified->residual_rms_percent < 2);  // noise of 1 %
+        QCOMPARE(outcome.inputs.size(), std::size_t{2});        // the responses too
+        const receptance::Complex H = outcome.spindle.at(500)(0, 0);
         QVERIFY(std::abs(H - 1.0 / (14850.0 * receptance::Complex(1, 0.06))) < 0.05 / 14850);
         QCOMPARE(panel_->views().magnitude()->data().curves.size(), std::size_t{3});
-        QVERIFY(panel_->views().heroes()->keys().contains("condition"));
-        QVERIFY(!panel_->views().heroes()->keys().contains("heldOut"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("condition"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("heldOut"));
         QVERIFY(panel_->reportDocument()->sections.size() >= 4);
     }
 
@@ -90,7 +90,7 @@ private slots:
         QVERIFY(contains(panel_->result()->notes, notes::machineOfLibrary));
         QCOMPARE(panel_->result()->spindle.springs()->radial_N_mm, 60000.0);
         QCOMPARE(panel_->result()->used.front().origin, ValueOrigin::Assumed);
-        QVERIFY(!panel_->views().heroes()->keys().contains("residual"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("residual"));
         set(sourceKey, std::string("springs"));
         set("springs.radial_N_mm", 20000.0);
         settle();

@@ -54,10 +54,11 @@ private slots:
         QVERIFY(hasLine(panel_->views().chart()->data()));
         QCOMPARE(frequencies()->data().marks.size(), before + 1);
         QCOMPARE(frequencies()->data().marks.back().y, 361.0);
-        const report::Answer said = lobes_panel::answer(*panel_->result());
-        QVERIFY(std::any_of(said.findings.begin(), said.findings.end(), [](const report::Finding& finding) {
-            return report::findingText(finding).find("Your marks say 361.0") != std::string::npos;
-        }));
+        const report::Answer panelAnswer = lobes_panel::answer(*panel_->result());
+        QVERIFY(
+            std::any_of(panelAnswer.findings.begin(), panelAnswer.findings.end(), [](const report::Finding& finding) {
+                return report::findingText(finding).find("Your marks say 361.0") != std::string::npos;
+            }));
         session_->undoStack().undo();
         settle();
         QVERIFY(!panel_->result()->marks && !hasLine(panel_->views().chart()->data()));

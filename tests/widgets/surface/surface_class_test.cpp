@@ -50,7 +50,7 @@ private slots:
         QVERIFY(!views().generator()->isVisible());
     }
 
-    /// Until the answer is given nothing tells the frequency.
+    /// Until the answer is given nothing shows the frequency.
     void aQuestionIsAskedAndChecked()
     {
         set(makeKey, true);
@@ -63,8 +63,8 @@ private slots:
         const report::Answer open = answerOf(*panel_->result(), {});
         QVERIFY(!open.value && open.findings.empty());
         for (const char* view : {"spectrum", "words", "tables", "model"})
-            QVERIFY2(!views().heroes()->keys().contains(view), view);
-        QVERIFY(views().heroes()->keys().contains("marks"));
+            QVERIFY2(!views().primaryViews()->keys().contains(view), view);
+        QVERIFY(views().primaryViews()->keys().contains("marks"));
         QCOMPARE(views().marks()->overlays().size(), std::size_t{1});  // of the feed
         QVERIFY(!views().generator()->slider("frequency_hz")->isVisible());
         QVERIFY(!views().sendButton()->isVisible());
@@ -80,7 +80,7 @@ private slots:
         const report::Answer right = answerOf(*panel_->result(), {});
         QVERIFY(report::findingText(right.findings[0]).find("is right") != std::string::npos);
         QVERIFY(right.value && std::abs(*right.value - truth_hz) < 1);
-        QVERIFY(views().heroes()->keys().contains("spectrum"));
+        QVERIFY(views().primaryViews()->keys().contains("spectrum"));
 
         panel_->findChild<QPushButton*>("quizNext")->click();
         settle();

@@ -24,7 +24,7 @@ private slots:
     void theSliderPartsBeforeFromAfter()
     {
         openBoth();
-        views().heroes()->setHero("comparison");
+        views().primaryViews()->setPrimary("comparison");
         ComparisonView* comparison = views().comparison();
         QVERIFY(comparison->after()->isVisible());
         QCOMPARE(comparison->before()->image().size(), comparison->after()->image().size());
@@ -57,12 +57,12 @@ private slots:
     {
         openBoth();
         auto* alike = panel_->findChild<QCheckBox*>("surfaceAlike");
-        views().heroes()->setHero("photograph");
+        views().primaryViews()->setPrimary("photograph");
         QVERIFY(alike && alike->isVisible() && alike->isChecked());
         alike->click();
         panel_->findChild<QToolButton*>("showAfter")->click();
-        emit views().photograph()->scaleWanted(1000, 32);
-        emit views().photograph()->directionWanted(4.26);
+        emit views().photograph()->scaleRequested(1000, 32);
+        emit views().photograph()->directionRequested(4.26);
         settle();
         QCOMPARE(*found().images[0].mm_per_px, 0.03);
         QCOMPARE(*found().images[1].mm_per_px, 0.032);
@@ -76,7 +76,7 @@ private slots:
     void thePicturesAreLaidOverEachOther()
     {
         openBoth();
-        views().heroes()->setHero("comparison");
+        views().primaryViews()->setPrimary("comparison");
         ComparisonView* both = views().comparison();
         panel_->findChild<QToolButton*>("surfaceLay")->click();
         QTest::mouseClick(both->before(), Qt::LeftButton, {}, both->before()->placeOf({100, 300}).toPoint());
@@ -92,7 +92,7 @@ private slots:
     void theMagnifierShowsOnePlaceInBoth()
     {
         openBoth();
-        views().heroes()->setHero("comparison");
+        views().primaryViews()->setPrimary("comparison");
         ComparisonView* both = views().comparison();
         const QImage plain = both->after()->grab().toImage();
         panel_->findChild<QToolButton*>("surfaceMagnifier")->click();

@@ -41,12 +41,12 @@ private slots:
         QVERIFY(!found().images[1].chatter_marks && found().images[1].feed_marks);
         const report::Answer answer = answerOf(*panel_->result(), {});
         QVERIFY(answer.value && std::abs(*answer.value - 361) < 0.3 && *answer.expanded_uncertainty > 3);
-        QCOMPARE(answer.findings.size(), std::size_t{2});  // the other picture, the referee
+        QCOMPARE(answer.findings.size(), std::size_t{2});  // the other picture, the speed relation check
         QVERIFY(report::findingText(answer.findings[0]).find("no chatter marks above") != std::string::npos);
         QVERIFY(report::findingText(answer.findings[1]).find("speak for the exact relation") != std::string::npos);
         for (const char* view : {"marks", "spectrum", "comparison", "photograph", "unrolled", "words", "tables"})
-            QVERIFY2(views().heroes()->keys().contains(view), view);
-        QVERIFY(!views().heroes()->keys().contains("model"));
+            QVERIFY2(views().primaryViews()->keys().contains(view), view);
+        QVERIFY(!views().primaryViews()->keys().contains("model"));
         QCOMPARE(views().marks()->overlays().size(), std::size_t{2});
         QVERIFY(views().words()->toPlainText().contains("not registered"));
         QVERIFY(views().words()->toPlainText().contains("cannot tell heights"));
@@ -83,7 +83,7 @@ private slots:
         QVERIFY(!found().images[0].mm_per_px);
         set("diameter_mm", 30.0);
         settle();
-        views().heroes()->setHero("photograph");
+        views().primaryViews()->setPrimary("photograph");
         PictureView* view = views().photograph()->view();
         panel_->findChild<QToolButton*>("toolLength")->click();
         QCOMPARE(view->tool(), PictureView::Tool::Length);
@@ -103,7 +103,7 @@ private slots:
     void aRegionIsDrawnAndTakenBack()
     {
         openBoth();
-        views().heroes()->setHero("photograph");
+        views().primaryViews()->setPrimary("photograph");
         panel_->findChild<QToolButton*>("toolRegion")->click();
         dragOver(views().photograph()->view(), {20, 100}, {280, 780});
         settle();
@@ -124,7 +124,7 @@ private slots:
     void theDirectionOfFeedIsDrawn()
     {
         openBoth();
-        views().heroes()->setHero("photograph");
+        views().primaryViews()->setPrimary("photograph");
         panel_->findChild<QToolButton*>("toolDirection")->click();
         dragOver(views().photograph()->view(), {250, 400}, {50, 400});
         settle();
@@ -142,18 +142,18 @@ private slots:
         set("mm_per_px", 0.3);
         QTRY_VERIFY(panel_->error().has_value());
         QCOMPARE(std::string(panel_->error()->code().key), std::string("feed_not_resolved"));
-        QTRY_COMPARE(views().heroes()->keys(), QStringList{"photograph"});
+        QTRY_COMPARE(views().primaryViews()->keys(), QStringList{"photograph"});
         QVERIFY(!views().photograph()->view()->image().isNull());
         QVERIFY(!panel_->reportDocument());
         session_->undoStack().undo();
         settle();
-        QVERIFY(views().heroes()->keys().contains("marks"));
+        QVERIFY(views().primaryViews()->keys().contains("marks"));
     }
 
     void aRingDrawsItsStripes()
     {
         openBoth();
-        views().heroes()->setHero("spectrum");
+        views().primaryViews()->setPrimary("spectrum");
         const surface::SurfaceView& view = found().images[0].view;
         const auto chatter = std::find_if(view.lines.begin(), view.lines.end(),
                                           [](const surface::NamedLine& line) { return !line.is_feed; });
@@ -303,9 +303,9 @@ private slots:
         QVERIFY(views().sendButton()->isVisible());
         Languages languages;
         languages.use("pl");
-        QTRY_COMPARE(views().heroes()->title("photograph"), QString("Zdjęcie"));
+        QTRY_COMPARE(views().primaryViews()->title("photograph"), QString("Zdjęcie"));
         languages.use("en");
-        QTRY_COMPARE(views().heroes()->title("photograph"), QString("Photograph"));
+        QTRY_COMPARE(views().primaryViews()->title("photograph"), QString("Photograph"));
     }
 
     void aStopLeavesTheLastAnswer()

@@ -32,10 +32,10 @@ private slots:
 
     void aScenarioNeedsNoInput()
     {
-        const TrainingPicture& picture = *panel_->result();
-        QCOMPARE(picture.scenario.key, std::string("slender"));
-        QVERIFY(std::abs(*picture.limits->exact.minimum_depth_mm - 0.309) < 1e-3);
-        QVERIFY(picture.cut->seconds() >= 0.99);
+        const TrainingOutcome& outcome = *panel_->result();
+        QCOMPARE(outcome.scenario.key, std::string("slender"));
+        QVERIFY(std::abs(*outcome.limits->exact.minimum_depth_mm - 0.309) < 1e-3);
+        QVERIFY(outcome.cut->seconds() >= 0.99);
         QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("stable"));
     }
 
@@ -54,14 +54,14 @@ private slots:
         emit panel_->views().pointMoved(2890, 0.5, false);
         emit panel_->views().pointMoved(2885, 0.6, true);
         settle();
-        const TrainingPicture& picture = *panel_->result();
+        const TrainingOutcome& outcome = *panel_->result();
         QCOMPARE(session_->undoStack().count(), steps + 1);
-        QVERIFY(picture.limits == limits);  // not computed anew
-        QVERIFY(picture.cut->cut == stability::CutVerdict::Chatter);
-        QVERIFY(picture.cut->lost_contact_percent > 0);
+        QVERIFY(outcome.limits == limits);  // not computed anew
+        QVERIFY(outcome.cut->cut == stability::CutVerdict::Chatter);
+        QVERIFY(outcome.cut->lost_contact_percent > 0);
         QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("chatter"));
         const report::Plot& waves = panel_->views().waves()->data();
-        QCOMPARE(waves.curves.back().x.size(), picture.cut->waves.angle_deg.size());
+        QCOMPARE(waves.curves.back().x.size(), outcome.cut->waves.angle_deg.size());
         session_->undoStack().undo();
         settle();
         QVERIFY(panel_->result()->cut->cut == stability::CutVerdict::Stable);
@@ -132,19 +132,19 @@ private slots:
         pane.listen(pane.exercise()->speed_rpm.from);
         QCOMPARE(pane.cutsLeft(), 2);
         QCOMPARE(heard, 1);
-        QCOMPARE(panel_->views().heroes()->hero(), QString("exercise"));
+        QCOMPARE(panel_->views().primaryViews()->primary(), QString("exercise"));
         const Interval right = training::grade(*pane.exercise(), 0).expected.front();
-        pane.give((right.from + right.to) / 2);
+        pane.submitAnswer((right.from + right.to) / 2);
         QVERIFY(pane.grade()->correct);
         pane.begin(training::ExerciseKind::Damping, 7);
-        QVERIFY(panel_->views().heroes()->keys().contains("exercise"));
-        pane.give(77);
+        QVERIFY(panel_->views().primaryViews()->keys().contains("exercise"));
+        pane.submitAnswer(77);
         QVERIFY(!pane.grade()->correct);
         QCOMPARE(pane.answers().size(), std::size_t{2});
-        pane.give(3);  // the first answer counts
+        pane.submitAnswer(3);  // the first answer counts
         QCOMPARE(pane.answers().size(), std::size_t{2});
         pane.begin(training::ExerciseKind::Prediction, 1);
-        pane.give(0);
+        pane.submitAnswer(0);
         QVERIFY(pane.grade().has_value());
     }
 
@@ -152,13 +152,13 @@ private slots:
     {
         set("hide_chart", true);
         settle();
-        const QStringList keys = panel_->views().heroes()->keys();
+        const QStringList keys = panel_->views().primaryViews()->keys();
         for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) QVERIFY(!keys.contains(key));
         QVERIFY(keys.contains("waveform"));
         QVERIFY(!panel_->findChild<QLabel*>("verdict")->text().contains("stable"));
         set("hide_chart", false);
         settle();
-        QVERIFY(panel_->views().heroes()->keys().contains("lobes"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("lobes"));
     }
 
     void presentingLeavesTheViewsAlone()

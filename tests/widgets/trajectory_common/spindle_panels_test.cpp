@@ -20,7 +20,7 @@
 #include "tests/widgets/core/drop_files.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/core/session.h"
 #include "widgets/longitudinal/longitudinal_panel.h"
@@ -148,7 +148,7 @@ private slots:
         QVERIFY2(headline(*trajectory_).contains("Motion of the workpiece axis"), qPrintable(headline(*trajectory_)));
         QCOMPARE(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->rowCount(), 6);
         QVERIFY(longitudinal_->views().stack().scan != nullptr);
-        QCOMPARE(trajectory_->findChild<HeroViews*>()->hero(), QString("motion"));
+        QCOMPARE(trajectory_->findChild<PrimaryViews*>()->primary(), QString("motion"));
     }
 
     void allFitTheSmallestWindow()
@@ -326,10 +326,10 @@ private slots:
         settle();
         set("channels", std::string("marker=1,X3=0,Y3=2,Xp=3,Yp=4"));
         QTRY_VERIFY(!trajectory_->isBusy() && trajectory_->error());
-        auto* heroes = trajectory_->findChild<HeroViews*>();
+        auto* primaryViews = trajectory_->findChild<PrimaryViews*>();
         QVERIFY(trajectory_->findChild<trajectory_panel::ChannelTable*>()->isVisible());  // where it can be mended
-        QCOMPARE(heroes->hero(), QString("record"));
-        QVERIFY(!heroes->keys().contains("motion"));
+        QCOMPARE(primaryViews->primary(), QString("record"));
+        QVERIFY(!primaryViews->keys().contains("motion"));
         auto* box =
             qobject_cast<QComboBox*>(trajectory_->findChild<trajectory_panel::ChannelTable*>()->cellWidget(0, 5));
         QVERIFY(box != nullptr);
@@ -340,7 +340,7 @@ private slots:
             fromValues<trajectory::TrajectoryParameters>(session_->panel("roundness").parameters).channels;
         QVERIFY2(map.find("marker=0") != std::string::npos && map.find("X3=1") != std::string::npos, map.c_str());
         QVERIFY(trajectory_->result()->trajectory != nullptr);
-        QCOMPARE(heroes->hero(), QString("motion"));
+        QCOMPARE(primaryViews->primary(), QString("motion"));
     }
 
     void aFileOfAnotherKindIsRefusedInItsPlace()
@@ -389,9 +389,10 @@ private slots:
         }
         // The report says which section it judges.
         const report::Document judged = *roundness_->reportDocument();
-        const auto* said = std::get_if<report::Paragraph>(&judged.sections.front().blocks.at(1));
-        QVERIFY(said);
-        QCOMPARE(*find(said->values, "section"), Value(std::int64_t{roundness_->result()->chosenSection()->section}));
+        const auto* sentence = std::get_if<report::Paragraph>(&judged.sections.front().blocks.at(1));
+        QVERIFY(sentence);
+        QCOMPARE(*find(sentence->values, "section"),
+                 Value(std::int64_t{roundness_->result()->chosenSection()->section}));
         session_->save(folder_.filePath("project.lathelier"));
         const project::ProjectFile saved = project::readProject(folder_.filePath("project.lathelier").toStdString());
         QCOMPARE(saved.project.panels.at("roundness").inputs.at("record").sha256.size(), std::size_t{64});
@@ -405,12 +406,12 @@ private slots:
         Languages languages;
         languages.use("pl");
         settle();
-        QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Sygnały"));
+        QCOMPARE(trajectory_->findChild<PrimaryViews*>()->title("signals"), QStringLiteral("Sygnały"));
         QVERIFY(longitudinal_->findChild<longitudinal_panel::SectionTable*>()->horizontalHeaderItem(0)->text() ==
                 "przekrój");
         languages.use("en");
         settle();
-        QCOMPARE(trajectory_->findChild<HeroViews*>()->title("signals"), QStringLiteral("Signals"));
+        QCOMPARE(trajectory_->findChild<PrimaryViews*>()->title("signals"), QStringLiteral("Signals"));
         QLocale::setDefault(QLocale::c());
     }
 };

@@ -328,9 +328,9 @@ private slots:
     void withoutASpindleASentenceStandsInPlaceOfSpeeds()
     {
         openOne(paper_);
-        views().heroes()->setHero("sections");
-        QVERIFY(views().sentence()->isVisibleTo(views().heroes()));
-        QVERIFY(!views().sections()->isVisibleTo(views().heroes()));
+        views().primaryViews()->setPrimary("sections");
+        QVERIFY(views().sentence()->isVisibleTo(views().primaryViews()));
+        QVERIFY(!views().sections()->isVisibleTo(views().primaryViews()));
         QVERIFY(views().sentence()->text().contains("spindle"));
     }
 
@@ -344,9 +344,9 @@ private slots:
             project.panels["turning"].inputs["spindle"].item = "spindle";
         });
         settle();
-        views().heroes()->setHero("sections");
+        views().primaryViews()->setPrimary("sections");
         QVERIFY(!plan().sections.empty() && plan().sections[0].receptance);
-        QVERIFY(!views().sentence()->isVisibleTo(views().heroes()));
+        QVERIFY(!views().sentence()->isVisibleTo(views().primaryViews()));
         QVERIFY(views().courses()->box(Course::Frequency)->isEnabled());
         views().sections()->setCurrentCell(0, 0);
         QVERIFY(!views().why()->data().curves.empty() || !views().why()->data().regions.empty());

@@ -91,7 +91,7 @@ private slots:
             views().order()->up()->click();
             ++moves;
             settle();
-            QVERIFY(views().order()->said().isEmpty());
+            QVERIFY(views().order()->refusalText().isEmpty());
             // What was moved stays chosen, so that the next click moves it on.
             QCOMPARE(views().operations()->currentRow(), rowOf(OperationKind::Groove));
         }
@@ -153,12 +153,12 @@ private slots:
         const int steps = session_->undoStack().count();
         views().operations()->setCurrentCell(rowOf(OperationKind::Finish), 0);
         views().order()->up()->click();  // before the semi-finish
-        QVERIFY(views().order()->said().contains("cannot run before"));
+        QVERIFY(views().order()->refusalText().contains("cannot run before"));
         QVERIFY(panel_->findChild<QLabel*>("operationsSaid")->isVisibleTo(views().order()));
         QCOMPARE(session_->undoStack().count(), steps);
         // Dragged to the first place by its number: before roughing.
         views().order()->moveStep(rowOf(OperationKind::Finish), 0);
-        QVERIFY(views().order()->said().contains("cannot run before"));
+        QVERIFY(views().order()->refusalText().contains("cannot run before"));
         QCOMPARE(session_->undoStack().count(), steps);
         QVERIFY(plan().parameters.order.empty());
     }

@@ -255,9 +255,9 @@ private slots:
         open(neck_);
         Languages languages;
         languages.use("pl");
-        QTRY_COMPARE(views().heroes()->title("operations"), QString("Operacje"));
+        QTRY_COMPARE(views().primaryViews()->title("operations"), QString("Operacje"));
         languages.use("en");
-        QTRY_COMPARE(views().heroes()->title("operations"), QString("Operations"));
+        QTRY_COMPARE(views().primaryViews()->title("operations"), QString("Operations"));
     }
 };
 

@@ -1,4 +1,4 @@
-// Files that were read, kept until the user takes what has changed on the disk.
+// Cache of files read, valid until the user accepts changes on disk.
 #pragma once
 
 #include <algorithm>
@@ -14,36 +14,35 @@
 
 namespace lathelier {
 
-/// A file as it was when it was read.
+/// State of a file when it was read.
 struct FileSeen {
     std::string path;    ///< as it was opened
     std::string stamp;   ///< fileStamp() when it was read
     std::string sha256;  ///< of the content that was read
 };
 
-/// What the window has to know of a store of files, whatever they hold. Safe from any thread.
+/// Interface of a file cache independent of the content. Thread-safe.
 class FileStore {
 public:
     virtual ~FileStore() = default;
 
-    /// SHA-256 of what was read for `source`; nullopt when it was not read. Never reads.
+    /// SHA-256 of what was read for `source`; nullopt when it was not read. Does not read.
     virtual std::optional<std::string> digest(const project::Source& source) const = 0;
 
-    /// All files that were read and not forgotten since.
+    /// All cached files.
     virtual std::vector<FileSeen> seen() const = 0;
 
-    /// Forgets what is no longer on the disk as it was read: the next load() takes the file that is there. True when
-    /// there was any.
+    /// Drops files changed or missing on disk, so that the next load() reads them again. True when there were any.
     virtual bool forgetChanged() = 0;
 };
 
-/// A file's content with what a report says of the file, and of others that belong to it.
+/// Content of a file with the report entries of it and of its partner files.
 template <class File>
 struct Loaded {
-    File file;                      ///< what the reader gave
+    File file;                      ///< result of the reader
     std::vector<InputFile> inputs;  ///< the file itself first
 
-    /// Tells contents apart.
+    /// Digest that identifies the content.
     std::string digest() const
     {
         std::string all;
@@ -52,14 +51,14 @@ struct Loaded {
     }
 };
 
-/// As much of a digest as tells files apart in a sentence.
+/// Abbreviated digest for messages.
 std::string shortDigest(const std::string& sha256);
 
 /// Error sourceReplaced: `path` was read before, with other content.
 void requireSame(const FileSeen& before, const InputFile& now);
 
-/// Reads each file once: a second request with the same path and import options gets the same content, whatever has
-/// become of the file since. Safe from any thread; panels call load() inside their job, never in the GUI thread.
+/// Reads each file once: a second request with equal path and import options returns the same content even if the file
+/// has changed. Thread-safe; panels call load() inside their job, not in the GUI thread.
 template <class File>
 class FileCache : public FileStore {
 public:
@@ -69,7 +68,7 @@ public:
     explicit FileCache(std::size_t capacity) : capacity_(capacity) {}
 
     /// Errors and Cancelled as the reader; sourceReplaced when the file has to be read again (for other import options)
-    /// and is another one by now.
+    /// and has changed.
     Pointer load(const project::Source& source, const Progress& progress = {})
     {
         if (Pointer there = known(source)) return there;
@@ -96,7 +95,7 @@ public:
         return loaded;
     }
 
-    /// What is already there for `source`, as its file was when it was read; nullptr when nothing is. Never reads.
+    /// The cached content for `source`; nullptr when there is none. Does not read.
     Pointer known(const project::Source& source) const
     {
         const std::lock_guard lock(mutex_);
@@ -136,7 +135,7 @@ public:
     }
 
 protected:
-    /// Opens source.path, and what else belongs to it, with `inputs`.
+    /// Opens source.path and its partner files with `inputs`.
     virtual File read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const = 0;
 
 private:
@@ -152,8 +151,8 @@ private:
 
     std::size_t capacity_;
     mutable std::mutex mutex_;
-    std::vector<Entry> entries_;            ///< oldest first
-    std::map<std::string, FileSeen> seen_;  ///< by path, of all that were read
+    std::vector<Entry> entries_;            ///< cached entries, oldest first
+    std::map<std::string, FileSeen> seen_;  ///< state of all files read, by path
 };
 
 }  // namespace lathelier

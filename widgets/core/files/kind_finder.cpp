@@ -32,7 +32,7 @@ void KindFinder::next()
             next();
             done(files);
         },
-        [this, names, done](const Error&) {  // the reader of the files will say why
+        [this, names, done](const Error&) {  // the error is reported by the reader of the files
             next();
             std::vector<FoundFile> files;
             files.reserve(names.size());

@@ -1,4 +1,4 @@
-// Which kinds of file were opened or dropped: their heads are looked at in the background.
+// Determines the kinds of opened or dropped files from their heads, in the background.
 #pragma once
 
 #include <QObject>
@@ -14,14 +14,14 @@
 
 namespace lathelier {
 
-/// A file that was opened or dropped.
+/// An opened or dropped file.
 struct FoundFile {
-    std::string path;                          ///< as it was given
-    const io::FileKind* kind = nullptr;        ///< nullptr: of no kind, or not to be read
-    io::Likeness likeness = io::Likeness::No;  ///< how much its head speaks for that kind
+    std::string path;                          ///< path as given
+    const io::FileKind* kind = nullptr;        ///< kind; nullptr: unknown or unreadable
+    io::Likeness likeness = io::Likeness::No;  ///< confidence of the kind
 };
 
-/// Lists of files are looked at one after another, and answered in that order. Lives in the GUI thread.
+/// Lists of files are processed and answered in order. For the GUI thread.
 class KindFinder : public QObject {
     Q_OBJECT
 public:

@@ -1,4 +1,4 @@
-// Scans that were read, kept until the user takes what has changed.
+// Cache of scans, valid until the user accepts changes.
 #pragma once
 
 #include "engine/io/cloud/scan_reader.h"

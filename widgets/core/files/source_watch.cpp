@@ -47,7 +47,7 @@ void SourceWatch::look()
         [this](const Findings& now) { take(now); }, [](const Error&) {});
 }
 
-/// The files that are not what was read; what is `known` of a file that has not changed since is not computed again.
+/// Findings for the changed files; `known` findings of unchanged files are reused.
 SourceWatch::Findings SourceWatch::changesOf(const Stores& stores, const Findings& known, const Progress& progress)
 {
     Findings findings;
@@ -71,7 +71,7 @@ SourceWatch::Findings SourceWatch::changesOf(const Stores& stores, const Finding
                                          {"read_sha256", file.sha256},
                                          {"now_sha256", now}}}};
         } catch (const Error& error) {
-            if (error.code() == errors::fileChanged) continue;  // still being written: at the next turn
+            if (error.code() == errors::fileChanged) continue;  // still being written: checked at the next turn
             findings[file.path] = {
                 stamp,
                 {notes::sourceGone,

@@ -1,4 +1,4 @@
-// Watches the files that were read: what other programs do to them is told, and taken only when the user wants it.
+// Watches the files read: changes by other programs are reported, and accepted only on request.
 #pragma once
 
 #include <QObject>
@@ -15,36 +15,36 @@
 
 namespace lathelier {
 
-/// Looks at the files of all stores every two seconds, in a thread of its own, for a file system may hang.
+/// Checks the files of all stores every two seconds in a separate thread, since a file system may block.
 class SourceWatch : public QObject {
     Q_OBJECT
 public:
     explicit SourceWatch(std::shared_ptr<Stores> stores, QObject* parent = nullptr);
 
-    /// What became of the files behind `state`: notes sourceChangedSince and sourceGone.
+    /// Changes of the files of `state`: notes sourceChangedSince and sourceGone.
     Notes notesOf(const project::PanelState& state) const;
 
-    /// Compares the sources of a project that was opened with the digests it was saved with; what differs is told by
-    /// found().
+    /// Compares the sources of a project that was opened with the digests it was saved with; differences are reported
+    /// by found().
     void compareWithSaved(const project::Project& project);
 
-    /// Looks now, not at the next turn.
+    /// Checks now, not at the next turn.
     void look();
 
-    /// Forgets what it found: the new files are being taken.
+    /// Clears the findings: the new files are being accepted.
     void clear();
 
 signals:
-    void changed();                           ///< notesOf() has something new
+    void changed();                           ///< notesOf() has changed
     void found(const lathelier::Note& note);  ///< for the message log, once for each change
-    void savedCompared();                     ///< compareWithSaved() is through
+    void savedCompared();                     ///< compareWithSaved() has finished
 
 private:
     struct Finding {
-        std::string stamp;  ///< of the file that is there
-        Note note;          ///< sourceChangedSince or sourceGone
+        std::string stamp;  ///< stamp of the present file
+        Note note;          ///< note sourceChangedSince or sourceGone
     };
-    using Findings = std::map<std::string, Finding>;  ///< by path
+    using Findings = std::map<std::string, Finding>;  ///< findings by path
 
     static Findings changesOf(const Stores& stores, const Findings& known, const Progress& progress);
     void take(const Findings& now);

@@ -1,4 +1,4 @@
-// What panels share beside the project: files that were read, results that several panels show.
+// Objects shared by panels beside the project: file caches, results shown by several panels.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace lathelier {
 
-/// One object of each type, made when first asked for. Safe from any thread; so must be the types.
+/// One object of each type, created on first use. Thread-safe; the types must be as well.
 class Stores {
 public:
     template <class T>
@@ -31,7 +31,7 @@ public:
         return std::static_pointer_cast<T>(place);
     }
 
-    /// SHA-256 of what was read for `source`, by whichever store read it.
+    /// SHA-256 of the content read for `source` by any store.
     std::optional<std::string> digest(const project::Source& source) const
     {
         const std::lock_guard lock(mutex_);
@@ -50,7 +50,7 @@ public:
         return all;
     }
 
-    /// Forgets the files that are no longer on the disk as they were read; true when there were any.
+    /// Drops files changed or missing on disk; true when there were any.
     bool forgetChanged()
     {
         const std::lock_guard lock(mutex_);

@@ -85,7 +85,7 @@ private:
     bool integer_;
 };
 
-/// A combo box that the wheel turns only when it has the focus, so that scrolling the column changes nothing.
+/// A combo box that reacts to the wheel only with focus, so that scrolling the column does not change it.
 class CalmComboBox : public QComboBox {
 protected:
     void wheelEvent(QWheelEvent* event) override
@@ -199,7 +199,7 @@ public:
         if (const Rows* rows = std::get_if<Rows>(&value))
             edit_->setRows(*rows);
         else
-            edit_->setRows({});  // an empty list of a project file
+            edit_->setRows({});  // empty list in the project file
     }
     void retranslate(const FieldInfo& info) override { edit_->setNames(screenText(info.label), screenText(info.help)); }
     QWidget* input() override { return edit_; }

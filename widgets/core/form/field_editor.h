@@ -14,13 +14,13 @@ public:
     ~FieldEditor() override;
 
     virtual Value value() const = 0;
-    virtual void setValue(const Value& value) = 0;  ///< announces nothing
+    virtual void setValue(const Value& value) = 0;  ///< sets the value without a signal
     virtual void retranslate(const FieldInfo& info) = 0;
-    virtual QWidget* input() = 0;  ///< what takes the keyboard focus
+    virtual QWidget* input() = 0;  ///< the widget for the keyboard focus
 
 signals:
-    void changed();   ///< by the user, to a sound value
-    void finished();  ///< the gesture is over
+    void changed();   ///< emitted when the user enters a valid value
+    void finished();  ///< end of the gesture
 
 protected:
     void fill(QWidget* content);

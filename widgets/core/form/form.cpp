@@ -129,7 +129,8 @@ void Form::setUsed(const UsedValues& used)
     showLabels();
 }
 
-/// Label, unit, and what was used where the field is open. What is assumed is counted where the fold hides it.
+/// Label, unit, and the value used where the field is empty. Assumed values are counted in the header of the folded
+/// part.
 void Form::showLabels()
 {
     int folded = 0;

@@ -18,8 +18,8 @@ namespace lathelier {
 class FieldEditor;
 
 /// One editor for each field: label with tooltip, unit behind the editor, advanced fields folded away; the fields of a
-/// group under its heading, those of a group that is absent disabled. Programmatic
-/// setValues() is never announced. Numbers are shown in the user's locale.
+/// group under its heading, those of a group that is absent disabled. Programmatic setValues() emits no signal. Numbers
+/// are shown in the user's locale.
 class Form : public QWidget {
     Q_OBJECT
 public:
@@ -27,16 +27,16 @@ public:
     ~Form() override;
 
     Values values() const;
-    void setValues(const Values& values);  ///< unknown names are ignored, missing ones stay
+    void setValues(const Values& values);  ///< unknown names are ignored, missing ones keep their value
     void setUnfolded(bool unfolded);       ///< shows the advanced fields
-    void setUsed(const UsedValues& used);  ///< tags fields left open with what was used: assumed, from the file
+    void setUsed(const UsedValues& used);  ///< marks empty fields with the value used and its origin
 
     /// The widget that edits `key`, for the keyboard focus and for tests; nullptr when there is none.
     QWidget* editor(const std::string& key) const;
 
 signals:
-    /// The user gave the field `key` a sound value. Changes with the same `gesture` belong together (one drag, one
-    /// turn of the wheel until the field is left): one undo step.
+    /// The user entered a valid value into the field `key`. Changes with the same `gesture` (one drag, one turn of the
+    /// wheel until the field is left) form one undo step.
     void valueChanged(const std::string& key, const lathelier::Value& value, int gesture);
 
 protected:
@@ -44,7 +44,7 @@ protected:
 
 private:
     struct Row {
-        FieldInfo info;       ///< what the row edits
+        FieldInfo info;       ///< field of the row
         QLabel* label;        ///< left column
         FieldEditor* editor;  ///< right column
     };

@@ -28,7 +28,7 @@ std::vector<FieldInfo> readingOf(const InputRole& role)
     return fields;
 }
 
-/// "ply_binary_little_endian": what a person wants to know of it, "PLY binary".
+/// "ply_binary_little_endian": shown as "PLY binary".
 QString formatText(const std::string& format)
 {
     const QStringList words = QString::fromStdString(format).split('_');
@@ -87,8 +87,8 @@ InputBox::InputBox(const InputRole& role, QWidget* parent)
     layout->setColumnStretch(0, 1);
     how_->setCheckable(true);
     import_->hide();
-    connect(open_, &QToolButton::clicked, this, &InputBox::openWanted);
-    connect(clear_, &QToolButton::clicked, this, &InputBox::clearWanted);
+    connect(open_, &QToolButton::clicked, this, &InputBox::openRequested);
+    connect(clear_, &QToolButton::clicked, this, &InputBox::clearRequested);
     connect(how_, &QToolButton::toggled, import_, &QWidget::setVisible);
     connect(import_, &Form::valueChanged, this, [this] { emit importChanged(import_->values()); });
     retranslate();
@@ -111,7 +111,7 @@ void InputBox::setItems(const std::vector<ItemOffer>& items)
     items_ = items;
     item_->menu()->clear();
     for (const ItemOffer& item : items_)
-        item_->menu()->addAction(item.name, this, [this, name = item.name] { emit itemWanted(name); });
+        item_->menu()->addAction(item.name, this, [this, name = item.name] { emit itemRequested(name); });
     refresh();
 }
 
@@ -179,7 +179,7 @@ void InputBox::refresh()
     }
     if (there && sources_.front().synthetic) facts << tr("Synthetic data");
     facts_->setText(facts.join('\n'));
-    facts_->setMinimumHeight(facts.isEmpty() ? 0 : facts_->heightForWidth(std::max(width(), 40)));  // no line is cut
+    facts_->setMinimumHeight(facts.isEmpty() ? 0 : facts_->heightForWidth(std::max(width(), 40)));  // no clipped line
     facts_->setVisible(!facts.isEmpty());
 }
 

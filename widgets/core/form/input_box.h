@@ -1,4 +1,4 @@
-// One input of a panel: which file or files, what was understood of them, and how to read them.
+// One input of a panel: its files, their facts and reading options.
 #pragma once
 
 #include <QLabel>
@@ -12,29 +12,29 @@ namespace lathelier {
 
 class Form;
 
-/// Shows the Sources of a role and lets the user choose, drop, clear them, and settle what the files leave open.
-/// Changes nothing by itself: the panel does, through the session.
+/// Shows the Sources of a role and lets the user choose, drop and clear them and set reading options. Changes go
+/// through the panel and the session.
 class InputBox : public QWidget {
     Q_OBJECT
 public:
     explicit InputBox(const InputRole& role, QWidget* parent = nullptr);
 
     void setSources(const std::vector<project::Source>& sources);
-    /// The items of the project that may be taken, and which of them have an origin that changed.
+    /// The project's items of the accepted kind, and whether their origin has changed.
     struct ItemOffer {
-        QString name;           ///< of the item
+        QString name;           ///< name of the item
         QString origin;         ///< title or id of the panel that made it; empty: none
-        bool outdated = false;  ///< isOutdated(): the panel that made it has another state by now
+        bool outdated = false;  ///< isOutdated(): the state of the panel that made it has changed
     };
     void setItems(const std::vector<ItemOffer>& items);
 
     void setUnderstood(const QString& text);  ///< empty: not read (yet)
-    void setProblem(const Error* error);      ///< of this file; unfolds the reading options when they settle it
+    void setProblem(const Error* error);      ///< error of this file; unfolds the reading options that can resolve it
 
 signals:
-    void openWanted();
-    void clearWanted();
-    void itemWanted(const QString& name);
+    void openRequested();
+    void clearRequested();
+    void itemRequested(const QString& name);
     void filesDropped(const QStringList& paths);
     void importChanged(const lathelier::Values& import);
 

@@ -32,7 +32,7 @@ InputColumn::InputColumn(const PanelInputs& inputs, QWidget* parent)
     form_->setValues(inputs.defaults);
     layout->addWidget(form_);
     layout->addStretch();
-    setWidget(column);  // whose layout requests come to eventFilter() from now on
+    setWidget(column);  // its layout requests are handled in eventFilter()
     connect(form_, &Form::valueChanged, this, [this](const std::string& key, const Value& value, int gesture) {
         const auto info = std::find_if(inputs_.fields.begin(), inputs_.fields.end(),
                                        [&](const FieldInfo& field) { return field.key == key; });
@@ -42,8 +42,7 @@ InputColumn::InputColumn(const PanelInputs& inputs, QWidget* parent)
 
 bool InputColumn::eventFilter(QObject* watched, QEvent* event)
 {
-    // There is no horizontal scroll bar: the column is never narrower than what it holds, in any language and type
-    // size.
+    // There is no horizontal scroll bar: the column is at least as wide as its content, in any language and font size.
     if (watched == widget() && (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize))
         setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
     return QScrollArea::eventFilter(watched, event);
@@ -53,14 +52,14 @@ InputBox* InputColumn::makeBox(const InputRole& role)
 {
     auto* box = new InputBox(role);
     boxes_[role.role] = box;
-    connect(box, &InputBox::openWanted, this, [this, role] { ask(role); });
+    connect(box, &InputBox::openRequested, this, [this, role] { ask(role); });
     connect(box, &InputBox::filesDropped, this, [this, role](const QStringList& paths) { choose(role, paths); });
-    connect(box, &InputBox::itemWanted, this, [this, role](const QString& name) {
+    connect(box, &InputBox::itemRequested, this, [this, role](const QString& name) {
         project::Source source;
         source.item = name.toStdString();
         emit sourcesChosen(role, {source}, tr("Use “%1”").arg(name));
     });
-    connect(box, &InputBox::clearWanted, this,
+    connect(box, &InputBox::clearRequested, this,
             [this, role] { emit sourcesChosen(role, {}, tr("Take away: %1").arg(screenText(role.label))); });
     connect(box, &InputBox::importChanged, this, [this, role](const Values& import) {
         std::vector<project::Source> sources = sourcesOf(state_, role);

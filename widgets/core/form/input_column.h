@@ -12,8 +12,8 @@ namespace lathelier {
 class Form;
 class InputBox;
 
-/// Shows a PanelState and says what the user wants changed. Changes nothing by itself: the panel does, through the
-/// session; `step` names the change in the Edit menu.
+/// Shows a PanelState and emits the changes requested by the user, which the panel applies through the session; `step`
+/// names the change in the Edit menu.
 class InputColumn : public QScrollArea {
     Q_OBJECT
 public:
@@ -21,16 +21,16 @@ public:
 
     void showState(const project::PanelState& state);
 
-    /// What the project has for roles that take items.
+    /// The project's items for roles that accept items.
     void showItems(const project::Project& project);
 
-    /// What was understood of the files so far, and which of them `error` is about.
+    /// Facts of the files read so far, and the file that `error` refers to.
     using Understood = std::function<QString(const InputRole&, const project::Source&)>;
     void showFacts(const Understood& understood, const std::optional<Error>& error);
 
     Form& form() const { return *form_; }
 
-    /// A control that belongs to the panel, between its files: above the input `role`, in the middle.
+    /// A control of the panel between its files: above the input `role`, centred.
     void insertBefore(const std::string& role, QWidget* control);
 
 signals:
@@ -52,13 +52,13 @@ private:
     Form* form_;
 };
 
-/// A source as it is when a file has just been chosen.
+/// The source of a newly chosen file.
 project::Source newSource(const QString& path);
 
 /// "Point clouds and meshes (*.xyz *.ply);;All files (*)"; of several kinds, first all of them.
 QString fileFilter(const io::FileKinds& kinds);
 
-/// In the order a person counts them: "section2" before "section10".
+/// In natural order: "section2" before "section10".
 QStringList counted(QStringList paths);
 
 }  // namespace lathelier

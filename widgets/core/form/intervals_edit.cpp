@@ -47,7 +47,7 @@ std::vector<Interval> IntervalsEdit::intervals() const
 void IntervalsEdit::setIntervals(const std::vector<Interval>& intervals)
 {
     announced_ = intervals;
-    if (intervals == this->intervals()) return;  // keeps an unfinished row
+    if (intervals == this->intervals()) return;  // keeps an incomplete row
     while (!rows_.empty()) {
         rows_.back().widget->hide();
         rows_.back().widget->deleteLater();

@@ -11,8 +11,8 @@
 
 namespace lathelier {
 
-/// Edits ranges within [minimum, maximum]. A row counts once both ends are given and from <= to; until then it is kept
-/// on screen and not announced.
+/// Edits ranges within [minimum, maximum]. A row is valid once both ends are given and from <= to; until then it is
+/// shown and not reported.
 class IntervalsEdit : public QWidget {
     Q_OBJECT
 public:
@@ -20,12 +20,12 @@ public:
     ~IntervalsEdit() override;
 
     std::vector<Interval> intervals() const;
-    void setIntervals(const std::vector<Interval>& intervals);  ///< announces nothing
-    void setFactor(double factor);                              ///< as NumberEdit::setFactor()
+    void setIntervals(const std::vector<Interval>& intervals);  ///< sets the ranges without a signal
+    void setFactor(double factor);                              ///< see NumberEdit::setFactor()
     void setNames(const QString& name, const QString& help);    ///< accessible name of the ends, tooltip
 
 signals:
-    void intervalsChanged();  ///< by the user
+    void intervalsChanged();  ///< emitted on a change by the user
     void finished();
 
 protected:
@@ -33,7 +33,7 @@ protected:
 
 private:
     struct Row {
-        QWidget* widget;      ///< holds the others
+        QWidget* widget;      ///< container of the others
         NumberEdit* from;     ///< lower end; may be empty
         NumberEdit* to;       ///< upper end; may be empty
         QToolButton* remove;  ///< button that takes the row away
@@ -45,7 +45,7 @@ private:
 
     double minimum_;
     double maximum_;
-    double factor_ = 1;  ///< of what is shown
+    double factor_ = 1;  ///< display factor
     QString name_;
     QString help_;
     QVBoxLayout* rowsLayout_;

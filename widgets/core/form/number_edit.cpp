@@ -16,7 +16,7 @@ namespace {
 
 constexpr int typingPause_ms = 350;
 
-/// As it is typed: the digits of a number in another unit are those that can be meant.
+/// Text of a number for editing: a converted number is rounded to meaningful digits.
 QString localText(double number, double factor)
 {
     QLocale locale;
@@ -24,7 +24,7 @@ QString localText(double number, double factor)
     return locale.toString(number * factor, 'g', factor == 1 ? 12 : 7);
 }
 
-/// What was typed, as a number: without the last bits of the conversion.
+/// The typed number, rounded to remove conversion noise.
 double fromShown(double shown, double factor)
 {
     if (factor == 1 || shown == 0) return shown;
@@ -33,7 +33,7 @@ double fromShown(double shown, double factor)
     return std::round(number * digit) / digit;
 }
 
-/// A readable step for `number`: 0.05 and 0.1 by 0.01, 3 by 1; at most a hundredth of the range.
+/// Step size for `number`: 0.05 and 0.1 by 0.01, 3 by 1; at most a hundredth of the range.
 double stepOf(double number, double range, bool integer)
 {
     const double size = number == 0 ? 0.1 : std::pow(10, std::floor(std::log10(std::abs(number) / 2) + 1e-9));
@@ -85,7 +85,7 @@ void NumberEdit::offer()
     menu.exec(mapToGlobal(rect().bottomLeft()));
 }
 
-/// Another number at once, as one gesture.
+/// Sets a number immediately, as one gesture.
 void NumberEdit::take(std::optional<double> number)
 {
     pause_.stop();
@@ -113,7 +113,7 @@ void NumberEdit::setFactor(double factor)
 
 void NumberEdit::setNumber(std::optional<double> number)
 {
-    if (pending_) return;  // the user is typing: what is typed will be announced and wins
+    if (pending_) return;  // the user is typing: the typed value has precedence
     if (sound_ && number && number == number_ && !text().isEmpty()) return;  // keep "0.050" as it was typed
     number_ = number;
     showNumber();
@@ -132,7 +132,7 @@ bool NumberEdit::accepts(const QString& text, std::optional<double>& number) con
         number.reset();
         return optional_;
     }
-    // Both decimal marks are taken whatever the locale: nobody types groups into such a field.
+    // Both decimal marks are accepted in any locale, since group separators are not typed here.
     QString plain = trimmed;
     plain.replace(',', '.').replace(QChar(0x2212), '-');
     bool understood = false;
@@ -168,7 +168,7 @@ void NumberEdit::announce()
 void NumberEdit::finish()
 {
     announce();
-    if (!sound_ && !hasFocus()) showNumber();  // leave the field with the last sound number
+    if (!sound_ && !hasFocus()) showNumber();  // on leaving the field the last valid number is shown
     emit finished();
 }
 
@@ -220,7 +220,7 @@ void NumberEdit::keyPressEvent(QKeyEvent* event)
 void NumberEdit::wheelEvent(QWheelEvent* event)
 {
     if (!hasFocus()) {
-        event->ignore();  // scrolls the column instead
+        event->ignore();  // scroll the column instead
         return;
     }
     step(event->angleDelta().y() > 0 ? 1 : -1);

@@ -24,14 +24,13 @@ namespace {
 
 constexpr int leastRowsShown = 4;
 constexpr int mostRowsShown = 10;
-constexpr int digitsShown = 10, digitsConverted = 7;  // significant ones
-/// Of a cell with a number: its text as it was filled in, and the number that it stands for, which the digits of the
-/// text do not give back.
+constexpr int digitsShown = 10, digitsConverted = 7;  // significant digits of exact and of converted numbers
+/// Item data of a number cell: its original text, and the exact number, which the displayed digits do not restore.
 constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
-/// Of the first cell of a row: the row as it came, for its columns that are not shown.
+/// Item data of the first cell of a row: the original row, for its hidden columns.
 constexpr int foldedRole = Qt::UserRole + 2;
 
-/// As it is typed again: numbers in the user's locale, without the noise of sums in binary, choices by their label.
+/// Text for editing: numbers in the user's locale without binary rounding noise, choices by their label.
 QString typedCellText(const FieldInfo& column, const Value& value)
 {
     if (const auto* number = std::get_if<double>(&value)) {
@@ -46,7 +45,7 @@ QString typedCellText(const FieldInfo& column, const Value& value)
     return screenText(value);
 }
 
-/// What was typed in the form that parse() takes: a decimal point, keys of choices, "yes" and "no".
+/// Typed text converted for parse(): a decimal point, keys of choices, "yes" and "no".
 std::string plainNumberText(const FieldInfo& column, const QString& typed)
 {
     const QString text = typed.trimmed();
@@ -96,7 +95,7 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
         if (!info_.columns[c].advanced) shown_.push_back(c);
     table_->setColumnCount(static_cast<int>(shown_.size()));
     table_->horizontalHeader()->setHighlightSections(false);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // names are of any length
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // headings have variable length
     table_->horizontalHeader()->setStretchLastSection(true);
     table_->horizontalHeader()->setMinimumSectionSize(fontMetrics().horizontalAdvance(QStringLiteral("0000000")));
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -230,7 +229,7 @@ std::optional<Value> RowsEdit::understand(int row, int c, QString& problem) cons
     }
 }
 
-/// Marks what does not fit; when all fits and something is new, it is announced.
+/// Marks invalid cells; reports a change when all cells are valid.
 void RowsEdit::check()
 {
     Rows typed;
@@ -281,7 +280,8 @@ void RowsEdit::retranslate()
         const FieldInfo& one = info_.columns[shown];
         const QString unit = screenUnit(one.unit);
         head << (unit.isEmpty() ? screenText(one.label)
-                                : QStringLiteral("%1\n(%2)").arg(screenText(one.label), unit));  // columns are narrow
+                                // line break, since columns are narrow
+                                : QStringLiteral("%1\n(%2)").arg(screenText(one.label), unit));
     }
     table_->setHorizontalHeaderLabels(head);
     for (int c = 0; c < table_->columnCount(); ++c)
@@ -291,7 +291,7 @@ void RowsEdit::retranslate()
     paste_->setText(tr("Paste"));
     paste_->setToolTip(tr("Paste rows from a spreadsheet, from the current cell on"));
     for (QToolButton* one : {add_, remove_, paste_}) one->setAccessibleName(one->toolTip());
-    if (sound_) fill();  // numbers and choices in the new language; what does not fit stays as it was typed
+    if (sound_) fill();  // numbers and choices in the new language; invalid input is kept as typed
 }
 
 }  // namespace lathelier

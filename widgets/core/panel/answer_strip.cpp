@@ -15,11 +15,11 @@
 namespace lathelier {
 namespace {
 
-constexpr double valueSize = 1.9;      // times the size of the application's type
-constexpr int presentedValue_px = 96;  // readable from the last row of a room
+constexpr double valueSize = 1.9;      // font size of the value relative to the application's
+constexpr int presentedValue_px = 96;  // font height in presenter mode
 constexpr int leastRuler_chars = 24;
 constexpr int mostRuler_chars = 60;
-constexpr int presentedLeast_px = 56;  // where the window is small
+constexpr int presentedLeast_px = 56;  // font height in presenter mode in a small window
 
 QFont scaled(const QFont& font, double factor)
 {
@@ -28,7 +28,7 @@ QFont scaled(const QFont& font, double factor)
     return result;
 }
 
-/// Told apart by symbol and word; dark enough for white text in light and dark themes alike.
+/// Badge colours: dark enough for white text in light and dark themes; symbol and text also distinguish the verdict.
 QString plateColour(const std::optional<Verdict>& verdict)
 {
     if (!verdict) return "#52606d";
@@ -40,7 +40,7 @@ QString plateColour(const std::optional<Verdict>& verdict)
     return {};
 }
 
-QString said(const std::string& text)
+QString toQString(const std::string& text)
 {
     return QString::fromStdString(text);
 }
@@ -131,11 +131,12 @@ void AnswerRuler::setAnswer(const std::optional<report::Answer>& answer)
     ruler_ = answer ? report::rulerOf(*answer) : std::nullopt;
     const Text unit = answer ? answer->unit : Text{};
     const auto number = [unit](const std::optional<double>& value) {
-        return value ? said(lathelier::text(shownValue(*value, unit, screenLanguage()), screenLanguage())) : QString();
+        return value ? toQString(lathelier::text(shownValue(*value, unit, screenLanguage()), screenLanguage()))
+                     : QString();
     };
     lower_ = answer ? number(answer->lower_limit) : QString();
     upper_ = answer ? number(answer->upper_limit) : QString();
-    const QString words = answer ? said(report::limitText(*answer, screenLanguage())) : QString();
+    const QString words = answer ? toQString(report::limitText(*answer, screenLanguage())) : QString();
     setToolTip(words);
     setAccessibleName(words);
     update();
@@ -222,9 +223,9 @@ AnswerStrip::AnswerStrip(QWidget* parent)
         auto* button = new FindingLink(names[i]);
         connect(button, &FindingLink::clicked, this, [this, i] {
             if (!answer_ || i >= answer_->findings.size()) return;
-            const report::Finding finding = answer_->findings[i];  // what follows may bring another answer
+            const report::Finding finding = answer_->findings[i];  // copied, since a slot may replace the answer
             if (finding.offer.empty())
-                emit placeWanted(finding.place);
+                emit placeRequested(finding.place);
             else
                 emit offerTaken(finding.offer);
         });
@@ -255,17 +256,17 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
     report::Answer nameless = answer;
     nameless.value.reset();
     const std::string name = report::valueLine(nameless, language);
-    const QString words = said(report::expansion(name, language));
-    quantity_->say(said(name));
-    quantity_->setToolTip(words.isEmpty() ? said(name) : said(name) + "\n" + words);
-    value_->say(said(report::valueText(answer, language)));
-    value_->setToolTip(said(report::valueLine(answer, language)));
-    verdict_->setText(said(report::verdictText(answer, language)));
+    const QString words = toQString(report::expansion(name, language));
+    quantity_->say(toQString(name));
+    quantity_->setToolTip(words.isEmpty() ? toQString(name) : toQString(name) + "\n" + words);
+    value_->say(toQString(report::valueText(answer, language)));
+    value_->setToolTip(toQString(report::valueLine(answer, language)));
+    verdict_->setText(toQString(report::verdictText(answer, language)));
     showPlate(answer.verdict, true);
     ruler_->setAnswer(answer);
     showRuler();
-    QString sentence = said(report::sentenceText(answer, language));
-    if (const QString assumed = said(report::assumedText(answer, language)); !assumed.isEmpty())
+    QString sentence = toQString(report::sentenceText(answer, language));
+    if (const QString assumed = toQString(report::assumedText(answer, language)); !assumed.isEmpty())
         sentence += (sentence.isEmpty() ? QString() : QStringLiteral(" · ")) + assumed;
     sentence_->say(sentence);
     sentence_->setToolTip(sentence_->text());
@@ -274,17 +275,18 @@ void AnswerStrip::setAnswer(const report::Answer& answer)
         QString text;
         if (there) {
             const report::Finding& finding = answer.findings[i];
-            text = said(report::findingText(finding, language));
+            text = toQString(report::findingText(finding, language));
             if (finding.verdict)
-                text = said(lathelier::text(shortName(*finding.verdict), language)).left(1) + " " + text;
+                text = toQString(lathelier::text(shortName(*finding.verdict), language)).left(1) + " " + text;
         }
         const bool proposes = there && !answer.findings[i].offer.empty();
         findings_[i]->offer(text, there && (proposes || answer.findings[i].place.isAny()));
         if (proposes) findings_[i]->setToolTip(text + "\n" + tr("Click: use it. It can be undone."));
         if (there && answer.findings[i].verdict)
-            findings_[i]->setToolTip(said(lathelier::text(shortName(*answer.findings[i].verdict), language)) +
+            findings_[i]->setToolTip(toQString(lathelier::text(shortName(*answer.findings[i].verdict), language)) +
                                      text.mid(1));
-        findings_[i]->setVisible(sentence_->isVisibleTo(this) && (there || i == 0));  // the first keeps the height
+        findings_[i]->setVisible(sentence_->isVisibleTo(this) && (there || i == 0));  // the first line stays to keep
+                                                                                      // the height
     }
     setAccessibleName(this->text());
 }
@@ -336,7 +338,7 @@ void AnswerStrip::setPresenting(bool presenting)
     applyFonts();
 }
 
-/// The strip is as high with an answer as without one.
+/// The height of the strip is the same with and without an answer.
 void AnswerStrip::applyFonts()
 {
     QFont large = scaled(font(), valueSize);
@@ -366,7 +368,7 @@ void AnswerStrip::resizeEvent(QResizeEvent* event)
     sentence_->setVisible(!low);
     for (std::size_t i = 0; i < findings_.size(); ++i)
         findings_[i]->setVisible(!low && (i == 0 || !findings_[i]->text().isEmpty()));
-    // Badge and value come first: the ruler needs room of its own.
+    // Badge and value have precedence: the ruler is shown only with spare space.
     showRuler();
     if (presenting_) applyFonts();
 }

@@ -1,5 +1,5 @@
-// The answer of a panel above its views, in a strip whose height the content does not change: badge, value ±
-// uncertainty, ruler, sentence, findings, and the notes as chips. Nothing below moves when the answer changes.
+// The answer of a panel above its views, in a strip of constant height: badge, value ± uncertainty, ruler, sentence,
+// findings, and the notes as chips. The layout below does not move when the answer changes.
 #pragma once
 
 #include <QFrame>
@@ -15,12 +15,12 @@ namespace lathelier {
 
 class NotesChips;
 
-/// One line of text; what has no room ends in "…" and stands in the tooltip as a whole.
+/// One elided line of text, shown in full in the tooltip.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 public:
     explicit ElidedLabel(const char* name);
-    void say(const QString& text);  ///< text() stays whole
+    void say(const QString& text);  ///< sets the text; text() is not elided
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -29,12 +29,12 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 };
 
-/// A finding; one that has a place leads there, by pointer or by Enter.
+/// A finding; one with a place can be activated by pointer or Enter.
 class FindingLink : public ElidedLabel {
     Q_OBJECT
 public:
     explicit FindingLink(const char* name);
-    void offer(const QString& text, bool leads);  ///< `leads`: to a place, so that it can be clicked
+    void offer(const QString& text, bool leads);  ///< `leads`: the finding has a place and can be clicked
 
 signals:
     void clicked();
@@ -48,7 +48,7 @@ private:
     bool leads_ = false;
 };
 
-/// The value against its limits.
+/// Ruler of the value against its limits.
 class AnswerRuler : public QWidget {
     Q_OBJECT
 public:
@@ -70,17 +70,17 @@ class AnswerStrip : public QFrame {
     Q_OBJECT
 public:
     explicit AnswerStrip(QWidget* parent = nullptr);
-    void setAnswer(const report::Answer& answer);  ///< in the language of the screen
+    void setAnswer(const report::Answer& answer);  ///< texts in the user's language
     void setNotes(const Notes& notes);
     void clear();
-    void setPresenting(bool presenting);  ///< the value at a size for the last row of a room
-    QString text() const;                 ///< all that is said, without the notes
+    void setPresenting(bool presenting);  ///< large value for presentations
+    QString text() const;                 ///< all texts without the notes
 
     QSize sizeHint() const override;
 
 signals:
-    void placeWanted(const lathelier::report::Place& place);  ///< a finding was clicked
-    void offerTaken(const lathelier::Values& parameters);     ///< a finding that proposes these was clicked
+    void placeRequested(const lathelier::report::Place& place);  ///< request to show the place of a clicked finding
+    void offerTaken(const lathelier::Values& parameters);        ///< a clicked finding proposes these parameters
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -100,7 +100,7 @@ private:
     std::array<FindingLink*, 3> findings_{};
     std::optional<report::Answer> answer_;
     bool presenting_ = false;
-    int whole_px_ = 0;  ///< height with all lines; in a low panel there is the first one only
+    int whole_px_ = 0;  ///< height with all lines; a low panel shows only the first
 };
 
 }  // namespace lathelier

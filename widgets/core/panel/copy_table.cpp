@@ -77,7 +77,7 @@ void CopyTable::changeEvent(QEvent* event)
 {
     QTableWidget::changeEvent(event);
     if (event->type() != QEvent::FontChange) return;
-    for (int row = 0; row < rowCount(); ++row)  // titles across the table have a font of their own
+    for (int row = 0; row < rowCount(); ++row)  // title rows have a separate font
         if (QTableWidgetItem* title = item(row, 0); title && columnSpan(row, 0) > 2) {
             QFont bold = font();
             bold.setBold(true);
@@ -148,7 +148,7 @@ void CopyTable::setQuantities(const report::Document& document)
                 auto* value = tableCell(copiedCellText(quantity.value, quantity.unit, quantity.decimals), !words);
                 setItem(row, 1, value);
                 setItem(row, 2, tableCell(screenUnit(quantity.unit), false));
-                if (words) {  // a sentence would push the numbers out of sight
+                if (words) {  // a sentence would hide the numbers
                     setSpan(row, 1, 1, 2);
                     value->setToolTip(value->text());
                 }
@@ -157,7 +157,7 @@ void CopyTable::setQuantities(const report::Document& document)
     fitCells();
 }
 
-/// Titles across the table do not widen its first column.
+/// Title rows do not widen the first column.
 int CopyTable::sizeHintForColumn(int column) const
 {
     int widest = 0;

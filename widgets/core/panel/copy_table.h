@@ -27,7 +27,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 };
 
-/// A cell that is read, not edited; numbers stand at the right.
+/// A read-only cell; numbers are right-aligned.
 QTableWidgetItem* tableCell(const QString& text, bool number);
 
 }  // namespace lathelier

@@ -71,11 +71,11 @@ void FlowRow::setGeometry(const QRect& room)
     place(room, true);
 }
 
-/// Gives the height that is needed.
+/// Returns the required height.
 int FlowRow::place(const QRect& room, bool move) const
 {
     struct PlacedRow {
-        std::vector<std::pair<QLayoutItem*, int>> items;  ///< with their left edge, from that of the room
+        std::vector<std::pair<QLayoutItem*, int>> items;  ///< items with their left edge relative to the available area
         int width = 0, height = 0;
     };
     std::vector<PlacedRow> rows(1);

@@ -1,4 +1,4 @@
-// A bar of buttons and fields that takes a second row where the first is too narrow.
+// A bar of buttons and fields that wraps into further rows.
 #pragma once
 
 #include <QLayout>
@@ -6,8 +6,8 @@
 
 namespace lathelier {
 
-/// Items stand from left to right, each as wide as it wants to be, and go on in further rows where the room ends. The
-/// widget given to setTrailing() stands at the right end of the first row that has room for it.
+/// Items are placed from left to right at their preferred width and wrap into further rows. The widget of setTrailing()
+/// is at the right end of the first row with space for it.
 class FlowRow : public QLayout {
     Q_OBJECT
 public:
@@ -24,7 +24,7 @@ public:
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override { return place({0, 0, width, 0}, false); }
     QSize sizeHint() const override;
-    QSize minimumSize() const override;  ///< of the widest item
+    QSize minimumSize() const override;  ///< size of the widest item
     void setGeometry(const QRect& room) override;
 
 private:

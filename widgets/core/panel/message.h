@@ -1,4 +1,4 @@
-// What is told to the user in the message log: kept as data, so that it follows the language.
+// Entry of the message log, stored as data so that it follows the language.
 #pragma once
 
 #include <QDateTime>
@@ -10,21 +10,21 @@
 
 namespace lathelier {
 
-/// A phrase with named values, for what is neither error nor note: {"Saved {path}."}.
+/// A phrase with named values that is neither error nor note: {"Saved {path}."}.
 struct Phrase {
     Text pattern;   ///< with {name} for the values
-    Values values;  ///< by name
+    Values values;  ///< values by name
 };
 
 struct Message {
-    std::variant<Error, Note, Phrase> content;      ///< what is said
-    Text source;                                    ///< which panel; empty: the window
-    QDateTime time = QDateTime::currentDateTime();  ///< when it was made
+    std::variant<Error, Note, Phrase> content;
+    Text source;                                    ///< panel; empty: the window
+    QDateTime time = QDateTime::currentDateTime();  ///< time of the message
 };
 
 enum class MessageKind { Info, Warning, Error };
 MessageKind kindOf(const Message& message);
 QString screenText(const Message& message);
-QString shortText(const Message& message);  ///< the same with files by their names, without folders
+QString shortText(const Message& message);  ///< the same with file names without folders
 
 }  // namespace lathelier

@@ -23,8 +23,8 @@ void WrappingLabel::say(const QString& text)
 
 void WrappingLabel::keepLines()
 {
-    setMinimumHeight(0);  // heightForWidth() never answers less than the minimum
-    // Before it is seen its width is only a guess: a panel behind a tab would make the window grow.
+    setMinimumHeight(0);  // heightForWidth() would not return less than the minimum
+    // Before it is shown its width is undefined: a panel behind a tab would enlarge the window.
     if (isVisible() && !text().isEmpty()) setMinimumHeight(heightForWidth(width()));
 }
 

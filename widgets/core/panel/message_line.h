@@ -1,4 +1,4 @@
-// What went wrong, above the views of a panel; and a label whose lines are never cut.
+// Error line above the views of a panel; and a label whose lines are never clipped.
 #pragma once
 
 #include <QFrame>
@@ -9,7 +9,7 @@
 
 namespace lathelier {
 
-/// Text as wide as there is room and always as high as its lines: a layout in need of room must not cut them.
+/// Text of the available width and always of the height of its lines, which a tight layout must not clip.
 class WrappingLabel : public QLabel {
     Q_OBJECT
 public:
@@ -25,13 +25,13 @@ private:
     void keepLines();
 };
 
-/// What happened, where, and what to do; stays until the next answer.
+/// Error with place and remedy; shown until the next answer.
 class MessageLine : public QFrame {
     Q_OBJECT
 public:
     explicit MessageLine(QWidget* parent = nullptr);
     void setError(const Error& error);
-    void setHint(const QString& text);  ///< something to know, not an error
+    void setHint(const QString& text);  ///< information, not an error
     void clear();
 
 private:

@@ -19,7 +19,7 @@ public:
 
     void add(const Message& message);
     int count() const { return static_cast<int>(messages_.size()); }
-    QString plainText() const;  ///< what Copy takes: the selected lines, or all
+    QString plainText() const;  ///< text for Copy: the selected lines, or all
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -24,7 +24,7 @@ NextPartBar::NextPartBar(QWidget* parent)
     layout->addWidget(close_);
     connect(use_, &QToolButton::clicked, this, [this] {
         hide();
-        emit otherWanted();
+        emit otherRequested();
     });
     connect(close_, &QToolButton::clicked, this, &QWidget::hide);
     hide();

@@ -1,4 +1,4 @@
-// Says that a dropped file was taken as the next part, and offers the other role for it.
+// States that a dropped file was used as the next part, and offers the other role.
 #pragma once
 
 #include <QFrame>
@@ -14,11 +14,11 @@ class NextPartBar : public QFrame {
 public:
     explicit NextPartBar(QWidget* parent = nullptr);
 
-    /// `file` became the input `taken`; offered is `other` in place of it. Labels in the language of the screen.
+    /// `file` became the input `taken`; `other` is offered instead. Labels in the user's language.
     void offer(const QString& file, const QString& taken, const QString& other);
 
 signals:
-    void otherWanted();  ///< the user wants the file in the other role
+    void otherRequested();  ///< request to use the file in the other role
 
 private:
     WrappingLabel* text_;

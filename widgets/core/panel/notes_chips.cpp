@@ -20,7 +20,7 @@ bool isWarning(const Note& note)
     return note.code.severity == Severity::Warning;
 }
 
-/// Says where the data come from or what was done, not how good the answer is.
+/// Whether a note concerns the origin of the data or the processing, not the quality of the answer.
 bool isAside(const NoteCode& code)
 {
     return code == notes::syntheticData || code == notes::methodChosen || code == notes::rowsSkipped;
@@ -46,7 +46,7 @@ std::string takePath(Note& note)
 Notes arranged(const Notes& notes)
 {
     Notes result;
-    std::vector<std::string> files;  // of each note of the result
+    std::vector<std::string> files;  // files of each note of the result
     for (Note note : notes) {
         const std::string file = takePath(note);
         const auto same = std::find_if(result.begin(), result.end(), [&](const Note& known) {

@@ -11,9 +11,8 @@ namespace lathelier {
 
 class WrappingLabel;
 
-/// As they are shown: warnings before facts, what concerns the answer before where the data come from; a note that
-/// several files share is said once, with all their names. Files by their names: the folders stand in the tooltips of
-/// the inputs and in the report.
+/// Notes in display order: warnings before facts, notes on the answer before notes on the data; a note common to
+/// several files is merged. Files without folders, which are in the tooltips of the inputs and in the report.
 Notes arranged(const Notes& notes);
 
 class NotesChips : public QWidget {

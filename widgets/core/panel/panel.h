@@ -13,7 +13,7 @@ namespace lathelier {
 /// A panel whose answer is a `Result`. A concrete panel says how to compute it and how to show it; files, form,
 /// progress, cancel, answer, notes, messages, exports and reports are PanelBase's.
 ///
-///     class ComparePanel : public Panel<ComparePicture> {
+///     class ComparePanel : public Panel<CompareOutcome> {
 ///         explicit ComparePanel(Session& session) : Panel(session, compareFacts(), inputs()) { setViews(…); }
 ///         …
 template <class Result>
@@ -21,14 +21,15 @@ class Panel : public PanelBase {
 public:
     using PanelBase::PanelBase;
 
-    /// The result on screen; nullptr before the first one.
+    /// The shown result; nullptr before the first one.
     std::shared_ptr<const Result> result() const { return result_; }
 
 protected:
     using Compute = std::function<Result(const Progress&)>;
 
-    /// The computation for `state`, whose required inputs are all there. Called in the GUI thread; what it returns runs
-    /// in the worker and must own all it uses (what session().stores() gives, copies of values). Loads files itself.
+    /// The computation for `state`, whose required inputs are all given. Called in the GUI thread; the returned
+    /// function runs in the worker and must own all data it uses (objects of session().stores(), copies of values). It
+    /// loads the files.
     virtual Compute compute(const project::PanelState& state) const = 0;
 
     virtual void showResult(const std::shared_ptr<const Result>& result) = 0;
@@ -36,7 +37,7 @@ protected:
     virtual Notes notes(const Result& result) const = 0;
     virtual report::Document document(const Result& result) const = 0;
 
-    /// Why there is something to look at (what was understood of a file), but no answer.
+    /// Reason why there is a result to show (facts of a file) but no answer.
     virtual std::optional<Error> problem(const Result&) const { return std::nullopt; }
 
 private:

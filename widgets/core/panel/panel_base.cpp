@@ -11,9 +11,9 @@
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
 #include "widgets/core/panel/message_line.h"
 #include "widgets/core/panel/next_part_bar.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/progress_row.h"
 
@@ -21,9 +21,9 @@ namespace lathelier {
 namespace {
 
 constexpr int pollInterval_ms = 33;
-constexpr int quickInterval_ms = 5;  // at first: an answer that comes soon is shown at once
-constexpr int quick_ms = 100;        // so long
-constexpr int patience_ms = 150;     // an answer that comes sooner needs no dimming
+constexpr int quickInterval_ms = 5;  // initial poll interval, so that quick answers are shown at once
+constexpr int quick_ms = 100;        // duration of the initial poll interval
+constexpr int patience_ms = 150;     // delay before the old result is dimmed
 
 }  // namespace
 
@@ -49,17 +49,17 @@ PanelBase::PanelBase(Session& session, const PanelFacts& facts, const PanelInput
     connect(column_, &InputColumn::parameterEdited, this, &PanelBase::editParameter);
     connect(&session_, &Session::changed, this, &PanelBase::readProject);
     connect(&session_, &Session::filesTaken, this, &PanelBase::request);
-    connect(&session_, &Session::viewsWanted, this, [this] {
-        if (!asked_ || opened_ != session_.projectsOpened()) return;  // it shows another project still, or none
+    connect(&session_, &Session::viewsRequested, this, [this] {
+        if (!asked_ || opened_ != session_.projectsOpened()) return;  // still shows another project, or none
         for (const auto& [key, value] : view()) session_.setView(facts_.id, key, value);
     });
     connect(&session_.watch(), &SourceWatch::changed, this, &PanelBase::showAnswer);
-    connect(&session_, &Session::stopWanted, this, [this](const std::string& state) {
+    connect(&session_, &Session::stopRequested, this, [this](const std::string& state) {
         if (state != facts_.stateKey()) return;
         again_ = false;
         worker_.cancel();
     });
-    // A virtual call: only once the panel is complete.
+    // A virtual call, only after construction.
     QTimer::singleShot(0, this, &PanelBase::readProject);
 }
 
@@ -68,7 +68,7 @@ PanelBase::~PanelBase() = default;
 QWidget* PanelBase::makeResultColumn()
 {
     answer_ = new AnswerStrip;
-    connect(answer_, &AnswerStrip::placeWanted, this, &PanelBase::showPlace);
+    connect(answer_, &AnswerStrip::placeRequested, this, &PanelBase::showPlace);
     connect(answer_, &AnswerStrip::offerTaken, this, &PanelBase::takeOffer);
     message_ = new MessageLine;
     nextPart_ = new NextPartBar;
@@ -91,10 +91,10 @@ QWidget* PanelBase::makeResultColumn()
     layout->addWidget(stack_, 1);
     layout->addWidget(progress_);
 
-    connect(empty_, &EmptyState::openWanted, this, &PanelBase::askForFiles);
-    connect(empty_, &EmptyState::sampleWanted, this, &PanelBase::sampleWanted);
-    connect(progress_, &ProgressRow::cancelWanted, this, &PanelBase::cancel);
-    connect(progress_, &ProgressRow::reportWanted, this, &PanelBase::reportWanted);
+    connect(empty_, &EmptyState::openRequested, this, &PanelBase::askForFiles);
+    connect(empty_, &EmptyState::sampleRequested, this, &PanelBase::sampleRequested);
+    connect(progress_, &ProgressRow::cancelRequested, this, &PanelBase::cancel);
+    connect(progress_, &ProgressRow::reportRequested, this, &PanelBase::reportRequested);
     connect(progress_, &ProgressRow::addToReportToggled, this, [this](bool in) {
         session_.edit(in ? tr("Add to the report") : tr("Take out of the report"), [&](project::Project& project) {
             std::erase(project.report, facts_.id);
@@ -105,14 +105,14 @@ QWidget* PanelBase::makeResultColumn()
     return column;
 }
 
-void PanelBase::setViews(QWidget* views, HeroViews* heroes)
+void PanelBase::setViews(QWidget* views, PrimaryViews* primaryViews)
 {
     viewsPage_->layout()->addWidget(views);
-    heroes_ = heroes;
-    if (heroes_)
-        connect(heroes_, &HeroViews::heroChanged, this, [this](const QString& key) {
-            keptHero_ = key.toStdString();
-            session_.setView(facts_.id, "hero", keptHero_);
+    primaryViews_ = primaryViews;
+    if (primaryViews_)
+        connect(primaryViews_, &PrimaryViews::primaryChanged, this, [this](const QString& key) {
+            keptPrimary_ = key.toStdString();
+            session_.setView(facts_.id, "hero", keptPrimary_);
         });
     shade_->raise();
 }
@@ -125,12 +125,12 @@ void PanelBase::readProject()
     state.parameters = parameters;
     for (auto& [role, source] : state.inputs) source.sha256.clear();
     const auto& report = session_.project().report;
-    const Value hero = session_.view(facts_.id, "hero");
-    if (heroes_ && hero != keptHero_) {  // another project, not a change of this one
-        const QSignalBlocker quiet(heroes_);
-        const auto* key = std::get_if<std::string>(&hero);
-        heroes_->setHero(key ? QString::fromStdString(*key) : heroes_->keys().value(0));
-        keptHero_ = hero;
+    const Value primary = session_.view(facts_.id, "hero");
+    if (primaryViews_ && primary != keptPrimary_) {  // a different project, not a change of this one
+        const QSignalBlocker quiet(primaryViews_);
+        const auto* key = std::get_if<std::string>(&primary);
+        primaryViews_->setPrimary(key ? QString::fromStdString(*key) : primaryViews_->keys().value(0));
+        keptPrimary_ = primary;
     }
     if (opened_ != session_.projectsOpened()) {
         opened_ = session_.projectsOpened();
@@ -153,8 +153,8 @@ void PanelBase::recompute()
     request();
 }
 
-/// While a handle is dragged every answer that comes soon is shown before the next one is begun: stopping it for each
-/// motion of the pointer would show none until the pointer rests.
+/// While a handle is dragged a running quick computation is completed and shown before the next one starts: cancelling
+/// it at each pointer motion would show no result until the pointer rests.
 void PanelBase::request()
 {
     again_ = isComplete(state_) && hasResult() && worker_.state().busy && !worker_.state().stopping &&
@@ -170,7 +170,7 @@ void PanelBase::begin()
     showFacts();
     message_->clear();
     const bool complete = isComplete(state_);
-    if (!complete) result_.reset();  // the old picture answers nothing any more
+    if (!complete) result_.reset();  // the old result no longer applies
     if (!hasInputs()) {
         worker_.cancel();
     } else {
@@ -202,7 +202,7 @@ void PanelBase::pollWorker()
         if (again_) return begin();
     }
     if (auto outcome = worker_.take()) {
-        if (again_) {  // what it says of is no longer asked
+        if (again_) {  // belongs to an outdated request
             if (auto* value = std::get_if<std::shared_ptr<const void>>(&*outcome)) accept(std::move(*value));
             return begin();
         }
@@ -233,22 +233,22 @@ void PanelBase::showFacts()
 
 void PanelBase::accept(std::shared_ptr<const void> result)
 {
-    if (!result) return;  // only read
+    if (!result) return;  // files were only read
     result_ = std::move(result);
     showValue(result_);
     if (auto problem = problemOf(result_.get())) return refuse(*problem);
-    sayNotes(notesOf(result_.get()));
+    logNotes(notesOf(result_.get()));
 }
 
-/// What the last result said already is not said again: the log would fill while a tolerance is dragged.
-void PanelBase::sayNotes(const Notes& notes)
+/// Notes of the previous result are not logged again: the log would fill up while a tolerance is dragged.
+void PanelBase::logNotes(const Notes& notes)
 {
     for (const Note& note : notes)
-        if (std::none_of(said_.begin(), said_.end(), [&](const Note& earlier) {
+        if (std::none_of(loggedNotes_.begin(), loggedNotes_.end(), [&](const Note& earlier) {
                 return earlier.code == note.code && earlier.values == note.values;
             }))
             emit messageRaised({note, facts_.title});
-    said_ = notes;
+    loggedNotes_ = notes;
 }
 
 void PanelBase::refuse(const Error& error)
@@ -315,10 +315,10 @@ void PanelBase::setPresenting(bool presenting)
     column_->setVisible(!presenting);
     progress_->setVisible(!presenting);
     answer_->setPresenting(presenting);
-    if (heroes_) heroes_->setPresenting(presenting);
+    if (primaryViews_) primaryViews_->setPresenting(presenting);
 }
 
-/// What changed its size while the panel was hidden behind another tab has told nobody of it.
+/// Size changes while the panel was hidden behind another tab were not propagated.
 void PanelBase::layOutAgain()
 {
     QTimer::singleShot(0, this, [this] {

@@ -1,4 +1,4 @@
-// What all panels share: inputs at the left, the answer above the views, progress and exports under them.
+// Common base of panels: inputs at the left, the answer above the views, progress and exports below.
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,7 +18,7 @@ class QStackedWidget;
 namespace lathelier {
 
 class AnswerStrip;
-class HeroViews;
+class PrimaryViews;
 class EmptyState;
 class InputColumn;
 class MessageLine;
@@ -27,7 +27,7 @@ class ProgressRow;
 class Shade;
 
 /// The untyped half of Panel<Result> (panel.h). The panel's state is its part of the session's project: every change
-/// there, by the user or by undo, asks the worker for a new result; while it computes the old picture stays, dimmed.
+/// there, by the user or by undo, requests a new result from the worker; meanwhile the old result stays, dimmed.
 class PanelBase : public QWidget {
     Q_OBJECT
 public:
@@ -37,62 +37,63 @@ public:
     const PanelFacts& facts() const { return facts_; }
     bool isBusy() const { return poll_.isActive() || finder_.isBusy(); }
     bool hasResult() const { return result_ != nullptr; }
-    bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }  ///< it answers what is asked
+    /// the shown result belongs to the present state
+    bool isCurrent() const { return hasResult() && !isBusy() && !stopped_ && !error_; }
     const std::optional<Error>& error() const { return error_; }
 
-    /// Gives `paths` to the inputs: empty ones first, in their order. One undo step. Where the panel works on several
-    /// kinds of file, their heads are looked at first, in the background.
+    /// Assigns `paths` to the inputs: empty ones first, in order. One undo step. If the panel accepts several kinds of
+    /// file, their heads are read first, in the background.
     void openFiles(const QStringList& paths);
     void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
     void askForFiles();                                   ///< openFiles() with a file dialog
     void cancel();
-    void recompute();  ///< again, although nothing changed (a file on disk may have)
+    void recompute();  ///< recomputes although the state is unchanged (a file on disk may have changed)
 
-    /// The panel's part of a report, of the result on screen; nullopt without a result.
+    /// The panel's part of a report for the shown result; nullopt without a result.
     std::optional<report::Document> reportDocument() const;
 
-    /// What the Export menu offers for the result on screen: the panel's own exports, and all numbers as JSON.
+    /// Exports of the shown result: those of the panel, and all numbers as JSON.
     std::vector<PanelExport> offeredExports() const;
 
     /// Fields, views, exports and findings, as commands.
     std::vector<PanelCommand> commands();
 
-    /// For the last row of a room: the window enlarges the application's font, which type and lines of all views
-    /// follow; a panel leaves out what only takes room. Overriders call this one too.
+    /// Presenter mode: the window enlarges the application's font, which all views follow; a panel hides secondary
+    /// controls. Overriders must call this one.
     virtual void setPresenting(bool presenting);
 
 signals:
-    /// "Roundness of this section": the user wants this in the panel that takes items of its kind.
+    /// "Roundness of this section": request to open this item in the panel that accepts its kind.
     void itemOffered(const std::string& name, const lathelier::project::Item& item, bool synthetic);
     void busyChanged(bool busy);
     void resultShown();
     void messageRaised(const lathelier::Message& message);
-    void sampleWanted();
-    void reportWanted(const QString& suffix);  ///< the user asked for a report of this panel: "html" or "pdf"
+    void sampleRequested();
+    void reportRequested(const QString& suffix);  ///< request for a report of this panel: "html" or "pdf"
 
 protected:
     Session& session() const { return session_; }
     InputColumn& inputColumn() const { return *column_; }
-    const project::PanelState& state() const { return state_; }  ///< of this panel, with all parameters filled in
+    const project::PanelState& state() const { return state_; }  ///< state of this panel with all parameters filled in
     const PanelInputs& inputs() const { return inputs_; }
 
     /// Changes the panel's state in the project: one undo step.
     void editState(const QString& step, const std::function<void(project::PanelState&)>& change,
                    const QString& mergeKey = {});
 
-    /// "Use this shaft": puts what the panel made into the project as the item `name`, in place of an earlier one. One
+    /// "Use this shaft": stores the panel's product in the project as the item `name`, replacing an earlier one. One
     /// undo step.
     void keepItem(const std::string& name, const std::string& kind, const Values& values);
 
-    /// Announces itemOffered() with what the panel made; `synthetic`: of data that were made by a program.
+    /// Emits itemOffered() with the panel's product; `synthetic`: from synthetic data.
     void offerItem(const std::string& name, const std::string& kind, const Values& values, bool synthetic);
 
-    /// The system refused to write a picture or the data of a plot.
-    void sayNotWritten(const QString& path);
+    /// Reports that an image or the data of a plot could not be written.
+    void reportWriteFailure(const QString& path);
 
-    /// `views` is all that the panel shows of a result; `heroes`, a part of it, lays out the single views: the window
-    /// presents them one by one, and the project keeps which one is large.
-    void setViews(QWidget* views, HeroViews* heroes = nullptr);
+    /// `views` contains all views of a result; `primaryViews`, a part of it, lays out the single views: the window
+    /// presents them one by one, and the project stores which one is large.
+    void setViews(QWidget* views, PrimaryViews* primaryViews = nullptr);
 
     virtual Worker::Job makeJob(const project::PanelState& state) const = 0;
     virtual void showValue(std::shared_ptr<const void> result) = 0;
@@ -104,29 +105,28 @@ protected:
     /// Marks a place of the answer in the panel's views.
     virtual void showPlace(const report::Place&) {}
 
-    /// What the panel's views show and how, to be kept with the project: colours, scale, camera. PanelBase keeps which
-    /// view is large.
+    /// View settings saved with the project: colours, scale, camera. PanelBase saves which view is large.
     virtual Values view() const { return {}; }
 
-    /// Another project was opened: shows what was kept with it. What is not in `kept` goes back to its default.
+    /// Restores the view settings of an opened project. Settings not in `kept` return to their default.
     virtual void restoreView(const Values& kept) { (void)kept; }
 
-    /// Everything the panel says in its own views, again, in the language of the screen.
+    /// Sets all texts of the panel's own views in the user's language.
     virtual void retranslate() {}
 
     /// Ways to write the result to a file, besides its numbers as JSON.
     virtual std::vector<PanelExport> exports() const { return {}; }
 
     std::vector<Text> missingInputs(const project::PanelState& state) const;
-    bool isComplete(const project::PanelState& state) const;  ///< there is enough to compute
+    bool isComplete(const project::PanelState& state) const;  ///< the inputs are sufficient for a computation
 
-    /// Gives files of any kind to the inputs of `state`; by default empty ones first, in their order.
+    /// Assigns files of any kind to the inputs of `state`; by default to empty ones first, in order.
     virtual void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const;
 
-    /// Reads what is there of an incomplete state, so that its facts can be shown before the other inputs come.
+    /// Reads the given inputs of an incomplete state, so that their facts can be shown.
     virtual Worker::Job makeReadingJob(const project::PanelState& state) const;
 
-    /// What was understood of a file that was read, in the language of the screen; empty when it was not.
+    /// Facts of a file in the user's language; empty when it was not read.
     virtual QString understood(const InputRole& role, const project::Source& source) const;
 
     void changeEvent(QEvent* event) override;
@@ -141,7 +141,7 @@ private:
     void begin();
     void pollWorker();
     void accept(std::shared_ptr<const void> result);
-    void sayNotes(const Notes& notes);
+    void logNotes(const Notes& notes);
     void refuse(const Error& error);
     void showAnswer();
     void layOutAgain();
@@ -161,21 +161,21 @@ private:
     PanelInputs inputs_;
     std::shared_ptr<const void> result_;
     std::optional<Error> error_;
-    Notes said_;                 ///< of the last result, in the message log
+    Notes loggedNotes_;          ///< notes of the last result already in the message log
     bool stopped_ = false;       ///< the newest request was cancelled
-    bool again_ = false;         ///< the state has changed since the running request, which is let finish
-    project::PanelState state_;  ///< what was asked last
+    bool again_ = false;         ///< the state has changed since the running request, which is allowed to finish
+    project::PanelState state_;  ///< latest requested state
     bool asked_ = false;
-    int opened_ = 0;  ///< projectsOpened() of the project whose views are shown
+    int opened_ = 0;  ///< projectsOpened() of the shown project
 
     InputColumn* column_ = nullptr;
     QSplitter* splitter_ = nullptr;
     AnswerStrip* answer_ = nullptr;
-    HeroViews* heroes_ = nullptr;
-    Value keptHero_;  ///< which view is large by the project; not given: nobody chose one
+    PrimaryViews* primaryViews_ = nullptr;
+    Value keptPrimary_;  ///< large view stored in the project; none: not chosen
     MessageLine* message_ = nullptr;
     NextPartBar* nextPart_ = nullptr;
-    std::map<std::string, project::Source> takenInputs_;  ///< at the time of nextPart_'s offer
+    std::map<std::string, project::Source> takenInputs_;  ///< inputs at the time of nextPart_'s offer
     QStackedWidget* stack_ = nullptr;
     EmptyState* empty_ = nullptr;
     QWidget* viewsPage_ = nullptr;
@@ -183,8 +183,8 @@ private:
     ProgressRow* progress_ = nullptr;
     KindFinder finder_;
     QTimer poll_;
-    QElapsedTimer asking_;  ///< since the newest request
-    Worker worker_;         ///< last: stopped before anything else goes
+    QElapsedTimer asking_;  ///< time since the newest request
+    Worker worker_;         ///< last member: stopped before the others are destroyed
 };
 
 }  // namespace lathelier

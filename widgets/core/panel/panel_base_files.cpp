@@ -1,4 +1,4 @@
-// How a panel comes to its files and parameters, and how its result leaves it.
+// Assignment of files and parameters to a panel, and export of its result.
 #include <QCoreApplication>
 #include <QDragEnterEvent>
 #include <QEventLoop>
@@ -21,10 +21,10 @@
 #include "widgets/core/form/typing.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/answer_strip.h"
-#include "widgets/core/panel/hero_views.h"
 #include "widgets/core/panel/message_line.h"
 #include "widgets/core/panel/next_part_bar.h"
 #include "widgets/core/panel/panel_base.h"
+#include "widgets/core/panel/primary_views.h"
 #include "widgets/core/session.h"
 #include "widgets/core/task/progress_row.h"
 
@@ -32,7 +32,7 @@ namespace lathelier {
 
 bool PanelBase::hasInputs() const
 {
-    // A panel whose parameters are enough needs no file.
+    // A panel with sufficient parameters needs no file.
     return isComplete(state_) || std::any_of(inputs_.roles.begin(), inputs_.roles.end(),
                                              [&](const InputRole& role) { return state_.inputs.count(role.role) > 0; });
 }
@@ -118,7 +118,7 @@ void PanelBase::openFound(const std::vector<FoundFile>& files)
     if (files.size() == 1) offerOtherRole(before);
 }
 
-/// One file on a full desk was taken as the next part. What was meant as a new original is a click away.
+/// One file with all inputs given is used as the next part; the other role is offered.
 void PanelBase::offerOtherRole(const project::PanelState& before)
 {
     const auto role = [&](bool takes_next) {
@@ -133,7 +133,7 @@ void PanelBase::offerOtherRole(const project::PanelState& before)
     if (taken == state_.inputs.end() || taken->second == earlier->second) return;
     takenInputs_ = state_.inputs;
     nextPart_->disconnect(this);
-    connect(nextPart_, &NextPartBar::otherWanted, this,
+    connect(nextPart_, &NextPartBar::otherRequested, this,
             [this, next = next->role, other = other->role, earlier = earlier->second, taken = taken->second] {
                 editState(tr("Use as another input"), [&](project::PanelState& state) {
                     state.inputs[other] = taken;
@@ -147,7 +147,7 @@ void PanelBase::offerOtherRole(const project::PanelState& before)
 void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     std::vector<std::string> free;
-    const InputRole* rest = nullptr;  // takes what is left over
+    const InputRole* rest = nullptr;  // accepts the remaining files
     for (const InputRole& role : inputs_.roles) {
         if (role.several && !role.required)
             rest = &role;
@@ -158,7 +158,7 @@ void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundF
         std::find_if(inputs_.roles.begin(), inputs_.roles.end(), [](const InputRole& role) { return role.takes_next; });
     if (free.empty() && files.size() == 1 && next != inputs_.roles.end()) {
         free = {next->role};
-    } else if (free.size() < files.size()) {  // more files than free places: start anew
+    } else if (free.size() < files.size()) {  // more files than free inputs: replace all
         free.clear();
         for (const InputRole& role : inputs_.roles)
             if (&role != rest) free.push_back(role.role);
@@ -198,7 +198,7 @@ std::vector<PanelExport> PanelBase::offeredExports() const
     return all;
 }
 
-void PanelBase::sayNotWritten(const QString& path)
+void PanelBase::reportWriteFailure(const QString& path)
 {
     const Error error(errors::fileNotWritable,
                       {{"path", path.toStdString()}, {"reason", LT_TEXT("Engine", "the system refused it")}});
@@ -229,9 +229,9 @@ std::vector<PanelCommand> PanelBase::commands()
             column_->ensureWidgetVisible(editor);
             editor->setFocus(Qt::ShortcutFocusReason);
         });
-    if (heroes_ && hasResult())
-        for (const QString& key : heroes_->keys())
-            add(tr("View"), heroes_->title(key), [this, key] { heroes_->setHero(key); });
+    if (primaryViews_ && hasResult())
+        for (const QString& key : primaryViews_->keys())
+            add(tr("View"), primaryViews_->title(key), [this, key] { primaryViews_->setPrimary(key); });
     for (const PanelExport& item : offeredExports()) add(tr("Export"), item.label, [this, item] { runExport(item); });
     if (isCurrent() && !problemOf(result_.get()))
         for (const report::Finding& finding : answerOf(result_.get()).findings)
@@ -261,13 +261,13 @@ void PanelBase::runExport(const PanelExport& item)
     dialog.setDefaultSuffix(item.suffix);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = dialog.selectedFiles().value(0);
-    // What was typed last is computed first.
+    // Pending input is computed first.
     const QPointer<PanelBase> alive(this);
     while (alive && isBusy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     if (!alive) return;
     try {
         item.write(path);
-        showAnswer();  // an earlier failure is over
+        showAnswer();  // clears an earlier error
         emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, facts_.title});
     } catch (const Error& error) {
         message_->setError(error);

@@ -14,7 +14,7 @@ std::string keyOf(const std::string& role, std::size_t number)
 
 bool hasWork(const PanelFacts& facts, const project::PanelState& state)
 {
-    return facts.hasWork ? facts.hasWork(state) : !state.inputs.empty();
+    return facts.has_work ? facts.has_work(state) : !state.inputs.empty();
 }
 
 io::FileKinds kindsOf(const std::vector<InputRole>& roles)

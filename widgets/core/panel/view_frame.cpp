@@ -7,7 +7,7 @@
 namespace lathelier {
 namespace {
 
-constexpr double smallType = 0.7;  // of the application's
+constexpr double smallType = 0.7;  // font size of small views relative to the application's
 
 }
 
@@ -53,7 +53,7 @@ void ViewFrame::setSmall(bool small)
     if (small) cover_->raise();
 }
 
-/// By the resolve mask of the font the view still follows the application's type in all but the size.
+/// The resolve mask of the font lets the view follow the application's font except for the size.
 void ViewFrame::setTypeSize()
 {
     QFont type;
@@ -98,9 +98,9 @@ bool ViewFrame::eventFilter(QObject* watched, QEvent* event)
 {
     if (event->type() == QEvent::MouseButtonRelease && static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton &&
         (watched == cover_ || small_.value_or(false)))
-        emit enlargeWanted();
+        emit enlargeRequested();
     else if (event->type() == QEvent::MouseButtonDblClick && watched == caption_)
-        emit allWanted();
+        emit allRequested();
     else
         return QWidget::eventFilter(watched, event);
     return true;

@@ -1,4 +1,4 @@
-// A view with its caption, as HeroViews lays it out.
+// A view with its caption, laid out by PrimaryViews.
 #pragma once
 
 #include <QLabel>
@@ -18,8 +18,8 @@ public:
     void setTitle(const QString& title);
     bool isAvailable() const { return available_; }
     void setAvailable(bool available) { available_ = available; }
-    /// A small one takes no pointer but the click that enlarges it, has smaller type, and leaves out the children that
-    /// have the property onlyLarge.
+    /// A small one handles only the click that enlarges it, has a smaller font, and hides children with the property
+    /// onlyLarge.
     void setSmall(bool small);
 
     static constexpr const char* onlyLarge = "onlyLarge";
@@ -28,8 +28,8 @@ public:
     int captionHeight() const;
 
 signals:
-    void enlargeWanted();
-    void allWanted();  ///< a double click on the caption
+    void enlargeRequested();
+    void allRequested();  ///< double click on the caption: show all views
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -43,7 +43,7 @@ private:
     QString key_;
     QWidget* view_;
     QLabel* caption_;
-    QWidget* cover_;  ///< over a small view: takes the click
+    QWidget* cover_;  ///< overlay of a small view that receives the click
     bool available_ = true;
     std::optional<bool> small_;
 };

@@ -1,4 +1,4 @@
-// What stands over the panels of a workspace, at a fixed height: a chain of steps, say.
+// Widget of fixed height above the panels of a workspace, such as a chain of steps.
 #pragma once
 
 #include <QFrame>
@@ -17,14 +17,14 @@ public:
     using QFrame::QFrame;
 
 signals:
-    void panelWanted(const std::string& id);  ///< shows it, in this workspace where it stands there
+    void panelRequested(const std::string& id);  ///< request to show a panel, in this workspace if it belongs to it
     void messageRaised(const lathelier::Message& message);
 };
 
 /// One strip of the window.
 struct StripFacts {
-    std::string workspace;                          ///< id
-    std::function<WorkspaceStrip*(Session&)> make;  ///< made with the window
+    std::string workspace;                          ///< workspace id
+    std::function<WorkspaceStrip*(Session&)> make;  ///< creates the strip with the window
 };
 
 }  // namespace lathelier

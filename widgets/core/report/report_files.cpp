@@ -63,7 +63,7 @@ report::Document joined(const std::vector<report::Document>& parts, const std::s
                 result.verification.end())
                 result.verification.push_back(verification);
         result.created = std::max(result.created, part.created);
-        result.sections.push_back({part.title, {}});  // whose results follow
+        result.sections.push_back({part.title, {}});  // heading section, followed by the results
         result.sections.insert(result.sections.end(), part.sections.begin(), part.sections.end());
         result.results.insert(result.results.end(), part.results.begin(), part.results.end());
         for (const InputFile& input : part.inputs)

@@ -16,16 +16,16 @@
 namespace lathelier {
 namespace {
 
-// Laid out in px of 1/96 inch, drawn at the printer's resolution.
+// Layout in px of 1/96 inch, drawn at the printer's resolution.
 constexpr int resolution_dpi = 600;
 constexpr double margin_mm = 15;
 constexpr double pieceGap_px = 12;
 constexpr double columnGap_px = 24;
 constexpr double footer_px = 24;
 constexpr int text_px = 12;
-constexpr std::size_t shortTable = 12;  // rows; not cut when it can be helped
+constexpr std::size_t shortTable = 12;  // rows; shorter tables are kept on one page if possible
 
-/// Places pieces from top to bottom on pages. Without a painter it only counts the pages.
+/// Places pieces from top to bottom on pages. Without a painter only the pages are counted.
 class Sheet {
 public:
     Sheet(QPdfWriter& writer, QPainter* painter, const QString& title, int pages)
@@ -59,12 +59,12 @@ public:
                 const double width = piece.narrow ? (width_ - columnGap_px) / 2 : width_;
                 double needed = heightOf(piece, width);
                 const double own = needed;
-                // A heading stays with what it is about, which may begin with a heading of its own.
-                for (std::size_t k = i; pieces[k].keepWithNext && k + 1 < pieces.size(); ++k)
+                // A heading is kept with the following block, which may begin with another heading.
+                for (std::size_t k = i; pieces[k].keep_with_next && k + 1 < pieces.size(); ++k)
                     needed += pieceGap_px + headHeight(pieces[k + 1]);
                 makeRoom(needed);
                 draw(piece, 0, width);
-                y_ += own + (piece.keepWithNext ? 2 : pieceGap_px);
+                y_ += own + (piece.keep_with_next ? 2 : pieceGap_px);
             }
         }
     }
@@ -76,7 +76,7 @@ private:
     {
         auto text = std::make_unique<QTextDocument>();
         QTextOption wrapping;
-        wrapping.setWrapMode(QTextOption::WordWrap);  // never within a word of a heading
+        wrapping.setWrapMode(QTextOption::WordWrap);  // no break within a word of a heading
         QFont font = QGuiApplication::font();
         font.setPixelSize(text_px);
         text->setDefaultFont(font);
@@ -105,7 +105,7 @@ private:
         return piece.kind == Piece::Kind::RichText ? text : text + pictureHeight(piece, width);
     }
 
-    /// What has to stand on the same page as a heading above it.
+    /// Height that must fit on the page of a preceding heading.
     double headHeight(const Piece& piece) const
     {
         if (piece.kind == Piece::Kind::Rows)
@@ -155,7 +155,7 @@ private:
             Piece part;
             part.html = upTo(end);
             const double height = heightOf(part, width_);
-            if (y_ > 0 && height > room) {  // not even one row
+            if (y_ > 0 && height > room) {  // not even one row fits
                 finishPage();
                 continue;
             }

@@ -1,4 +1,4 @@
-// A report as PDF, from the same document as the HTML; plots stay vectors.
+// A report as PDF, from the same document as the HTML; plots are vector graphics.
 #pragma once
 
 #include <string>

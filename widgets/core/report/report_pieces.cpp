@@ -57,9 +57,9 @@ public:
         if (const std::string sentence = report::sentenceText(answer, language_); !sentence.empty())
             lines += "<p style='margin:4px 0 0 0;'>" + escaped(sentence) + "</p>";
         for (const report::Finding& finding : answer.findings) {
-            std::string said = report::findingText(finding, language_);
-            if (finding.verdict) said += "  " + lathelier::text(shortName(*finding.verdict), language_);
-            lines += "<p style='margin:2px 0 0 0;'>– " + escaped(said) + "</p>";
+            std::string findingLine = report::findingText(finding, language_);
+            if (finding.verdict) findingLine += "  " + lathelier::text(shortName(*finding.verdict), language_);
+            lines += "<p style='margin:2px 0 0 0;'>– " + escaped(findingLine) + "</p>";
         }
         if (const std::string assumed = report::assumedText(answer, language_); !assumed.empty())
             lines += "<p style='margin:4px 0 0 0; font-style:italic;'>" + escaped(assumed) + "</p>";
@@ -142,7 +142,7 @@ public:
     static Piece title(const QString& words)
     {
         Piece piece = text(heading(words, 17) + "<hr>");
-        piece.keepWithNext = true;
+        piece.keep_with_next = true;
         return piece;
     }
 

@@ -8,14 +8,14 @@
 
 namespace lathelier {
 
-/// Something that is printed in one go. Rich text, a vector drawing or a picture; a long table may be cut between rows.
+/// A printed block: rich text, a vector drawing or an image; a long table may be split between rows.
 struct Piece {
     enum class Kind { RichText, Svg, Png, Rows } kind = Kind::RichText;
-    QString html;               ///< RichText; Rows: what stands above the rows, up to and with the header row
-    std::vector<QString> rows;  ///< Rows: one "<tr>…</tr>" each
-    std::string data;           ///< Svg, Png
-    bool narrow = false;        ///< two of them stand side by side
-    bool keepWithNext = false;  ///< a heading
+    QString html;                 ///< RichText; Rows: content above the rows, including the header row
+    std::vector<QString> rows;    ///< Rows: one "<tr>…</tr>" each
+    std::string data;             ///< content of Svg or Png
+    bool narrow = false;          ///< two narrow blocks are placed side by side
+    bool keep_with_next = false;  ///< true for a heading
 };
 
 std::vector<Piece> piecesOf(const report::Document& document, const Language& language);

@@ -1,4 +1,4 @@
-// Answers that several panels ask for, each computed once.
+// Memoised results requested by several panels.
 #pragma once
 
 #include <chrono>
@@ -14,7 +14,7 @@
 namespace lathelier {
 
 /// The last `capacity` answers by key. When several threads ask for the same one, the first computes it and the others
-/// wait; if it is cancelled or fails, the next one takes over. Safe from any thread.
+/// wait; if it is cancelled or fails, the next one takes over. Thread-safe.
 template <class T>
 class Memo {
 public:
@@ -29,14 +29,14 @@ public:
             while (place->computing) {
                 place->done.wait_for(lock, std::chrono::milliseconds(10));
                 lock.unlock();
-                progress.report(0);  // throws when stopped
+                progress.report(0);  // throws when cancelled
                 lock.lock();
             }
             if (place->answer) return place->answer;
             place->computing = true;
         }
         struct Leave {
-            Place& place;  ///< the one whose answer is being computed
+            Place& place;  ///< entry being computed
             ~Leave()
             {
                 const std::lock_guard lock(place.mutex);
@@ -52,11 +52,11 @@ public:
 
 private:
     struct Place {
-        std::string key;                  ///< what the answer is found by
+        std::string key;                  ///< key of the answer
         std::mutex mutex;                 ///< guards `computing` and `answer`
         std::condition_variable done;     ///< notified when a computation has ended, with or without an answer
         bool computing = false;           ///< a thread computes the answer
-        std::shared_ptr<const T> answer;  ///< null: not there yet
+        std::shared_ptr<const T> answer;  ///< null: not computed yet
     };
 
     std::shared_ptr<Place> placeOf(const std::string& key)
@@ -64,7 +64,7 @@ private:
         const std::lock_guard lock(mutex_);
         for (auto at = places_.begin(); at != places_.end(); ++at)
             if ((*at)->key == key) {
-                places_.splice(places_.end(), places_, at);  // the newest ones stand last
+                places_.splice(places_.end(), places_, at);  // the most recent ones are last
                 return places_.back();
             }
         places_.push_back(std::make_shared<Place>());

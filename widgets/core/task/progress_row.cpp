@@ -39,8 +39,8 @@ EmptyState::EmptyState(QWidget* parent)
     layout->addWidget(missing_);
     layout->addLayout(buttons);
     layout->addStretch();
-    connect(open_, &QPushButton::clicked, this, &EmptyState::openWanted);
-    connect(sample_, &QPushButton::clicked, this, &EmptyState::sampleWanted);
+    connect(open_, &QPushButton::clicked, this, &EmptyState::openRequested);
+    connect(sample_, &QPushButton::clicked, this, &EmptyState::sampleRequested);
     retranslate();
 }
 
@@ -108,11 +108,11 @@ ProgressRow::ProgressRow(QWidget* parent)
         button->setFocusPolicy(Qt::StrongFocus);
         layout->addWidget(button);
     }
-    connect(cancel_, &QPushButton::clicked, this, &ProgressRow::cancelWanted);
+    connect(cancel_, &QPushButton::clicked, this, &ProgressRow::cancelRequested);
     connect(inReport_, &QToolButton::clicked, this, &ProgressRow::addToReportToggled);
     auto* reportMenu = new QMenu(this);
-    html_ = reportMenu->addAction(QString(), this, [this] { emit reportWanted("html"); });
-    pdf_ = reportMenu->addAction(QString(), this, [this] { emit reportWanted("pdf"); });
+    html_ = reportMenu->addAction(QString(), this, [this] { emit reportRequested("html"); });
+    pdf_ = reportMenu->addAction(QString(), this, [this] { emit reportRequested("pdf"); });
     report_->setMenu(reportMenu);
     report_->setPopupMode(QToolButton::InstantPopup);
     retranslate();

@@ -1,4 +1,4 @@
-// What a panel shows before and while there is an answer: the empty state, the progress row, the dimming.
+// Empty state, progress row and dimming of a panel.
 #pragma once
 
 #include <QLabel>
@@ -19,8 +19,8 @@ public:
     void setInvitation(const QString& sentence, const QString& missing);
 
 signals:
-    void openWanted();
-    void sampleWanted();
+    void openRequested();
+    void sampleRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -35,8 +35,8 @@ private:
     QPushButton* sample_;
 };
 
-/// Under the views: how far the computation is, its phase and Cancel; beside it what can be done with the result.
-/// It keeps its height, so that nothing jumps.
+/// Row below the views: progress of the computation, its phase and Cancel; beside it actions on the result. Constant
+/// height, so that the layout is stable.
 class ProgressRow : public QWidget {
     Q_OBJECT
 public:
@@ -47,9 +47,9 @@ public:
     QMenu* exportMenu() const { return exportMenu_; }
 
 signals:
-    void cancelWanted();
+    void cancelRequested();
     void addToReportToggled(bool in);
-    void reportWanted(const QString& suffix);  ///< "html" or "pdf"
+    void reportRequested(const QString& suffix);  ///< request for a report, "html" or "pdf"
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -68,7 +68,7 @@ private:
     QAction* pdf_;
 };
 
-/// A veil over its parent: the old picture stays, dimmed. Lets the mouse through.
+/// Overlay that dims the old result. Transparent for mouse events.
 class Shade : public QWidget {
     Q_OBJECT
 public:

@@ -21,7 +21,7 @@ void Task::poll()
     const auto outcome = worker_.take();
     if (!outcome) return;
     poll_.stop();
-    const auto done = std::move(done_);  // which may start the next job, or destroy this one
+    const auto done = std::move(done_);  // may start the next job or destroy this object
     done_ = {};
     done(*outcome);
 }

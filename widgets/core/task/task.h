@@ -1,4 +1,4 @@
-// One computation in the background, for whatever waits for it: opening, reports, verification, the sample.
+// One computation in the background, for opening, reports, verification, the sample.
 #pragma once
 
 #include <QObject>
@@ -11,8 +11,8 @@
 
 namespace lathelier {
 
-/// Runs a job in a thread of its own and hands what became of it to the GUI thread. A newer start() drops what runs.
-/// Destroying the task stops the job; nothing is called after that.
+/// Runs a job in a separate thread and delivers its outcome in the GUI thread. A newer start() drops the running job.
+/// Destroying the task stops the job without a call.
 class Task : public QObject {
     Q_OBJECT
 public:
@@ -20,7 +20,7 @@ public:
 
     void start(Worker::Job job, std::function<void(const Worker::Outcome&)> done);
 
-    /// The same with a value of type T; `failed` hears the errors, and a stop is silent.
+    /// The same with a value of type T; `failed` is called for errors, nothing for cancellation.
     template <class T>
     void compute(std::function<T(const Progress&)> job, std::function<void(const T&)> done,
                  std::function<void(const Error&)> failed)
@@ -48,7 +48,7 @@ private:
 
     QTimer poll_;
     std::function<void(const Worker::Outcome&)> done_;
-    Worker worker_;  ///< last: stopped before anything else goes
+    Worker worker_;  ///< last member: stopped before the others are destroyed
 };
 
 }  // namespace lathelier

@@ -52,12 +52,12 @@ void Worker::cancel()
 {
     const std::lock_guard lock(mutex_);
     if (!state_.busy) {
-        if (outcome_) outcome_ = Cancelled();  // finished, but nobody has taken it yet
+        if (outcome_) outcome_ = Cancelled();  // finished, but not taken yet
         return;
     }
     stop_.request_stop();
     state_.stopping = true;
-    if (waiting_) {  // not begun: answered at once
+    if (waiting_) {  // not started: answered immediately
         waiting_.reset();
         state_ = {};
         outcome_ = Cancelled();
@@ -102,7 +102,7 @@ void Worker::work(std::uint64_t number, const Job& job, const std::stop_token& s
 
     const std::lock_guard lock(mutex_);
     if (number != newest_) return;  // stale: a newer request is waiting
-    // A job that finished in spite of cancel() still counts as stopped: the user asked for no new picture.
+    // A job that finished in spite of cancel() still counts as stopped: the user requested no new result.
     outcome_ = stop.stop_requested() ? Outcome(Cancelled()) : std::move(outcome);
     state_ = {};
 }

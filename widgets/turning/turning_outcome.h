@@ -1,0 +1,62 @@
+// Outcome of the panel Turning program: the plan, and data prepared for its views.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/cam/plan.h"
+#include "engine/core/input_file.h"
+#include "engine/report/document.h"
+#include "engine/stability/lobes.h"
+#include "engine/stability/speed_choice.h"
+#include "engine/stock/drawn_path.h"
+#include "widgets/core/files/stores.h"
+#include "widgets/turning/turning_programs.h"
+#include "widgets/turning/turning_question.h"
+
+namespace lathelier::turning_panel {
+
+/// One clamping, in the coordinates of its stock: z from the raw end of the bar, radius.
+struct ClampingOutcome {
+    stock::DrawnPath drawn;                  ///< drawn path of the program
+    std::vector<double> travelled_mm;        ///< path length of the tool up to each corner
+    double z_zero_mm = 0;                    ///< z = z_zero - Z of the program
+    double part_zero_mm = 0;                 ///< z of the stock less z of the part in this clamping
+    std::vector<double> drawing_z_mm;        ///< the part as drawn
+    std::vector<double> drawing_x_mm;        ///< radius, one for each z
+    std::optional<stock::StockResult> bare;  ///< the stock before anything is cut; none: the program has errors
+
+    double length_mm() const { return travelled_mm.empty() ? 0 : travelled_mm.back(); }  ///< way of the tool
+};
+
+/// Lobes that determine the speed of a section.
+struct SectionLobes {
+    stability::LobeResult lobes;                  ///< of the work at that moment, about the speed
+    std::optional<stability::SpeedResult> speed;  ///< chosen speed; none: no stable speed
+};
+
+struct TurningOutcome {
+    TurningQuestion question;                                ///< question of the request
+    bool is_changed = false;                                 ///< the form has precedence over the file
+    bool has_own_post = false;                               ///< of a file, not built in
+    std::shared_ptr<const cam::TurningPlan> plan;            ///< with the programs as they stand here; never null
+    std::vector<ShownProgram> programs;                      ///< one for each set-up of the plan
+    std::vector<ClampingOutcome> clampings;                  ///< one for each set-up of the plan
+    std::vector<std::shared_ptr<const SectionLobes>> lobes;  ///< one for each section; null: no dynamics
+    std::vector<InputFile> inputs;                           ///< files and items
+    Notes notes;                                             ///< of the files and of the plan
+    bool synthetic = false;                                  ///< a source is marked as synthetic
+
+    bool isVoid() const;  ///< true: a program was changed after its check
+};
+
+/// Reads, plans and checks; thread-safe. Errors: those of the readers and of cam::planTurning(); jobWithoutShaft.
+/// Throws Cancelled.
+TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, const Progress& progress);
+
+/// The number of a section of a clamping, or of what stays, by z of the part as drawn, in the stock of the clamping.
+Interval inStock(const TurningOutcome& outcome, std::size_t setup, const Interval& z_mm);
+
+}  // namespace lathelier::turning_panel

@@ -13797,6 +13797,13 @@
     </message>
 </context>
 <context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <translation>Polski</translation>
+    </message>
+</context>
+<context>
     <name>TurningExports</name>
     <message>
         <source>Programs of both clampings</source>

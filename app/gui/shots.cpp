@@ -56,7 +56,10 @@ bool shootPanel(MainWindow& window, PanelDock& dock, const QDir& shots, const QS
     bool good = waitForResults(window);
     pause(settling_ms);
     const QString id = QString::fromStdString(dock.facts().id);
-    good = dock.panel().isCurrent() && good;
+    if (!dock.panel().isCurrent()) {
+        std::cerr << dock.facts().id << ": shows no result of its inputs\n";
+        good = false;
+    }
     good = write(window, shots.filePath("window_" + id + suffix)) && good;
     good = write(dock.panel(), shots.filePath(id + suffix)) && good;
     auto* primaryViews = dock.panel().findChild<PrimaryViews*>();

@@ -10,8 +10,8 @@
 namespace lathelier {
 
 /// The address of `symbol` in the module `name`, a file <name>.so in lib/<program> (installed) or lib/lathelier (built)
-/// beside the folder that the program runs from; loaded on first use and kept to the end. Error moduleMissing. Safe from
-/// any thread.
+/// beside the folder that the program runs from; loaded on first use and kept to the end. Error moduleMissing. Safe
+/// from any thread.
 const void* moduleSymbol(const std::string& name, const char* symbol);
 
 template <class Table>

@@ -11,7 +11,7 @@
 namespace lathelier::stability {
 namespace {
 
-constexpr int batchSize = 8;  ///< cuts simulated side by side with common mode constants
+constexpr int batchSize = 8;         ///< cuts simulated side by side with common mode constants
 constexpr double fewestPeriods = 2;  ///< smallest length of a revolution, in periods of the highest mode
 constexpr double smallest = 1e-60;   ///< magnitudes outside are rescaled
 constexpr int growthStepsBetweenChecks = 1 << 15;

@@ -94,17 +94,20 @@ double Significance::meansLevel(int column, int row, double give_up) const
     return level;
 }
 
-double Significance::mediansLevel(int column, int row) const
+double Significance::mediansLevel(int column, int row, double give_up) const
 {
     double level = -1e300;
-    for (const int run : {medianRun, shortRun})
-        level = std::max({level, median(column, row, run, 1), median(column, row, 1, run)});
+    for (const int run : {shortRun, medianRun})  // the short ones first, which cost less
+        for (const bool is_row : {true, false}) {
+            level = std::max(level, is_row ? median(column, row, run, 1) : median(column, row, 1, run));
+            if (level > give_up) return level;
+        }
     return level;
 }
 
 double Significance::levelAt(int column, int row, NoiseLevel level) const
 {
-    return std::exp(level == NoiseLevel::Means ? meansLevel(column, row, 1e300) : mediansLevel(column, row));
+    return std::exp(level == NoiseLevel::Means ? meansLevel(column, row, 1e300) : mediansLevel(column, row, 1e300));
 }
 
 /// False: outside the spectrum.
@@ -167,7 +170,8 @@ std::vector<SpectralPeak> Significance::peaks(NoiseLevel level, double least, do
                 if (!is_top) continue;
                 const double wanted = std::min(least, found.largest > 0 ? found.largest : 1.0);
                 const double give_up = std::log(double(value)) - std::log(wanted);
-                const double noise = level == NoiseLevel::Means ? meansLevel(x, y, give_up) : mediansLevel(x, y);
+                const double noise =
+                    level == NoiseLevel::Means ? meansLevel(x, y, give_up) : mediansLevel(x, y, give_up);
                 const double significance = double(value) / std::exp(noise);
                 found.largest = std::max(found.largest, significance);
                 if (significance > least)

@@ -52,7 +52,7 @@ private:
     double logMean(int column, int row, int across, int down, int hole, bool whitened) const;
     double median(int column, int row, int across, int down) const;
     double meansLevel(int column, int row, double give_up) const;
-    double mediansLevel(int column, int row) const;
+    double mediansLevel(int column, int row, double give_up) const;
     int foldedColumn(int column) const;
     int foldedRow(int row) const;
     bool binOf(Vector frequency, int& column, int& row) const;

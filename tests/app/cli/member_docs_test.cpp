@@ -65,6 +65,22 @@ bool namesItsUnit(const std::string& code)
     return std::regex_search(code, unit);
 }
 
+/// "CheckParameters parameters;", "std::vector<SetupPlan> setups;": the name says no more than the type, whose own
+/// comment holds.
+bool repeatsItsType(const std::string& code)
+{
+    static const std::regex declaration(R"(([A-Z]\w*)[>\s*&]*\s(\w+)\s*[;={])");
+    std::smatch match;
+    if (!std::regex_search(code, match, declaration)) return false;
+    const auto letters = [](std::string text) {
+        std::erase(text, '_');
+        std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+        return text;
+    };
+    const std::string type = letters(match.str(1)), name = letters(match.str(2));
+    return type.ends_with(name) || (type + "s").ends_with(name);
+}
+
 /// Follows braces and access through the lines of one header.
 class Scopes {
 public:
@@ -104,7 +120,8 @@ void countMembers(const fs::path& header, const std::string& name, Count& count)
         if (scopes.arePublicMembersHere() && isMember(words)) {
             ++count.members;
             const bool goesOnBelow = i + 1 < lines.size() && trimmed(lines[i + 1]).starts_with("///<");
-            if (line.find("///") == std::string::npos && !documentedAbove && !goesOnBelow && !namesItsUnit(words))
+            if (line.find("///") == std::string::npos && !documentedAbove && !goesOnBelow && !namesItsUnit(words) &&
+                !repeatsItsType(words))
                 count.undocumented.push_back(name + ":" + std::to_string(i + 1) + " " + words);
         }
         scopes.take(code);

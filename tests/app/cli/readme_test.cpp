@@ -37,7 +37,7 @@ std::string verbOf(const std::string& example)
 /// As a person types it, in the sample's folder.
 Outcome typed(const std::string& line, const std::string& folder)
 {
-    Run run;
+    golden::Run run;
     run.words = {"-c", "cd \"$1\" && exec " LATHELIER_CLI + line.substr(std::string("lathelier-cli").size()), "sh",
                  folder};
     return runProgram("/bin/sh", run);
@@ -57,7 +57,7 @@ TEST(Readme, ExamplesRunOnTheSample)
 
 TEST(Readme, NamesTheVerbsOfTheProgram)
 {
-    Run run;
+    golden::Run run;
     run.words = {"--help"};
     const std::string help = runProgram(LATHELIER_CLI, run).standard_output;
     const std::string table = help.substr(std::min(help.find("Subcommands:"), help.size()));

@@ -1,7 +1,6 @@
 #include "engine/core/module.h"
 
 #include <dlfcn.h>
-#include <sys/auxv.h>
 
 #include <filesystem>
 
@@ -12,21 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of this process; empty where /proc is not mounted and the program was not started by its path.
-fs::path programPath()
-{
-    std::error_code failed;
-    fs::path path = fs::read_symlink("/proc/self/exe", failed);
-    if (!failed) return path;
-    const auto* const started_as = reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
-    return started_as ? fs::canonical(started_as, failed) : fs::path();
-}
-
 /// lib/<program> beside bin, as installed; lib/lathelier for programs that were only built.
 fs::path moduleFile(const std::string& name)
 {
-    const fs::path program = programPath(), lib = program.parent_path().parent_path() / "lib";
     std::error_code ignored;
+    const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
+    const fs::path lib = program.parent_path().parent_path() / "lib";
     const fs::path own = lib / program.filename() / (name + ".so");
     return fs::exists(own, ignored) ? own : lib / "lathelier" / (name + ".so");
 }

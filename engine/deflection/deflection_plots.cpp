@@ -96,7 +96,7 @@ report::Plot errorPlot(const DeflectionResult& result, const ErrorPlotParts& par
 
 report::Plot forcesPlot(const PassResult& pass)
 {
-    report::Plot plot = alongZ(LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Force"), unit::N);
+    report::Plot plot = alongZ(LT_TEXT("Engine", "Cutting forces"), LT_TEXT("Engine", "Force"), unit::newton);
     plot.curves = {curveOf(LT_TEXT("Engine", "F_t, along the cutting speed"), pass.z_mm, pass.F_t_N),
                    curveOf(LT_TEXT("Engine", "F_f, along the feed"), pass.z_mm, pass.F_f_N),
                    curveOf(LT_TEXT("Engine", "F_ap, radial"), pass.z_mm, pass.F_ap_N)};

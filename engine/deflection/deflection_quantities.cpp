@@ -64,9 +64,9 @@ const std::vector<QuantityOf<CorrectedNode>>& quantitiesOf(const CorrectedNode*)
         quantity<R>("deflection_x_um", &R::dx_um, {LT_TEXT("Engine", "Deflection toward the tool"), unit::um, 2}),
         quantity<R>("deflection_y_um", &R::dy_um,
                     {LT_TEXT("Engine", "Deflection along the cutting speed"), unit::um, 2}),
-        quantity<R>("F_t_N", &R::F_t_N, {LT_TEXT("Engine", "F_t"), unit::N, 1}),
-        quantity<R>("F_f_N", &R::F_f_N, {LT_TEXT("Engine", "F_f"), unit::N, 1}),
-        quantity<R>("F_ap_N", &R::F_ap_N, {LT_TEXT("Engine", "F_ap"), unit::N, 1}),
+        quantity<R>("F_t_N", &R::F_t_N, {LT_TEXT("Engine", "F_t"), unit::newton, 1}),
+        quantity<R>("F_f_N", &R::F_f_N, {LT_TEXT("Engine", "F_f"), unit::newton, 1}),
+        quantity<R>("F_ap_N", &R::F_ap_N, {LT_TEXT("Engine", "F_ap"), unit::newton, 1}),
         quantity<R>("stiffness_N_mm", &R::stiffness_N_mm, {LT_TEXT("Engine", "Stiffness at the tool"), unit::N_mm, 0}));
     return all;
 }

@@ -38,7 +38,7 @@ VerifyKind quick(const Progress&)
 
 VerifyKind verifyCuttingForces()
 {
-    VerifyTally tally("cutting_force", LT_TEXT("Engine", "Cutting forces"), unit::N, 0.05);
+    VerifyTally tally("cutting_force", LT_TEXT("Engine", "Cutting forces"), unit::newton, 0.05);
     const TurningSetup setup = caseASetup();
     struct Known {
         double depth_mm, F_t_N, F_f_N, F_ap_N;

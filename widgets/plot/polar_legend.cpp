@@ -11,7 +11,7 @@ namespace {
 
 // In lines of type.
 constexpr double sampleWidth = 2.2, shortSample = 1.5;
-constexpr double gap = 0.6;
+constexpr double legendGap = 0.6;
 constexpr double rowStep = 1.15;
 constexpr double columnStep = 1.35;
 
@@ -51,7 +51,7 @@ PolarPainter::Legend PolarPainter::column(Legend legend) const
     for (LegendLine& entry : legend.lines) {
         entry.place = {0, legend.size.height()};
         legend.size = {
-            std::max(legend.size.width(), legend.sample_px + gap * line + metrics.horizontalAdvance(entry.text)),
+            std::max(legend.size.width(), legend.sample_px + legendGap * line + metrics.horizontalAdvance(entry.text)),
             legend.size.height() + columnStep * line};
     }
     return legend;
@@ -63,7 +63,7 @@ PolarPainter::Legend PolarPainter::rows(Legend legend, double width_px) const
     const QFontMetricsF metrics(font_);
     const double line = metrics.height();
     const auto widthOf = [&](const LegendLine& entry) {
-        return legend.sample_px + gap * line + metrics.horizontalAdvance(entry.text);
+        return legend.sample_px + legendGap * line + metrics.horizontalAdvance(entry.text);
     };
     if (legend.lines.empty()) return legend;
     double widest = 0;

@@ -8,7 +8,7 @@
 namespace lathelier::training_panel {
 namespace {
 
-constexpr double largest = 1e9;  ///< number that may be answered
+constexpr double largestAnswer = 1e9;  ///< number that may be answered
 
 void fillChoices(QComboBox& box, const std::vector<QString>& words)
 {
@@ -30,7 +30,7 @@ ExercisePane::ExercisePane(QWidget* parent)
       question_(new QLabel),
       speed_(new NumberEdit(1, 1e6)),
       listen_(new QPushButton),
-      answer_(new NumberEdit(-largest, largest)),
+      answer_(new NumberEdit(-largestAnswer, largestAnswer)),
       choice_(new QComboBox),
       submit_(new QPushButton),
       result_(new QTextBrowser),

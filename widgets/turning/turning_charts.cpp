@@ -202,7 +202,7 @@ report::Plot coursePlot(const TurningOutcome& outcome, std::size_t setup, Course
     switch (course) {
         case Course::Speed:
             plot.title = LT_TEXT("Engine", "Speed N of the finish");
-            plot.y = {unit::N, unit::rpm};
+            plot.y = {unit::newton, unit::rpm};
             curve = speedCurve(outcome, setup, false);
             break;
         case Course::CuttingSpeed:

@@ -18,7 +18,7 @@ namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t links = 8;      // of an element to its neighbours
-constexpr std::size_t samples = 120;  // places where the winding number is evaluated
+constexpr std::size_t windingSamples = 120;  // places where the winding number is evaluated
 constexpr double windingTolerance = 0.25;
 constexpr double leastConsistentShare = 0.9;
 
@@ -191,7 +191,7 @@ double solidAngle(const std::vector<SurfaceElement>& elements, const std::vector
 bool isClosed(const std::vector<SurfaceElement>& elements, const std::vector<double>& areas,
               const std::vector<bool>& flips, const Progress& progress)
 {
-    const std::size_t step = std::max<std::size_t>(1, elements.size() / samples);
+    const std::size_t step = std::max<std::size_t>(1, elements.size() / windingSamples);
     const std::size_t count = (elements.size() + step - 1) / step;
     std::vector<Eigen::Vector3d> outward(elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i)

@@ -17,7 +17,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t links = 8;      // of an element to its neighbours
+constexpr std::size_t links = 8;             // of an element to its neighbours
 constexpr std::size_t windingSamples = 120;  // places where the winding number is evaluated
 constexpr double windingTolerance = 0.25;
 constexpr double leastConsistentShare = 0.9;

@@ -7,8 +7,8 @@
 
 #include "engine/cad/freecad_macro.h"
 #include "engine/cad/solidworks_macro.h"
-#include "occurrences.h"
 #include "parts.h"
+#include "tests/occurrences.h"
 
 namespace lathelier::cad {
 namespace {

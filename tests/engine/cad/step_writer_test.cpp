@@ -11,8 +11,8 @@
 #include "engine/cad/cad_notes.h"
 #include "engine/core/shaft_codes.h"
 #include "fixed_time.h"
-#include "occurrences.h"
 #include "parts.h"
+#include "tests/occurrences.h"
 
 namespace lathelier::cad {
 namespace {

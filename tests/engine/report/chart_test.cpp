@@ -9,7 +9,7 @@
 #include "engine/report/chart_csv.h"
 #include "engine/report/plot_frame.h"
 #include "engine/report/plot_svg.h"
-#include "tests/engine/report/occurrences.h"
+#include "tests/occurrences.h"
 
 namespace lathelier {
 namespace {

@@ -11,7 +11,7 @@
 #include "engine/report/plain_text.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/svg.h"
-#include "tests/engine/report/occurrences.h"
+#include "tests/occurrences.h"
 
 namespace lathelier {
 namespace {

@@ -8,7 +8,7 @@
 #include "engine/report/html.h"
 #include "engine/report/ring_labels.h"
 #include "engine/report/svg.h"
-#include "tests/engine/report/occurrences.h"
+#include "tests/occurrences.h"
 
 namespace lathelier {
 namespace {

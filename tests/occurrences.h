@@ -1,4 +1,4 @@
-// Counting in what reports write.
+// How often a text holds another.
 #pragma once
 
 #include <cstddef>

@@ -70,7 +70,7 @@ TitleBlockDialog::TitleBlockDialog(const report::TitleBlock& block, QWidget* par
       logo_(new QLabel),
       remove_(new QPushButton(tr("Without logo"))),
       problem_(new QLabel),
-      logo_png_base64_(block.logo_png_base64)
+      logoPngBase64_(block.logo_png_base64)
 {
     setWindowTitle(tr("Title block"));
     auto* about = new QLabel(tr("What is filled in stands on the first page of every report of this project."));
@@ -87,7 +87,7 @@ TitleBlockDialog::TitleBlockDialog(const report::TitleBlock& block, QWidget* par
             QFileDialog::getOpenFileName(this, tr("Logo"), {}, tr("Pictures (*.png *.jpg *.jpeg *.svg *.bmp)"));
         if (path.isEmpty()) return;
         try {
-            logo_png_base64_ = readLogo(path);
+            logoPngBase64_ = readLogo(path);
             problem_->hide();
         } catch (const Error& error) {
             problem_->setText(screenText(error));
@@ -96,7 +96,7 @@ TitleBlockDialog::TitleBlockDialog(const report::TitleBlock& block, QWidget* par
         showLogo();
     });
     connect(remove_, &QPushButton::clicked, this, [this] {
-        logo_png_base64_.clear();
+        logoPngBase64_.clear();
         showLogo();
     });
     auto* picture = new QHBoxLayout;
@@ -121,13 +121,13 @@ report::TitleBlock TitleBlockDialog::block() const
 {
     takeOverTyping(this);
     auto result = fromValues<report::TitleBlock>(form_->values());
-    result.logo_png_base64 = logo_png_base64_;
+    result.logo_png_base64 = logoPngBase64_;
     return result;
 }
 
 void TitleBlockDialog::showLogo()
 {
-    const QImage image = QImage::fromData(QByteArray::fromBase64(QByteArray::fromStdString(logo_png_base64_)));
+    const QImage image = QImage::fromData(QByteArray::fromBase64(QByteArray::fromStdString(logoPngBase64_)));
     logo_->setPixmap(image.isNull() ? QPixmap()
                                     : QPixmap::fromImage(image.scaledToHeight(shownHigh_px, Qt::SmoothTransformation)));
     remove_->setEnabled(!image.isNull());

@@ -38,7 +38,7 @@ private:
     QLabel* logo_;
     QPushButton* remove_;
     QLabel* problem_;
-    std::string logo_png_base64_;
+    std::string logoPngBase64_;
 };
 
 }  // namespace lathelier

@@ -24,15 +24,15 @@ ReceptanceMatrix towardFreeEnd(const Matrix2<Complex>& g)
 
 BeamReceptance::BeamReceptance(BeamModel model)
     : model_(std::move(model)),
-      is_movable_(rigidBodyMotions(model_) > 0),
-      by_node_(model_.places.size()),
+      isMovable_(rigidBodyMotions(model_) > 0),
+      byNode_(model_.places.size()),
       stiffness_(model_.pieces.size()),
       right_(model_.pieces.size() + 1),
       pass_(model_.pieces.size()),
       driving_(model_.places.size())
 {
-    std::iota(by_node_.begin(), by_node_.end(), std::size_t{0});
-    std::stable_sort(by_node_.begin(), by_node_.end(),
+    std::iota(byNode_.begin(), byNode_.end(), std::size_t{0});
+    std::stable_sort(byNode_.begin(), byNode_.end(),
                      [this](std::size_t a, std::size_t b) { return model_.places[a] < model_.places[b]; });
     for (const BeamPiece& piece : model_.pieces) constants_.push_back(piece.constants<Complex>(model_.loss_factor));
     for (const NodeSupport& node : model_.supports) support_.push_back(node.stiffness<Complex>());
@@ -40,8 +40,8 @@ BeamReceptance::BeamReceptance(BeamModel model)
 
 void BeamReceptance::sweep()
 {
-    if (by_node_.empty()) return;
-    const std::size_t first = model_.places[by_node_.front()];
+    if (byNode_.empty()) return;
+    const std::size_t first = model_.places[byNode_.front()];
     right_.back() = {};
     for (std::size_t i = model_.pieces.size(); i-- > first;) {
         const PieceStiffness<Complex>& k = stiffness_[i];
@@ -51,8 +51,8 @@ void BeamReceptance::sweep()
     }
     Matrix2<Complex> left{};
     std::size_t node = 0;
-    for (std::size_t order = 0; order < by_node_.size(); ++order) {
-        for (const std::size_t place_node = model_.places[by_node_[order]]; node < place_node; ++node) {
+    for (std::size_t order = 0; order < byNode_.size(); ++order) {
+        for (const std::size_t place_node = model_.places[byNode_[order]]; node < place_node; ++node) {
             const PieceStiffness<Complex>& k = stiffness_[node];
             const Matrix2<Complex> pivot = left + support_[node] + k.right.mirrored();
             left = k.right - k.across.transposed() * compliance(pivot, model_.supports[node].held) * k.across;
@@ -64,11 +64,11 @@ void BeamReceptance::sweep()
 void BeamReceptance::fillFrom(std::size_t order, std::span<ReceptanceMatrix> result) const
 {
     const std::size_t n = places();
-    const std::size_t cause = by_node_[order];
+    const std::size_t cause = byNode_[order];
     Matrix2<Complex> motion = driving_[order];
     std::size_t node = model_.places[cause];
     for (std::size_t later = order; later < n; ++later) {
-        const std::size_t response = by_node_[later];
+        const std::size_t response = byNode_[later];
         for (; node < model_.places[response]; ++node) motion = pass_[node] * motion;
         const ReceptanceMatrix g = towardFreeEnd(motion);
         result[response * n + cause] = g;
@@ -78,7 +78,7 @@ void BeamReceptance::fillFrom(std::size_t order, std::span<ReceptanceMatrix> res
 
 void BeamReceptance::at(double frequency_hz, std::span<ReceptanceMatrix> result)
 {
-    if (frequency_hz == 0 && is_movable_) {
+    if (frequency_hz == 0 && isMovable_) {
         std::fill(result.begin(), result.end(), ReceptanceMatrix::Constant(Complex(notANumber, notANumber)));
         return;
     }
@@ -103,7 +103,7 @@ void BeamReceptance::compute(double frequency_hz, std::span<ReceptanceMatrix> re
         stiffness_[i] =
             model_.pieces[i].same_as_before ? stiffness_[i - 1] : pieceStiffness(model_.method, constants_[i], omega);
     sweep();
-    for (std::size_t order = 0; order < by_node_.size(); ++order) fillFrom(order, result);
+    for (std::size_t order = 0; order < byNode_.size(); ++order) fillFrom(order, result);
 }
 
 std::vector<ReceptanceMatrix> beamReceptances(const Shaft& shaft, const Material& material,

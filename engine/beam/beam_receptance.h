@@ -43,8 +43,8 @@ private:
     void fillFrom(std::size_t order, std::span<ReceptanceMatrix> result) const;
 
     BeamModel model_;
-    bool is_movable_;                                 ///< true: rigid-body motions exist
-    std::vector<std::size_t> by_node_;                ///< indices of the places in ascending order of their node
+    bool isMovable_;                                  ///< true: rigid-body motions exist
+    std::vector<std::size_t> byNode_;                 ///< indices of the places in ascending order of their node
     std::vector<PieceConstants<Complex>> constants_;  ///< by piece
     std::vector<Matrix2<Complex>> support_;           ///< support stiffness by node
     std::vector<PieceStiffness<Complex>> stiffness_;  ///< by piece, at the current frequency

@@ -15,15 +15,15 @@ SegmentContour::SegmentContour(const ShaftSegment& segment)
     const double chord_mm = std::hypot(length_mm_, rise_mm);
     // The centre lies on the perpendicular bisector of the chord: toward the axis for a convex arc.
     const double height_mm = side_ * std::sqrt(std::max(0.0, radius_mm_ * radius_mm_ - chord_mm * chord_mm / 4));
-    centre_z_mm_ = length_mm_ / 2 + height_mm * rise_mm / chord_mm;
-    centre_r_mm_ = (start_mm_ + end_mm_) / 2 - height_mm * length_mm_ / chord_mm;
+    centreZ_mm_ = length_mm_ / 2 + height_mm * rise_mm / chord_mm;
+    centreR_mm_ = (start_mm_ + end_mm_) / 2 - height_mm * length_mm_ / chord_mm;
 }
 
 double SegmentContour::radiusAt_mm(double at_mm) const
 {
     if (side_ == 0) return length_mm_ > 0 ? start_mm_ + (end_mm_ - start_mm_) * at_mm / length_mm_ : start_mm_;
-    const double z_mm = at_mm - centre_z_mm_;
-    return centre_r_mm_ + side_ * std::sqrt(std::max(0.0, radius_mm_ * radius_mm_ - z_mm * z_mm));
+    const double z_mm = at_mm - centreZ_mm_;
+    return centreR_mm_ + side_ * std::sqrt(std::max(0.0, radius_mm_ * radius_mm_ - z_mm * z_mm));
 }
 
 }  // namespace lathelier::beam

@@ -17,7 +17,7 @@ public:
 
 private:
     double length_mm_, start_mm_, end_mm_;
-    double radius_mm_ = 0, centre_z_mm_ = 0, centre_r_mm_ = 0;
+    double radius_mm_ = 0, centreZ_mm_ = 0, centreR_mm_ = 0;
     double side_ = 0;  // 1 convex, -1 concave, 0 no arc
 };
 

@@ -20,8 +20,8 @@ public:
           last_(contour.pieces.back().to_mm.x()),
           back_(tool.back_angle_deg * rad_per_deg),
           lead_(tool.entering_angle_deg * rad_per_deg),
-          has_back_(tool.back_angle_deg < 90),
-          has_lead_(tool.entering_angle_deg < 90)
+          hasBack_(tool.back_angle_deg < 90),
+          hasLead_(tool.entering_angle_deg < 90)
     {
         all_.reserve(4 * contour.pieces.size());
         const Contour& pieces = contour.pieces;
@@ -71,9 +71,9 @@ private:
                  convex ? radius : -radius, centre, Touch::Element, source});
         }
         if (!convex) return;
-        if (has_back_ && startSlope(piece) > -std::tan(back_) && endSlope(piece) < -std::tan(back_))
+        if (hasBack_ && startSlope(piece) > -std::tan(back_) && endSlope(piece) < -std::tan(back_))
             addBackRay(centre + (arc + radius_) * Vector2d(std::sin(back_), std::cos(back_)), source);
-        if (has_lead_ && startSlope(piece) > std::tan(lead_) && endSlope(piece) < std::tan(lead_))
+        if (hasLead_ && startSlope(piece) > std::tan(lead_) && endSlope(piece) < std::tan(lead_))
             addLeadRay(centre + (arc + radius_) * Vector2d(-std::sin(lead_), std::cos(lead_)), source);
     }
 
@@ -81,9 +81,9 @@ private:
     {
         if (slope_after >= slope_before) return;  // concave or smooth corner: covered by the discs of its neighbours
         add({corner - Vector2d(radius_, 0), corner + Vector2d(radius_, 0), radius_, corner, Touch::Vertex, source});
-        if (has_back_ && slope_after < -std::tan(back_) && slope_before >= -std::tan(back_))
+        if (hasBack_ && slope_after < -std::tan(back_) && slope_before >= -std::tan(back_))
             addBackRay(corner + radius_ * Vector2d(std::sin(back_), std::cos(back_)), source);
-        if (has_lead_ && slope_before > std::tan(lead_) && slope_after <= std::tan(lead_))
+        if (hasLead_ && slope_before > std::tan(lead_) && slope_after <= std::tan(lead_))
             addLeadRay(corner + radius_ * Vector2d(-std::sin(lead_), std::cos(lead_)), source);
     }
 
@@ -101,7 +101,7 @@ private:
 
     double radius_, first_, last_;
     double back_, lead_;
-    bool has_back_, has_lead_;
+    bool hasBack_, hasLead_;
     Curve all_;
 };
 

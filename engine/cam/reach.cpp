@@ -65,19 +65,19 @@ private:
     void take(const DrawnPlace& place, double left)
     {
         const bool is_rest = left > leastRest_mm;
-        if (is_rest && !is_open_) {
-            is_open_ = true;
-            start_ = has_last_ && last_.piece == place.piece ? edgeBetween(last_, place) : place;
+        if (is_rest && !isOpen_) {
+            isOpen_ = true;
+            start_ = hasLast_ && last_.piece == place.piece ? edgeBetween(last_, place) : place;
             most_ = place;
-            most_left_ = left;
-        } else if (is_rest && left > most_left_) {
+            mostLeft_ = left;
+        } else if (is_rest && left > mostLeft_) {
             most_ = place;
-            most_left_ = left;
-        } else if (!is_rest && is_open_) {
+            mostLeft_ = left;
+        } else if (!is_rest && isOpen_) {
             close(last_.piece == place.piece ? edgeBetween(place, last_) : last_);
         }
         last_ = place;
-        has_last_ = true;
+        hasLast_ = true;
     }
 
     /// Bisects for the point of one piece where `left` crosses the threshold.
@@ -92,8 +92,8 @@ private:
 
     void close(const DrawnPlace& end)
     {
-        if (!is_open_) return;
-        is_open_ = false;
+        if (!isOpen_) return;
+        isOpen_ = false;
         refineMost();
         Unreached rest;
         const Vector2d a = pointOf(contour_.pieces[start_.piece], start_.share);
@@ -101,7 +101,7 @@ private:
         const Vector2d most = pointOf(contour_.pieces[most_.piece], most_.share);
         rest.z_start_mm = std::min(a.x(), b.x());
         rest.z_end_mm = std::max(a.x(), b.x());
-        rest.left_mm = most_left_;
+        rest.left_mm = mostLeft_;
         rest.z_most_mm = most.x();
         rest.x_most_mm = most.y();
         rest.path_from_mm = start_.way_mm;
@@ -125,8 +125,8 @@ private:
         }
         DrawnPlace best = most_;
         best.share = (low + high) / 2;
-        if (const double left = leftAt(best); left > most_left_) {
-            most_left_ = left;
+        if (const double left = leftAt(best); left > mostLeft_) {
+            mostLeft_ = left;
             most_ = best;
         }
     }
@@ -172,9 +172,9 @@ private:
     const HeightContour& contour_;
     const std::vector<ToolReach>& tools_;
     std::vector<Unreached> found_;
-    bool is_open_ = false, has_last_ = false;
+    bool isOpen_ = false, hasLast_ = false;
     DrawnPlace start_, most_, last_;
-    double most_left_ = 0;
+    double mostLeft_ = 0;
 };
 
 }  // namespace

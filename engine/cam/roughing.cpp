@@ -77,7 +77,7 @@ public:
           curve_(toolCurve(frame, tool, frame.job->cutting.rough.allowance_mm)),
           moves_(tipOffset(tool)),
           feed_(tool.feed_mm_rev.value_or(frame.job->cutting.rough.feed_mm_rev)),
-          front_z_(frame.frontZ_mm())
+          frontZ_(frame.frontZ_mm())
     {
         operation_.kind = OperationKind::Rough;
         operation_.tool = tool.number;
@@ -101,7 +101,7 @@ public:
         if (moves_.isEmpty()) return {};
         moves_.rapidX(frame_.safe_x_mm);
         operation_.moves = moves_.taken();
-        stock_.run(partFrom(cut_moves_));
+        stock_.run(partFrom(cutMoves_));
         return std::move(operation_);
     }
 
@@ -110,15 +110,15 @@ private:
     {
         const double x = level + moves_.offset().y(), end = stretch.to_mm + moves_.offset().x();
         if (moves_.isEmpty()) {
-            moves_.rapid({front_z_, frame_.safe_x_mm});
-        } else if (moves_.at().x() != front_z_) {
+            moves_.rapid({frontZ_, frame_.safe_x_mm});
+        } else if (moves_.at().x() != frontZ_) {
             moves_.rapidX(frame_.safe_x_mm);
-            moves_.rapidZ(front_z_);
+            moves_.rapidZ(frontZ_);
         }
         moves_.rapidX(x);
         moves_.line({end, x}, feed_);
         moves_.line({end - retract_mm, x + retract_mm}, feed_);
-        moves_.rapidZ(front_z_);
+        moves_.rapidZ(frontZ_);
     }
 
     void pocket(const Stretch& stretch, double level, double before)
@@ -145,8 +145,8 @@ private:
     /// Removes the moves added since the last call from the stock.
     void cutPendingMoves()
     {
-        stock_.run(partFrom(cut_moves_));
-        cut_moves_ = moves_.moves().size();
+        stock_.run(partFrom(cutMoves_));
+        cutMoves_ = moves_.moves().size();
     }
 
     Operation partFrom(std::size_t first)
@@ -163,9 +163,9 @@ private:
     WorkStock& stock_;
     Curve curve_;
     MoveList moves_;
-    double feed_, front_z_;
+    double feed_, frontZ_;
     Operation operation_;
-    std::size_t cut_moves_ = 0;
+    std::size_t cutMoves_ = 0;
 };
 
 Operation alongContour(const WorkFrame& frame, const JobTool& tool, OperationKind kind, const Curve& curve, double feed,

@@ -135,7 +135,7 @@ private:
         if (hole) {
             if (is_faced) frame_.face_left_mm = 0;
             keep(std::move(*hole), 0);
-            has_centre_hole_ = true;
+            hasCentreHole_ = true;
             frame_.has_tailstock = true;
             result_.after.setTailstock(true);
         } else if (has_tailstock && !is_faced && frame_.face_mm > faceLeft_mm) {
@@ -153,9 +153,9 @@ private:
     void keep(Operation operation, double depth)
     {
         if (isSkipped(operation)) return;
-        if (has_centre_hole_) {
+        if (hasCentreHole_) {
             operation.stops_before = true;
-            has_centre_hole_ = false;
+            hasCentreHole_ = false;
         }
         const double before = result_.after.removed_mm3();
         result_.after.run(operation);
@@ -328,7 +328,7 @@ private:
     const Progress& progress_;
     SetupOperations result_;
     std::vector<ToolReach> reaches_, cut_;
-    bool has_centre_hole_ = false;
+    bool hasCentreHole_ = false;
 };
 
 }  // namespace

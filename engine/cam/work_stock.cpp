@@ -53,7 +53,7 @@ std::optional<Refusal> WorkStock::test(const stock::ConvexPolygon& swept, stock:
         return Refusal{kind, overlap.z_mm - parameters_.z_zero_mm, overlap.depth_mm};
     }
     for (const auto& [region_kind, shape] : regions_) {
-        if (region_kind == stock::FindingKind::Tailstock && !tailstock_stands_) continue;
+        if (region_kind == stock::FindingKind::Tailstock && !tailstockStands_) continue;
         const stock::Box met = boxOf(overlapOf(swept, shape));
         const stock::Corner extent = met.high - met.low;
         if (std::min(extent.z_mm, extent.x_mm) > parameters_.touch_mm)

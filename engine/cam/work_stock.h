@@ -27,7 +27,7 @@ public:
     WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters);
 
     /// Engages or disengages the tailstock. Initially engaged if the parameters have one.
-    void setTailstock(bool stands) { tailstock_stands_ = stands; }
+    void setTailstock(bool stands) { tailstockStands_ = stands; }
 
     /// Removes the operation from the stock. Returns the first collision; the stock is cut in any case. None: no
     /// collision.
@@ -59,7 +59,7 @@ private:
     std::vector<Mounted> tools_;
     std::vector<std::pair<stock::FindingKind, stock::ConvexPolygon>> regions_;
     double removed_mm3_ = 0;
-    bool tailstock_stands_ = true;
+    bool tailstockStands_ = true;
 };
 
 }  // namespace lathelier::cam

@@ -143,7 +143,7 @@ void ChainSteps::planSpeeds()
     if (!runner_.hasFailed() && runner_.canRead(drawingFile)) {
         try {
             const Shaft part = readPart();
-            part_length_mm_ = part.length_mm();
+            partLength_mm_ = part.length_mm();
             addPreparationInputs();
             runner_.addInput(std::string(drawingFile));
             runner_.write(heldFile, io::shaftText(cam::heldPart(part, job_)));
@@ -191,11 +191,11 @@ void ChainSteps::program()
     step.outputs = {{"--out", "program" + extension()}};
     results_->planned = runner_.run(step, share(0.55, 0.65, LT_TEXT("Engine", "Planning the program")));
     const Json& planned = results_->planned;
-    two_clampings_ = planned.contains("setups") && planned["setups"].size() > 1;
-    if (!two_clampings_ || !runner_.canRead(drawingFile)) return;
+    twoClampings_ = planned.contains("setups") && planned["setups"].size() > 1;
+    if (!twoClampings_ || !runner_.canRead(drawingFile)) return;
     const Shaft part = readPart();
     second_ = secondBar(part, job_);
-    split_mm_ = cam::splitOf(part).value_or(part_length_mm_);
+    split_mm_ = cam::splitOf(part).value_or(partLength_mm_);
 }
 
 void ChainSteps::deflect()
@@ -206,8 +206,8 @@ void ChainSteps::deflect()
         return;
     }
     const HeldBar first = runner_.hasFailed() ? HeldBar{} : firstBar(job_);
-    deflectOne("deflection", first, two_clampings_ ? "_1" : "", 0.65, two_clampings_ ? 0.72 : 0.8);
-    if (two_clampings_) {
+    deflectOne("deflection", first, twoClampings_ ? "_1" : "", 0.65, twoClampings_ ? 0.72 : 0.8);
+    if (twoClampings_) {
         if (second_)
             deflectOne("deflection_2", *second_, "_2", 0.72, 0.8);
         else
@@ -250,19 +250,19 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
 
 void ChainSteps::checkCorrected()
 {
-    const std::string corrected = "program_corrected" + std::string(two_clampings_ ? "_1" : "") + extension();
+    const std::string corrected = "program_corrected" + std::string(twoClampings_ ? "_1" : "") + extension();
     const Json& made = results_->deflected;
     // In a dry run its existence is not yet known.
     if (!runner_.hasFailed() && runner_.isDone("deflection") && !made.contains("residual_max_um"))
         return runner_.recordMissing("corrected_check", LT_TEXT("Engine", "a corrected program"));
-    if (two_clampings_) {
+    if (twoClampings_) {
         // Only the stretch turned in this clamping is checked.
         if (runner_.canRead(drawingFile)) {
             runner_.write("part_1.json", io::shaftText(cam::cutAt(readPart(), split_mm_)));
             runner_.addInput(std::string(drawingFile));
         }
     }
-    const std::string part = two_clampings_ ? runner_.path("part_1.json") : shaft_;
+    const std::string part = twoClampings_ ? runner_.path("part_1.json") : shaft_;
     runner_.run(asked("corrected_check", "check", {runner_.path(corrected)},
                       {{"job", question_.job}, {"shaft", part}, {"correction", runner_.path("deflection.json")}}),
                 share(0.8, 0.85, LT_TEXT("Engine", "Checking the corrected program")));
@@ -299,8 +299,8 @@ void ChainSteps::prove()
         [&] {
             PredictedErrors predicted = predictedErrors(results_->deflected, zero_mm_);
             if (has_second)
-                predicted = joined(predicted, predictedErrors(results_->second, second_->z_zero_mm, part_length_mm_),
-                                   split_mm_);
+                predicted =
+                    joined(predicted, predictedErrors(results_->second, second_->z_zero_mm, partLength_mm_), split_mm_);
             Proof proof{predicted, compareErrors(predicted, measuredErrors(results_->drawn, results_->compared)),
                         measuredPlaces(results_->drawn, results_->compared)};
             Json found = proofJson(proof.predicted, proof.places, proof.along);

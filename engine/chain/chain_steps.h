@@ -53,12 +53,12 @@ private:
     io::InputFiles& inputs_;
     const Progress& progress_;
     cam::Job job_;
-    std::string shaft_;           // path of the drawing
-    bool two_clampings_ = false;  // of the program
+    std::string shaft_;          // path of the drawing
+    bool twoClampings_ = false;  // of the program
     std::optional<HeldBar> second_;
     double split_mm_ = 0;  // z from which the second clamping finishes the part
     double zero_mm_ = 0;   // z of deflection's stock less z of the part
-    double part_length_mm_ = 0;
+    double partLength_mm_ = 0;
     std::unique_ptr<Results> results_;
 };
 

@@ -87,7 +87,7 @@ bool StepRunner::canRead(const std::string& name) const
 void StepRunner::write(const std::string& name, const std::string& text)
 {
     if (failed_) return;
-    further_outputs_.push_back(name);
+    furtherOutputs_.push_back(name);
     if (digest(name, {}) == io::sha256(text)) return;
     if (mode_ == RunMode::DryRun) {
         stale_.insert(name);
@@ -110,8 +110,8 @@ std::string StepRunner::requestOf(const StepRequest& step) const
     }
     asked["outputs"] = step.outputs;
     asked["if_possible"] = step.outputs_if_possible;
-    for (const InputFile& file : further_inputs_) asked["takes"].push_back(file.path);
-    asked["writes"] = further_outputs_;
+    for (const InputFile& file : furtherInputs_) asked["takes"].push_back(file.path);
+    asked["writes"] = furtherOutputs_;
     return io::sha256(asked.dump());
 }
 
@@ -119,7 +119,7 @@ std::string StepRunner::requestOf(const StepRequest& step) const
 std::vector<std::string> StepRunner::namesOf(const StepRequest& step) const
 {
     std::vector<std::string> names{resultOf(step.id)};
-    names.insert(names.end(), further_outputs_.begin(), further_outputs_.end());
+    names.insert(names.end(), furtherOutputs_.begin(), furtherOutputs_.end());
     for (const auto* outputs : {&step.outputs, &step.outputs_if_possible})
         for (const auto& [option, name] : *outputs) {
             names.push_back(name);
@@ -148,8 +148,8 @@ const ChainStep* StepRunner::unchanged(const ChainStep& step, const Progress& pr
 
 void StepRunner::finish(ChainStep step, const Json& result)
 {
-    further_inputs_.clear();
-    further_outputs_.clear();
+    furtherInputs_.clear();
+    furtherOutputs_.clear();
     failed_ = failed_ || step.state == StepState::Failed;
     add(dossier_, std::move(step), result);
 }
@@ -157,7 +157,7 @@ void StepRunner::finish(ChainStep step, const Json& result)
 Json StepRunner::takeOver(const ChainStep& step, const Progress& progress)
 {
     progress.check();
-    taken_over_ = true;
+    takenOver_ = true;
     Json result = step.state == StepState::Done ? readJson(path(step.result)) : Json::object();
     finish(step, result);
     return result;
@@ -181,7 +181,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     ChainStep step;
     step.id = wanted.id;
     refusal_.reset();
-    taken_over_ = false;
+    takenOver_ = false;
     if (failed_) {
         finish(std::move(step), {});
         return Json::object();
@@ -198,7 +198,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     EarlierFiles aside(folder_);
     for (const std::string& name : namesOf(wanted)) {
         digests_.erase(name);
-        if (std::find(further_outputs_.begin(), further_outputs_.end(), name) == further_outputs_.end())
+        if (std::find(furtherOutputs_.begin(), furtherOutputs_.end(), name) == furtherOutputs_.end())
             aside.setAside(name);
     }
     const bool may_refuse = !wanted.outputs_if_possible.empty();
@@ -212,7 +212,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     io::writeFile(path(step.result), report::toText(*reply.result));
     aside.forget();
     for (const InputFile& file : reply.inputs) step.inputs.push_back(named(file));
-    step.inputs.insert(step.inputs.end(), further_inputs_.begin(), further_inputs_.end());
+    step.inputs.insert(step.inputs.end(), furtherInputs_.begin(), furtherInputs_.end());
     std::error_code ignored;
     for (const std::string& name : namesOf(wanted))
         if (fs::exists(path(name), ignored)) step.outputs.push_back(madeFile(name, progress.quiet()));
@@ -230,7 +230,7 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
 {
     ChainStep step;
     step.id = id;
-    taken_over_ = false;
+    takenOver_ = false;
     if (failed_) {
         finish(std::move(step), {});
         return Json::object();
@@ -257,7 +257,7 @@ void StepRunner::recordMissing(const std::string& id, Text what)
 {
     ChainStep step;
     step.id = id;
-    taken_over_ = false;
+    takenOver_ = false;
     if (!failed_) {
         step.state = StepState::Missing;
         step.error = Error(errors::chainInputMissing, {{"what", what}});
@@ -269,7 +269,7 @@ void StepRunner::recordFailure(const std::string& id, const Error& error)
 {
     ChainStep step;
     step.id = id;
-    taken_over_ = false;
+    takenOver_ = false;
     if (!failed_) {
         step.state = StepState::Failed;
         step.error = error;
@@ -291,7 +291,7 @@ void StepRunner::keepEarlierSteps()
 void StepRunner::addNote(Note note)
 {
     ChainStep& step = dossier_.steps.back();
-    if (taken_over_ || step.state != StepState::Done) return;
+    if (takenOver_ || step.state != StepState::Done) return;
     step.notes.push_back(note);
     set(note.values, "step", step.id);
     dossier_.notes.push_back(std::move(note));

@@ -55,8 +55,8 @@ public:
               const Progress& progress);
 
     /// Adds an input of the next step besides those of its verb.
-    void addInput(const InputFile& file) { further_inputs_.push_back(named(file)); }
-    void addInput(const std::string& name) { further_inputs_.push_back(madeFile(name, {})); }  ///< within the folder
+    void addInput(const InputFile& file) { furtherInputs_.push_back(named(file)); }
+    void addInput(const std::string& name) { furtherInputs_.push_back(madeFile(name, {})); }  ///< within the folder
     /// Writes a file of the chain for the next step.
     void write(const std::string& name, const std::string& text);
 
@@ -89,13 +89,13 @@ private:
     RunMode mode_;
     std::shared_ptr<const Dossier> earlier_;
     Dossier dossier_;
-    std::vector<InputFile> further_inputs_;
-    std::vector<std::string> further_outputs_;
+    std::vector<InputFile> furtherInputs_;
+    std::vector<std::string> furtherOutputs_;
     std::map<std::string, std::string> digests_;  ///< by path; empty: missing
     std::set<std::string> stale_;                 ///< names within the folder that a run would rewrite
     std::optional<Error> refusal_;
     bool failed_ = false;
-    bool taken_over_ = false;  ///< the last step was reused
+    bool takenOver_ = false;  ///< the last step was reused
 };
 
 }  // namespace lathelier::chain

@@ -91,7 +91,7 @@ CuttingEdge::CuttingEdge(const ToolGeometry& tool, double feed_mm_rev, ContactLe
     corner_mm_ = radius_mm_ * (1 - cos_);
     scallop_mm_ = half * half / (radius_mm_ + height);
     trailing_mm_ = radius_mm_ * trailing_rad;
-    corner_arc_mm_ = radius_mm_ * kappa;
+    cornerArc_mm_ = radius_mm_ * kappa;
     cusp_mm2_ = feed_mm_ * radius_mm_ - half * height - radius_mm_ * radius_mm_ * trailing_rad;
 }
 
@@ -113,7 +113,7 @@ Chip CuttingEdge::chipAt(double depth_mm) const
     chip.area_mm2 = feed_mm_ * depth_mm - cusp_mm2_;
     switch (contact_) {
         case ContactLength::Arc:
-            chip.contact_mm = (beyond_corner ? corner_arc_mm_ : radius_mm_ * std::acos(1 - depth_mm / radius_mm_)) +
+            chip.contact_mm = (beyond_corner ? cornerArc_mm_ : radius_mm_ * std::acos(1 - depth_mm / radius_mm_)) +
                               trailing_mm_ + straight_mm;
             break;
         case ContactLength::Chord: chip.contact_mm = chord_mm; break;

@@ -88,7 +88,7 @@ private:
     double corner_mm_ = 0;      ///< lim
     double scallop_mm_ = 0;
     double trailing_mm_ = 0;  ///< arc behind the deepest point, r asin(f/2r)
-    double corner_arc_mm_ = 0;
+    double cornerArc_mm_ = 0;
     double cusp_mm2_ = 0;
     ContactLength contact_ = ContactLength::Arc;
 };

@@ -41,18 +41,18 @@ double feedOf(const gcode::Move& move)
 /// Builds the list of moves and notes on them.
 class MoveMaker {
 public:
-    MoveMaker(const TurningSetup& setup, Notes& notes) : z_zero_mm_(setup.z_zero_mm), notes_(notes) {}
+    MoveMaker(const TurningSetup& setup, Notes& notes) : zZero_mm_(setup.z_zero_mm), notes_(notes) {}
 
     void add(const gcode::Move& move)
     {
         if (move.kind == gcode::MoveKind::Dwell) return;
         if (!gcode::isKnown(gcode::Point{move.x_mm, move.z_mm})) {
-            is_known_ = false;
+            isKnown_ = false;
             return;
         }
-        const bool cuts = is_known_ && (move.kind == gcode::MoveKind::Feed || move.kind == gcode::MoveKind::Arc);
-        is_known_ = true;
-        ToolMove made{z_zero_mm_ - move.z_mm, move.x_mm, cuts, 0, move.line, {}};
+        const bool cuts = isKnown_ && (move.kind == gcode::MoveKind::Feed || move.kind == gcode::MoveKind::Arc);
+        isKnown_ = true;
+        ToolMove made{zZero_mm_ - move.z_mm, move.x_mm, cuts, 0, move.line, {}};
         if (move.kind == gcode::MoveKind::Thread && !contains(notes_, notes::threadNotPredicted))
             notes_.push_back({notes::threadNotPredicted, {{"line", move.line}}});
         if (cuts) {
@@ -63,7 +63,7 @@ public:
                 notes_.push_back({notes::spindleSpeedUnknown, {{"line", move.line}}});
             // The sense of rotation is reversed, as z points opposite to Z.
             if (move.kind == gcode::MoveKind::Arc)
-                made.arc = ArcCentre{z_zero_mm_ - move.centre_z_mm, move.centre_x_mm, !move.clockwise};
+                made.arc = ArcCentre{zZero_mm_ - move.centre_z_mm, move.centre_x_mm, !move.clockwise};
         }
         moves_.push_back(made);
     }
@@ -76,9 +76,9 @@ public:
     }
 
 private:
-    double z_zero_mm_;
+    double zZero_mm_;
     Notes& notes_;
-    bool is_known_ = false;
+    bool isKnown_ = false;
     std::set<int> tools_;
     std::vector<ToolMove> moves_;
 };
@@ -87,7 +87,7 @@ private:
 class BlockPlanner {
 public:
     BlockPlanner(const TurningJob& job, const std::vector<Interval>& kept_lines)
-        : job_(job), kept_lines_(kept_lines), rewriter_(job.program, job.path, decimalsOfDiameter)
+        : job_(job), keptLines_(kept_lines), rewriter_(job.program, job.path, decimalsOfDiameter)
     {
     }
 
@@ -146,7 +146,7 @@ private:
     bool isKept(std::int64_t line) const
     {
         const auto number = static_cast<double>(line);
-        return std::any_of(kept_lines_.begin(), kept_lines_.end(),
+        return std::any_of(keptLines_.begin(), keptLines_.end(),
                            [&](const Interval& lines) { return lines.from <= number && number <= lines.to; });
     }
 
@@ -181,7 +181,7 @@ private:
     }
 
     const TurningJob& job_;
-    const std::vector<Interval>& kept_lines_;
+    const std::vector<Interval>& keptLines_;
     gcode::Rewriter rewriter_;
     std::map<std::size_t, std::vector<CorrectedNode>> corners_;
     std::int64_t arcs_ = 0;

@@ -41,7 +41,7 @@ TurningWork::TurningWork(const WorkPlan& plan, const TurningSetup& setup)
         rest_N_mm_[plan.rest_nodes[i]] += setup.steady_rests[i].radial_N_mm;
     if (setup.tool_post) {
         tool_mm_N_ = 1 / setup.tool_post->radial_N_mm;
-        tool_across_mm_N_ = 1 / setup.tool_post->tangential_N_mm;
+        toolAcross_mm_N_ = 1 / setup.tool_post->tangential_N_mm;
     }
     reset();
 }
@@ -50,8 +50,8 @@ void TurningWork::reset()
 {
     start_mm_ = plan_->outer_start_mm;
     end_mm_ = plan_->outer_end_mm;
-    unpredicted_start_.assign(start_mm_.size(), false);
-    unpredicted_end_.assign(end_mm_.size(), false);
+    unpredictedStart_.assign(start_mm_.size(), false);
+    unpredictedEnd_.assign(end_mm_.size(), false);
 }
 
 Symmetric2 TurningWork::flexibilityOf(std::size_t piece) const
@@ -144,7 +144,7 @@ TurningWork::Pull TurningWork::pulled(const Symmetric2& c, double x_mm, double s
     const cutting::CuttingForces f = forcesAt(depth_mm);
     const double arm_mm = setup_->feed_moment ? stock_mm - depth_mm / 2 : 0;
     const double dx_mm = -f.F_ap_N * (c.ww + tool_mm_N_) - f.F_f_N * arm_mm * c.wt;
-    const double dy_mm = f.F_t_N * (c.ww + tool_across_mm_N_);
+    const double dy_mm = f.F_t_N * (c.ww + toolAcross_mm_N_);
     const double x_left_mm = x_mm - dx_mm;
     return {dx_mm, dy_mm, std::sqrt(x_left_mm * x_left_mm + dy_mm * dy_mm), f};
 }
@@ -215,7 +215,7 @@ bool TurningWork::meetsBefore(const CutPlan& cut, std::size_t piece) const
 {
     const std::size_t k = cut.first + piece;
     // If a run begins where the last one ended, the workpiece is still deflected there.
-    const double contact_limit_mm = k + 1 == last_node_ ? pushed_mm_ + contactTolerance_mm : noDepth_mm;
+    const double contact_limit_mm = k + 1 == lastNode_ ? pushed_mm_ + contactTolerance_mm : noDepth_mm;
     return end_mm_[k] - cut.pieces[piece].end_mm > contact_limit_mm;
 }
 
@@ -232,14 +232,14 @@ void TurningWork::removeContour(const CutPlan& cut)
         const std::size_t k = cut.first + i;
         if (start_mm_[k] - cut.pieces[i].start_mm > noDepth_mm) {
             start_mm_[k] = cut.pieces[i].start_mm;
-            unpredicted_start_[k] = true;
+            unpredictedStart_[k] = true;
         }
         if (meetsBefore(cut, i)) {
             end_mm_[k] = cut.pieces[i].end_mm;
-            unpredicted_end_[k] = true;
+            unpredictedEnd_[k] = true;
         }
     }
-    last_node_ = 0;
+    lastNode_ = 0;
 }
 
 void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& stations)
@@ -250,23 +250,23 @@ void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& s
     stations.reserve(cut.pieces.size() + 1);
     sweepFromChuck(cut.first);
     sweepFromFreeEnd(cut.first);
-    pushed_mm_ = pushed_before_mm_ = 0;
-    last_node_ = 0;
-    was_cut_ = false;
+    pushed_mm_ = pushedBefore_mm_ = 0;
+    lastNode_ = 0;
+    wasCut_ = false;
     for (std::size_t i = 0; i <= cut.pieces.size(); ++i) {
         const std::size_t node = cut.first + i;
         double stock_mm = 0;
         if (i > 0) {
             // Radius expected at this node, neglecting changes within one piece.
             stock_mm = end_mm_[node - 1];
-            end_mm_[node - 1] = std::min(stock_mm, cut.pieces[i - 1].end_mm + 2 * pushed_mm_ - pushed_before_mm_);
+            end_mm_[node - 1] = std::min(stock_mm, cut.pieces[i - 1].end_mm + 2 * pushed_mm_ - pushedBefore_mm_);
             left_[node] = passedUp(withRest(left_[node - 1], node - 1), flexibilityOf(node - 1),
                                    plan_->z_mm[node] - plan_->z_mm[node - 1]);
         }
         compliance_[node] = inverse(heldAt(node));
         if (i > 0) {
             end_mm_[node - 1] = stationAt(cut, i - 1, false, stock_mm, task, stations);
-            if (was_cut_) unpredicted_end_[node - 1] = false;
+            if (wasCut_) unpredictedEnd_[node - 1] = false;
         }
         if (i == cut.pieces.size()) break;
         const bool is_continued =
@@ -274,7 +274,7 @@ void TurningWork::take(const CutPlan& cut, CutTask task, std::vector<Station>& s
             cut.pieces[i].feed_mm_rev == cut.pieces[i - 1].feed_mm_rev &&
             (setup_->slope == SlopeModel::Radial || cut.pieces[i].slope_rad == cut.pieces[i - 1].slope_rad);
         start_mm_[node] = is_continued ? end_mm_[node - 1] : stationAt(cut, i, true, start_mm_[node], task, stations);
-        if (was_cut_) unpredicted_start_[node] = false;
+        if (wasCut_) unpredictedStart_[node] = false;
     }
 }
 
@@ -292,15 +292,15 @@ double TurningWork::stationAt(const CutPlan& cut, std::size_t piece, bool at_sta
     enter(contour);
     if (!cutStation(compliance_[node], at_start ? contour.start_mm : contour.end_mm, plan_->bore_mm[cut.first + piece],
                     task, s)) {
-        was_cut_ = false;
+        wasCut_ = false;
         return stock_mm;
     }
     // Linear extrapolation from the two previous stations; not across a shoulder or the start of a cut.
     const double pushed_mm = task == CutTask::Predict ? s.radius_mm - s.x_mm : 0;
-    pushed_before_mm_ = was_cut_ && !at_start ? pushed_mm_ : pushed_mm;
+    pushedBefore_mm_ = wasCut_ && !at_start ? pushed_mm_ : pushed_mm;
     pushed_mm_ = pushed_mm;
-    was_cut_ = true;
-    last_node_ = node;
+    wasCut_ = true;
+    lastNode_ = node;
     stations.push_back(s);
     return s.radius_mm;
 }

@@ -71,7 +71,7 @@ public:
     /// True if the radius at the start or end of a piece was left by a run toward the free end, which is not predicted.
     bool isUnpredicted(std::size_t piece, bool at_start) const
     {
-        return (at_start ? unpredicted_start_ : unpredicted_end_)[piece];
+        return (at_start ? unpredictedStart_ : unpredictedEnd_)[piece];
     }
 
     /// After take(): compliance of the workpiece at a node of that run, with the tool there.
@@ -107,19 +107,19 @@ private:
     const WorkPlan* plan_;
     const TurningSetup* setup_;
     Elasticity elasticity_;
-    std::vector<double> start_mm_, end_mm_;                  ///< current radii
-    std::vector<bool> unpredicted_start_, unpredicted_end_;  ///< left by a run toward the free end
+    std::vector<double> start_mm_, end_mm_;                ///< current radii
+    std::vector<bool> unpredictedStart_, unpredictedEnd_;  ///< left by a run toward the free end
     std::vector<double> rest_N_mm_;
     std::vector<Symmetric2> left_, right_;  ///< condensed stiffness of both sides, without a rest at the node itself
     std::vector<Symmetric2> compliance_;    ///< of the nodes of the run
-    double tool_mm_N_ = 0, tool_across_mm_N_ = 0;
+    double tool_mm_N_ = 0, toolAcross_mm_N_ = 0;
     // State of the current block.
     cutting::CuttingEdge edge_;
     double feed_mm_rev_ = 0, slope_rad_ = 0, slope_sin_ = 0, slope_cos_ = 1;
-    double pushed_mm_ = 0;         ///< R_eff - X at the previous station: start value
-    double pushed_before_mm_ = 0;  ///< at the station before that
-    bool was_cut_ = false;         ///< the previous station cut
-    std::size_t last_node_ = 0;    ///< of the last station of the last run; 0: nothing was cut
+    double pushed_mm_ = 0;        ///< R_eff - X at the previous station: start value
+    double pushedBefore_mm_ = 0;  ///< at the station before that
+    bool wasCut_ = false;         ///< the previous station cut
+    std::size_t lastNode_ = 0;    ///< of the last station of the last run; 0: nothing was cut
 };
 
 }  // namespace lathelier::deflection

@@ -43,8 +43,8 @@ public:
         else
             addLengths(lengths == LengthStyle::Chain ? chainLanes() : parallelLanes());
         for (const BoreDimension& bore : features.bores) sortBore(bore);
-        addBores(free_bores_, true);
-        addBores(chuck_bores_, false);
+        addBores(freeBores_, true);
+        addBores(chuckBores_, false);
         for (const Callout& callout : features.callouts)
             if (callout.mouth == Mouth::None || !placeBeside(callout))
                 leaders_.push_back({factor * callout.at_mm, callout.label, std::nullopt});
@@ -184,9 +184,9 @@ private:
         const double middle = (bore.size.from_z_mm + bore.size.to_z_mm) / 2 * factor_;
         const bool nearer_free = middle - view_.left_mm <= view_.right_mm - middle;
         if (bore.open_free && (nearer_free || !bore.open_chuck))
-            free_bores_.push_back(bore.size);
+            freeBores_.push_back(bore.size);
         else if (bore.open_chuck)
-            chuck_bores_.push_back(bore.size);
+            chuckBores_.push_back(bore.size);
         else
             leaders_.push_back({{middle, factor_ * bore.size.diameter_mm / 2}, bore.size.label, std::nullopt});
     }
@@ -377,7 +377,7 @@ private:
     std::vector<std::pair<double, double>> gaps_;  // of the axis
     std::vector<Leader> leaders_;
     std::vector<LeaderPlace> places_;  // of leaders_
-    std::vector<DiameterDimension> free_bores_, chuck_bores_;
+    std::vector<DiameterDimension> freeBores_, chuckBores_;
 };
 
 }  // namespace

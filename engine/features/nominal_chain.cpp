@@ -30,7 +30,7 @@ struct Line {
 class RowPlacing {
 public:
     RowPlacing(const RowChain& chain, const std::vector<bool>& in_place, std::optional<double> end_mm)
-        : chain_(chain), in_place_(in_place), at_(chain.size() + 1), arc_(chain.size()), line_(chain.size())
+        : chain_(chain), inPlace_(in_place), at_(chain.size() + 1), arc_(chain.size()), line_(chain.size())
     {
         const std::size_t n = chain.size();
         for (std::size_t i = 0; i < n; ++i) {
@@ -66,7 +66,7 @@ private:
 
     const Suggestion* suggestion(std::size_t i, std::string_view quantity) const
     {
-        if (!in_place_[i]) return nullptr;
+        if (!inPlace_[i]) return nullptr;
         for (const Suggestion& one : chain_.row(i).suggestions)
             if (one.quantity == quantity) return &one;
         return nullptr;
@@ -96,7 +96,7 @@ private:
     void placeUndercut(const UndercutRows& undercut);
 
     const RowChain& chain_;
-    const std::vector<bool>& in_place_;
+    const std::vector<bool>& inPlace_;
     std::vector<Boundary> at_;
     std::vector<double> arc_;                              // radius of each arc, signed
     std::vector<std::optional<Line>> line_;                // of cylinders, cones and chamfers that are in place

@@ -24,10 +24,10 @@ bool isSeen(const Recognition& recognition, std::size_t end)
 
 RowChain::RowChain(const Recognition& recognition) : rows_(&recognition.segments)
 {
-    starts_at_end_ = isSeen(recognition, 0);
-    ends_at_end_ = isSeen(recognition, 1);
-    if (!recognition.ends.empty()) end_uncertainty_mm_ = recognition.ends.front().uncertainty_mm;
-    if (recognition.ends.size() > 1) far_end_uncertainty_mm_ = recognition.ends[1].uncertainty_mm;
+    startsAtEnd_ = isSeen(recognition, 0);
+    endsAtEnd_ = isSeen(recognition, 1);
+    if (!recognition.ends.empty()) endUncertainty_mm_ = recognition.ends.front().uncertainty_mm;
+    if (recognition.ends.size() > 1) farEndUncertainty_mm_ = recognition.ends[1].uncertainty_mm;
     findJoints();
 }
 
@@ -46,10 +46,10 @@ RowChain::RowChain(const Recognition& recognition, std::size_t bore) : rows_(&re
     sense_ = from_chuck ? -1 : 1;
     origin_mm_ = from_chuck ? length : 0;
     if (recognition.ends.size() > (from_chuck ? 1U : 0U))
-        end_uncertainty_mm_ = recognition.ends[from_chuck ? 1 : 0].uncertainty_mm;
-    starts_at_end_ = isSeen(recognition, from_chuck ? 1 : 0);
+        endUncertainty_mm_ = recognition.ends[from_chuck ? 1 : 0].uncertainty_mm;
+    startsAtEnd_ = isSeen(recognition, from_chuck ? 1 : 0);
     constexpr double throughTolerance_mm = 0.1;
-    ends_at_end_ = end_mm(size() - 1) > length - throughTolerance_mm;
+    endsAtEnd_ = end_mm(size() - 1) > length - throughTolerance_mm;
     findJoints();
 }
 
@@ -94,8 +94,8 @@ double RowChain::boundaryUncertainty_mm(std::size_t boundary) const
     double own_mm = 0;
     if (boundary > 0) own_mm = inMillimetres(row(boundary - 1).uncertainty.z_end_um);
     if (own_mm == 0 && boundary < size()) own_mm = inMillimetres(row(boundary).uncertainty.z_start_um);
-    if (own_mm == 0 && boundary == size()) own_mm = far_end_uncertainty_mm_;
-    return std::hypot(own_mm, end_uncertainty_mm_);
+    if (own_mm == 0 && boundary == size()) own_mm = farEndUncertainty_mm_;
+    return std::hypot(own_mm, endUncertainty_mm_);
 }
 
 double RowChain::closing_mm(std::size_t i) const

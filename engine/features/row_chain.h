@@ -52,8 +52,8 @@ public:
     double sign() const { return sign_; }
     bool isFromChuck() const { return sense_ < 0; }
     /// Is there an end of the part before the first row, after the last one?
-    bool startsAtEnd() const { return starts_at_end_; }
-    bool endsAtEnd() const { return ends_at_end_; }
+    bool startsAtEnd() const { return startsAtEnd_; }
+    bool endsAtEnd() const { return endsAtEnd_; }
     /// Expanded uncertainty of a boundary's u, that of the contour's own start included.
     double boundaryUncertainty_mm(std::size_t boundary) const;
     /// Where a plane or an end lies that closes row i: at a relieved face the start of the next row.
@@ -65,8 +65,8 @@ private:
     const std::vector<RecognizedRow>* rows_;
     std::vector<Joint> joints_;
     double sign_ = 1, sense_ = 1, origin_mm_ = 0;
-    bool starts_at_end_ = true, ends_at_end_ = true;
-    double end_uncertainty_mm_ = 0, far_end_uncertainty_mm_ = 0;
+    bool startsAtEnd_ = true, endsAtEnd_ = true;
+    double endUncertainty_mm_ = 0, farEndUncertainty_mm_ = 0;
 };
 
 /// U of a row's diameters in mm, the larger; 0: not known.

@@ -20,8 +20,8 @@ std::string sentence(const Diagnostic& diagnostic)
 
 bool Diagnostics::isNew(const char* code, std::uint64_t place)
 {
-    const auto found = places_by_code_.find(std::string_view(code));
-    CodePlaces& seen = found != places_by_code_.end() ? found->second : places_by_code_[code];
+    const auto found = placesByCode_.find(std::string_view(code));
+    CodePlaces& seen = found != placesByCode_.end() ? found->second : placesByCode_[code];
     if (seen.places.contains(place)) return false;
     if (seen.places.size() >= mostOfOneCode) {
         ++seen.left_out;
@@ -37,7 +37,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
         return std::tie(a.line, a.column) < std::tie(b.line, b.column);
     });
-    for (const auto& place : places_by_code_) {
+    for (const auto& place : placesByCode_) {
         const std::string& code = place.first;
         const CodePlaces& seen = place.second;
         if (seen.left_out == 0) continue;

@@ -52,7 +52,7 @@ private:
         std::int64_t left_out = 0;
     };
     std::vector<Diagnostic> list_;
-    std::map<std::string, CodePlaces, std::less<>> places_by_code_;
+    std::map<std::string, CodePlaces, std::less<>> placesByCode_;
 };
 
 }  // namespace lathelier::gcode

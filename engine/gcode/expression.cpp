@@ -291,8 +291,8 @@ private:
             if (peek() != '[') fail(LT_TEXT("Engine", "a bracket is missing"));
             return std::atan2(x, plain(bracket())) / rad_per_deg;
         }
-        if (which == "IC") incremental_ = true;
-        if (which == "AC") absolute_ = true;
+        if (which == "IC") isIncremental_ = true;
+        if (which == "AC") isAbsolute_ = true;
         if (which == "SQRT" && x < 0)
             throw ExpressionFailure{LT_TEXT("Engine", "the root of a negative number"), argument};
         return checked(ofOne(which, x));
@@ -348,8 +348,8 @@ private:
     bool same_ = false;
 
 public:
-    bool incremental_ = false;
-    bool absolute_ = false;
+    bool isIncremental_ = false;
+    bool isAbsolute_ = false;
 };
 
 }  // namespace
@@ -359,8 +359,8 @@ Computed compute(std::string_view text, const Variables& variables, Dialect dial
     Parser parser(text, variables, dialect);
     Computed result;
     result.value = parser.logical();
-    result.is_incremental = parser.incremental_;
-    result.is_absolute = parser.absolute_;
+    result.is_incremental = parser.isIncremental_;
+    result.is_absolute = parser.isAbsolute_;
     parser.skip();
     result.end = parser.at();
     return result;

@@ -98,7 +98,7 @@ FilteredValues filterClosedAt(const AngularSampling& sampling, std::vector<doubl
 }
 
 ClosedFilter::ClosedFilter(const AngularSampling& sampling, std::vector<double> values, double largest_cutoff_upr)
-    : sampling_(sampling), values_(std::move(values)), largest_cutoff_upr_(largest_cutoff_upr)
+    : sampling_(sampling), values_(std::move(values)), largestCutoff_upr_(largest_cutoff_upr)
 {
     if (values_.size() < 3 || sampling.uniform) return;
     mean_ = meanOf(values_);
@@ -140,7 +140,7 @@ std::vector<Complex> ClosedFilter::passed(const TransmissionBand& band, const Pr
     const int limit = limitFor(cutoff_upr);
     const int needed = std::min(limit - limit / 8, static_cast<int>(std::ceil(neededOrders * cutoff_upr)));
     if (fit_.empty())
-        fit_ = fitFourier(sampling_, values_, limitFor(std::max(largest_cutoff_upr_, cutoff_upr)), progress);
+        fit_ = fitFourier(sampling_, values_, limitFor(std::max(largestCutoff_upr_, cutoff_upr)), progress);
     if (static_cast<int>(fit_.size()) <= needed) return {};
     std::vector<Complex> series(fit_.begin(),
                                 fit_.begin() + std::min<std::ptrdiff_t>(std::ssize(fit_), std::ptrdiff_t{limit} + 1));

@@ -31,7 +31,7 @@ private:
     const AngularSampling& sampling_;
     std::vector<double> values_;  ///< minus their mean where angles are uneven
     double mean_ = 0;
-    double largest_cutoff_upr_;
+    double largestCutoff_upr_;
     std::vector<std::complex<double>> fit_;  ///< empty: not computed yet
 };
 

@@ -80,17 +80,17 @@ DrawnPath::DrawnPath(std::span<const gcode::Move> moves, double z_zero_mm, std::
             corners_.push_back(travel.corners[i]);
             line_.push_back(static_cast<std::uint32_t>(travel.line));
             tool_.push_back(travel.tool);
-            is_rapid_.push_back(travel.is_rapid);
-            is_first_.push_back(i == 0);
+            isRapid_.push_back(travel.is_rapid);
+            isFirst_.push_back(i == 0);
         }
     }
     begin_.assign(blocks + 2, 0);
     for (const std::uint32_t line : line_) ++begin_[std::min<std::size_t>(line, blocks) + 1];
     for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
-    by_line_.resize(line_.size());
+    byLine_.resize(line_.size());
     std::vector<std::uint32_t> next(begin_.begin(), begin_.end() - 1);
     for (std::size_t i = 0; i < line_.size(); ++i)
-        by_line_[next[std::min<std::size_t>(line_[i], blocks)]++] = static_cast<std::uint32_t>(i);
+        byLine_[next[std::min<std::size_t>(line_[i], blocks)]++] = static_cast<std::uint32_t>(i);
     extent_ = boxOf(corners_);
 }
 
@@ -98,7 +98,7 @@ std::span<const std::uint32_t> DrawnPath::piecesOf(std::int64_t line) const
 {
     if (line < 0 || static_cast<std::size_t>(line) + 1 >= begin_.size()) return {};
     const auto at = static_cast<std::size_t>(line);
-    return std::span(by_line_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
+    return std::span(byLine_).subspan(begin_[at], begin_[at + 1] - begin_[at]);
 }
 
 PathPiece DrawnPath::nearest(const Corner& place, double pixel_z_mm, double pixel_x_mm) const
@@ -109,9 +109,9 @@ PathPiece DrawnPath::nearest(const Corner& place, double pixel_z_mm, double pixe
     PathPiece best = none;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < corners_.size(); ++i) {
-        if (is_first_[i]) continue;
+        if (isFirst_[i]) continue;
         double away = distanceToPiece(scaled(corners_[i - 1]), scaled(corners_[i]));
-        if (is_rapid_[i]) away += nearness_px;  // of coincident pieces the feed move takes precedence
+        if (isRapid_[i]) away += nearness_px;  // of coincident pieces the feed move takes precedence
         if (away >= least) continue;
         least = away;
         best = i;
@@ -143,15 +143,15 @@ std::vector<report::Curve> DrawnPath::curves(const PathWindow& window) const
     DrawnPieces drawn(window);
     Corner last;  // end of the last piece drawn or omitted as too short
     for (std::size_t i = 0; i < corners_.size(); ++i) {
-        if (is_first_[i]) {
+        if (isFirst_[i]) {
             last = corners_[i];
             continue;
         }
-        const bool is_end = i + 1 == corners_.size() || is_first_[i + 1] || is_rapid_[i + 1] != is_rapid_[i];
+        const bool is_end = i + 1 == corners_.size() || isFirst_[i + 1] || isRapid_[i + 1] != isRapid_[i];
         if (is_thinned && !is_end && is_near(last, corners_[i])) continue;
         if (overlaps(last.z_mm, corners_[i].z_mm, window.z_mm) && overlaps(last.x_mm, corners_[i].x_mm, window.x_mm) &&
             (!is_thinned || drawn.isNew(last, corners_[i])))
-            appendPiece(is_rapid_[i] ? rapid : feed, last, corners_[i]);
+            appendPiece(isRapid_[i] ? rapid : feed, last, corners_[i]);
         last = corners_[i];
     }
     std::vector<report::Curve> both;

@@ -34,8 +34,8 @@ public:
 
     std::size_t corners() const { return corners_.size(); }
     const Corner& corner(std::size_t index) const { return corners_[index]; }
-    bool isPiece(std::size_t index) const { return !is_first_[index]; }  ///< false: first corner of a connected stretch
-    bool isRapid(PathPiece piece) const { return is_rapid_[piece]; }
+    bool isPiece(std::size_t index) const { return !isFirst_[index]; }  ///< false: first corner of a connected stretch
+    bool isRapid(PathPiece piece) const { return isRapid_[piece]; }
     std::int64_t lineOf(PathPiece piece) const { return line_[piece]; }
     int toolOf(PathPiece piece) const { return tool_[piece]; }
 
@@ -58,10 +58,10 @@ private:
     std::vector<Corner> corners_;
     std::vector<std::uint32_t> line_;
     std::vector<int> tool_;
-    std::vector<bool> is_rapid_;
-    std::vector<bool> is_first_;
-    std::vector<std::uint32_t> by_line_;  ///< pieces, grouped by line
-    std::vector<std::uint32_t> begin_;    ///< of each line in by_line_; one more than lines
+    std::vector<bool> isRapid_;
+    std::vector<bool> isFirst_;
+    std::vector<std::uint32_t> byLine_;  ///< pieces, grouped by line
+    std::vector<std::uint32_t> begin_;   ///< of each line in byLine_; one more than lines
     Box extent_;
 };
 

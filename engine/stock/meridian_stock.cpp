@@ -150,9 +150,9 @@ MeridianStock::MeridianStock(const Shaft& shaft, double step_mm)
         }
         start_mm = end_mm;
     }
-    block_tops_.assign((count + blockColumns - 1) / blockColumns, 0);
+    blockTops_.assign((count + blockColumns - 1) / blockColumns, 0);
     for (std::size_t i = 0; i < count; ++i) {
-        double& top = block_tops_[i / blockColumns];
+        double& top = blockTops_[i / blockColumns];
         top = std::max(top, columns_[i].outer.high_mm);
     }
 }
@@ -164,9 +164,9 @@ MeridianStock MeridianStock::turnedRound(double length_mm) const
     turned.step_mm_ = step_mm_;
     turned.columns_.assign(columns_.begin(), columns_.begin() + static_cast<std::ptrdiff_t>(count));
     std::reverse(turned.columns_.begin(), turned.columns_.end());
-    turned.block_tops_.assign((turned.columns_.size() + blockColumns - 1) / blockColumns, 0);
+    turned.blockTops_.assign((turned.columns_.size() + blockColumns - 1) / blockColumns, 0);
     for (std::size_t i = 0; i < turned.columns_.size(); ++i) {
-        double& top = turned.block_tops_[i / blockColumns];
+        double& top = turned.blockTops_[i / blockColumns];
         top = std::max(top, turned.columns_[i].outer.high_mm);
     }
     return turned;
@@ -201,7 +201,7 @@ std::optional<double> MeridianStock::innerRadius_mm(double z_mm) const
 
 double MeridianStock::largestRadius_mm() const
 {
-    return block_tops_.empty() ? 0 : *std::max_element(block_tops_.begin(), block_tops_.end());
+    return blockTops_.empty() ? 0 : *std::max_element(blockTops_.begin(), blockTops_.end());
 }
 
 double MeridianStock::area_mm2() const
@@ -224,7 +224,7 @@ Removal MeridianStock::remove(const ConvexPolygon& polygon)
 {
     Removal removal;
     walk(
-        polygon, step_mm_, columns_.size(), block_tops_,
+        polygon, step_mm_, columns_.size(), blockTops_,
         [&](std::size_t i, double low_mm, double high_mm) {
             if (low_mm < columns_[i].outer.high_mm) removeFrom(columns_[i], low_mm, high_mm, removal);
         },
@@ -232,7 +232,7 @@ Removal MeridianStock::remove(const ConvexPolygon& polygon)
             const std::size_t end = std::min((block + 1) * blockColumns, columns_.size());
             double top = 0;
             for (std::size_t i = block * blockColumns; i < end; ++i) top = std::max(top, columns_[i].outer.high_mm);
-            block_tops_[block] = top;
+            blockTops_[block] = top;
         });
     removal.area_mm2 *= step_mm_;
     removal.volume_mm3 *= std::numbers::pi * step_mm_;
@@ -278,7 +278,7 @@ StockOverlap MeridianStock::overlap(const ConvexPolygon& polygon, double least_m
     StockOverlap found;
     double first_mm = 0, last_mm = 0;
     walk(
-        polygon, step_mm_, columns_.size(), block_tops_,
+        polygon, step_mm_, columns_.size(), blockTops_,
         [&](std::size_t i, double low_mm, double high_mm) {
             if (low_mm >= columns_[i].outer.high_mm) return;
             StockOverlap here;

@@ -87,7 +87,7 @@ private:
                                StockOverlap& found);
 
     std::vector<Column> columns_;
-    std::vector<double> block_tops_;  // largest radius in each block of columns
+    std::vector<double> blockTops_;  // largest radius in each block of columns
     double step_mm_ = 1;
 };
 

@@ -30,7 +30,7 @@ public:
           parameters_(parameters),
           steps_(steps),
           stock_(std::move(stock)),
-          outline_every_(outline_every),
+          outlineEvery_(outline_every),
           result_(result)
     {
         if (parameters.chuck)
@@ -47,7 +47,7 @@ public:
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (i % reportEvery == 0) progress.report(static_cast<double>(i) / static_cast<double>(moves.size()));
             follower.take(moves[i], arcChord_mm, travel);
-            tailstock_stands_ = i >= parameters_.tailstock_from_move;
+            tailstockStands_ = i >= parameters_.tailstock_from_move;
             if (!travel.is_in_reach) finishPass();
             if (!travel.corners.empty()) take(travel, progress);
         }
@@ -66,15 +66,15 @@ private:
     {
         const MountedTool& tool = tools_.at(travel.tool);
         const Corner from = travel.corners.front(), to = travel.corners.back();
-        if (!travel.has_start && starts_unknown_++ == 0) first_unknown_line_ = travel.line;
-        if (travel.is_rapid || travel.tool != pass_tool_) finishPass();
-        pass_tool_ = travel.tool;
+        if (!travel.has_start && startsUnknown_++ == 0) firstUnknownLine_ = travel.line;
+        if (travel.is_rapid || travel.tool != passTool_) finishPass();
+        passTool_ = travel.tool;
         const bool is_on_axis = std::abs(from.x_mm) < same_mm && std::abs(to.x_mm) < same_mm;
         if (is_on_axis && !tool.is_stated) {
-            if (!travel.is_rapid && !is_drilling_noted_)
+            if (!travel.is_rapid && !isDrillingNoted_)
                 result_.notes.push_back(
                     {notes::drillingNotModelled, {{"line", travel.line}, {"tool", std::int64_t{travel.tool}}}});
-            is_drilling_noted_ = is_drilling_noted_ || !travel.is_rapid;
+            isDrillingNoted_ = isDrillingNoted_ || !travel.is_rapid;
             return;
         }
         if (travel.is_rapid)
@@ -98,7 +98,7 @@ private:
         if (hits_second) removeSweeps(tool, bent);
         if (hits_first || hits_second) return;
         const bool is_near = isNear(tool, straight) || (bent.size() > 1 && isNear(tool, bent));
-        if (is_near && small_clearances_++ < mostNotes)
+        if (is_near && smallClearances_++ < mostNotes)
             result_.notes.push_back({notes::smallClearance, {{"line", travel.line}, {"z_mm", near_mm_}}});
     }
 
@@ -165,9 +165,9 @@ private:
 
     void takeFeed(const MountedTool& tool, const ToolTravel& travel, const Progress& progress)
     {
-        if (travel.is_thread && !is_thread_noted_) {
+        if (travel.is_thread && !isThreadNoted_) {
             result_.notes.push_back({notes::threadAsRoot, {{"line", travel.line}}});
-            is_thread_noted_ = true;
+            isThreadNoted_ = true;
         }
         double removed_mm3 = 0;
         bool holder_hits = false;
@@ -232,7 +232,7 @@ private:
         if (std::abs(b_mm - a_mm) < airCut_mm) return;
         for (const Leg& leg : legsOf(travel))
             if (stock_.overlap(sweep(tool.bodies.front().grown, leg)).isThere()) return;
-        if (air_cuts_++ < mostNotes)
+        if (airCuts_++ < mostNotes)
             result_.notes.push_back(
                 {notes::aboveStockFeed, {{"line", travel.line}, {"z_mm", a_mm}, {"length_mm", std::abs(b_mm - a_mm)}}});
     }
@@ -254,7 +254,7 @@ private:
     void testRegions(const ConvexPolygon& swept, MovePath path)
     {
         for (const Region& region : regions_) {
-            if (region.kind == FindingKind::Tailstock && !tailstock_stands_) continue;
+            if (region.kind == FindingKind::Tailstock && !tailstockStands_) continue;
             const Box tool = boxOf(swept), other = boxOf(region.shape);
             if (tool.high.z_mm <= other.low.z_mm || tool.low.z_mm >= other.high.z_mm ||
                 tool.low.x_mm >= other.high.x_mm)
@@ -271,7 +271,7 @@ private:
     void finishPass()
     {
         if (pass_.line != 0) {
-            pass_.is_kept = result_.passes.size() % outline_every_ == outline_every_ - 1;
+            pass_.is_kept = result_.passes.size() % outlineEvery_ == outlineEvery_ - 1;
             if (pass_.is_kept) pass_.after = outlineOf(stock_, outlineTolerance_mm);
             result_.removed_mm3 += pass_.removed_mm3;
             result_.passes.push_back(std::move(pass_));
@@ -290,15 +290,15 @@ private:
                 result_.notes.push_back(
                     {notes::morePlaces, {{"what", what}, {"count", static_cast<std::int64_t>(found - mostNotes)}}});
         };
-        noteMore(small_clearances_, LT_TEXT("Engine", "a small clearance"));
-        noteMore(air_cuts_, LT_TEXT("Engine", "a feed move above the stock"));
-        if (starts_unknown_ > 0)
+        noteMore(smallClearances_, LT_TEXT("Engine", "a small clearance"));
+        noteMore(airCuts_, LT_TEXT("Engine", "a feed move above the stock"));
+        if (startsUnknown_ > 0)
             result_.notes.push_back(
                 {notes::startUnknown,
-                 {{"line", first_unknown_line_}, {"count", static_cast<std::int64_t>(starts_unknown_)}}});
-        if (outline_every_ > 1 && parameters_.most_outlines > 1)
+                 {{"line", firstUnknownLine_}, {"count", static_cast<std::int64_t>(startsUnknown_)}}});
+        if (outlineEvery_ > 1 && parameters_.most_outlines > 1)
             result_.notes.push_back({notes::outlinesThinned,
-                                     {{"every", static_cast<std::int64_t>(outline_every_)},
+                                     {{"every", static_cast<std::int64_t>(outlineEvery_)},
                                       {"passes", static_cast<std::int64_t>(result_.passes.size())}}});
         result_.left = std::move(stock_);
     }
@@ -307,17 +307,17 @@ private:
     const StockParameters& parameters_;
     StockSteps steps_;
     MeridianStock stock_;
-    std::size_t outline_every_;
+    std::size_t outlineEvery_;
     StockResult& result_;
     std::vector<Region> regions_;
     MoveFindings findings_;
     StockPass pass_;
-    int pass_tool_ = 0;
+    int passTool_ = 0;
     double near_mm_ = 0;
-    std::size_t small_clearances_ = 0, air_cuts_ = 0, starts_unknown_ = 0;
-    std::int64_t first_unknown_line_ = 0;
-    bool is_thread_noted_ = false, is_drilling_noted_ = false;
-    bool tailstock_stands_ = true;
+    std::size_t smallClearances_ = 0, airCuts_ = 0, startsUnknown_ = 0;
+    std::int64_t firstUnknownLine_ = 0;
+    bool isThreadNoted_ = false, isDrillingNoted_ = false;
+    bool tailstockStands_ = true;
 };
 
 void simulate(const ToolSet& tools, const StockSteps& steps, MeridianStock columns, std::span<const gcode::Move> moves,

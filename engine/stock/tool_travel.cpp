@@ -46,25 +46,25 @@ void TipFollower::take(const gcode::Move& move, double chord_mm, ToolTravel& tra
     travel.tool = move.tool;
     travel.is_rapid = move.kind == MoveKind::Rapid;
     travel.is_thread = move.kind == MoveKind::Thread;
-    travel.has_start = is_known_;
+    travel.has_start = isKnown_;
     travel.is_in_reach = true;
     travel.corners.clear();
     if (move.kind == MoveKind::Dwell) return;
-    const Corner end{z_zero_mm_ - move.z_mm, move.x_mm};
+    const Corner end{zZero_mm_ - move.z_mm, move.x_mm};
     if (!isPlace(end.z_mm, end.x_mm)) {
-        travel.is_in_reach = is_known_ = false;
+        travel.is_in_reach = isKnown_ = false;
         return;
     }
-    if (is_known_) travel.corners.push_back(at_);
-    const Corner centre{z_zero_mm_ - move.centre_z_mm, move.centre_x_mm};
-    const bool is_arc = move.kind == MoveKind::Arc && is_known_ && isPlace(centre.z_mm, centre.x_mm);
+    if (isKnown_) travel.corners.push_back(at_);
+    const Corner centre{zZero_mm_ - move.centre_z_mm, move.centre_x_mm};
+    const bool is_arc = move.kind == MoveKind::Arc && isKnown_ && isPlace(centre.z_mm, centre.x_mm);
     // Z and z run in opposite directions, so what is clockwise in one plane is not in the other.
     if (is_arc)
         appendPathArc(at_, end, centre, !move.clockwise, chord_mm, travel.corners);
     else
         travel.corners.push_back(end);
     at_ = end;
-    is_known_ = true;
+    isKnown_ = true;
 }
 
 std::size_t countRuns(std::span<const gcode::Move> moves)

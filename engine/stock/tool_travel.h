@@ -24,16 +24,16 @@ struct ToolTravel {
 /// Tracks the tip position through a program.
 class TipFollower {
 public:
-    explicit TipFollower(double z_zero_mm) : z_zero_mm_(z_zero_mm) {}
+    explicit TipFollower(double z_zero_mm) : zZero_mm_(z_zero_mm) {}
 
     /// The next move; a dwell has no corners. Arcs become chords within `chord_mm`; coordinates that are no numbers, or
     /// larger than endless_mm, are not known.
     void take(const gcode::Move& move, double chord_mm, ToolTravel& travel);
 
 private:
-    double z_zero_mm_ = 0;
+    double zZero_mm_ = 0;
     Corner at_;
-    bool is_known_ = false;
+    bool isKnown_ = false;
 };
 
 /// Number of connected sequences of feed moves of one tool, including those that cut nothing.

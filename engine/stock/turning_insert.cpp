@@ -23,13 +23,13 @@ class Stated {
 public:
     double operator()(const std::optional<double>& given, double assumed)
     {
-        if (!given) is_assumed_ = true;
+        if (!given) isAssumed_ = true;
         return given.value_or(assumed);
     }
-    bool isAssumed() const { return is_assumed_; }
+    bool isAssumed() const { return isAssumed_; }
 
 private:
-    bool is_assumed_ = false;
+    bool isAssumed_ = false;
 };
 
 /// Corners of a polygon within an arc, from angle to angle, and at the multiples of 90° between.

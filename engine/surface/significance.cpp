@@ -23,14 +23,14 @@ double significanceThreshold(double pixels, double alpha)
 
 Significance::Significance(const PowerSpectrum& spectrum)
     : spectrum_(spectrum),
-      log_power_(spectrum.power.columns, spectrum.power.rows),
-      log_ring_at_(spectrum.power.columns, spectrum.power.rows)
+      logPower_(spectrum.power.columns, spectrum.power.rows),
+      logRingAt_(spectrum.power.columns, spectrum.power.rows)
 {
-    for (const double median : ringMedians(spectrum)) log_ring_.push_back(std::log(median));
+    for (const double median : ringMedians(spectrum)) logRing_.push_back(std::log(median));
     for (int y = 0; y < spectrum.power.rows; ++y)
         for (int x = 0; x < spectrum.power.columns; ++x) {
-            log_power_.row(y)[x] = std::log(spectrum.power.at(x, y) + 1e-30F);
-            log_ring_at_.row(y)[x] = static_cast<float>(log_ring_[ringOf(spectrum, x, y)]);
+            logPower_.row(y)[x] = std::log(spectrum.power.at(x, y) + 1e-30F);
+            logRingAt_.row(y)[x] = static_cast<float>(logRing_[ringOf(spectrum, x, y)]);
         }
 }
 
@@ -53,8 +53,8 @@ double Significance::logMean(int column, int row, int across, int down, int hole
     int count = 0;
     for (int dy = -down / 2; dy <= down / 2; ++dy) {
         const int y = foldedRow(row + dy);
-        const float* powers = log_power_.row(y);
-        const float* rings = log_ring_at_.row(y);
+        const float* powers = logPower_.row(y);
+        const float* rings = logRingAt_.row(y);
         for (int dx = -across / 2; dx <= across / 2; ++dx) {
             if (std::abs(dx) <= hole_bins && std::abs(dy) <= hole_bins) continue;
             const int x = foldedColumn(column + dx);
@@ -62,7 +62,7 @@ double Significance::logMean(int column, int row, int across, int down, int hole
             ++count;
         }
     }
-    return sum / count + eulerGamma + (whitened ? double(log_ring_at_.at(column, row)) : 0);
+    return sum / count + eulerGamma + (whitened ? double(logRingAt_.at(column, row)) : 0);
 }
 
 double Significance::median(int column, int row, int across, int down) const
@@ -72,7 +72,7 @@ double Significance::median(int column, int row, int across, int down) const
     for (int dy = -down / 2; dy <= down / 2; ++dy)
         for (int dx = -across / 2; dx <= across / 2; ++dx)
             if (std::abs(dx) > hole || std::abs(dy) > hole)
-                values[count++] = log_power_.at(foldedColumn(column + dx), foldedRow(row + dy));
+                values[count++] = logPower_.at(foldedColumn(column + dx), foldedRow(row + dy));
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
     std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
     return double(*middle) - std::log(std::log(2.0));
@@ -143,7 +143,7 @@ double Significance::typicalLevel(double cycles_per_px) const
 {
     const auto ring =
         static_cast<std::size_t>(std::lround(cycles_per_px * std::max(spectrum_.power.columns, spectrum_.power.rows)));
-    return std::exp(log_ring_[std::min(ring, log_ring_.size() - 1)]) / std::log(2.0);
+    return std::exp(logRing_[std::min(ring, logRing_.size() - 1)]) / std::log(2.0);
 }
 
 std::vector<SpectralPeak> Significance::peaks(NoiseLevel level, double least, double* largest,

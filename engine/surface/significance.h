@@ -58,9 +58,9 @@ private:
     bool binOf(Vector frequency, int& column, int& row) const;
 
     const PowerSpectrum& spectrum_;
-    Grid log_power_;
-    std::vector<double> log_ring_;  ///< logarithms of the ring medians
-    Grid log_ring_at_;              ///< of the ring of each bin
+    Grid logPower_;
+    std::vector<double> logRing_;  ///< logarithms of the ring medians
+    Grid logRingAt_;               ///< of the ring of each bin
 };
 
 /// T = ln(M / α), M half the pixels: false-detection probability α for the whole picture.

@@ -84,7 +84,7 @@ WindowedPicture::WindowedPicture(const Grid& flat) : windowed_(flat.columns, fla
     double sum_x = 0, sum_y = 0;
     for (const float w : across) sum_x += double(w);
     for (const float w : down) sum_y += double(w);
-    window_sum_ = sum_x * sum_y;
+    windowSum_ = sum_x * sum_y;
     for (int y = 0; y < flat.rows; ++y) {
         const float* in = flat.row(y);
         float* out = windowed_.row(y);

@@ -22,7 +22,7 @@ public:
     const Grid& values() const { return windowed_; }
     int columns() const { return windowed_.columns; }
     int rows() const { return windowed_.rows; }
-    double windowSum() const { return window_sum_; }
+    double windowSum() const { return windowSum_; }
 
     /// Σ value exp(-2πi (f·place)) with f in cycles per pixel.
     std::complex<double> at(Vector frequency) const;
@@ -31,7 +31,7 @@ public:
     std::vector<std::complex<double>> at(double fx, const std::vector<double>& fy) const;
 
     /// Amplitude of a cosine of this frequency.
-    double amplitudeAt(Vector frequency) const { return 2 * std::abs(at(frequency)) / window_sum_; }
+    double amplitudeAt(Vector frequency) const { return 2 * std::abs(at(frequency)) / windowSum_; }
 
     /// The frequency of the local maximum of |at()| near `start`: Newton on its logarithm over a grid of 3 × 3 points
     /// 0.35 bins apart. Stays within 1.5 bins of `start`.
@@ -45,7 +45,7 @@ private:
     void around(Vector middle, double step_bins, double (&magnitude)[3][3]) const;
 
     Grid windowed_;
-    double window_sum_ = 0;
+    double windowSum_ = 0;
 };
 
 /// |spectrum|² over the plane of frequencies, zero in the middle.

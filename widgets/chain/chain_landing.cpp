@@ -158,7 +158,7 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
         io::writeFile(path, text);
         return path;
     };
-    const std::string path = write("fitted_setup_", fit.setup_text), whole = write("fitted_", fit.whole_text);
+    const std::string path = write("fittedSetup_", fit.setup_text), whole = write("fitted_", fit.whole_text);
     const deflection::TurningSetup& setup = fit.found.setup;
     receptance::SpindleSprings springs = fit.springs.value_or(receptance::SpindleSprings{});  // keeps its damping
     springs.radial_N_mm = setup.chuck.radial_N_mm;

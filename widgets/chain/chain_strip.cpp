@@ -174,7 +174,7 @@ void ChainStrip::look()
         },
         [this](const Looked& looked) {
             stamps_ = looked.stamps;
-            has_dossier_ = looked.has_dossier;
+            hasDossier_ = looked.has_dossier;
             show(looked.dossier);
         },
         [this](const Error& error) {
@@ -207,7 +207,7 @@ void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
     const auto waiting = stepsToRun(*dossier).size();
     start_->setText(waiting > 0 ? tr("Run %n step(s)…", "", waiting) : tr("Up to date"));
     start_->setEnabled(waiting > 0);
-    for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(has_dossier_);
+    for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(hasDossier_);
 }
 
 void ChainStrip::askToRun()

@@ -71,9 +71,9 @@ private:
     QAction* folder_;
     QPointer<RunDialog> dialog_;
     std::shared_ptr<const chain::Dossier> looked_;
-    AskedChain asked_;          ///< question for which looked_ was inspected
-    bool has_dossier_ = false;  ///< the folder of asked_ had a dossier when inspected
-    int opened_ = 0;            ///< projectsOpened() of the shown project
+    AskedChain asked_;         ///< question for which looked_ was inspected
+    bool hasDossier_ = false;  ///< the folder of asked_ had a dossier when inspected
+    int opened_ = 0;           ///< projectsOpened() of the shown project
     QTimer due_;
     QTimer turn_;         ///< timer of the check for changed files of the chain
     std::string stamps_;  ///< stamps of the files at the last inspection

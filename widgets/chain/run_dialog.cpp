@@ -52,16 +52,16 @@ RunDialog::RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWid
       folder_(new QLineEdit(QString::fromStdString(asked.question.out))),
       elsewhere_(paragraph(tr("In another folder every step runs that has its files."))),
       run_(nullptr),
-      looked_folder_(folder_->text().trimmed())
+      lookedFolder_(folder_->text().trimmed())
 {
     setObjectName("runChain");
     setWindowTitle(tr("Run the chain"));
     const QStringList steps = stepsToRun(looked), without = stepsWithout(looked);
-    has_steps_ = !steps.isEmpty();
+    hasSteps_ = !steps.isEmpty();
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(paragraph(has_steps_ ? tr("These steps will run; all others stay as they are:")
-                                           : tr("Every step that has its files is done and up to date.")));
-    if (has_steps_) layout->addWidget(paragraph(steps.join("\n")));
+    layout->addWidget(paragraph(hasSteps_ ? tr("These steps will run; all others stay as they are:")
+                                          : tr("Every step that has its files is done and up to date.")));
+    if (hasSteps_) layout->addWidget(paragraph(steps.join("\n")));
     if (!without.isEmpty()) {
         layout->addWidget(paragraph(tr("These lack a file and are left out:")));
         layout->addWidget(paragraph(without.join("\n")));
@@ -98,9 +98,9 @@ void RunDialog::chooseFolder()
 
 void RunDialog::enableRun()
 {
-    const bool is_elsewhere = folder() != looked_folder_;
+    const bool is_elsewhere = folder() != lookedFolder_;
     elsewhere_->setVisible(is_elsewhere);
-    run_->setEnabled((has_steps_ || is_elsewhere) && !folder().isEmpty());
+    run_->setEnabled((hasSteps_ || is_elsewhere) && !folder().isEmpty());
 }
 
 }  // namespace lathelier::chain_panel

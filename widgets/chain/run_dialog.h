@@ -27,8 +27,8 @@ private:
     QLineEdit* folder_;
     QLabel* elsewhere_;
     QPushButton* run_;
-    QString looked_folder_;
-    bool has_steps_ = false;
+    QString lookedFolder_;
+    bool hasSteps_ = false;
 };
 
 /// Titles of the steps to be run, one per line with its state.

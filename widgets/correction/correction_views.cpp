@@ -14,7 +14,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
       primaryViews_(new PrimaryViews),
       lines_(new QTableView),
       model_(new DiffModel(this)),
-      only_changes_(new QCheckBox),
+      onlyChanges_(new QCheckBox),
       check_(new QToolButton),
       reason_(new QLabel),
       correction_(new plot::ChartView),
@@ -41,7 +41,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     stacked->setContentsMargins(0, 0, 0, 0);
     check_->setObjectName("correctionCheck");
     auto* above = new QHBoxLayout;
-    above->addWidget(only_changes_);
+    above->addWidget(onlyChanges_);
     above->addStretch();
     above->addWidget(check_);
     stacked->addLayout(above);
@@ -57,7 +57,7 @@ CorrectionViews::CorrectionViews(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(primaryViews_, 1);
-    connect(only_changes_, &QCheckBox::toggled, model_, &DiffModel::setOnlyChanges);
+    connect(onlyChanges_, &QCheckBox::toggled, model_, &DiffModel::setOnlyChanges);
     connect(check_, &QToolButton::clicked, this, &CorrectionViews::checkRequested);
     connect(model_, &DiffModel::taken, this, &CorrectionViews::taken);
     connect(lines_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
@@ -115,7 +115,7 @@ void CorrectionViews::retranslate()
     primaryViews_->setTitle("correction", tr("Correction"));
     primaryViews_->setTitle("residual", tr("Before and after"));
     primaryViews_->setTitle("robustness", tr("Other machines"));
-    only_changes_->setText(tr("Changed blocks only"));
+    onlyChanges_->setText(tr("Changed blocks only"));
     check_->setText(tr("Check as a turning program"));
     check_->setToolTip(
         tr("Gives the corrected program with its correction to the panel Turning program, which checks it against the "

@@ -43,7 +43,7 @@ private:
     PrimaryViews* primaryViews_;
     QTableView* lines_;
     DiffModel* model_;
-    QCheckBox* only_changes_;
+    QCheckBox* onlyChanges_;
     QToolButton* check_;
     QLabel* reason_;  ///< full reason of the selected row
     plot::ChartView* correction_;

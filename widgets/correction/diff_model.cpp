@@ -39,7 +39,7 @@ void DiffModel::setOutcome(const std::shared_ptr<const DeflectionOutcome>& outco
 
 void DiffModel::setOnlyChanges(bool only)
 {
-    only_changes_ = only;
+    onlyChanges_ = only;
     rebuild();
 }
 
@@ -64,7 +64,7 @@ void DiffModel::rebuild()
             // An added block may follow an unchanged one.
             if (next >= changes.size() || changes[next].line != line || !changes[next].before) {
                 const bool goes_on = next < changes.size() && changes[next].line == line;
-                if (!only_changes_ || is_kept || goes_on) rows_.push_back({line, -1, goes_on || is_kept, is_kept});
+                if (!onlyChanges_ || is_kept || goes_on) rows_.push_back({line, -1, goes_on || is_kept, is_kept});
                 is_first = !goes_on;
             }
             for (; next < changes.size() && changes[next].line == line; ++next) {

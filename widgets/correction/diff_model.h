@@ -23,7 +23,7 @@ public:
 
     void setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome);
     void setOnlyChanges(bool only);
-    bool onlyChanges() const { return only_changes_; }
+    bool onlyChanges() const { return onlyChanges_; }
     void retranslate();
 
     int rowCount(const QModelIndex& parent = {}) const override;
@@ -54,7 +54,7 @@ private:
 
     std::shared_ptr<const DeflectionOutcome> outcome_;
     std::vector<Row> rows_;
-    bool only_changes_ = false;
+    bool onlyChanges_ = false;
 };
 
 }  // namespace lathelier::correction_panel

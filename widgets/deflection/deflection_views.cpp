@@ -66,18 +66,18 @@ DeflectionViews::DeflectionViews(QWidget* parent)
 void DeflectionViews::setOutcome(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
     outcome_ = outcome;
-    if (!is_tool_placed_) {
+    if (!isToolPlaced_) {
         const deflection::FinalContour& contour = outcome->study->prediction.final;
         const auto worst = std::max_element(contour.diameter_error_um.begin(), contour.diameter_error_um.end());
-        tool_z_mm_ = contour.z_mm.at(static_cast<std::size_t>(worst - contour.diameter_error_um.begin()));
+        toolZ_mm_ = contour.z_mm.at(static_cast<std::size_t>(worst - contour.diameter_error_um.begin()));
     }
     show();
 }
 
 void DeflectionViews::setTool(double z_mm)
 {
-    tool_z_mm_ = z_mm;
-    is_tool_placed_ = true;
+    toolZ_mm_ = z_mm;
+    isToolPlaced_ = true;
     showTool();
 }
 
@@ -125,11 +125,11 @@ void DeflectionViews::showTool()
     // The last pass that cuts there.
     std::size_t pass = passes.size() - 1;
     for (std::size_t i = passes.size(); i-- > 0;)
-        if (passes[i].z_mm.front() <= tool_z_mm_ && tool_z_mm_ <= passes[i].z_mm.back()) {
+        if (passes[i].z_mm.front() <= toolZ_mm_ && toolZ_mm_ <= passes[i].z_mm.back()) {
             pass = i;
             break;
         }
-    const auto shape = deflection::deflectedShape(outcome_->job->plan, outcome_->job->setup, pass, tool_z_mm_);
+    const auto shape = deflection::deflectedShape(outcome_->job->plan, outcome_->job->setup, pass, toolZ_mm_);
     shape_->setData(deflection::shapePlot(shape));
     forces_->setData(deflection::forcesPlot(passes[pass]));
     for (plot::ChartView* chart : {error_, forces_, depth_, power_, feed_}) chart->setMarker(shape.tool_z_mm);

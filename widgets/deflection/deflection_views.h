@@ -32,7 +32,7 @@ public:
 
     /// Tool position: deflected shape, forces and mark follow. At overlapping passes the last one is used.
     void setTool(double z_mm);
-    double toolPlace_mm() const { return tool_z_mm_; }
+    double toolPlace_mm() const { return toolZ_mm_; }
 
     void retranslate();
 
@@ -44,8 +44,8 @@ private:
     void showTool();
 
     std::shared_ptr<const DeflectionOutcome> outcome_;
-    double tool_z_mm_ = 0;
-    bool is_tool_placed_ = false;  ///< the tool was placed by the user
+    double toolZ_mm_ = 0;
+    bool isToolPlaced_ = false;  ///< the tool was placed by the user
     PrimaryViews* primaryViews_;
     plot::ChartView* error_;
     plot::ChartView* shape_;

@@ -203,7 +203,7 @@ void ProgramViews::showPath()
         plot.x.range = report::shownX(plot);
         plot.y.range = report::shownY(plot);
     }
-    drawn_range_ = {};
+    drawnRange_ = {};
     path_->setData(std::move(plot));
     if (drawn.corners() > largePath) redraw_.start();
 }
@@ -213,11 +213,11 @@ void ProgramViews::drawPathAgain()
 {
     if (!outcome_ || path_->data().curves.empty()) return;
     const QRectF shown = path_->visibleRange();
-    const bool is_same = std::abs(shown.x() - drawn_range_.x()) + std::abs(shown.y() - drawn_range_.y()) +
-                             std::abs(shown.width() - drawn_range_.width()) <
+    const bool is_same = std::abs(shown.x() - drawnRange_.x()) + std::abs(shown.y() - drawnRange_.y()) +
+                             std::abs(shown.width() - drawnRange_.width()) <
                          0.01 * std::abs(shown.width());
     if (is_same || shown.isEmpty()) return;
-    drawn_range_ = shown;
+    drawnRange_ = shown;
     stock::StockPlotParts parts;
     parts.pass = pass_;
     parts.window = {{shown.left(), shown.left() + shown.width()},

@@ -83,8 +83,8 @@ private:
     CopyTable* remarks_;
     CopyTable* passes_;
     CopyTable* tools_;
-    QTimer redraw_;       ///< delays the redraw of a large path
-    QRectF drawn_range_;  ///< visible range of the last redraw
+    QTimer redraw_;      ///< delays the redraw of a large path
+    QRectF drawnRange_;  ///< visible range of the last redraw
 };
 
 }  // namespace lathelier::program_panel

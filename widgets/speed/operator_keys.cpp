@@ -122,7 +122,7 @@ void OperatorKeys::setValues(const Values& values)
 void OperatorKeys::setReading(const QString& value, const QString& unit, const QString& line, bool good)
 {
     reading_->setText(good ? QString("%1 %2").arg(value, unit) : value);
-    reading_line_ = line;
+    readingLine_ = line;
     good_ = good;
     showReadingLine();
     setTypeSizes();
@@ -136,7 +136,7 @@ void OperatorKeys::showReadingLine()
     line_->setText(refused_ ? tr("%1: from %2 to %3 %4")
                                   .arg(screenText(info.label), QLocale().toString(info.minimum * factor, 'g', 6),
                                        QLocale().toString(info.maximum * factor, 'g', 6), screenUnit(info.unit))
-                            : reading_line_);
+                            : readingLine_);
     line_->setStyleSheet(refused_ ? badInk : "");
     reading_->setStyleSheet(good_ ? "" : badInk);
 }

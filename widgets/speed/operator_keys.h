@@ -51,7 +51,7 @@ private:
     std::size_t chosen_ = 0;
     std::optional<QString> entry_;  ///< pending entry; none: nothing typed for the chosen value
     bool refused_ = false;          ///< the entry is out of range
-    QString reading_line_;          ///< under the reading, while nothing is refused
+    QString readingLine_;           ///< under the reading, while nothing is refused
     bool good_ = true;              ///< the reading is a speed
     QLabel* reading_;
     QLabel* line_;

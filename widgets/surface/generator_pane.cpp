@@ -102,7 +102,7 @@ void GeneratorPane::addRow(const FieldInfo& info, double from, double to, bool l
     auto* label = new QLabel;
     auto* slider = new QSlider(Qt::Horizontal);
     auto* edit = new NumberEdit(info.minimum, info.maximum);
-    slider->setObjectName(QString::fromStdString("made_slider_" + info.key));
+    slider->setObjectName(QString::fromStdString("madeSlider_" + info.key));
     edit->setObjectName(QString::fromStdString("made_" + info.key));
     slider->setRange(0, sliderPlaces);
     slider->setMinimumWidth(60);

@@ -111,13 +111,13 @@ void TransportBar::setCut(double length_s, double revolution_s)
 {
     length_s_ = std::max(length_s, 1e-3);
     revolution_s_ = std::clamp(revolution_s, 1e-6, length_s_);
-    setTime(at_end_ ? length_s_ : time_s_);
+    setTime(atEnd_ ? length_s_ : time_s_);
 }
 
 void TransportBar::setTime(double time_s)
 {
     time_s = std::clamp(time_s, 0.0, length_s_ - revolution_s_ / 100);
-    at_end_ = time_s >= length_s_ - revolution_s_ / 50;
+    atEnd_ = time_s >= length_s_ - revolution_s_ / 50;
     const bool moved = time_s != time_s_;
     time_s_ = time_s;
     showTime();

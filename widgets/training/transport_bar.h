@@ -54,7 +54,7 @@ private:
     double length_s_ = 1;
     double revolution_s_ = 0.03;
     double time_s_ = 0;
-    bool at_end_ = true;  ///< and stays there when the cut changes
+    bool atEnd_ = true;  ///< and stays there when the cut changes
 };
 
 }  // namespace lathelier::training_panel

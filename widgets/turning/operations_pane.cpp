@@ -64,11 +64,11 @@ OperationsPane::OperationsPane(QWidget* parent)
     });
     // The header moves the row itself, which is not what moves an operation: it goes back, once the drag has ended.
     connect(table_->verticalHeader(), &QHeaderView::sectionMoved, this, [this](int row, int from, int on) {
-        if (puts_back_) return;
+        if (putsBack_) return;
         QTimer::singleShot(0, this, [this, row, from, on] {
-            puts_back_ = true;
+            putsBack_ = true;
             table_->verticalHeader()->moveSection(on, from);
-            puts_back_ = false;
+            putsBack_ = false;
             dropRow(row, on);
         });
     });
@@ -79,13 +79,13 @@ void OperationsPane::setOutcome(const TurningOutcome& outcome, std::size_t setup
     table_->setOutcome(outcome, setup);
     steps_ = stepsOf(outcome, setup);
     rows_.clear();
-    row_steps_.clear();
+    rowSteps_.clear();
     for (const ListedOperation& operation : listedOperations(outcome, setup)) {
         rows_.push_back(operation.which);
-        row_steps_.push_back(stepOf(operation.which, outcome.plan->job));
+        rowSteps_.push_back(stepOf(operation.which, outcome.plan->job));
     }
     const auto& order = outcome.plan->parameters.order;
-    is_own_order_ = std::any_of(order.begin(), order.end(), [setup](const cam::OperationStep& step) {
+    isOwnOrder_ = std::any_of(order.begin(), order.end(), [setup](const cam::OperationStep& step) {
         return step.setup == static_cast<int>(setup) + 1;
     });
     refusal_->clear();
@@ -100,8 +100,8 @@ void OperationsPane::setOutcome(const TurningOutcome& outcome, std::size_t setup
 
 std::optional<std::size_t> OperationsPane::placeOf(int row) const
 {
-    if (row < 0 || row >= static_cast<int>(row_steps_.size())) return std::nullopt;
-    const auto step = std::find(steps_.begin(), steps_.end(), row_steps_[static_cast<std::size_t>(row)]);
+    if (row < 0 || row >= static_cast<int>(rowSteps_.size())) return std::nullopt;
+    const auto step = std::find(steps_.begin(), steps_.end(), rowSteps_[static_cast<std::size_t>(row)]);
     return static_cast<std::size_t>(step - steps_.begin());
 }
 
@@ -110,7 +110,7 @@ void OperationsPane::enableButtons()
     const auto place = placeOf(table_->currentRow());
     up_->setEnabled(place && *place > 0);
     down_->setEnabled(place && *place + 1 < steps_.size());
-    reset_->setEnabled(is_own_order_);
+    reset_->setEnabled(isOwnOrder_);
 }
 
 void OperationsPane::moveBy(int places)

@@ -50,11 +50,11 @@ private:
     QToolButton* reset_;
     QLabel* refusal_;
     std::vector<cam::OperationStep> steps_;
-    std::vector<cam::OperationStep> rows_;       ///< of the table
-    std::vector<cam::OperationStep> row_steps_;  ///< to which of `steps_` each row belongs
-    std::optional<cam::OperationStep> chosen_;   ///< stays the current row
-    bool is_own_order_ = false;                  ///< the order differs from the default
-    bool puts_back_ = false;                     ///< the header's row goes back after a drag
+    std::vector<cam::OperationStep> rows_;      ///< of the table
+    std::vector<cam::OperationStep> rowSteps_;  ///< to which of `steps_` each row belongs
+    std::optional<cam::OperationStep> chosen_;  ///< stays the current row
+    bool isOwnOrder_ = false;                   ///< the order differs from the default
+    bool putsBack_ = false;                     ///< the header's row goes back after a drag
 };
 
 }  // namespace lathelier::turning_panel

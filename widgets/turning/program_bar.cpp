@@ -14,22 +14,22 @@ constexpr int digestDigits = 12;
 }  // namespace
 
 ProgramBar::ProgramBar(QWidget* parent)
-    : QWidget(parent), state_(new QLabel), check_(new QToolButton), take_back_(new QToolButton), use_(new QToolButton)
+    : QWidget(parent), state_(new QLabel), check_(new QToolButton), takeBack_(new QToolButton), use_(new QToolButton)
 {
     state_->setObjectName("turningState");
     check_->setObjectName("turningCheck");
-    take_back_->setObjectName("turningTakeBack");
+    takeBack_->setObjectName("turningTakeBack");
     use_->setObjectName("turningUse");
     state_->setWordWrap(true);
     auto* row = new FlowRow;
-    for (QToolButton* button : {use_, check_, take_back_}) row->addWidget(button);
+    for (QToolButton* button : {use_, check_, takeBack_}) row->addWidget(button);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(2);
     column->addWidget(state_);
     column->addLayout(row);
     connect(check_, &QToolButton::clicked, this, &ProgramBar::checkRequested);
-    connect(take_back_, &QToolButton::clicked, this, &ProgramBar::takeBackRequested);
+    connect(takeBack_, &QToolButton::clicked, this, &ProgramBar::takeBackRequested);
     connect(use_, &QToolButton::clicked, this, &ProgramBar::useRequested);
 }
 
@@ -54,7 +54,7 @@ void ProgramBar::setOutcome(const TurningOutcome& outcome, std::size_t setup)
     state_->setText(QString("%1 · SHA-256 %2").arg(state, digest.left(digestDigits)));
     state_->setToolTip("SHA-256 " + digest);
     check_->setVisible(program.is_void);
-    take_back_->setVisible(program.is_changed);
+    takeBack_->setVisible(program.is_changed);
     use_->setEnabled(is_sound);
     use_->setToolTip(is_sound ? tr("Hands it to the panels Deflection, Correction and Program, with its bar")
                               : tr("Only a program that was checked and has no findings is handed on"));
@@ -64,8 +64,8 @@ void ProgramBar::retranslate()
 {
     check_->setText(tr("Check again"));
     check_->setToolTip(tr("Checks the text as it stands here against drawing, stock and chuck"));
-    take_back_->setText(tr("Take back changes"));
-    take_back_->setToolTip(tr("The program as it was before it was changed by hand"));
+    takeBack_->setText(tr("Take back changes"));
+    takeBack_->setToolTip(tr("The program as it was before it was changed by hand"));
     use_->setText(tr("Use this program"));
 }
 

@@ -18,7 +18,7 @@ public:
     void setOutcome(const TurningOutcome& outcome, std::size_t setup);
     QString state() const { return state_->text(); }
     QToolButton* check() const { return check_; }
-    QToolButton* takeBack() const { return take_back_; }
+    QToolButton* takeBack() const { return takeBack_; }
     QToolButton* use() const { return use_; }
     void retranslate();
 
@@ -30,7 +30,7 @@ signals:
 private:
     QLabel* state_;
     QToolButton* check_;
-    QToolButton* take_back_;
+    QToolButton* takeBack_;
     QToolButton* use_;
 };
 

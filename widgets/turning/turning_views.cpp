@@ -163,7 +163,7 @@ void TurningViews::setOutcome(const std::shared_ptr<const TurningOutcome>& outco
 {
     scrubber_->setPlaying(false);
     outcome_ = outcome;
-    takes_text_ = takes_text;
+    takesText_ = takes_text;
     if (clamping_ >= outcome->clampings.size()) clamping_ = 0;
     show();
 }
@@ -180,7 +180,7 @@ void TurningViews::setClamping(std::size_t clamping)
     scrubber_->setPlaying(false);
     editor_->takeOver();  // commits pending input to the previous clamping
     clamping_ = clamping;
-    takes_text_ = true;
+    takesText_ = true;
     line_ = 0;
     show();
 }
@@ -204,7 +204,7 @@ void TurningViews::showText()
 {
     const cam::SetupPlan& setup = outcome_->plan->setups[clamping_];
     bar_->setOutcome(*outcome_, clamping_);
-    if (takes_text_)
+    if (takesText_)
         editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
                             setup.check.program.dialect);
     std::vector<LineRemark> remarks;

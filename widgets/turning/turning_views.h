@@ -90,7 +90,7 @@ private:
 
     std::shared_ptr<const TurningOutcome> outcome_;
     std::size_t clamping_ = 0;
-    bool takes_text_ = true;
+    bool takesText_ = true;
     StockShown stock_;
     std::int64_t line_ = 0;
     PrimaryViews* primaryViews_;

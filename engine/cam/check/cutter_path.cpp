@@ -63,8 +63,8 @@ public:
             if (move.kind == gcode::MoveKind::Dwell) continue;
             const Corner end = placed(move.z_mm, move.x_mm);
             const bool is_place = std::abs(end.z_mm) <= stock::endless_mm && std::abs(end.x_mm) <= stock::endless_mm;
-            if (is_place && is_known_ && move.kind != gcode::MoveKind::Rapid) take(move, end);
-            is_known_ = is_place;
+            if (is_place && isKnown_ && move.kind != gcode::MoveKind::Rapid) take(move, end);
+            isKnown_ = is_place;
             at_ = end;
         }
         return std::move(strokes_);
@@ -181,7 +181,7 @@ private:
     std::vector<CutterStroke> strokes_;
     std::set<int> unknown_;
     Corner at_;
-    bool is_known_ = false;
+    bool isKnown_ = false;
 };
 
 }  // namespace

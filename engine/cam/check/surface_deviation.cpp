@@ -22,7 +22,7 @@ public:
         : drawing_(drawing), points_(drawing.points()), all_(all), bar_(bar), progress_(progress)
     {
         clearances_.resize(points_.size());
-        list_of_.resize(points_.size());
+        listOf_.resize(points_.size());
     }
 
     void measure()
@@ -33,7 +33,7 @@ public:
     }
 
     /// Clearance at a point close to contour point `near`, from that point's candidate strokes.
-    Clearance at(const Corner& place, std::size_t near) const { return clearanceOf(place, lists_[list_of_[near]]); }
+    Clearance at(const Corner& place, std::size_t near) const { return clearanceOf(place, lists_[listOf_[near]]); }
 
     const std::vector<Clearance>& clearances() const { return clearances_; }
 
@@ -84,7 +84,7 @@ private:
         }
         for (std::size_t i = first; i < end; ++i) {
             clearances_[i] = clearanceOf(points_[i].at, strokes);
-            list_of_[i] = static_cast<std::uint32_t>(lists_.size());
+            listOf_[i] = static_cast<std::uint32_t>(lists_.size());
         }
         lists_.push_back(std::move(strokes));
     }
@@ -95,7 +95,7 @@ private:
     const BarLimits& bar_;
     const Progress& progress_;
     std::vector<Clearance> clearances_;
-    std::vector<std::uint32_t> list_of_;
+    std::vector<std::uint32_t> listOf_;
     std::vector<List> lists_;
     std::vector<double> each_;
 };

@@ -23,7 +23,7 @@ class Writer {
 public:
     Writer(const Post& post, const ProgramHead& head) : post_(post), head_(head)
     {
-        x_scale_ = post.x_is_diameter ? 2 : 1;
+        xScale_ = post.x_is_diameter ? 2 : 1;
     }
 
     WrittenProgram run(const std::vector<Operation>& operations)
@@ -74,7 +74,7 @@ private:
             result_.no_cycle = *reason;
         else
             cycle_ = std::get<RoughingCycle>(std::move(found));
-        has_cycle_ = !result_.no_cycle;
+        hasCycle_ = !result_.no_cycle;
         cycle_.has_finish = cycle_.has_finish && !post_.finish_cycle.empty();
     }
 
@@ -82,7 +82,7 @@ private:
     {
         WrittenOperation written;
         written.first_line = line_ + 1;
-        if (has_cycle_ && index == cycle_.semi_finish) {  // part of the cycle
+        if (hasCycle_ && index == cycle_.semi_finish) {  // part of the cycle
             result_.operations.push_back(written);
             return;
         }
@@ -98,14 +98,14 @@ private:
         lines(operation.speed_rpm || !post_.css ? post_.spindle_rpm : post_.spindle_css, true);
         lines(post_.coolant_on, true);
         motion_.clear();
-        feed_units_ = -1;
-        if (has_cycle_ && index == cycle_.rough && !numbersSuffice()) {
-            has_cycle_ = false;
+        feedUnits_ = -1;
+        if (hasCycle_ && index == cycle_.rough && !numbersSuffice()) {
+            hasCycle_ = false;
             result_.no_cycle = LT_TEXT("Engine", "the numbers of blocks begin anew within it");
         }
-        if (has_cycle_ && index == cycle_.rough)
+        if (hasCycle_ && index == cycle_.rough)
             written.blocks = writeRoughCycle();
-        else if (has_cycle_ && index == cycle_.finish && cycle_.has_finish)
+        else if (hasCycle_ && index == cycle_.finish && cycle_.has_finish)
             writeFinishCycle(written);
         else
             written.blocks = writeAll(operation.moves);
@@ -124,7 +124,7 @@ private:
             } else if (move.speed_rpm && move.speed_rpm != rpm_) {
                 rpm_ = move.speed_rpm;
                 lines(post_.speed_change, true);
-                if (post_.feed_per_min) feed_units_ = -1;
+                if (post_.feed_per_min) feedUnits_ = -1;
             }
             blocks += write(move);
         }
@@ -140,8 +140,8 @@ private:
         // The templates need the block numbers of the contour, so the cycle is written twice.
         Writer trial = *this;
         trial.writeContour();
-        first_block_ = trial.first_block_;
-        last_block_ = trial.last_block_;
+        firstBlock_ = trial.firstBlock_;
+        lastBlock_ = trial.lastBlock_;
         blocks += writeContour();
         blocks += writeAll({start, safe()});
         return blocks;
@@ -150,9 +150,9 @@ private:
     std::int64_t writeContour()
     {
         lines(post_.rough_cycle, true);
-        contour_first_line_ = line_ + 1;
-        first_block_ = numberOfNext(1);
-        const std::int64_t x = unitsOf(x_scale_ * cycle_.contour.front().to.y(), post_.x_decimals);
+        contourFirstLine_ = line_ + 1;
+        firstBlock_ = numberOfNext(1);
+        const std::int64_t x = unitsOf(xScale_ * cycle_.contour.front().to.y(), post_.x_decimals);
         std::string down = post_.rapid;  // X alone, even where unchanged words are repeated
         append(down, xWord(x));
         add(down);
@@ -161,14 +161,13 @@ private:
         std::int64_t blocks = 1;
         const std::vector<CutMove> rest(cycle_.contour.begin() + 1, cycle_.contour.end() - 1);
         blocks += writeAll(rest);
-        last_block_ = numberOfNext(2);
+        lastBlock_ = numberOfNext(2);
         blocks += writeAll({cycle_.contour.back()});
-        contour_last_line_ = line_;
+        contourLastLine_ = line_;
         // After the cycle the tool is at its start point.
-        remember(unitsOf(x_scale_ * cycle_.start_x_mm, post_.x_decimals),
-                 unitsOf(-cycle_.start_z_mm, post_.z_decimals));
+        remember(unitsOf(xScale_ * cycle_.start_x_mm, post_.x_decimals), unitsOf(-cycle_.start_z_mm, post_.z_decimals));
         motion_.clear();
-        feed_units_ = -1;
+        feedUnits_ = -1;
         return blocks;
     }
 
@@ -184,7 +183,7 @@ private:
     int numberOfNext(int otherwise)
     {
         if (post_.block_numbers) return number_ == 0 ? post_.block_numbers->start : number_;
-        next_number_ = otherwise;
+        nextNumber_ = otherwise;
         return otherwise;
     }
 
@@ -192,23 +191,23 @@ private:
     {
         written.blocks = writeAll(cycle_.before);
         lines(post_.finish_cycle, true);
-        written.contour_first_line = contour_first_line_;
-        written.contour_last_line = contour_last_line_;
+        written.contour_first_line = contourFirstLine_;
+        written.contour_last_line = contourLastLine_;
         motion_.clear();
-        feed_units_ = -1;
+        feedUnits_ = -1;
         written.blocks += writeAll({safe()});
     }
 
     /// Number of blocks written.
     int write(const CutMove& move)
     {
-        const std::int64_t x = unitsOf(x_scale_ * move.to.y(), post_.x_decimals);
+        const std::int64_t x = unitsOf(xScale_ * move.to.y(), post_.x_decimals);
         const std::int64_t z = unitsOf(-move.to.x(), post_.z_decimals);
-        const bool x_moves = !is_known_ || x != x_, z_moves = !is_known_ || z != z_;
+        const bool x_moves = !isKnown_ || x != x_, z_moves = !isKnown_ || z != z_;
         if (!x_moves && !z_moves) return 0;
         if (move.kind == CutKind::Thread && post_.thread.empty())
             throw Error(errors::postCannot, {{"post", post_.name}, {"what", LT_TEXT("Engine", "cut threads")}});
-        if (!is_known_ && head_.has_tailstock) {  // along the tailstock first, then down
+        if (!isKnown_ && head_.has_tailstock) {  // along the tailstock first, then down
             add(word(move.kind) + zWord(z));
             add(xWord(x));
             motion_ = post_.rapid;
@@ -235,7 +234,7 @@ private:
     {
         x_ = x;
         z_ = z;
-        is_known_ = true;
+        isKnown_ = true;
     }
 
     std::string word(CutKind kind) const
@@ -245,7 +244,7 @@ private:
     /// Repeated in every block, with four decimals: pitches of inch threads need them.
     std::string leadWord(double lead_mm)
     {
-        feed_units_ = -1;
+        feedUnits_ = -1;
         constexpr int leadDecimals = 4;
         return wordText(post_.thread_lead.c_str(), unitsOf(lead_mm, leadDecimals), leadDecimals, post_.decimal_point);
     }
@@ -255,7 +254,7 @@ private:
     /// Empty where a line is sufficient.
     std::string circleWords(const CutMove& move, std::int64_t x, std::int64_t z) const
     {
-        const double x_unit = std::pow(10, -post_.x_decimals) / x_scale_, z_unit = std::pow(10, -post_.z_decimals);
+        const double x_unit = std::pow(10, -post_.x_decimals) / xScale_, z_unit = std::pow(10, -post_.z_decimals);
         const Vector2d from(static_cast<double>(z_) * z_unit, static_cast<double>(x_) * x_unit);
         const Vector2d to(static_cast<double>(z) * z_unit, static_cast<double>(x) * x_unit);
         const double radius = (move.centre - move.to).norm(), chord = (to - from).norm();
@@ -286,8 +285,8 @@ private:
             feed *= *rpm_;
         }
         const std::int64_t units = unitsOf(feed, post_.f_decimals);
-        if (units == feed_units_ && post_.modal) return {};
-        feed_units_ = units;
+        if (units == feedUnits_ && post_.modal) return {};
+        feedUnits_ = units;
         return wordText("F", units, post_.f_decimals, post_.decimal_point);
     }
 
@@ -300,7 +299,7 @@ private:
 
     void forget()
     {
-        is_known_ = false;
+        isKnown_ = false;
         motion_.clear();
     }
 
@@ -319,7 +318,7 @@ private:
         if (name == "max_rpm") return whole(std::floor(head_.max_rpm));
         if (name == "vc") return whole(vc_);
         if (name == "rpm") return whole(rpm_.value_or(0));
-        return has_cycle_ ? valueOfCycle(name) : std::string();
+        return hasCycle_ ? valueOfCycle(name) : std::string();
     }
 
     std::string valueOfCycle(const std::string& name) const
@@ -327,11 +326,11 @@ private:
         const auto length = [this](double value_mm, int decimals) {
             return numberText(unitsOf(value_mm, decimals), decimals, post_.decimal_point);
         };
-        if (name == "first") return std::to_string(first_block_);
-        if (name == "last") return std::to_string(last_block_);
+        if (name == "first") return std::to_string(firstBlock_);
+        if (name == "last") return std::to_string(lastBlock_);
         if (name == "depth") return length(cycle_.depth_mm, cycleDecimals);
         if (name == "retract") return length(retract_mm, cycleDecimals);
-        if (name == "x_allowance") return length(x_scale_ * head_.cycles->allowance_mm, cycleDecimals);
+        if (name == "x_allowance") return length(xScale_ * head_.cycles->allowance_mm, cycleDecimals);
         if (name == "z_allowance") return length(head_.cycles->allowance_mm, cycleDecimals);
         if (name == "feed")
             return length(cycle_.feed_mm_rev * (post_.feed_per_min ? rpm_.value_or(0) : 1), post_.f_decimals);
@@ -350,9 +349,9 @@ private:
 
     void add(const std::string& text)
     {
-        if (!post_.block_numbers && next_number_ == 0) return addPlain(text);
+        if (!post_.block_numbers && nextNumber_ == 0) return addPlain(text);
         if (!post_.block_numbers) {
-            std::string numbered = wordText("N", std::exchange(next_number_, 0), 0, false);
+            std::string numbered = wordText("N", std::exchange(nextNumber_, 0), 0, false);
             append(numbered, text);
             return addPlain(numbered);
         }
@@ -373,18 +372,18 @@ private:
     const Post& post_;
     const ProgramHead& head_;
     WrittenProgram result_;
-    double x_scale_ = 2;
+    double xScale_ = 2;
     std::int64_t line_ = 0;
     int number_ = 0, tool_ = 0;
     RoughingCycle cycle_;
-    bool has_cycle_ = false;
-    int next_number_ = 0, first_block_ = 0, last_block_ = 0;
-    std::int64_t contour_first_line_ = 0, contour_last_line_ = 0;
+    bool hasCycle_ = false;
+    int nextNumber_ = 0, firstBlock_ = 0, lastBlock_ = 0;
+    std::int64_t contourFirstLine_ = 0, contourLastLine_ = 0;
     double vc_ = 0;
     std::optional<double> rpm_;
     std::string motion_;
-    std::int64_t x_ = 0, z_ = 0, feed_units_ = -1;
-    bool is_known_ = false;
+    std::int64_t x_ = 0, z_ = 0, feedUnits_ = -1;
+    bool isKnown_ = false;
 };
 
 }  // namespace

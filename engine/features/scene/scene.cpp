@@ -64,17 +64,17 @@ public:
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (labels_[i] == Part) rest_.push_back(static_cast<std::uint32_t>(i));
         if (rest_.size() < leastPartPoints) return false;
-        rest_points_ = chosen(points_, rest_);
+        restPoints_ = chosen(points_, rest_);
         // Cubes that hold a few points each, so that neighbours on a surface lie in neighbouring cubes.
         double edge_mm = std::max(0.5, extent_mm / 250);
         do {
-            thin_ = thinned(rest_points_, edge_mm, progress_);
+            thin_ = thinned(restPoints_, edge_mm, progress_);
             edge_mm *= 1.5;
-        } while (4 * thin_.points.size() > rest_points_.size() && thin_.points.size() > 200);
+        } while (4 * thin_.points.size() > restPoints_.size() && thin_.points.size() > 200);
         groups_ = groupsOf(thin_.points, 3 * thin_.edge_mm, leastGroupCubes);
-        group_of_cube_.assign(thin_.points.size(), -1);
+        groupOfCube_.assign(thin_.points.size(), -1);
         for (std::size_t g = 0; g < groups_.size(); ++g)
-            for (const std::uint32_t cube : groups_[g]) group_of_cube_[cube] = static_cast<int>(g);
+            for (const std::uint32_t cube : groups_[g]) groupOfCube_[cube] = static_cast<int>(g);
         return !groups_.empty();
     }
 
@@ -94,7 +94,7 @@ public:
         if (turned_)
             parallelFor(rest_.size(), 32768, progress_, [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    beyond[i] = outline_->beyond_mm(fit_.axis_T_scan * rest_points_[i]);
+                    beyond[i] = outline_->beyond_mm(fit_.axis_T_scan * restPoints_[i]);
             });
         std::vector<double> own(groups_.size(), 0), all(groups_.size(), 0);
         for (std::size_t i = 0; i < rest_.size(); ++i) {
@@ -155,7 +155,7 @@ public:
     }
 
 private:
-    int groupOf(std::size_t rest) const { return group_of_cube_[thin_.of_point[rest]]; }
+    int groupOf(std::size_t rest) const { return groupOfCube_[thin_.of_point[rest]]; }
 
     std::uint16_t newLabel(const char* kind)
     {
@@ -168,8 +168,8 @@ private:
     {
         std::vector<Vector3d> own;
         for (std::size_t i = 0; i < rest_.size(); ++i)
-            if (groupOf(i) == group) own.push_back(rest_points_[i]);
-        const std::vector<Vector3d> all = everyNth(rest_points_, outlineSample);
+            if (groupOf(i) == group) own.push_back(restPoints_[i]);
+        const std::vector<Vector3d> all = everyNth(restPoints_, outlineSample);
         std::vector<Vector3d> used = everyNth(own, fitSample);
         for (int round = 0; round < 3; ++round) {
             progress_.check();
@@ -201,7 +201,7 @@ private:
     /// Labels points far outside the part's surface, down to the contact.
     void labelClamps(const std::vector<std::uint32_t>& outside, const std::vector<double>& beyond)
     {
-        const std::vector<Vector3d> points = chosen(rest_points_, outside);
+        const std::vector<Vector3d> points = chosen(restPoints_, outside);
         const Thinned thin = thinned(points, thin_.edge_mm, progress_);
         const auto groups = groupsOf(thin.points, 3 * thin_.edge_mm, 5);
         std::vector<int> group_of(thin.points.size(), -1);
@@ -222,7 +222,7 @@ private:
             const std::uint16_t own = at(i) >= 0 ? label[static_cast<std::size_t>(at(i))] : std::uint16_t{Part};
             labels_[rest_[outside[i]]] = own;
             if (own != Part && beyond[outside[i]] < contactMargin_mm)
-                footprints[own].add(fit_.axis_T_scan * rest_points_[outside[i]]);
+                footprints[own].add(fit_.axis_T_scan * restPoints_[outside[i]]);
         }
         labelContacts(footprints);
     }
@@ -237,7 +237,7 @@ private:
             parallelFor(rest_.size(), 32768, progress_, [&, own](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i) {
                     if (labels_[rest_[i]] != Part) continue;
-                    const Vector3d p = fit_.axis_T_scan * rest_points_[i];
+                    const Vector3d p = fit_.axis_T_scan * restPoints_[i];
                     const bool at_surface = std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - contactDepth_mm;
                     if (at_surface && footprint.contains(p)) labels_[rest_[i]] = own;
                 }
@@ -250,10 +250,10 @@ private:
     std::vector<std::uint16_t> labels_;  ///< index into kinds_, one per point
     std::vector<std::string> kinds_;
     std::vector<std::uint32_t> rest_;  ///< points that are not the turntable's
-    std::vector<Vector3d> rest_points_;
-    Thinned thin_;                                    ///< of rest_points_
+    std::vector<Vector3d> restPoints_;
+    Thinned thin_;                                    ///< of restPoints_
     std::vector<std::vector<std::uint32_t>> groups_;  ///< indices of the cubes of each group
-    std::vector<int> group_of_cube_;                  ///< -1: a stray
+    std::vector<int> groupOfCube_;                    ///< -1: a stray
     int part_ = 0;                                    ///< index into groups_
     bool turned_ = false;
     RevolutionFit fit_;

@@ -35,7 +35,7 @@ bool ZoneProblem::add(std::size_t index)
 {
     if (std::find(working_.begin(), working_.end(), index) != working_.end()) return false;
     working_.push_back(index);
-    working_points_.push_back(points_.point(index));
+    workingPoints_.push_back(points_.point(index));
     return true;
 }
 
@@ -51,7 +51,7 @@ ZoneProblem::Measured ZoneProblem::measure(const Vector2d& centre)
 const LinearDistances<2>& ZoneProblem::linearise(const Vector2d& centre)
 {
     distances_.clear();
-    for (const Vector2d& point : working_points_) {
+    for (const Vector2d& point : workingPoints_) {
         const Vector2d difference = point - centre;
         const double distance = std::sqrt(difference.squaredNorm());
         distances_.push(distance, distance > 0 ? Vector2d(difference / distance) : Vector2d::Zero());

@@ -77,7 +77,7 @@ private:
     std::vector<HalfPlane> region_;
     Progress progress_;
     std::vector<std::size_t> working_;
-    std::vector<Eigen::Vector2d> working_points_;
+    std::vector<Eigen::Vector2d> workingPoints_;
     LinearDistances<2> distances_;
     std::vector<HalfPlane> limits_;
 };

@@ -61,7 +61,7 @@ double ZoneProblem::boundOf(const Cell& cell, Search& search)
     const double reach = cell.half * std::sqrt(2.0);
     if (isOutside(cell.centre, reach)) return std::numeric_limits<double>::infinity();
     double low = std::numeric_limits<double>::infinity(), high = 0;
-    for (const Vector2d& point : working_points_) {
+    for (const Vector2d& point : workingPoints_) {
         const double square = (point - cell.centre).squaredNorm();
         low = std::min(low, square);
         high = std::max(high, square);

@@ -33,7 +33,7 @@ public:
             return {e.width(), add(e.farthest_index) || grew};
         }
         double low = std::numeric_limits<double>::infinity(), high = 0;
-        for (const Eigen::Vector3d& point : working_points_) {
+        for (const Eigen::Vector3d& point : workingPoints_) {
             const double d = distanceFrom(axis, point).distance;
             low = std::min(low, d);
             high = std::max(high, d);
@@ -44,7 +44,7 @@ public:
     const LinearDistances<4>& linearise(const AxisParameters& axis)
     {
         distances_.clear();
-        for (const Eigen::Vector3d& point : working_points_) {
+        for (const Eigen::Vector3d& point : workingPoints_) {
             const AxisDistance d = distanceFrom(axis, point);
             distances_.push(d.distance, -d.gradient);
         }
@@ -60,7 +60,7 @@ private:
     {
         if (std::find(working_.begin(), working_.end(), index) != working_.end()) return false;
         working_.push_back(index);
-        working_points_.push_back(points_.point(index));
+        workingPoints_.push_back(points_.point(index));
         return true;
     }
 
@@ -68,7 +68,7 @@ private:
     Progress progress_;
     bool all_ = true;
     std::vector<std::size_t> working_;
-    std::vector<Eigen::Vector3d> working_points_;
+    std::vector<Eigen::Vector3d> workingPoints_;
     LinearDistances<4> distances_;
     std::vector<Limit<4>> none_;
 };

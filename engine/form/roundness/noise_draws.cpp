@@ -21,8 +21,8 @@ NoiseDraws::NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise,
     : noise_(noise),
       band_(band),
       n_((prepared.distance_mm.size() + stride - 1) / stride),
-      by_orders_(stride > 1 || !noise.power_um2.empty()),
-      is_filtered_(stride > 1),
+      byOrders_(stride > 1 || !noise.power_um2.empty()),
+      isFiltered_(stride > 1),
       transform_(isPlain(noise, band) ? 1 : n_)
 {
     if (isPlain(noise, band)) return;
@@ -30,13 +30,13 @@ NoiseDraws::NoiseDraws(const PreparedProfile& prepared, const PointNoise& noise,
     const double covered = 1 - prepared.sampling.missing_rad / (2 * std::numbers::pi);
     for (std::size_t m = 0; m <= n_ / 2; ++m)
         transmission_.push_back(m == 0 ? 1 : band.transmission(static_cast<double>(m) / covered));
-    if (!by_orders_) return;
+    if (!byOrders_) return;
     const double share = noise.sigma_um > 0 ? noise.beyond_rounding_um / noise.sigma_um : 0;
     const double white = 4 * noise.sigma_um * noise.sigma_um / static_cast<double>(prepared.distance_mm.size());
     for (std::size_t m = 0; m <= n_ / 2; ++m) {
         const double power = noise.power_um2.empty() ? white : noise.power_um2[m];
         // Half the amplitude: the other half belongs to the conjugate order.
-        amplitude_mm_.push_back(share * std::sqrt(power / 2) / 2000 * (is_filtered_ ? transmission_[m] : 1));
+        amplitude_mm_.push_back(share * std::sqrt(power / 2) / 2000 * (isFiltered_ ? transmission_[m] : 1));
     }
 }
 
@@ -44,7 +44,7 @@ std::vector<double> NoiseDraws::operator()(std::uint64_t draw, const Progress& p
 {
     progress.check();
     std::vector<double> drawn(n_);
-    if (!by_orders_) {
+    if (!byOrders_) {
         for (std::size_t i = 0; i < n_; ++i) drawn[i] = plain_mm(draw, i);
     } else {
         std::vector<std::complex<double>> spectrum(amplitude_mm_.size());
@@ -57,7 +57,7 @@ std::vector<double> NoiseDraws::operator()(std::uint64_t draw, const Progress& p
     if (!noise_.spikes_um.empty()) addSpikes(draw, drawn);
     if (noise_.resolution_um > 0) roundOff(draw, drawn);
     progress.check();
-    return band_.isAll() || is_filtered_ ? drawn : filtered(drawn, progress);
+    return band_.isAll() || isFiltered_ ? drawn : filtered(drawn, progress);
 }
 
 void NoiseDraws::addSpikes(std::uint64_t draw, std::vector<double>& drawn) const

@@ -54,8 +54,8 @@ private:
     const PointNoise& noise_;
     const signal::TransmissionBand& band_;
     std::size_t n_;
-    bool by_orders_;    ///< noise is drawn as Fourier coefficients
-    bool is_filtered_;  ///< the coefficients are those of the filtered noise
+    bool byOrders_;    ///< noise is drawn as Fourier coefficients
+    bool isFiltered_;  ///< the coefficients are those of the filtered noise
     signal::FourierTransform transform_;
     std::vector<double> amplitude_mm_, transmission_;
 };

@@ -30,15 +30,15 @@ public:
           surface_(*reference.surface),
           initial_(Eigen::Translation3d(copy_.middle_mm - reference_.middle_mm)),
           size_mm_(std::max(reference_.size_mm, copy_.size_mm)),
-          point_to_point_(point_to_point)
+          pointToPoint_(point_to_point)
     {
-        copy_order_ = hilbertOrder(copy_.points_mm, progress);
+        copyOrder_ = hilbertOrder(copy_.points_mm, progress);
         Points ordered;
-        ordered.reserve(copy_order_.size());
-        for (const std::uint32_t i : copy_order_) ordered.push_back(copy_.points_mm[i]);
+        ordered.reserve(copyOrder_.size());
+        for (const std::uint32_t i : copyOrder_) ordered.push_back(copy_.points_mm[i]);
         copy_.points_mm = std::move(ordered);
         points_ = surface_.points();
-        if (points_ == nullptr && point_to_point_) {
+        if (points_ == nullptr && pointToPoint_) {
             samples_ = std::make_unique<Neighbours>(reference_.points_mm, progress);
             points_ = samples_.get();
         }
@@ -114,7 +114,7 @@ private:
         for (const Candidate& c : fits) {
             if (c.misfit > as_good) continue;
             const double apart = Eigen::AngleAxisd(c.pose.linear().transpose() * best.pose.linear()).angle();
-            if (&c == &best || apart > 0.1) ++equal_poses_;
+            if (&c == &best || apart > 0.1) ++equalPoses_;
             if (c.turn < chosen->turn - 0.1) chosen = &c;
         }
         return chosen->pose;
@@ -130,7 +130,7 @@ private:
         for (std::size_t level = 0; level < levelSizes.size(); ++level) {
             const bool last = level + 1 == levelSizes.size();
             RefineOptions options;
-            options.point_to_point = point_to_point_;
+            options.point_to_point = pointToPoint_;
             options.search_mm = search;
             options.reach_mm = search / 2;
             options.max_iterations = last ? 60 : 40;
@@ -145,7 +145,7 @@ private:
                           options, traces, progress.part(from, from + 1.0 / static_cast<double>(levelSizes.size())));
             alignment.iterations += fine.iterations;
             if (fine.iterations == 0) break;  // nothing lies near the surface
-            search = std::clamp(10 * fine.sigma_mm + (point_to_point_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
+            search = std::clamp(10 * fine.sigma_mm + (pointToPoint_ ? 4 * surface_.spacing_mm() : 0), 1e-3 * size_mm_,
                                 search);
         }
         if (!fine.observability.free_motions.empty()) restoreFreeMotions(fine, points, search, traces, progress);
@@ -203,9 +203,9 @@ private:
             const double used = fine.used_share * static_cast<double>(std::min(points, copy_.points_mm.size()));
             share += used / static_cast<double>(surface_.pointCount());
         }
-        const std::size_t all = copy_order_.size();
+        const std::size_t all = copyOrder_.size();
         for (MotionResidual& r : fine.residuals)  // from its place in the sample to that in the file
-            r.copy_input = copy_order_[all <= points ? r.copy_input : r.copy_input * all / points];
+            r.copy_input = copyOrder_[all <= points ? r.copy_input : r.copy_input * all / points];
         alignment.uncertainty =
             clusteredUncertainty(fine.system, fine.observability, fine.sigma_mm * std::sqrt(share), fine.residuals);
         const auto kindText = [](const FreeMotion& m) {
@@ -219,22 +219,22 @@ private:
         }
         for (const FreeMotion& m : fine.observability.weak_motions)
             alignment.notes.push_back({notes::motionWeak, {{"kind", kindText(m)}}});
-        if (equal_poses_ > 1 && alignment.free_motions.empty())
-            alignment.notes.push_back({notes::severalPosesFit, {{"count", std::int64_t{equal_poses_}}}});
+        if (equalPoses_ > 1 && alignment.free_motions.empty())
+            alignment.notes.push_back({notes::severalPosesFit, {{"count", std::int64_t{equalPoses_}}}});
         alignment.reference_T_copy =
             Eigen::Translation3d(reference_.middle_mm) * fine.reference_T_copy * Eigen::Translation3d(-copy_.middle_mm);
     }
 
     const CentredPoints& reference_;
     CentredPoints copy_;
-    std::vector<std::uint32_t> copy_order_;  ///< place in the file of each point of copy_
+    std::vector<std::uint32_t> copyOrder_;  ///< place in the file of each point of copy_
     const Surface& surface_;
     Eigen::Isometry3d initial_;  ///< the poses as they are, between the centred clouds
     double size_mm_;
-    bool point_to_point_;
+    bool pointToPoint_;
     const Neighbours* points_ = nullptr;  ///< of the reference; for a mesh nullptr unless point-to-point
     std::unique_ptr<Neighbours> samples_;
-    int equal_poses_ = 0;
+    int equalPoses_ = 0;
 };
 
 }  // namespace

@@ -101,12 +101,12 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     faces_ = measureFaces(points, part.fit.axis_T_scan, profile_, sought, progress);
     if (const auto& face = first_face) {
         addFace(line, face->z, face->inner_radius, at(known.front(), face->z));
-        z_first_ = face->z;
+        zFirst_ = face->z;
     } else {
-        z_first_ = profile_.middle_mm(known.front()) - step / 2;
-        line.emplace_back(z_first_, at(known.front(), z_first_));
+        zFirst_ = profile_.middle_mm(known.front()) - step / 2;
+        line.emplace_back(zFirst_, at(known.front(), zFirst_));
     }
-    corners.push_back(z_first_);
+    corners.push_back(zFirst_);
     auto shoulder = part.shoulders.begin();
     for (std::size_t k = 0; k < known.size(); ++k) {
         line.push_back(vertex(known[k]));
@@ -130,12 +130,12 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
     }
     if (const auto& face = last_face) {
         addFace(line, face->z, at(known.back(), face->z), face->inner_radius);
-        z_last_ = face->z;
+        zLast_ = face->z;
     } else {
-        z_last_ = profile_.middle_mm(known.back()) + step / 2;
-        line.emplace_back(z_last_, at(known.back(), z_last_));
+        zLast_ = profile_.middle_mm(known.back()) + step / 2;
+        line.emplace_back(zLast_, at(known.back(), zLast_));
     }
-    corners.push_back(z_last_);
+    corners.push_back(zLast_);
     addPiece(line);
 
     std::sort(corners.begin(), corners.end());
@@ -150,8 +150,8 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         clearance_[i] = nearest - step;
     }
 
-    bin_start_ = z_first_ - step;
-    bin_step_ = step;
+    binStart_ = zFirst_ - step;
+    binStep_ = step;
     outside_ = indexOf(0, segments_.size());
     if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
 }
@@ -176,14 +176,13 @@ void MeridianLine::addFace(std::vector<Vector2d>& line, double z, double from_ra
 
 MeridianLine::Index MeridianLine::indexOf(std::size_t from, std::size_t to) const
 {
-    const auto bins = static_cast<std::size_t>((z_last_ - z_first_) / bin_step_) + 3;
+    const auto bins = static_cast<std::size_t>((zLast_ - zFirst_) / binStep_) + 3;
     Index index{std::vector<std::size_t>(bins, segments_.size()), std::vector<std::size_t>(bins, 0)};
     for (std::size_t s = from; s < to; ++s) {
         const double low = std::min(segments_[s].from.x(), segments_[s].to.x());
         const double high = std::max(segments_[s].from.x(), segments_[s].to.x());
         const auto clampBin = [&](double z) {
-            return static_cast<std::size_t>(
-                std::clamp((z - bin_start_) / bin_step_, 0.0, static_cast<double>(bins - 1)));
+            return static_cast<std::size_t>(std::clamp((z - binStart_) / binStep_, 0.0, static_cast<double>(bins - 1)));
         };
         for (std::size_t b = clampBin(low); b <= clampBin(high); ++b) {
             index.first[b] = std::min(index.first[b], s);
@@ -272,7 +271,7 @@ double MeridianLine::search(double z, double r, double reach) const
     const Vector2d point(z, r);
     const auto bins = static_cast<std::ptrdiff_t>(outside_.first.size());
     if (bins == 0) return notANumber;
-    const double place = std::floor((z - bin_start_) / bin_step_);
+    const double place = std::floor((z - binStart_) / binStep_);
     if (!(std::abs(place) < 1e9)) return notANumber;
     const auto centre = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place), 0, bins - 1);
     double nearest = reach * reach;
@@ -291,7 +290,7 @@ double MeridianLine::search(double z, double r, double reach) const
     };
     // Outward from the point's own bin, until the bins are further than the nearest segment found.
     for (std::ptrdiff_t ring = 0; ring < bins; ++ring) {
-        const double gap = (static_cast<double>(ring) - 1) * bin_step_;
+        const double gap = (static_cast<double>(ring) - 1) * binStep_;
         if (gap > 0 && gap * gap > nearest) break;
         for (const std::ptrdiff_t bin : {centre - ring, centre + ring}) {
             if (bin < 0 || bin >= bins || (ring == 0 && bin != centre)) continue;

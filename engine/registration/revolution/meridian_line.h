@@ -23,8 +23,8 @@ public:
     /// the scan shows no more than a step.
     const std::vector<MeasuredFace>& faces() const { return faces_; }
 
-    double zFirst_mm() const { return z_first_; }
-    double zLast_mm() const { return z_last_; }
+    double zFirst_mm() const { return zFirst_; }
+    double zLast_mm() const { return zLast_; }
 
 private:
     struct Segment {
@@ -48,8 +48,8 @@ private:
     std::vector<Segment> segments_;
     std::vector<MeasuredFace> faces_;
     Index outside_, bore_;
-    double bin_start_ = 0, bin_step_ = 1;
-    double z_first_ = 0, z_last_ = 0;
+    double binStart_ = 0, binStep_ = 1;
+    double zFirst_ = 0, zLast_ = 0;
 };
 
 }  // namespace lathelier::registration

@@ -17,10 +17,10 @@ class Smear {
 public:
     Smear(EdgeRays edge, double start) : edge_(std::move(edge)), start_(start)
     {
-        hits_before_.push_back(0);
+        hitsBefore_.push_back(0);
         double count = 0, sum = 0;
         for (const Ray& ray : edge_.rays) {
-            hits_before_.push_back(hits_before_.back() + (ray.hit ? 1 : 0));
+            hitsBefore_.push_back(hitsBefore_.back() + (ray.hit ? 1 : 0));
             if (ray.hit != (ray.height < start)) continue;
             count += 1;
             sum += std::abs(ray.height - start);
@@ -87,9 +87,8 @@ private:
         // Outside the ramp only counts matter.
         const auto first = static_cast<std::size_t>(from - rays.begin());
         const auto last = static_cast<std::size_t>(to - rays.begin());
-        const double hits_before = hits_before_[first];
-        const double misses_after =
-            static_cast<double>(rays.size() - last) - (hits_before_.back() - hits_before_[last]);
+        const double hits_before = hitsBefore_[first];
+        const double misses_after = static_cast<double>(rays.size() - last) - (hitsBefore_.back() - hitsBefore_[last]);
         double total = (hits_before + misses_after) * stray +
                        (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
         double product = 1;
@@ -106,7 +105,7 @@ private:
     }
 
     EdgeRays edge_;
-    std::vector<double> hits_before_;  ///< hits among the first k rays
+    std::vector<double> hitsBefore_;  ///< hits among the first k rays
     double start_;
     double guess_ = 0;
     double density_ = 0;

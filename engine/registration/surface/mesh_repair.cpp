@@ -128,13 +128,13 @@ private:
                                         0);  // of each piece: area of the turned facets minus that of the others
         std::vector<std::uint8_t> flips(result_.triangles.size());
         pieces_.resize(result_.triangles.size());
-        piece_area_.assign(result_.triangles.size(), 0);
+        pieceArea_.assign(result_.triangles.size(), 0);
         for (std::uint32_t t = 0; t < result_.triangles.size(); ++t) {
             bool flipped = false;
             pieces_[t] = senses.root(t, flipped);
             flips[t] = flipped;
             const double area = areaOf(result_.triangles[t]);
-            piece_area_[pieces_[t]] += area;
+            pieceArea_[pieces_[t]] += area;
             turned_area[pieces_[t]] += flipped ? area : -area;
         }
         if (all_agree) return;
@@ -185,7 +185,7 @@ private:
                 area += areaOf(result_.triangles.back());
             }
             // The boundary of a small open piece is no hole: its filling would be as large as the piece.
-            if (patch.empty() || area > largestFilledShare * piece_area_[pieces_[rim[first].triangle]]) {
+            if (patch.empty() || area > largestFilledShare * pieceArea_[pieces_[rim[first].triangle]]) {
                 result_.triangles.resize(before);
                 continue;
             }
@@ -199,7 +199,7 @@ private:
     RepairedMesh result_;
     std::vector<MeshEdge> edges_;
     std::vector<std::uint32_t> pieces_;  ///< of each triangle of the mesh: the connected piece it belongs to
-    std::vector<double> piece_area_;
+    std::vector<double> pieceArea_;
 };
 
 }  // namespace

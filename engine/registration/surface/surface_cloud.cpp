@@ -65,7 +65,7 @@ struct CloudSurface::Search {
 };
 
 CloudSurface::CloudSurface(const Scan& cloud, const Progress& progress)
-    : points_(cloud.points_mm, progress.part(0, 0.15)), given_normals_(cloud.normals)
+    : points_(cloud.points_mm, progress.part(0, 0.15)), givenNormals_(cloud.normals)
 {
     if (points_.size() < 4)
         throw Error(errors::tooFewPoints, {{"found", static_cast<std::int64_t>(points_.size())},
@@ -221,17 +221,17 @@ void CloudSurface::split(const Member& rough, const Neighbours& smooth_index, co
 
 void CloudSurface::store(const std::vector<Member>& members)
 {
-    first_spot_.assign(groupCount() + 1, 0);
+    firstSpot_.assign(groupCount() + 1, 0);
     for (std::size_t m = 0; m < members.size(); ++m) {
         if (m == 0 || members[m].centre != members[m - 1].centre) {
-            ++first_spot_[members[m].group + 1];
+            ++firstSpot_[members[m].group + 1];
             spots_.push_back({points_.point_mm(members[m].centre), static_cast<std::uint32_t>(m)});
         }
         patches_.push_back(members[m].patch);
         patches_.back().raise(scatter_mm_);
     }
     spots_.push_back({Eigen::Vector3d::Zero(), static_cast<std::uint32_t>(members.size())});
-    for (std::size_t g = 1; g < first_spot_.size(); ++g) first_spot_[g] += first_spot_[g - 1];
+    for (std::size_t g = 1; g < firstSpot_.size(); ++g) firstSpot_[g] += firstSpot_[g - 1];
 }
 
 SurfacePlace CloudSurface::placeOn(std::uint32_t spot, const Eigen::Vector3d& query_mm,
@@ -261,8 +261,8 @@ SurfacePlace CloudSurface::placeOn(std::uint32_t spot, const Eigen::Vector3d& qu
 SurfacePlace CloudSurface::placeOne(const Eigen::Vector3d& query_mm, const Neighbours::Found& nearest) const
 {
     const Eigen::Vector3d point = points_.point_mm(nearest.place);
-    const std::uint32_t first = first_spot_[nearest.place / groupSize];
-    const std::uint32_t end = first_spot_[nearest.place / groupSize + 1];
+    const std::uint32_t first = firstSpot_[nearest.place / groupSize];
+    const std::uint32_t end = firstSpot_[nearest.place / groupSize + 1];
     std::uint32_t nearest_spot = first;
     for (std::uint32_t s = first; s < end; ++s)
         if ((spots_[s].centre_mm - point).squaredNorm() < (spots_[nearest_spot].centre_mm - point).squaredNorm())
@@ -292,13 +292,12 @@ void CloudSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max
 
 bool CloudSurface::orient(const Progress& progress)
 {
-    if (!given_normals_.empty()) {
+    if (!givenNormals_.empty()) {
         for (std::uint32_t g = 0; g < groupCount(); ++g)
-            for (std::uint32_t p = spots_[first_spot_[g]].first_patch; p < spots_[first_spot_[g + 1]].first_patch;
-                 ++p) {
+            for (std::uint32_t p = spots_[firstSpot_[g]].first_patch; p < spots_[firstSpot_[g + 1]].first_patch; ++p) {
                 double agreement = 0;
                 for (std::uint32_t i = g * groupSize; i < groupEnd(g); ++i)
-                    agreement += given_normals_[points_.input(i)].cast<double>().dot(patches_[p].normal);
+                    agreement += givenNormals_[points_.input(i)].cast<double>().dot(patches_[p].normal);
                 if (agreement < 0) patches_[p].flip();
             }
         return true;

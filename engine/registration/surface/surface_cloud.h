@@ -60,10 +60,10 @@ private:
         std::uint32_t first_patch;  ///< its patches end where those of the next spot begin
     };
 
-    std::vector<std::uint32_t> first_spot_;  ///< spots of group g: first_spot_[g] … first_spot_[g+1]-1
-    std::vector<Spot> spots_;                ///< and one behind the last
+    std::vector<std::uint32_t> firstSpot_;  ///< spots of group g: firstSpot_[g] … firstSpot_[g+1]-1
+    std::vector<Spot> spots_;               ///< and one behind the last
     std::vector<SurfacePatch> patches_;
-    std::vector<Eigen::Vector3f> given_normals_;
+    std::vector<Eigen::Vector3f> givenNormals_;
     double scatter_mm_ = 0;
     double reach_mm_ = 0;  ///< usual radius of a patch
 };

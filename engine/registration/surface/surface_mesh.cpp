@@ -41,7 +41,7 @@ void MeshSurface::build(const Scan& mesh, std::span<const TriangleCorners> trian
                         const Progress& progress)
 {
     progress.report(0.2);
-    given_normals_ = 0;
+    givenNormals_ = 0;
     std::vector<Eigen::Vector3d> centres;
     centres.reserve(triangles.size());
     for (const auto& t : triangles)
@@ -58,14 +58,14 @@ void MeshSurface::build(const Scan& mesh, std::span<const TriangleCorners> trian
             triangle.corners_mm[k] = mesh.points_mm[t[k]];
             boxes[i / leafSize].add(triangle.corners_mm[k]);
             all.add(triangle.corners_mm[k]);
-            if (mesh.hasNormals()) given_normals_ += mesh.normals[t[k]].cast<double>().dot(triangle.normal());
+            if (mesh.hasNormals()) givenNormals_ += mesh.normals[t[k]].cast<double>().dot(triangle.normal());
         }
     }
-    rim_margin_mm_ = triangles_.empty() ? 0 : rimMarginShare * (all.high_mm - all.low_mm).norm();
+    rimMargin_mm_ = triangles_.empty() ? 0 : rimMarginShare * (all.high_mm - all.low_mm).norm();
     progress.report(0.6);
     boxes_ = BoxTree(boxes, progress);
-    corner_normals_.assign(numbers.count, Eigen::Vector3d::Zero());
-    corner_on_rim_.assign(numbers.count, false);
+    cornerNormals_.assign(numbers.count, Eigen::Vector3d::Zero());
+    cornerOnRim_.assign(numbers.count, false);
     connect(progress);
 }
 
@@ -83,7 +83,7 @@ void MeshSurface::connect(const Progress& progress)
         area_mm2_ += product.norm() / 2;
         for (std::size_t k = 0; k < 3; ++k) {
             const Eigen::Vector3d& p = triangle.corners_mm[k];
-            corner_normals_[triangle.corners[k]] +=
+            cornerNormals_[triangle.corners[k]] +=
                 angleBetween(triangle.corners_mm[(k + 1) % 3] - p, triangle.corners_mm[(k + 2) % 3] - p) * unit;
             triangle.edge_normals[k] = unit.cast<float>();
         }
@@ -112,8 +112,8 @@ void MeshSurface::connect(const Progress& progress)
             const std::size_t side = edges[first].side;
             triangle.rim |= static_cast<std::uint8_t>(1U << side);
             rim_mm_ += (triangle.corners_mm[(side + 1) % 3] - triangle.corners_mm[side]).norm();
-            corner_on_rim_[edges[first].low()] = true;
-            corner_on_rim_[edges[first].high()] = true;
+            cornerOnRim_[edges[first].low()] = true;
+            cornerOnRim_[edges[first].high()] = true;
         }
     });
 }
@@ -144,15 +144,15 @@ SurfacePlace MeshSurface::placeOne(const Eigen::Vector3d& query_mm, double max_d
     const auto part = static_cast<std::size_t>(best.part);
     Eigen::Vector3d normal = triangle.normal();
     if (part < 3)
-        normal = corner_normals_[triangle.corners[part]];
+        normal = cornerNormals_[triangle.corners[part]];
     else if (part < 6)
         normal = triangle.edge_normals[part - 3].cast<double>();
     const bool on_rim =
-        part < 3 ? corner_on_rim_[triangle.corners[part]] : part < 6 && (triangle.rim >> (part - 3) & 1) != 0;
+        part < 3 ? cornerOnRim_[triangle.corners[part]] : part < 6 && (triangle.rim >> (part - 3) & 1) != 0;
     const Eigen::Vector3d offset = query_mm - best.point_mm;
     // Beside an opening the distance to its rim is no deviation of the surface.
     const Eigen::Vector3d out = normal.stableNormalized();
-    place.border = on_rim && (offset - out.dot(offset) * out).norm() > rim_margin_mm_;
+    place.border = on_rim && (offset - out.dot(offset) * out).norm() > rimMargin_mm_;
     const double side = sense_ * offset.dot(normal) < 0 ? -1 : 1;
     const double distance = std::sqrt(bound);
     place.distance_mm = side * distance;
@@ -177,8 +177,8 @@ void MeshSurface::place(std::span<const Eigen::Vector3d> queries_mm, double max_
 bool MeshSurface::orient(const Progress&)
 {
     if (conflicts_ > edges_ / 1000) return false;
-    if (given_normals_ != 0)
-        sense_ = given_normals_ < 0 ? -1 : 1;
+    if (givenNormals_ != 0)
+        sense_ = givenNormals_ < 0 ? -1 : 1;
     else
         sense_ = (closed_ || isNearlyClosed()) && volume_mm3_ < 0 ? -1 : 1;
     return area_mm2_ > 0;

@@ -35,7 +35,7 @@ private:
 
     struct Triangle {
         std::array<Eigen::Vector3d, 3> corners_mm;    ///< in the sense in which the facet runs round
-        std::array<std::uint32_t, 3> corners;         ///< numbers in corner_normals_
+        std::array<std::uint32_t, 3> corners;         ///< numbers in cornerNormals_
         std::array<Eigen::Vector3f, 3> edge_normals;  ///< of edge k: sum of the unit normals beside it
         std::uint8_t rim = 0;                         ///< bit k: edge k belongs to this triangle alone
 
@@ -49,18 +49,18 @@ private:
     SurfacePlace placeOne(const Eigen::Vector3d& query_mm, double max_distance_mm, std::uint32_t& hint) const;
 
     std::vector<Triangle> triangles_;  ///< in the order of the tree's leaves
-    std::vector<Eigen::Vector3d> corner_normals_;
-    std::vector<bool> corner_on_rim_;
+    std::vector<Eigen::Vector3d> cornerNormals_;
+    std::vector<bool> cornerOnRim_;
     BoxTree boxes_;
     bool closed_ = false;        ///< every edge is passed as often in one sense as in the other
     std::size_t edges_ = 0;      ///< shared by two triangles
     std::size_t conflicts_ = 0;  ///< of them, where the two triangles run round in different senses
     double rim_mm_ = 0;          ///< length of the edges that belong to one triangle alone
-    double rim_margin_mm_ = 0;   ///< a point further than this beyond a rim lies beside the surface
+    double rimMargin_mm_ = 0;    ///< a point further than this beyond a rim lies beside the surface
     double area_mm2_ = 0;
     double volume_mm3_ = 0;
     Notes notes_;
-    double given_normals_ = 0;  ///< agreement of the file's normals with the triangles; 0 without any
+    double givenNormals_ = 0;  ///< agreement of the file's normals with the triangles; 0 without any
     double sense_ = 1;
 };
 

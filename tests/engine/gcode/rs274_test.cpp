@@ -42,15 +42,15 @@ private:
     double rounded(double mm) const { return std::round(mm / unit_mm_ * 1e5) / 1e5 * unit_mm_; }
     double wordOfX(double x_mm) const
     {
-        return ((is_incremental_ ? x_mm - x_mm_ : x_mm) * (is_diameter_ ? 2 : 1)) / unit_mm_;
+        return ((isIncremental_ ? x_mm - x_mm_ : x_mm) * (isDiameter_ ? 2 : 1)) / unit_mm_;
     }
-    double wordOfZ(double z_mm) const { return (is_incremental_ ? z_mm - z_mm_ : z_mm) / unit_mm_; }
+    double wordOfZ(double z_mm) const { return (isIncremental_ ? z_mm - z_mm_ : z_mm) / unit_mm_; }
     static std::string number(double value) { return fmt::format("{:.7f}", value); }
 
     void block()
     {
-        if (chance(0.15)) text_ += (is_diameter_ = !is_diameter_) ? "G7\n" : "G8\n";
-        if (chance(0.15)) text_ += (is_incremental_ = !is_incremental_) ? "G91\n" : "G90\n";
+        if (chance(0.15)) text_ += (isDiameter_ = !isDiameter_) ? "G7\n" : "G8\n";
+        if (chance(0.15)) text_ += (isIncremental_ = !isIncremental_) ? "G91\n" : "G90\n";
         const double x_mm = rounded(between(5, 60)), z_mm = rounded(between(-100, 5));
         const double choice = between(0, 1);
         if (choice < 0.2)
@@ -93,7 +93,7 @@ private:
         const double step_mm = rounded(0.5);
         const int number_of = ++loops_;
         text_ += fmt::format("G91\no{0} repeat [{1}]\nG1 X{2}\no{0} endrepeat\n{3}\n", number_of, times,
-                             number(step_mm / unit_mm_ * (is_diameter_ ? 2 : 1)), is_incremental_ ? "G91" : "G90");
+                             number(step_mm / unit_mm_ * (isDiameter_ ? 2 : 1)), isIncremental_ ? "G91" : "G90");
         x_mm_ += times * step_mm;
     }
 
@@ -126,7 +126,7 @@ private:
     std::mt19937 random_;
     std::string text_;
     double unit_mm_ = 1, x_mm_ = 0, z_mm_ = 0;
-    bool is_diameter_ = true, is_incremental_ = false;
+    bool isDiameter_ = true, isIncremental_ = false;
     int loops_ = 100;
 };
 

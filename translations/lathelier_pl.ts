@@ -1748,8 +1748,8 @@
         <translation>{circle}: potwierdzono tylko z dokładnością {gap_um} µm.</translation>
     </message>
     <message>
-        <source>Too few points to tell their noise from the form; state the uncertainty of a point for an uncertainty of the result.</source>
-        <translation>Za mało punktów, by odróżnić ich szum od kształtu; podaj niepewność punktu, aby otrzymać niepewność wyniku.</translation>
+        <source>The noise of the points cannot be told from the form and counts as form; state the uncertainty of a point for an uncertainty of the result.</source>
+        <translation>Szumu punktów nie da się odróżnić od kształtu i liczy się on jako kształt; podaj niepewność punktu, aby otrzymać niepewność wyniku.</translation>
     </message>
     <message>
         <source>The profile holds deviations from a nominal radius: form is measured, size is not.</source>
@@ -3760,16 +3760,24 @@
         <translation>Własne granice wzdłuż osi, z pliku FILE.json.</translation>
     </message>
     <message>
-        <source>Simple compares the value alone; guarded passes or fails only what is sure.</source>
-        <translation>Prosta porównuje samą wartość; z zapasem dopuszcza lub odrzuca tylko to, co pewne.</translation>
+        <source>Guarded rejection: out only where surely out. Simple: the value alone. Guarded: only what is sure passes or fails.</source>
+        <translation>Odrzucanie z zapasem: poza tylko to, co na pewno poza. Prosta: sama wartość. Z zapasem: tylko to, co pewne, jest dopuszczane lub odrzucane.</translation>
     </message>
     <message>
-        <source>Simple: out only where a local mean surely exceeds the limit. Guarded: only what is sure passes or fails. Rule surface.</source>
-        <translation>Prosta: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę. Z zapasem: tylko to, co pewne, jest dopuszczane lub odrzucane. Reguła powierzchni.</translation>
+        <source>Guarded rejection: out only where a local mean surely exceeds the limit, within where none does. Simple: the mean alone. Guarded: only what is sure passes or fails. Rule surface.</source>
+        <translation>Odrzucanie z zapasem: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę, w tolerancji tam, gdzie żadna jej nie przekracza. Prosta: sama średnia. Z zapasem: tylko to, co pewne, jest dopuszczane lub odrzucane. Reguła powierzchni.</translation>
     </message>
     <message>
-        <source>simple: out only where a local mean surely exceeds the limit</source>
-        <translation>prosta: poza tylko tam, gdzie średnia lokalna na pewno przekracza granicę</translation>
+        <source>guarded rejection: out only where the value less its uncertainty is beyond the limit</source>
+        <translation>odrzucanie z zapasem: poza tylko tam, gdzie wartość zmniejszona o niepewność przekracza granicę</translation>
+    </message>
+    <message>
+        <source>Guarded rejection</source>
+        <translation>Odrzucanie z zapasem</translation>
+    </message>
+    <message>
+        <source>Noise and spacing of the points hide small defects: one of ±{limit_mm} mm or more that is less than {size_mm} mm across would not be seen everywhere.</source>
+        <translation>Szum i odstępy punktów ukrywają małe wady: wady o ±{limit_mm} mm lub więcej i o średnicy poniżej {size_mm} mm nie byłoby widać wszędzie.</translation>
     </message>
     <message>
         <source>Unrolled surface</source>
@@ -14658,6 +14666,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Theme</source>
         <translation>Motyw</translation>
+    </message>
+    <message>
+        <source>the one each panel begins with</source>
+        <translation>ta, od której zaczyna panel</translation>
     </message>
     <message>
         <source>What new evaluations begin with; each can be changed</source>

@@ -12,7 +12,7 @@ struct Settings {
     QString language;             ///< "en", "pl"; empty: the system's
     QString theme;                ///< "light", "dark"; empty: the system's
     int presenter_percent = 150;  ///< type size in presenter mode
-    QString decision = {};        ///< key of the decision rule that new evaluations begin with; empty: simple
+    QString decision = {};        ///< key of the decision rule that new evaluations begin with; empty: the panel's own
     ScreenUnits units = {};       ///< in which lengths are shown
 };
 

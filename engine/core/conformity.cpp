@@ -5,7 +5,8 @@ namespace lathelier {
 Verdict judge(double value, double expanded_uncertainty, double limit, DecisionRule rule)
 {
     if (rule == DecisionRule::Simple) return value <= limit ? Verdict::Pass : Verdict::Fail;
-    if (value + expanded_uncertainty <= limit) return Verdict::Pass;
+    const double guard = rule == DecisionRule::Guarded ? expanded_uncertainty : 0;
+    if (value + guard <= limit) return Verdict::Pass;
     return value - expanded_uncertainty > limit ? Verdict::Fail : Verdict::Undecided;
 }
 
@@ -33,7 +34,12 @@ std::string_view key(Verdict verdict)
 
 std::string_view key(DecisionRule rule)
 {
-    return rule == DecisionRule::Guarded ? "guarded" : "simple";
+    switch (rule) {
+        case DecisionRule::GuardedRejection: return "guarded_rejection";
+        case DecisionRule::Simple: return "simple";
+        case DecisionRule::Guarded: return "guarded";
+    }
+    return {};
 }
 
 Text name(Verdict verdict)
@@ -48,8 +54,14 @@ Text name(Verdict verdict)
 
 Text name(DecisionRule rule)
 {
-    return rule == DecisionRule::Guarded ? LT_TEXT("Engine", "ISO 14253-1: only what is sure passes or fails")
-                                         : LT_TEXT("Engine", "simple: the value alone is compared");
+    switch (rule) {
+        case DecisionRule::GuardedRejection:
+            return LT_TEXT("Engine",
+                           "guarded rejection: out only where the value less its uncertainty is beyond the limit");
+        case DecisionRule::Simple: return LT_TEXT("Engine", "simple: the value alone is compared");
+        case DecisionRule::Guarded: return LT_TEXT("Engine", "ISO 14253-1: only what is sure passes or fails");
+    }
+    return {};
 }
 
 Text shortName(Verdict verdict)

@@ -11,7 +11,9 @@ template <class P>
 Field<P> decisionField(DecisionRule P::*member, Text help, bool advanced)
 {
     return field("decision", member,
-                 {{"simple", LT_TEXT("Engine", "Simple")}, {"guarded", LT_TEXT("Engine", "Guarded (ISO 14253-1)")}},
+                 {{"guarded_rejection", LT_TEXT("Engine", "Guarded rejection")},
+                  {"simple", LT_TEXT("Engine", "Simple")},
+                  {"guarded", LT_TEXT("Engine", "Guarded (ISO 14253-1)")}},
                  Label{LT_TEXT("Engine", "Decision rule"), help, {}, advanced});
 }
 

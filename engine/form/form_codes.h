@@ -57,8 +57,9 @@ inline constexpr NoteCode certificateOpen{"certificate_open", Severity::Warning,
 
 inline constexpr NoteCode noiseNotKnown{"noise_not_known", Severity::Info,
                                         LT_TEXT("Engine",
-                                                "Too few points to tell their noise from the form; state the "
-                                                "uncertainty of a point for an uncertainty of the result.")};
+                                                "The noise of the points cannot be told from the form and counts as "
+                                                "form; state the uncertainty of a point for an uncertainty of the "
+                                                "result.")};
 
 inline constexpr NoteCode harmonicsLimited{
     "harmonics_limited", Severity::Info,

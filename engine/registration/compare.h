@@ -29,7 +29,7 @@ struct CompareParameters {
     InitialPose initial = InitialPose::Auto;          ///< Identity: the search stays near the poses as scanned
     std::optional<double> tolerance_mm;               ///< band ±T; without it and without zones there is no verdict
     VerdictRule verdict_rule = VerdictRule::Surface;  ///< compare local means or single points with the limits
-    DecisionRule decision = DecisionRule::Simple;     ///< decision rule of ISO 14253-1; rule surface only
+    DecisionRule decision = DecisionRule::GuardedRejection;  ///< core/conformity.h; rule surface only
     double pass_percent = 95;                   ///< rule points: pass when at least this share is within the limits
     std::vector<ZoneLimits> zones;              ///< limits of their own along the axis
     std::optional<double> scanner_accuracy_mm;  ///< one standard deviation of the scanner

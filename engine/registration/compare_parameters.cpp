@@ -69,8 +69,8 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
         decisionField(
             &P::decision,
             LT_TEXT("Engine",
-                    "Simple: out only where a local mean surely exceeds the limit. Guarded: only what is sure "
-                    "passes or fails. Rule surface."),
+                    "Guarded rejection: out only where a local mean surely exceeds the limit, within where none does. "
+                    "Simple: the mean alone. Guarded: only what is sure passes or fails. Rule surface."),
             false),
         field("pass_percent", &P::pass_percent, Range{0, 100},
               Label{LT_TEXT("Engine", "Pass from"),

@@ -35,14 +35,6 @@ report::QuantityTable statisticsTable(const CompareResult& result)
                                   "p2_5_mm", "p97_5_mm", "p95_abs_mm"});
 }
 
-/// Local means are compared with the limit and their allowance, by either rule.
-Text decisionText(DecisionRule rule)
-{
-    return rule == DecisionRule::Simple
-               ? LT_TEXT("Engine", "simple: out only where a local mean surely exceeds the limit")
-               : name(rule);
-}
-
 report::QuantityTable verdictTable(const CompareResult& result)
 {
     const CompareParameters& asked = result.parameters;
@@ -55,7 +47,7 @@ report::QuantityTable verdictTable(const CompareResult& result)
         if (asked.tolerance_mm) add(result, {"tolerance_mm"});
         table.rows.push_back({LT_TEXT("Engine", "Verdict by"), name(asked.verdict_rule), {}});
         if (asked.verdict_rule == VerdictRule::Surface)
-            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), decisionText(asked.decision), {}});
+            table.rows.push_back({LT_TEXT("Engine", "Decision rule"), name(asked.decision), {}});
     } else {
         table.rows.push_back({LT_TEXT("Engine", "Verdict"), LT_TEXT("Engine", "none: no tolerance was given"), {}});
     }

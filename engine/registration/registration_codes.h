@@ -86,6 +86,12 @@ inline constexpr NoteCode scanTooPoor{
             "The scan does not decide on ±{limit_mm} mm everywhere: means over {cell_mm} mm are uncertain by "
             "{uncertainty_mm} mm. {times} times as many points would, or limits of ±{uncertainty_mm} mm.")};
 
+inline constexpr NoteCode smallDefectsHidden{
+    "small_defects_hidden", Severity::Warning,
+    LT_TEXT("Engine",
+            "Noise and spacing of the points hide small defects: one of ±{limit_mm} mm or more that is less than "
+            "{size_mm} mm across would not be seen everywhere.")};
+
 inline constexpr NoteCode nothingToJudge{
     "nothing_to_judge", Severity::Warning,
     LT_TEXT("Engine", "No part of the surface is smooth and dense enough for local means: the verdict is open.")};

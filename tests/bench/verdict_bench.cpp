@@ -13,6 +13,7 @@
 #include "engine/registration/surface/surface_samples.h"
 #include "engine/registration/verdict/verdict.h"
 #include "tests/engine/registration/bumped_scan.h"
+#include "tests/engine/registration/stepped_scan.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
 namespace lathelier {
@@ -47,6 +48,11 @@ struct Tally {
     }
 };
 
+/// By decision rule.
+struct Tallies {
+    Tally rejection, simple, guarded;
+};
+
 void print(const std::string& name, const Tally& t)
 {
     std::printf("%-64s %4d  pass %4d  undecided %4d  fail %4d  wrong %3d", name.c_str(), t.runs, t.pass, t.undecided,
@@ -58,7 +64,7 @@ void print(const std::string& name, const Tally& t)
     std::fflush(stdout);
 }
 
-CompareParameters within(double tolerance_mm, DecisionRule decision = DecisionRule::Simple)
+CompareParameters within(double tolerance_mm, DecisionRule decision = DecisionRule::GuardedRejection)
 {
     CompareParameters parameters;
     parameters.tolerance_mm = tolerance_mm;
@@ -76,15 +82,18 @@ CompareResult compareBoxes(const testing_bump::BoxScans& scans)
 
 struct Case {
     std::string name;
-    std::function<void(std::uint64_t seed, Tally& simple, Tally& guarded)> run;
+    std::function<void(std::uint64_t seed, Tallies& rules)> run;
 };
 
-void judgeBoth(CompareResult& result, double tolerance_mm, Tally& simple, Tally& guarded)
+/// Leaves the result of guarded rejection.
+void judgeByAll(CompareResult& result, double tolerance_mm, Tallies& rules)
 {
-    judge(result, within(tolerance_mm));
-    simple.add(result);
+    judge(result, within(tolerance_mm, DecisionRule::Simple));
+    rules.simple.add(result);
     judge(result, within(tolerance_mm, DecisionRule::Guarded));
-    guarded.add(result);
+    rules.guarded.add(result);
+    judge(result, within(tolerance_mm));
+    rules.rejection.add(result);
 }
 
 std::vector<Case> cases()
@@ -112,7 +121,7 @@ std::vector<Case> cases()
             for (const Kind& kind : kinds) {
                 std::snprintf(name, sizeof name, "same shaft, sigma %.2f, %dk points%s, +-0.03", sigma,
                               static_cast<int>(658.8 / step_deg), kind.name);
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    const ShaftScans scans = shaftTwice(seed, {.sigma_mm = sigma,
                                                                               .step_deg = step_deg,
                                                                               .dropout = kind.dropout,
@@ -122,11 +131,11 @@ std::vector<Case> cases()
                                    CompareParameters asked;
                                    if (kind.clamped) asked.exclude_z_mm = {{0, 30}};
                                    CompareResult result = compare(scans.reference, scans.copy, asked);
-                                   judgeBoth(result, 0.03, simple, guarded);
+                                   judgeByAll(result, 0.03, rules);
                                    for (const auto& zone : result.zones)
-                                       simple.state(zone.mean_mm, zone.uncertainty_mm, 0);
+                                       rules.rejection.state(zone.mean_mm, zone.uncertainty_mm, 0);
                                    if (result.worst)
-                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
     // The sample copy: passes ±0.08, fails ±0.04 by its collar.
@@ -137,27 +146,27 @@ std::vector<Case> cases()
             const auto scan = [=](std::uint64_t seed) {
                 return shaftTwice(seed, {.sigma_mm = sigma, .step_deg = step_deg, .copy = sample::copiedShaft()});
             };
-            all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+            all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                const ShaftScans scans = scan(seed);
                                CompareResult result = compare(scans.reference, scans.copy);
-                               judgeBoth(result, 0.08, simple, guarded);
+                               judgeByAll(result, 0.08, rules);
                            }});
             std::snprintf(name, sizeof name, "sample copy, sigma %.2f, %dk points, +-0.04, collar +0.050", sigma,
                           static_cast<int>(658.8 / step_deg));
-            all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+            all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                const ShaftScans scans = scan(seed);
                                CompareResult result = compare(scans.reference, scans.copy);
-                               judgeBoth(result, 0.04, simple, guarded);
+                               judgeByAll(result, 0.04, rules);
                                bool named = false;
                                for (const Finding& f : result.findings)
                                    if (f.kind == Finding::Kind::Step && std::abs(*f.z_start_mm - 98) < 2) {
                                        named = f.verdict == Verdict::Fail;
-                                       simple.state(f.value_mm, f.uncertainty_mm, 0.05);
+                                       rules.rejection.state(f.value_mm, f.uncertainty_mm, 0.05);
                                    } else if (f.kind == Finding::Kind::Taper) {
-                                       guarded.state(f.value_mm * 98 / (*f.z_end_mm - *f.z_start_mm), f.uncertainty_mm,
-                                                     -0.06);
+                                       rules.guarded.state(f.value_mm * 98 / (*f.z_end_mm - *f.z_start_mm),
+                                                           f.uncertainty_mm, -0.06);
                                    }
-                               simple.wrong += !named;
+                               rules.rejection.wrong += !named;
                            }});
         }
     // A bump of +0.12 mm, 4 mm across.
@@ -166,34 +175,34 @@ std::vector<Case> cases()
             for (const bool bump : {true, false}) {
                 const char* what = bump ? "with bump" : "without bump";
                 std::snprintf(name, sizeof name, "shaft %s, sigma %.2f, %.0f/mm2, +-0.08", what, sigma, density);
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    const double step = 0.9 * 40 / density;
                                    ShaftScans scans = shaftTwice(seed, {.sigma_mm = sigma, .step_deg = step});
                                    if (bump) addBump(scans, seed, 0.12, 4);
                                    CompareResult result = compare(scans.reference, scans.copy);
-                                   judgeBoth(result, 0.08, simple, guarded);
+                                   judgeByAll(result, 0.08, rules);
                                    for (const Finding& f : result.findings)
                                        if (f.kind == Finding::Kind::Bump) {
                                            if (bump &&
                                                std::abs((*f.z_start_mm + *f.z_end_mm) / 2 - scans.bump_z_mm) < 3)
-                                               simple.state(f.value_mm, f.uncertainty_mm, 0.12);
+                                               rules.rejection.state(f.value_mm, f.uncertainty_mm, 0.12);
                                            else
-                                               ++simple.wrong;
+                                               ++rules.rejection.wrong;
                                        }
                                }});
                 for (const bool mesh : {false, true}) {
                     std::snprintf(name, sizeof name, "box %s, %s, sigma %.2f, %.0f/mm2, +-0.08", what,
                                   mesh ? "to mesh" : "to cloud", sigma, density);
-                    all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                    all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                        const BoxScans scans = boxTwice(seed, sigma, density, bump ? 0.12 : 0, 4, mesh);
                                        CompareResult result = compareBoxes(scans);
-                                       judgeBoth(result, 0.08, simple, guarded);
+                                       judgeByAll(result, 0.08, rules);
                                        for (const Finding& f : result.findings)
                                            if (f.kind == Finding::Kind::Bump) {
                                                if (bump && (f.point_mm - scans.bump_mm).norm() < 3)
-                                                   simple.state(std::abs(f.value_mm), f.uncertainty_mm, 0.12);
+                                                   rules.rejection.state(std::abs(f.value_mm), f.uncertainty_mm, 0.12);
                                                else
-                                                   ++simple.wrong;
+                                                   ++rules.rejection.wrong;
                                            }
                                    }});
                 }
@@ -203,12 +212,12 @@ std::vector<Case> cases()
             for (const bool mesh : {false, true}) {
                 std::snprintf(name, sizeof name, "same box, %s, sigma %.2f, %.0f/mm2, +-0.03",
                               mesh ? "to mesh" : "to cloud", sigma, density);
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    const BoxScans scans = boxTwice(seed, sigma, density, 0, 4, mesh);
                                    CompareResult result = compareBoxes(scans);
-                                   judgeBoth(result, 0.03, simple, guarded);
+                                   judgeByAll(result, 0.03, rules);
                                    if (result.worst)
-                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
     for (const double sigma : {0.02, 0.05, 0.1})
@@ -217,12 +226,12 @@ std::vector<Case> cases()
                 std::snprintf(name, sizeof name,
                               "same box in lines, %s, sigma %.2f, alike over %.1f mm, 20/mm2, +-0.03",
                               mesh ? "to mesh" : "to cloud", sigma, alike_mm);
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    const BoxScans scans = boxTwice(seed, sigma, 20, 0, 4, mesh, alike_mm);
                                    CompareResult result = compareBoxes(scans);
-                                   judgeBoth(result, 0.03, simple, guarded);
+                                   judgeByAll(result, 0.03, rules);
                                    if (result.worst)
-                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
     for (const double sigma : {0.02, 0.05, 0.1})
@@ -230,7 +239,7 @@ std::vector<Case> cases()
             for (const bool mesh : {false, true}) {
                 std::snprintf(name, sizeof name, "same bracket, %s, sigma %.2f, %zuk points, +-0.03",
                               mesh ? "to mesh" : "to cloud", sigma, count / 1000);
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    const Eigen::Isometry3d pose(
                                        Eigen::Translation3d(4, 5, -6) *
                                        Eigen::AngleAxisd(
@@ -241,9 +250,9 @@ std::vector<Case> cases()
                                            : sample::scanBracket(count, sigma, Eigen::Isometry3d::Identity(), 2 * seed);
                                    CompareResult result =
                                        compare(reference, sample::scanBracket(count, sigma, pose, 2 * seed + 1));
-                                   judgeBoth(result, 0.03, simple, guarded);
+                                   judgeByAll(result, 0.03, rules);
                                    if (result.worst)
-                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
     // Faces across the axis: the same shaft, one that is 0.12 mm longer, and one whose shoulder is 0.12 mm further.
@@ -253,28 +262,50 @@ std::vector<Case> cases()
                 const char* what = kind == 0 ? "same" : kind == 1 ? "longer" : "shoulder moved";
                 std::snprintf(name, sizeof name, "faces, %s, sigma %.2f, %.0f/mm2, +-%s", what, sigma, density,
                               kind == 0 ? "0.03" : "0.08");
-                all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                                    FacedShaft copy;
                                    if (kind == 1) copy.length_mm += 0.12;
                                    if (kind == 2) copy.shoulder_mm += 0.12;
                                    const ShaftScans scans = facedShafts(seed, sigma, density, copy);
                                    CompareResult result = compare(scans.reference, scans.copy);
-                                   judgeBoth(result, kind == 0 ? 0.03 : 0.08, simple, guarded);
+                                   judgeByAll(result, kind == 0 ? 0.03 : 0.08, rules);
                                    for (const Finding& f : result.findings)
                                        if (f.kind == Finding::Kind::Step && kind > 0)
-                                           simple.state(std::abs(f.value_mm), f.uncertainty_mm, 0.12);
-                                   simple.wrong += kind == 0 && !result.findings.empty();
+                                           rules.rejection.state(std::abs(f.value_mm), f.uncertainty_mm, 0.12);
+                                   rules.rejection.wrong += kind == 0 && !result.findings.empty();
                                    if (result.worst && kind == 0)
-                                       guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
+                               }});
+            }
+    // Points spread by area, thin to dense, quiet to noisy: a plateau of +0.12 mm, 4 mm across, and none.
+    for (const double sigma : {0.03, 0.05, 0.08, 0.1})
+        for (const std::size_t count : {20000U, 60000U, 66000U, 200000U})
+            for (const double plateau : {0.12, 0.08, 0.0}) {
+                std::snprintf(name, sizeof name, "steps, plateau +%.2f, sigma %.2f, %zuk, +-0.08", plateau, sigma,
+                              count / 1000);
+                all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
+                                   using namespace testing_steps;
+                                   SteppedShaft copy;
+                                   if (plateau > 0) copy.plateau = plateauOf(copy, seed, plateau);
+                                   CompareResult result = compare(scanByArea({}, sigma, count, 9000 + 2 * seed).scan,
+                                                                  scanByArea(copy, sigma, count, 9001 + 2 * seed).scan,
+                                                                  {}, {}, registration::CompareDetail::Summary);
+                                   judgeByAll(result, 0.08, rules);
+                                   for (const Finding& f : result.findings)
+                                       if (f.kind == Finding::Kind::Bump && plateau > 0)
+                                           rules.rejection.state(f.value_mm, f.uncertainty_mm, plateau);
+                                   rules.rejection.wrong += plateau == 0 && !result.findings.empty();
+                                   if (result.worst && plateau == 0)
+                                       rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
     for (const int sides : {24, 36, 72, 400}) {
         std::snprintf(name, sizeof name, "shaft to mesh of %d sides, sigma 0.05, 100k points, +-0.03", sides);
-        all.push_back({name, [=](std::uint64_t seed, Tally& simple, Tally& guarded) {
+        all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
                            const ShaftScans scans = shaftTwice(seed, {.sigma_mm = 0.05, .step_deg = 6.6});
                            CompareResult result = compare(sample::shaftMesh(sample::nominalShaft(), sides), scans.copy);
-                           judgeBoth(result, 0.03, simple, guarded);
-                           simple.wrong += !result.findings.empty();
+                           judgeByAll(result, 0.03, rules);
+                           rules.rejection.wrong += !result.findings.empty();
                        }});
     }
     return all;
@@ -293,16 +324,16 @@ int main(int argc, char** argv)
     }
     for (const lathelier::Case& one : lathelier::cases()) {
         if (one.name.find(only) == std::string::npos) continue;
-        lathelier::Tally simple;
-        lathelier::Tally guarded;
+        lathelier::Tallies rules;
         for (int run = 0; run < runs; ++run) {
             try {
-                one.run(static_cast<std::uint64_t>(run) + 1, simple, guarded);
+                one.run(static_cast<std::uint64_t>(run) + 1, rules);
             } catch (const std::exception& failure) {
                 std::printf("%s: %s\n", one.name.c_str(), failure.what());
             }
         }
-        print(one.name + ", simple", simple);
-        print(one.name + ", guarded", guarded);
+        print(one.name + ", guarded rejection", rules.rejection);
+        print(one.name + ", simple", rules.simple);
+        print(one.name + ", guarded", rules.guarded);
     }
 }

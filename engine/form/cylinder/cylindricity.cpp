@@ -79,6 +79,8 @@ void judge(CylindricityResult& result, const CylindricityParameters& parameters)
                          ? std::optional(lathelier::judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um,
                                                           *parameters.tolerance_um, parameters.decision))
                          : std::nullopt;
+    std::erase_if(result.notes, [](const Note& note) { return note.code == notes::noiseNotKnown; });
+    if (result.verdict && !parameters.probe_uncertainty_um) result.notes.push_back({notes::noiseNotKnown, {}});
 }
 
 CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const CylindricityParameters& parameters,

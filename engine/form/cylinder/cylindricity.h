@@ -46,7 +46,7 @@ struct CylindricityResult {
     double length_mm = 0;      ///< of the points along the axis
     double CYLt_expanded_uncertainty_um = std::numeric_limits<double>::quiet_NaN();  ///< 95 %, of MZCY: Monte Carlo
     std::optional<Verdict> verdict;                                                  ///< of MZCY; with a tolerance
-    Notes notes;  ///< axisStraightnessUnknown, with fewer than 3 sections
+    Notes notes;  ///< axisStraightnessUnknown, with fewer than 3 sections; noiseNotKnown, with a verdict without U
 };
 
 /// Whether `a` and `b` differ at most in the parameters of judge(): tolerance and decision rule.

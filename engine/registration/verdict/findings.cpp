@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "engine/core/statistics.h"
+#include "engine/registration/verdict/surface_cells.h"
 
 namespace lathelier::registration {
 namespace {
@@ -21,7 +22,7 @@ constexpr double smallestFinding_mm = 0.002;   // upper bound of the systematic 
 constexpr double leastShareOfTolerance = 0.1;  // of the half-width of the limits: smaller differences are not reported
 constexpr double longestBumpShare = 0.3;       // largest length of a bump as a share of its stretch
 constexpr double bumpHeightCoverage =
-    2.5;  // coverage factor of the height of a bump, which is selected among a few windows
+    2.5;  // coverage factor of the height of a bump without limits, selected among a few windows
 constexpr double shortestMissing_mm = 1;    // least length of rings without points
 constexpr double missingPointShare = 0.02;  // of the median number of points of a ring: fewer count as none
 
@@ -143,23 +144,18 @@ double withoutFacets(const SurfaceWindows& all, std::size_t stretch, double valu
     return judgedMean_mm(all, window);
 }
 
-void judgeFinding(const SurfaceWindows& all, Finding& finding, double allowance_mm, const DeviationLimits& limits,
-                  DecisionRule rule)
+void judgeFinding(const SurfaceWindows& all, Finding& finding, const DeviationLimits& limits, DecisionRule rule)
 {
     const bool is_form = finding.kind == Finding::Kind::Taper || finding.kind == Finding::Kind::Barrel;
     const double width = limits.upper_mm - limits.lower_mm;
     const DeviationLimits by = is_form ? DeviationLimits{-width, width} : limits;
     finding.limit_mm = finding.value_mm < 0 ? -by.lower_mm : by.upper_mm;
-    if (excess_mm(all, finding.value_mm, allowance_mm, by) > 0)
-        finding.verdict = Verdict::Fail;
-    else if (rule == DecisionRule::Guarded && excess_mm(all, finding.value_mm, -finding.uncertainty_mm, by) > 0)
-        finding.verdict = Verdict::Undecided;
-    else
-        finding.verdict = finding.uncertainty_mm <= by.half_mm() ? Verdict::Pass : Verdict::Undecided;
+    finding.verdict = judgeMean(all, finding.value_mm, finding.uncertainty_mm, by, rule);
 }
 
+/// `factor`: coverage factor of the uncertainties.
 void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong& limits, DecisionRule rule,
-                  std::vector<Finding>& findings)
+                  double factor, std::vector<Finding>& findings)
 {
     const auto here = limits.between(form.start_mm, form.end_mm);
     const auto add = [&](Finding::Kind kind, double value, double sigma) {
@@ -169,8 +165,8 @@ void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong
         finding.z_start_mm = form.start_mm;
         finding.z_end_mm = form.end_mm;
         finding.value_mm = value;
-        finding.uncertainty_mm = 2 * sigma;
-        if (here) judgeFinding(all, finding, significanceSigmas * sigma, *here, rule);
+        finding.uncertainty_mm = factor * sigma;
+        if (here) judgeFinding(all, finding, *here, rule);
         findings.push_back(finding);
     };
     add(Finding::Kind::Step, withoutFacets(all, form.stretch, form.value[0]), form.sigma[0]);
@@ -184,6 +180,7 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
 {
     if (!all.has_sign && all.axis_T_reference) return;
     const double allowance = all.factor + 0.5;  // stricter than the verdict: a false bump is worse than a missed one
+    const double coverage = limits.any() ? factor : bumpHeightCoverage;
     struct Bump {
         double excess = 0;
         double beyond = 0;
@@ -216,8 +213,8 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         // The most significant window may extend beyond the bump: its height is that of a window no larger that
         // contains its middle.
         Bump top = best;
-        const auto heightOf = [](const Bump& b) {
-            return b.beyond - bumpHeightCoverage * static_cast<double>(b.window->sigma_mm);
+        const auto heightOf = [coverage](const Bump& b) {
+            return b.beyond - coverage * static_cast<double>(b.window->sigma_mm);
         };
         for (const Bump& b : bumps)
             if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
@@ -240,12 +237,9 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
             finding.z_end_mm = static_cast<double>(w.z_end_mm);
         }
         finding.value_mm = judgedMean_mm(all, w);
-        finding.uncertainty_mm = bumpHeightCoverage * static_cast<double>(w.sigma_mm);
-        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm))) {
-            // `factor` holds for the windows that may be out; noisier ones were selected among all windows.
-            const auto sigma = static_cast<double>(w.sigma_mm);
-            judgeFinding(all, finding, (2 * sigma <= here->half_mm() ? factor : all.factor) * sigma, *here, rule);
-        }
+        finding.uncertainty_mm = coverage * static_cast<double>(w.sigma_mm);
+        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
+            judgeFinding(all, finding, *here, rule);
         findings.push_back(finding);
     }
 }
@@ -349,7 +343,9 @@ std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlon
     std::vector<Finding> findings;
     if (all.has_sign) {
         const std::vector<Form> forms = formsOf(all, limits);
-        for (const Form& form : forms) describeForm(all, form, limits, rule, findings);
+        // Each form is three values, and all are looked at.
+        const double form_factor = coverageFactorOfWorst(3 * std::max<std::size_t>(forms.size(), 1), 1, 2);
+        for (const Form& form : forms) describeForm(all, form, limits, rule, form_factor, findings);
         findBumps(all, forms, limits, rule, factor, findings);
     } else {
         findBumps(all, {}, limits, rule, factor, findings);

@@ -1,14 +1,17 @@
 #include "engine/registration/verdict/revolution_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "engine/core/parallel.h"
 #include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
+#include "engine/registration/scanner_spot.h"
 #include "engine/registration/verdict/revolution_grids.h"
 #include "engine/registration/verdict/surface_cells.h"
 
@@ -80,21 +83,22 @@ private:
 
     void join(CellLevel& level) const
     {
-        level.window_mm = {0, 0};
+        level.window_mm.assign(windowCells.size(), 0);
         level.first.push_back(0);
-        level.neighbours.reserve(level.cells.size() * 21);
-        std::vector<std::uint32_t> far;
+        level.neighbours.reserve(level.cells.size() * windowCells.back());
+        std::array<std::vector<std::uint32_t>, windowCells.size()> rings;
         forEach([&](std::size_t g, std::size_t row, std::size_t column, std::uint32_t cell) {
             const Grid& grid = grids_[g];
             const std::size_t begin = level.neighbours.size();
-            far.clear();
-            forWindow(grid, row, column, [&](std::size_t place, bool is_near) {
+            for (std::vector<std::uint32_t>& ring : rings) ring.clear();
+            forWindow(grid, row, column, [&](std::size_t place, std::size_t ring) {
                 const std::uint32_t found = number_[place];
-                if (found != outsideCell) (is_near ? level.neighbours : far).push_back(found);
+                if (found != outsideCell) rings[ring].push_back(found);
             });
-            level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
-            level.neighbours.insert(level.neighbours.end(), far.begin(), far.end());
-            level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
+            for (const std::vector<std::uint32_t>& ring : rings) {
+                level.neighbours.insert(level.neighbours.end(), ring.begin(), ring.end());
+                level.counts.push_back(static_cast<std::uint32_t>(level.neighbours.size() - begin));
+            }
             level.first.push_back(static_cast<std::uint32_t>(level.neighbours.size()));
             const auto inRow = [&](std::size_t direction, std::size_t before, std::size_t after) {
                 const std::uint32_t a = number_[before];
@@ -125,7 +129,7 @@ void removeStrayPoints(const std::vector<Grid>& grids, CellMeans& means, const C
             const SurfaceCell& cell = means.cells[grid.first + k];
             if (!strays.isSparse(cell)) continue;
             around.clear();
-            forWindow(grid, k / grid.columns, k % grid.columns, [&](std::size_t place, bool) {
+            forWindow(grid, k / grid.columns, k % grid.columns, [&](std::size_t place, std::size_t) {
                 if (means.cells[place].points > 0) around.push_back(&means.cells[place]);
             });
             if (strays.isStray(cell, around)) out.push_back(grid.first + k);
@@ -133,6 +137,48 @@ void removeStrayPoints(const std::vector<Grid>& grids, CellMeans& means, const C
     for (const std::size_t place : out) means.cells[place].points = 0;
     for (std::size_t i = 0; i < counted.size(); ++i)
         if (counted[i] && means.cells[points.cell[i]].points == 0) counted[i] = 0;
+}
+
+/// Removes what lies beside a stretch without points, and its points from `counted`: where the copy ends within the
+/// reference, its own end face and the scanner's spot at its edge are no deviation of the side.
+void removeEnds(const std::vector<Grid>& grids, std::vector<SurfaceCell>& cells, const CellPoints& points,
+                std::vector<std::uint8_t>& counted)
+{
+    constexpr double shortestGap_mm = 3;  // shorter ones are the spacing of scan lines
+    std::vector<bool> out(cells.size());
+    for (const Grid& grid : grids) {
+        if (grid.is_face) continue;
+        const auto cellsOf = [&](std::size_t row) {
+            const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(grid.first + row * grid.columns);
+            return std::span(begin, grid.columns);
+        };
+        std::size_t empty = 0;  // rows before this one
+        const auto endAt = [&](std::size_t row) {
+            const auto edge = static_cast<std::size_t>(std::ceil(smearedEdge_mm / grid.rowHeight_mm()));
+            for (std::size_t k = row; k < std::min(row + edge, grid.rows); ++k)
+                std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(grid.first + k * grid.columns), grid.columns,
+                            true);
+        };
+        for (std::size_t row = 0; row <= grid.rows; ++row) {
+            const bool filled = row < grid.rows && std::ranges::any_of(cellsOf(row), [](const SurfaceCell& cell) {
+                                    return cell.points > 0;
+                                });
+            if (row < grid.rows && !filled) {
+                ++empty;
+                continue;
+            }
+            if (static_cast<double>(empty) * grid.rowHeight_mm() >= shortestGap_mm && empty < grid.rows) {
+                const auto edge = static_cast<std::size_t>(std::ceil(smearedEdge_mm / grid.rowHeight_mm()));
+                if (filled) endAt(row);
+                if (row > empty) endAt(row - empty - std::min(edge, row - empty));
+            }
+            empty = 0;
+        }
+    }
+    for (std::size_t c = 0; c < cells.size(); ++c)
+        if (out[c]) cells[c].points = 0;
+    for (std::size_t i = 0; i < counted.size(); ++i)
+        if (counted[i] && out[points.cell[i]]) counted[i] = 0;
 }
 
 /// The mean of each face.
@@ -282,6 +328,7 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
         }
     }
     removeStrayPoints(grids, means, sorted, all.counted);
+    removeEnds(grids, cells, sorted, all.counted);
     all.rows = ringsOf(grids, cells, line.zFirst_mm(), ringWidth_mm);
     std::erase_if(all.rows, [&](const SurfaceRow& ring) {
         return std::any_of(result.parameters.exclude_z_mm.begin(), result.parameters.exclude_z_mm.end(),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -118,23 +119,29 @@ inline std::size_t cellOf(const Grid& grid, double along, double turn)
     return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
 }
 
-/// Calls use(place, is one of the nearest 9) for the cells of the window about a cell, once round at most.
+/// Number of cells of the round windows about a cell.
+inline constexpr std::array<std::size_t, 4> windowCells = {9, 21, 29, 37};
+
+/// Calls use(place, number of the smallest of windowCells that holds it) for the cells of the largest window about a
+/// cell, once round at most.
 template <class Use>
 void forWindow(const Grid& grid, std::size_t row, std::size_t column, Use use)
 {
     const auto rows = static_cast<std::ptrdiff_t>(grid.rows);
     const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
-    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-2, -((columns - 1) / 2));
-    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(2, columns / 2);
-    for (std::ptrdiff_t r = -2; r <= 2; ++r) {
+    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-3, -((columns - 1) / 2));
+    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(3, columns / 2);
+    for (std::ptrdiff_t r = -3; r <= 3; ++r) {
         const std::ptrdiff_t y = static_cast<std::ptrdiff_t>(row) + r;
         if (y < 0 || y >= rows) continue;
         for (std::ptrdiff_t c = left; c <= right; ++c) {
-            if (r * r + c * c > 5) continue;
+            const std::ptrdiff_t square = r * r + c * c;
+            if (square > 10) continue;
             std::ptrdiff_t x = static_cast<std::ptrdiff_t>(column) + c;
             if (x < 0) x += columns;
             if (x >= columns) x -= columns;
-            use(grid.first + static_cast<std::size_t>(y * columns + x), r * r <= 1 && c * c <= 1);
+            use(grid.first + static_cast<std::size_t>(y * columns + x),
+                std::size_t{square > 2} + (square > 5) + (square > 9));
         }
     }
 }

@@ -12,20 +12,20 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double pointsPerCell = 6;     // on average
-constexpr double finestCell_mm2 = 0.5;  // smaller cells only where their number stays small
+constexpr double pointsPerCell = 0.5;   // on average: the smallest window holds nine cells
+constexpr double finestCell_mm2 = 0.36;  // smaller cells only where their number stays small; windows begin with 2 mm
 constexpr double usualCellCount = 30000;
 constexpr double largestCellCount = 400000;
-constexpr double straySigmas = 6;  // robust standard deviations from the median of the cell
-constexpr std::size_t spreadSampleCells =
-    2000;  // least number of cells that the scatter is estimated from, if there are as many
-constexpr std::size_t largestSpreadStep = 16;  // and at least every 16th cell
-constexpr double fewInCell = 3;                // cells with fewer points have a median that a stray point may shift
-constexpr double usualWindowCells = 21;        // cells of a window
+constexpr double straySigmas = 6;                  // robust standard deviations from the median of the cell
+constexpr std::size_t spreadSamplePoints = 60000;  // about so many points, if there are as many, give the stray limit
+constexpr std::size_t largestSpreadStep = 16;      // and at least every 16th cell
+constexpr double fewInCell = 3;                    // cells with fewer points have a median that a stray point may shift
+constexpr double usualWindowCells = 37;            // cells of a window
 constexpr double strayPointShare = 0.1;   // of the usual number of points in a window: below it they are stray points
 constexpr double familyErrorRate = 0.05;  // chance that any window of a perfect surface exceeds the allowance
 constexpr double priorPoints = 50;        // weight, in points, of the overall scatter in the scatter of a window
-constexpr std::size_t leastDifferences = 24;  // least number of second differences for a variance
+constexpr std::size_t leastDifferences = 24;  // least number of second differences for a variance; and a quarter of
+                                              // the cells: across widely spaced scan lines stray points are neighbours
 constexpr double coincident_mm = 1e-9;        // smaller deviations are rounding errors
 constexpr std::size_t cellsPerTask = 2048;    // cells of one step
 
@@ -68,7 +68,7 @@ double inflationAt(const CellLevel& level, double scatter_mm)
 {
     double variance_inflation = 0;
     for (const auto& rows : level.rows) {
-        if (rows.size() < leastDifferences) continue;
+        if (rows.size() < leastDifferences || rows.size() < level.cells.size() / 4) continue;
         std::vector<float> sizes;
         sizes.reserve(rows.size());
         for (const auto& [a, b, c] : rows) {
@@ -191,7 +191,7 @@ CellMeans cellMeans(const CellPoints& points, const Progress& progress)
         for (std::uint32_t k = sorted.first[c]; k < sorted.first[c + 1]; ++k)
             values.push_back(points.deviation_mm[sorted.order[k]]);
     };
-    const std::size_t every = std::clamp<std::size_t>(points.cell_count / spreadSampleCells, 1, largestSpreadStep);
+    const std::size_t every = std::clamp<std::size_t>(points.cell.size() / spreadSamplePoints, 1, largestSpreadStep);
     std::vector<float> spreads((points.cell_count + every - 1) / every, -1);  // median distance from the median
     parallelFor(spreads.size(), cellsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<float> values;

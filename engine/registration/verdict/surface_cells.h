@@ -27,7 +27,7 @@ struct SurfaceCell {
     void add(const SurfaceCell& other);
 };
 
-/// How large the smallest cells are to be for so many points on so much surface: about six points each, no larger than
+/// How large the smallest cells are to be for so many points on so much surface: a point or two each, no larger than
 /// the point density requires, and bounded in number for the run time.
 double cellSize_mm(double points, double area_mm2);
 

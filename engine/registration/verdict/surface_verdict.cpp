@@ -5,15 +5,17 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/verdict/surface_cells.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double toleratedUndecidedShare =
-    0.005;  // largest share of points without a possible decision (rims, small corners)
+constexpr double toleratedShare = 0.005;  // largest share of the surface that may be unresolved (rims, small corners)
 constexpr double sureHalfWidthShare =
     0.5;  // of the half-width of the limits: with an expanded uncertainty up to it a window represents its place
+constexpr double leastResolution = 2;  // standard uncertainties within the half-width: noisier windows say nothing
+constexpr std::size_t windowsOfOnePlace = 3;  // the windows that may be out lie about few places and overlap
 
 /// Number of the zone that holds the stretch, or none.
 std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
@@ -62,36 +64,97 @@ WorstPlace worstPlaceOf(const SurfaceWindows& all, const SurfaceWindow& window, 
     return worst;
 }
 
-/// One of the smallest windows, with those that hold it.
+/// The windows about one of the smallest windows.
 struct WindowPlace {
     std::optional<DeviationLimits> limits;  ///< of the chosen window
-    const SurfaceWindow* window =
-        nullptr;  ///< the smallest with sufficient uncertainty; else the one of least uncertainty that has limits
-    double needed_mm = std::numeric_limits<double>::infinity();  ///< the least U of all
+    /// The smallest with sufficient uncertainty, else the one of least uncertainty that is within the half-width of its
+    /// limits; none up to largestDefect_mm.
+    const SurfaceWindow* window = nullptr;
+    double resolved_mm =
+        std::numeric_limits<double>::infinity();                 ///< size of the smallest with U within the half-width
+    double needed_mm = std::numeric_limits<double>::infinity();  ///< the least U of all that have limits
     double cell_mm = 0;                                          ///< of the window that has it
+    bool is_at_border = false;  ///< no window about it is resolved, and some reach into what has no limits
 };
 
 WindowPlace chooseWindow(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& smallest)
 {
     WindowPlace place;
-    for (const SurfaceWindow* w = &smallest;;) {
+    for (const SurfaceWindow* w = &smallest; &smallest == w || static_cast<double>(w->size_mm) <= largestDefect_mm;) {
         const auto here = limits.between(static_cast<double>(w->z_start_mm), static_cast<double>(w->z_end_mm));
         if (here) {
-            const auto sigma = static_cast<double>(w->sigma_mm);
-            if (2 * sigma < place.needed_mm) {
-                place.needed_mm = 2 * sigma;
+            const double U_mm = all.factor * static_cast<double>(w->sigma_mm);
+            if (U_mm < place.needed_mm) {
+                place.needed_mm = U_mm;
                 place.cell_mm = static_cast<double>(w->size_mm);
             }
-            if (2 * sigma <= here->half_mm() && (!place.window || w->sigma_mm < place.window->sigma_mm)) {
-                place.limits = here;
-                place.window = w;
+            if (U_mm <= here->half_mm()) {
+                place.is_at_border = false;
+                if (U_mm == 0) place.resolved_mm = 0;  // a surface known without noise: its facets hide nothing
+                place.resolved_mm = std::min(place.resolved_mm, static_cast<double>(w->size_mm));
+                if (!place.window || w->sigma_mm < place.window->sigma_mm) {
+                    place.limits = here;
+                    place.window = w;
+                }
             }
-            if (all.factor * sigma <= sureHalfWidthShare * here->half_mm()) break;
+            if (U_mm <= sureHalfWidthShare * here->half_mm()) break;
+        } else if (!place.window) {
+            place.is_at_border = true;
         }
         if (w->wider == SurfaceWindow::noWiderWindow) break;
         w = &all.windows[w->wider];
     }
     return place;
+}
+
+/// The most extreme window of one kind.
+struct Extreme {
+    double by = -std::numeric_limits<double>::infinity();
+    const SurfaceWindow* window = nullptr;
+
+    void take(double value, const SurfaceWindow& candidate)
+    {
+        if (value > by) *this = {value, &candidate};
+    }
+};
+
+/// Whether a mean beyond the limit is what noise makes of a surface within: a wider window about the place, much surer,
+/// is within the limit, and the mean differs from it by no more than the extreme of many does.
+bool isNoise(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& window)
+{
+    constexpr double extremeSigmas = 3.6;
+    const double mean_mm = judgedMean_mm(all, window);
+    for (const SurfaceWindow* w = &window; w->wider != SurfaceWindow::noWiderWindow;) {
+        w = &all.windows[w->wider];
+        if (w->sigma_mm > window.sigma_mm / 2) continue;
+        const auto here = limits.between(static_cast<double>(w->z_start_mm), static_cast<double>(w->z_end_mm));
+        const double wide_mm = judgedMean_mm(all, *w);
+        if (!here || excess_mm(all, wide_mm, 0, *here) > 0) continue;
+        if (std::abs(mean_mm - wide_mm) <= extremeSigmas * static_cast<double>(window.sigma_mm)) return true;
+    }
+    return false;
+}
+
+/// A window and how far its mean lies beyond its limits.
+struct Beyond {
+    double by_mm;
+    double half_mm;  ///< half-width of the limits
+    const SurfaceWindow* window;
+};
+
+/// Without limits: the place of the most significant deviation from zero.
+std::optional<WorstPlace> mostSignificant(const SurfaceWindows& all)
+{
+    Extreme sure, any;
+    for (const SurfaceWindow& window : all.windows) {
+        const double U_mm = all.factor * static_cast<double>(window.sigma_mm);
+        const double beyond_mm = std::abs(judgedMean_mm(all, window)) - U_mm;
+        any.take(beyond_mm, window);
+        if (U_mm <= sureHalfWidthShare * all.scatter_mm) sure.take(beyond_mm, window);
+    }
+    const SurfaceWindow* window = sure.window ? sure.window : any.window;
+    if (!window) return std::nullopt;
+    return worstPlaceOf(all, *window, std::min(all.factor, chosenFactor(all, *window)));
 }
 
 }  // namespace
@@ -159,12 +222,26 @@ double excess_mm(const SurfaceWindows& all, double mean_mm, double allowance_mm,
     return std::min(out, std::max(-mean_mm - limits.upper_mm, limits.lower_mm + mean_mm)) - allowance_mm;
 }
 
-std::optional<Verdict> WindowsVerdict::verdict() const
+Verdict judgeMean(const SurfaceWindows& all, double mean_mm, double expanded_uncertainty_mm,
+                  const DeviationLimits& limits, DecisionRule rule)
+{
+    const double excess = excess_mm(all, mean_mm, 0, limits);
+    if (expanded_uncertainty_mm <= limits.half_mm()) return judge(excess, expanded_uncertainty_mm, 0, rule);
+    return excess > expanded_uncertainty_mm ? Verdict::Fail : Verdict::Undecided;
+}
+
+double WindowsVerdict::defect_mm() const
+{
+    std::vector<float> sizes = resolved_mm;
+    return sizes.empty() ? 0 : static_cast<double>(lowerQuantileInPlace(sizes, 1 - toleratedShare));
+}
+
+std::optional<Verdict> WindowsVerdict::verdict(DecisionRule rule) const
 {
     if (fails) return Verdict::Fail;
-    if (judged_points == 0) return std::nullopt;
-    const double few = toleratedUndecidedShare * judged_points;
-    return undecided_points > few || ambiguous_points > 0 ? Verdict::Undecided : Verdict::Pass;
+    if (resolved_mm.empty()) return std::nullopt;
+    const double largest = rule == DecisionRule::Guarded ? leastDefect_mm : largestDefect_mm;
+    return unsure || defect_mm() > largest ? Verdict::Undecided : Verdict::Pass;
 }
 
 SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
@@ -172,81 +249,73 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
 {
     SurfaceVerdict result;
     result.zones.resize(zones.size());
-    const bool any = limits.any();
-    // Small, noisy windows count only where they fail: else the worst is that of the chosen windows.
-    struct Worst {
-        double excess = -std::numeric_limits<double>::infinity();
-        const SurfaceWindow* window = nullptr;
-    };
-    Worst failing;
-    Worst sure;
-    Worst judged;
-    struct MayBeOut {
-        double beyond;  ///< the limit that may be exceeded
-        const SurfaceWindow* window;
-    };
-    std::vector<MayBeOut> may_be_out;
-    for (const SurfaceWindow& window : all.windows) {
-        const auto start = static_cast<double>(window.z_start_mm);
-        const auto end = static_cast<double>(window.z_end_mm);
-        const auto sigma = static_cast<double>(window.sigma_mm);
-        const auto here = any ? limits.between(start, end) : DeviationLimits{};
-        if (!here || (any && 2 * sigma > here->half_mm())) continue;
-        const double beyond = excess_mm(all, judgedMean_mm(all, window), 0, *here);
-        const auto take = [&](Worst& worst) {
-            if (beyond - all.factor * sigma > worst.excess) worst = {beyond - all.factor * sigma, &window};
-        };
-        take(judged);
-        const double enough = any ? sureHalfWidthShare * here->half_mm() : sureHalfWidthShare * all.scatter_mm;
-        if (all.factor * sigma <= enough) take(sure);
-        if (beyond + all.factor * sigma > 0) may_be_out.push_back({beyond, &window});
+    if (!limits.any()) {
+        result.worst = mostSignificant(all);
+        result.factor = all.factor;
+        return result;
     }
-    // One-sided: the other limit is at least four standard uncertainties further away.
-    result.factor = any ? std::min(all.factor, coverageFactorOfWorst(may_be_out.size(), all.about, 1)) : all.factor;
-    for (const MayBeOut& one : may_be_out) {
-        const SurfaceWindow& window = *one.window;
-        const double excess = one.beyond - result.factor * static_cast<double>(window.sigma_mm);
-        if (excess <= 0) continue;
-        if (excess > failing.excess) failing = {excess, &window};
-        if (!any) continue;
-        result.all.fails = true;
-        const std::size_t zone =
-            zoneOf(zones, static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
-        if (zone < zones.size()) result.zones[zone].fails = true;
-    }
-    // A failing window is selected among those that may be out, any other among all windows.
-    for (const Worst* worst : {&failing, &sure, &judged})
-        if (worst->window && !result.worst) {
-            const double most = worst == &failing ? result.factor : all.factor;
-            result.worst = worstPlaceOf(all, *worst->window, std::min(most, chosenFactor(all, *worst->window)));
-        }
-    if (!any) return result;
+    const auto forZonesOf = [&](double z_start_mm, double z_end_mm, const auto& change) {
+        change(result.all);
+        const std::size_t zone = zoneOf(zones, z_start_mm, z_end_mm);
+        if (zone < zones.size()) change(result.zones[zone]);
+    };
 
+    // Inequalities that hold by more than this are left out of the family (Hansen, section 3.1).
+    const double clearly_within = std::sqrt(2 * std::log(std::log(static_cast<double>(all.windows.size()) + 16)));
+    Extreme inside;  // of the windows that surely represent their place
+    Extreme judged;
+    std::vector<Beyond> may_be_out;
+    for (const SurfaceWindow& window : all.windows) {
+        const auto sigma = static_cast<double>(window.sigma_mm);
+        const auto here = limits.between(static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
+        if (!here || leastResolution * sigma > here->half_mm()) continue;
+        const double beyond = excess_mm(all, judgedMean_mm(all, window), 0, *here);
+        judged.take(beyond - all.factor * sigma, window);
+        if (all.factor * sigma <= sureHalfWidthShare * here->half_mm())
+            inside.take(beyond - all.factor * sigma, window);
+        if (beyond + clearly_within * sigma > 0) may_be_out.push_back({beyond, here->half_mm(), &window});
+    }
+    // One-sided: the other limit is at least three standard uncertainties further away.
+    result.factor = std::min(all.factor, coverageFactorOfWorst(may_be_out.size(), windowsOfOnePlace * all.about, 1));
+    Extreme failing;
+    Extreme exceeding;
+    for (const Beyond& one : may_be_out) {
+        if (one.by_mm <= 0) continue;
+        const auto sigma = static_cast<double>(one.window->sigma_mm);
+        const bool surely = one.by_mm > result.factor * sigma;
+        if (!surely && isNoise(all, limits, *one.window)) continue;
+        const bool fails = surely || (rule == DecisionRule::Simple && all.factor * sigma <= one.half_mm);
+        (fails ? failing : exceeding).take(one.by_mm - result.factor * sigma, *one.window);
+        forZonesOf(static_cast<double>(one.window->z_start_mm), static_cast<double>(one.window->z_end_mm),
+                   [&](WindowsVerdict& verdict) { (fails ? verdict.fails : verdict.unsure) = true; });
+    }
+
+    Extreme ambiguous;
     forEachSmallest(all, [&](const SurfaceWindow& window) {
         const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
         if (!limits.at(middle)) return;
         const WindowPlace place = chooseWindow(all, limits, window);
-        if (std::isinf(place.needed_mm)) return;  // at the border of what is left out
-        const auto points = static_cast<double>(window.points);
+        if (place.is_at_border) return;
         bool unsure = false;
-        if (place.window && rule == DecisionRule::Guarded)
-            unsure = excess_mm(all, judgedMean_mm(all, *place.window), -2 * static_cast<double>(place.window->sigma_mm),
-                               *place.limits) > 0;
-        const auto add = [&](WindowsVerdict& verdict) {
-            verdict.judged_points += points;
-            if (!place.window) {
-                verdict.undecided_points += points;
-                if (place.needed_mm > verdict.needed_mm) {
-                    verdict.needed_mm = place.needed_mm;
-                    verdict.cell_mm = place.cell_mm;
-                }
+        if (place.window && rule == DecisionRule::Guarded) {
+            const double U_mm = all.factor * static_cast<double>(place.window->sigma_mm);
+            const double mean_mm = judgedMean_mm(all, *place.window);
+            unsure = judgeMean(all, mean_mm, U_mm, *place.limits, rule) != Verdict::Pass;
+            if (unsure) ambiguous.take(excess_mm(all, mean_mm, -U_mm, *place.limits), *place.window);
+        }
+        forZonesOf(middle, middle, [&](WindowsVerdict& verdict) {
+            verdict.resolved_mm.push_back(static_cast<float>(place.resolved_mm));
+            verdict.unsure = verdict.unsure || unsure;
+            if (!place.window && place.needed_mm > verdict.needed_mm) {
+                verdict.needed_mm = place.needed_mm;
+                verdict.cell_mm = place.cell_mm;
             }
-            if (unsure) verdict.ambiguous_points += points;
-        };
-        add(result.all);
-        const std::size_t zone = zoneOf(zones, middle, middle);
-        if (zone < zones.size()) add(result.zones[zone]);
+        });
     });
+    for (const Extreme* worst : {&failing, &exceeding, &ambiguous, &inside, &judged})
+        if (worst->window && !result.worst)
+            result.worst = worstPlaceOf(all, *worst->window,
+                                        worst == &failing || worst == &exceeding ? result.factor : all.factor);
     return result;
 }
 

@@ -42,20 +42,43 @@ double judgedMean_mm(const SurfaceWindows& all, const SurfaceWindow& window);
 /// How far the interval mean_mm ± allowance_mm lies outside the limits; negative where it reaches into them.
 double excess_mm(const SurfaceWindows& all, double mean_mm, double allowance_mm, const DeviationLimits& limits);
 
+/// The verdict of one mean with its expanded uncertainty by lathelier::judge(). A mean whose uncertainty exceeds the
+/// half-width of the limits is not judged: it is undecided unless it is surely out.
+Verdict judgeMean(const SurfaceWindows& all, double mean_mm, double expanded_uncertainty_mm,
+                  const DeviationLimits& limits, DecisionRule rule);
+
+/// Smallest and largest size of the defects that a scan has to show, as the side of a square of the same area.
+inline constexpr double leastDefect_mm = 2.2;
+inline constexpr double largestDefect_mm = 8;
+
 /// Combined verdict of the windows of one stretch of the axis, or of all.
 struct WindowsVerdict {
-    double judged_points = 0;     ///< of the smallest windows that have limits
-    double undecided_points = 0;  ///< of these, in windows with too large an uncertainty
-    double ambiguous_points = 0;  ///< of these, where the guarded rule gives neither pass nor fail
-    double needed_mm = 0;         ///< largest half-width of the limits that the undecided ones would need
-    double cell_mm = 0;           ///< size of the window with `needed_mm`
-    bool fails = false;           ///< a window is out of its limits
+    bool fails = false;   ///< a window is out of its limits
+    bool unsure = false;  ///< the rule gives neither pass nor fail for a window
+    /// Of each of the smallest windows that have limits: size of the smallest window about it whose expanded
+    /// uncertainty is within the half-width of the limits; infinite where there is none up to largestDefect_mm.
+    std::vector<float> resolved_mm;
+    double needed_mm = 0;  ///< largest half-width of the limits that the unresolved places would need
+    double cell_mm = 0;    ///< size of the window with `needed_mm`
 
+    /// Size from which on a defect as high as its limits is seen on all of the surface but rims and small corners.
+    double defect_mm() const;
     /// None where nothing has limits.
-    std::optional<Verdict> verdict() const;
+    std::optional<Verdict> verdict(DecisionRule rule) const;
 };
 
 /// The verdict of all windows, of each given zone (by its z), and the worst place.
+///
+/// A window's expanded uncertainty U is its standard uncertainty times a coverage factor for the extreme of many: that
+/// of all windows; for means beyond their limits that of the windows that may be out of them. A window says nothing
+/// when its standard uncertainty is more than half the half-width of its limits. Of the others
+/// - one with mean - U beyond the limit fails by every rule;
+/// - one with its mean beyond the limit by less is undecided; by the simple rule it fails where U is within the
+///   half-width of the limits. It does not count where a wider window about the place is within the limit and the
+///   two differ by no more than noise: the smallest of thousands of windows exceed any limit;
+/// - by the guarded rule every place has to have mean + U within the limit in the smallest window of sufficient
+///   uncertainty about it, and a defect of leastDefect_mm has to be seen everywhere;
+/// - by the others a defect of largestDefect_mm has to be seen everywhere.
 struct SurfaceVerdict {
     WindowsVerdict all;
     std::vector<WindowsVerdict> zones;  ///< of the windows within each of `zones`

@@ -111,6 +111,29 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
     return zones;
 }
 
+/// What the scan is too poor for.
+void noteResolution(CompareResult& result, const WindowsVerdict& whole)
+{
+    constexpr double diameterOfSquare = 1.1284;  // 2/√π: of the disc of the same area
+    const double smallest_mm = whole.defect_mm();
+    if (smallest_mm <= leastDefect_mm) return;
+    double limit = std::numeric_limits<double>::infinity();
+    if (const auto& tolerance = result.parameters.tolerance_mm) limit = *tolerance;
+    for (const ZoneLimits& zone : result.parameters.zones)
+        if (zone.lower_mm) limit = std::min(limit, (*zone.upper_mm - *zone.lower_mm) / 2);
+    if (smallest_mm <= largestDefect_mm) {
+        result.notes.push_back(
+            {notes::smallDefectsHidden, {{"size_mm", diameterOfSquare * smallest_mm}, {"limit_mm", limit}}});
+        return;
+    }
+    const double ratio = whole.needed_mm / std::max(limit, 1e-9);
+    result.notes.push_back({notes::scanTooPoor,
+                            {{"limit_mm", limit},
+                             {"cell_mm", whole.cell_mm},
+                             {"uncertainty_mm", whole.needed_mm},
+                             {"times", std::ceil(ratio * ratio)}}});
+}
+
 void judgeSurface(CompareResult& result, const LimitsAlong& limits)
 {
     const SurfaceWindows& all = *result.windows;
@@ -118,10 +141,16 @@ void judgeSurface(CompareResult& result, const LimitsAlong& limits)
     result.worst = found.worst;
     result.findings = findDifferences(all, limits, result.parameters.decision, found.factor);
     if (result.parameters.verdict_rule != VerdictRule::Surface || !limits.any()) return;
-    for (std::size_t k = 0; k < result.zones.size(); ++k) result.zones[k].verdict = found.zones[k].verdict();
-    std::optional<Verdict> verdict = found.all.verdict();
-    for (const Finding& finding : result.findings)
-        if (verdict && finding.verdict == Verdict::Fail) verdict = Verdict::Fail;
+    const DecisionRule rule = result.parameters.decision;
+    for (std::size_t k = 0; k < result.zones.size(); ++k) result.zones[k].verdict = found.zones[k].verdict(rule);
+    std::optional<Verdict> verdict = found.all.verdict(rule);
+    for (const Finding& finding : result.findings) {
+        if (!verdict || !finding.verdict) continue;
+        verdict = worse(*verdict, *finding.verdict);
+        for (Zone& zone : result.zones)
+            if (zone.verdict && *finding.z_start_mm >= zone.z_start_mm && *finding.z_end_mm <= zone.z_end_mm)
+                zone.verdict = worse(*zone.verdict, *finding.verdict);
+    }
     // A mesh whose corners all lie at edges has no local means; where every point is within, so is the surface.
     if (!verdict && result.within_tolerance_percent == 100.0) verdict = Verdict::Pass;
     if (!verdict) {
@@ -129,19 +158,7 @@ void judgeSurface(CompareResult& result, const LimitsAlong& limits)
         verdict = Verdict::Undecided;
     }
     result.verdict = verdict;
-    const WindowsVerdict& whole = found.all;
-    if (*verdict == Verdict::Undecided && whole.undecided_points > 0 && whole.ambiguous_points == 0) {
-        double limit = std::numeric_limits<double>::infinity();
-        if (const auto& tolerance = result.parameters.tolerance_mm) limit = *tolerance;
-        for (const ZoneLimits& zone : result.parameters.zones)
-            if (zone.lower_mm) limit = std::min(limit, (*zone.upper_mm - *zone.lower_mm) / 2);
-        const double ratio = whole.needed_mm / std::max(limit, 1e-9);
-        result.notes.push_back({notes::scanTooPoor,
-                                {{"limit_mm", limit},
-                                 {"cell_mm", whole.cell_mm},
-                                 {"uncertainty_mm", whole.needed_mm},
-                                 {"times", std::ceil(ratio * ratio)}}});
-    }
+    noteResolution(result, found.all);
 }
 
 void judgePoints(CompareResult& result, const Share& share)
@@ -174,7 +191,7 @@ void judge(CompareResult& result, const CompareParameters& parameters, const Pro
     result.distinguishable_from_scanner.reset();
     std::erase_if(result.notes, [](const Note& note) {
         return note.code == notes::notDistinguishable || note.code == notes::scanTooPoor ||
-               note.code == notes::nothingToJudge;
+               note.code == notes::smallDefectsHidden || note.code == notes::nothingToJudge;
     });
 
     const LimitsAlong limits(parameters.tolerance_mm, parameters.zones);

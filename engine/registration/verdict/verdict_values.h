@@ -50,7 +50,7 @@ struct WorstPlace {
     std::optional<double> angle_deg;  ///< about the axis, 0…360; body of revolution only
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< in the reference's frame
     double deviation_mm = 0;                             ///< mean about that place
-    double uncertainty_mm = 0;                           ///< of that mean, k = 2
+    double uncertainty_mm = 0;                           ///< of that mean, simultaneous for all places judged
     double cell_mm = 0;                                  ///< side of a square as large as what the mean is over
 };
 
@@ -64,7 +64,7 @@ struct Finding {
     std::optional<double> z_start_mm;  ///< along the axis from the reference's first data; none without an axis
     std::optional<double> z_end_mm;
     double value_mm = 0;             ///< how large it is, + for material in excess (Taper: growing with z)
-    double uncertainty_mm = 0;       ///< of the value, k = 2; of Missing: the width of a ring
+    double uncertainty_mm = 0;       ///< of the value, simultaneous; of Missing: the width of a ring
     std::optional<double> limit_mm;  ///< limit for the absolute value; none without limits
     std::optional<Verdict> verdict;  ///< none without limits
     Eigen::Vector3d point_mm = Eigen::Vector3d::Zero();  ///< of a bump, in the reference's frame

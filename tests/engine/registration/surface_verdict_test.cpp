@@ -34,7 +34,7 @@ TEST(SurfaceVerdict, TheSameShapeTwicePassesWhateverTheNoise)
 {
     for (const std::uint64_t seed : {1U, 2U}) {
         const ShaftScans scans = shaftTwice(seed, {.sigma_mm = 0.1, .step_deg = 6.6, .dropout = 0.3, .spurious = 0.02});
-        CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.03));
+        CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.05));
         EXPECT_EQ(result.verdict, Verdict::Pass);
         EXPECT_LT(*result.within_tolerance_percent, 40) << "a share of points would have failed it";
         EXPECT_NEAR(result.scatter_mm, 0.1, 0.003);
@@ -170,7 +170,7 @@ TEST(SurfaceVerdict, AFileComparedWithItselfIsZeroToTheLastDigits)
 TEST(SurfaceVerdict, ZonesHaveLimitsOfTheirOwn)
 {
     const ShaftScans scans = shaftTwice(8, {.step_deg = 6.6, .copy = sample::copiedShaft()});
-    CompareParameters asked = withinTolerance(0.045);
+    CompareParameters asked = withinTolerance(0.06);
     asked.zones = {{"collar", 98.5, 107.5, 0.0, 0.08}, {"grip", 0, 20, {}, {}}};
     CompareResult result = compare(scans.reference, scans.copy, asked);
     EXPECT_EQ(result.verdict, Verdict::Pass);

@@ -5,7 +5,7 @@
 
 namespace lathelier::registration {
 
-inline CompareParameters withinTolerance(double tolerance_mm, DecisionRule decision = DecisionRule::Simple)
+inline CompareParameters withinTolerance(double tolerance_mm, DecisionRule decision = DecisionRule::GuardedRejection)
 {
     CompareParameters parameters;
     parameters.tolerance_mm = tolerance_mm;

@@ -112,21 +112,20 @@ double heightAt(const Eigen::Vector3d& p, const Eigen::Vector3d& outward, double
     return p.z() + outward.z() * (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
 }
 
-/// How far inside the larger radius a point still counts as a hit.
-double missDepth(const Edge& edge, const RevolutionFit& fit)
-{
-    return std::min(0.5 * heightOf(edge), 5 * fit.sigma_mm);
-}
+/// How far inside the larger radius, as a share of the shoulder's height, a point still counts as a hit. At half height
+/// neither a spot that shows one of the radii at random nor one that averages over both displaces the balance: the mean
+/// over a symmetric spot passes half height where its middle does.
+constexpr double missShare = 0.5;
 
 /// Height of the ray that made `p` at the radius that separates hits from misses. A ray inclined toward the face
-/// strikes the face when it does not strike the larger radius, and counts as a hit while it does so within `missDepth`;
+/// strikes the face when it does not strike the larger radius, and counts as a hit while it does so within `missShare`;
 /// one inclined away from the face passes the larger radius or strikes it.
-double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge, double miss_depth)
+double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge)
 {
     const Eigen::Vector3d outward = scanner.outward(p);
     const double high = std::max(edge.before_mm, edge.after_mm);
     const bool toward_face = outward.z() * edge.sign < 0;
-    return heightAt(p, outward, toward_face ? high - miss_depth : high) * edge.sign;
+    return heightAt(p, outward, toward_face ? high - missShare * heightOf(edge) : high) * edge.sign;
 }
 
 std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
@@ -172,7 +171,7 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 double own = z * edge.sign;
                 if (scanner) {
-                    own = rayHeight(p, *scanner, edge, missDepth(edge, fit));
+                    own = rayHeight(p, *scanner, edge);
                     if (own < std::min(edge.from_mm * edge.sign, edge.to_mm * edge.sign) ||
                         own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
                         continue;
@@ -256,7 +255,7 @@ Lean leanOfShadows(const std::vector<Edge>& edges, const std::vector<std::vector
     std::vector<SectorPlace> places;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         std::vector<std::vector<Ray>> sectors(edgeSectors);
-        for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < 0.5});
+        for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < missShare});
         for (int s = 0; s < edgeSectors; ++s) {
             std::vector<Ray>& rays = sectors[static_cast<std::size_t>(s)];
             std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
@@ -296,14 +295,11 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
     std::vector<EdgeRays> result(edges.size());
     parallelFor(edges.size(), 1, progress, [&](std::size_t e, std::size_t) {
         const Edge& edge = edges[e];
-        // With a known scanner axis every ray is placed exactly, and a point not on the larger radius is a miss.
-        // Without, the middle of the shoulder separates hits from misses, so that points on the shoulder cause no bias.
-        const double miss = scanner ? missDepth(edge, fit) / heightOf(edge) : 0.5;
         std::vector<Ray>& rays = result[e].rays;
         rays.reserve(found[e].size());
         for (const EdgePoint& p : found[e])
             rays.push_back(
-                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < miss});
+                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < missShare});
         std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
         result[e].edge = edge;
         // A ray that passes the part's axis at a distance e reaches the radius r turned by e / r, which on the mean

@@ -258,6 +258,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
             findShoulders(reference_points, plan.reference.fit, *copy_surface.points, plan.copy.fit, aligning);
         plan.reference.shoulders = std::move(shoulders.reference);
         plan.copy.shoulders = std::move(shoulders.copy);
+        plan.reference.ends = std::move(shoulders.reference_ends);
+        plan.copy.ends = std::move(shoulders.copy_ends);
         result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
         if (!result.alignment.converged)
             throw Error(errors::notConverged,
@@ -329,6 +331,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
         SurfaceWindows windows =
             line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
                  : generalWindows(moved_copy, direction, result, measuring);
+        // Where the axial position is not determined, faces are not judged, and the sides do not depend on it.
+        if (std::isnan(windows.axial_sigma_mm)) windows.axial_sigma_mm = 0;
         if (line && in_full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
         result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
         if (is_same) result.deviation_mm = std::move(own_noise);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
@@ -11,6 +12,11 @@
 
 namespace lathelier::registration {
 namespace {
+
+constexpr double besideEnd_mm = 1;    // the radius of a part at its end is that of this stretch
+constexpr double squarelySeen = 0.5;  // density of the points on a face over that on the sides, from which it is seen
+                                      // as well as these
+constexpr double marginSigmas = 4;  // beside the edges of such a face, within the noise of the sides, in their scatter
 
 /// The likelihood of one edge for trial places and spot widths.
 class Smear {
@@ -210,22 +216,57 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
     return shoulders;
 }
 
-/// A face that the scan shows is located from its own points: smaller uncertainty than from the rays beside it.
-void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vector3d>& points,
-                  const RevolutionFit& fit, const Progress& progress)
+/// Where the data of a part end, as a face across the axis that may be there.
+std::optional<Shoulder> endOf(const RevolutionFit& fit, bool is_first)
 {
-    if (shoulders.empty() || fit.bend.isSeen()) return;
+    const RadiusProfile& profile = fit.profile;
+    const std::size_t count = profile.size();
+    const auto bin = [&](std::size_t k) { return is_first ? k : count - 1 - k; };
+    std::size_t end = 0;
+    while (end < count && std::isnan(profile.radius_mm[bin(end)])) ++end;
+    if (end == count) return std::nullopt;
+    double radius = 0;  // noise along the axis leaves smaller radii beside the face
+    for (std::size_t k = end; k < count && static_cast<double>(k - end) * profile.step_mm <= besideEnd_mm; ++k)
+        if (const double r = profile.radius_mm[bin(k)]; r > radius) radius = r;
+    const double z = profile.middle_mm(bin(end)) + (is_first ? -0.5 : 0.5) * profile.step_mm;
+    return Shoulder{z, std::numeric_limits<double>::infinity(), is_first ? 0 : radius, is_first ? radius : 0};
+}
+
+/// Faces that the scan shows are located from their own points: smaller uncertainty than from the rays beside them.
+/// An end without a face is left out.
+void placeByFaces(std::vector<Shoulder>& shoulders, std::vector<Shoulder>& ends,
+                  const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
+{
+    if (fit.bend.isSeen()) return;
+    const std::optional<Shoulder> first = endOf(fit, true), last = endOf(fit, false);
+    if (first) ends.push_back(*first);
+    std::vector<Shoulder*> places;
+    if (last) ends.push_back(*last);
+    if (first) places.push_back(&ends.front());
+    for (Shoulder& s : shoulders) places.push_back(&s);
+    if (last) places.push_back(&ends.back());
     std::vector<FaceCandidate> sought;
-    sought.reserve(shoulders.size());
-    for (const Shoulder& s : shoulders)
-        sought.push_back({s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing()});
-    for (const MeasuredFace& face : measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress))
-        for (Shoulder& s : shoulders)
-            if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {
-                s.z_mm = face.z_mm;
-                s.sigma_mm = face.place_sigma_mm;
+    sought.reserve(places.size());
+    const auto seek = [&](double margin_mm) {
+        sought.clear();
+        for (const Shoulder* s : places)
+            sought.push_back({s->z_mm, std::min(s->before_mm, s->after_mm), std::max(s->before_mm, s->after_mm),
+                              s->facing(), margin_mm});
+        return measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress);
+    };
+    // A face that is seen as well as the sides is so up to its edges; of one seen in passing the spot smears them.
+    std::vector<MeasuredFace> faces = seek(std::min(smearedEdge_mm, marginSigmas * fit.sigma_mm));
+    if (std::any_of(faces.begin(), faces.end(),
+                    [](const MeasuredFace& face) { return face.density_ratio < squarelySeen; }))
+        faces = seek(smearedEdge_mm);
+    for (const MeasuredFace& face : faces)
+        for (Shoulder* s : places)
+            if (s->z_mm == face.sought_mm && face.place_sigma_mm < s->sigma_mm) {
+                s->z_mm = face.z_mm;
+                s->sigma_mm = face.place_sigma_mm;
                 break;
             }
+    std::erase_if(ends, [](const Shoulder& end) { return !std::isfinite(end.sigma_mm); });
 }
 
 }  // namespace
@@ -258,9 +299,9 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
             result.reference = averageOverWidths(first, own1, progress);
             result.copy = averageOverWidths(second, own2, progress);
         }
-        placeByFaces(result.reference, reference_points, reference, progress);
-        placeByFaces(result.copy, copy_points, copy, progress);
     }
+    placeByFaces(result.reference, result.reference_ends, reference_points, reference, progress);
+    placeByFaces(result.copy, result.copy_ends, copy_points, copy, progress);
     return result;
 }
 

@@ -39,15 +39,19 @@ double leanOf(const ScannerAxis& scanner)
     return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
 }
 
-/// Straight line through up to 8 known bins from `bin` in direction `step`, at `z`.
+constexpr int linePoints = 8;  // known bins beside an edge that a straight line is laid through
+constexpr int lineReach = 20;  // bins among which they are sought: noise leaves gaps in a slope
+
+/// Straight line through the nearest known bins from `bin` in direction `step`, up to the next jump, at `z`.
 double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t step, double jump, double z)
 {
     double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
     double last = profile.radius_mm[static_cast<std::size_t>(bin)];
-    for (int k = 0; k < 8; ++k, bin += step) {
+    for (int k = 0; k < lineReach && n < linePoints; ++k, bin += step) {
         if (bin < 0 || bin >= static_cast<std::ptrdiff_t>(profile.size())) break;
         const double r = profile.radius_mm[static_cast<std::size_t>(bin)];
-        if (std::isnan(r) || std::abs(r - last) > jump) break;
+        if (std::isnan(r)) continue;
+        if (std::abs(r - last) > jump) break;
         last = r;
         const double dz = profile.middle_mm(static_cast<std::size_t>(bin)) - z;
         n += 1;

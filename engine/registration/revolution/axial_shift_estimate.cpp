@@ -259,6 +259,24 @@ AxialShift combineEstimates(const std::vector<ShiftEstimate>& estimates)
     return {share * a.shift + (1 - share) * b.shift, share * a.variance};
 }
 
+/// Within what chance allows.
+bool agrees(const ShiftEstimate& end, const AxialShift& other)
+{
+    return std::pow(end.shift - other.shift, 2) < endSigmas * endSigmas * (end.variance + other.variance);
+}
+
+/// Whether every end of the part that both scans show has its like in `matched`, all at one shift. A part with no
+/// shoulder whose length differs has no axial position.
+bool isOneLength(const TurnedPart& reference, const TurnedPart& copy, const std::vector<ShiftEstimate>& matched)
+{
+    std::size_t both = 0;
+    for (const Shoulder& c : copy.ends)
+        for (const Shoulder& r : reference.ends) both += r.facing() == c.facing() ? 1U : 0U;
+    return matched.size() == both && std::all_of(matched.begin(), matched.end(), [&](const ShiftEstimate& end) {
+               return agrees(end, {matched.front().shift, matched.front().variance});
+           });
+}
+
 }  // namespace
 
 std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const TurnedPart& copy, double shift)
@@ -266,13 +284,14 @@ std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const 
     std::vector<ShiftEstimate> estimates = matchFaces(reference, copy, &TurnedPart::shoulders, shift);
     addTaperEstimates(reference.fit.profile, copy.fit.profile, shift, estimates);
     const std::vector<ShiftEstimate> ends = matchFaces(reference, copy, &TurnedPart::ends, shift);
-    if (estimates.empty() && ends.empty()) return std::nullopt;
-    if (estimates.empty()) return combineEstimates(ends);
+    if (estimates.empty()) {
+        if (ends.empty() || !isOneLength(reference, copy, ends)) return std::nullopt;
+        return combineEstimates(ends);
+    }
     // A length may differ: an end that contradicts all the rest is a deviation of the copy.
     const AxialShift inner = combineEstimates(estimates);
     for (const ShiftEstimate& end : ends)
-        if (std::pow(end.shift - inner.shift, 2) < endSigmas * endSigmas * (end.variance + inner.variance))
-            estimates.push_back(end);
+        if (agrees(end, inner)) estimates.push_back(end);
     return combineEstimates(estimates);
 }
 

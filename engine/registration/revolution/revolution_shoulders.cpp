@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "engine/core/parallel.h"
@@ -17,6 +18,18 @@ constexpr double besideEnd_mm = 1;    // the radius of a part at its end is that
 constexpr double squarelySeen = 0.5;  // density of the points on a face over that on the sides, from which it is seen
                                       // as well as these
 constexpr double marginSigmas = 4;  // beside the edges of such a face, within the noise of the sides, in their scatter
+
+/// Distribution of the places within a spot that the range is taken from: all of its width alike, or falling off from
+/// its middle, as that of a round spot or of one with a soft edge.
+enum class SpotShape { Uniform, Triangle };
+constexpr double triangleShare = std::numbers::sqrt2;  // base of a triangle over the width of the uniform distribution
+                                                       // of the same variance
+
+/// The width of a spot is that of the uniform distribution of the same variance.
+struct Spot {
+    SpotShape shape = SpotShape::Uniform;
+    double width_mm = 0;
+};
 
 /// The likelihood of one edge for trial places and spot widths.
 class Smear {
@@ -45,16 +58,16 @@ public:
         double neg_log_likelihood = 0;  ///< -log of the likelihood
     };
 
-    /// The best place for a spot of this width: a fine scan, then three finer ones around the best.
-    Place findPlace(double width) const
+    /// The best place for a spot: a fine scan, then three finer ones around the best.
+    Place findPlace(const Spot& spot) const
     {
-        Place best{start_, negativeLogLikelihood(start_, width)};
-        double step = width / 16;
+        Place best{start_, negativeLogLikelihood(start_, spot)};
+        double step = spot.width_mm / 16;
         for (int zoom = 0; zoom < 4; ++zoom, step /= 5) {
             const double centre = best.height;
             const int reach = zoom == 0 ? 16 : 6;
             for (int k = -reach; k <= reach; ++k) {
-                const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, width)};
+                const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, spot)};
                 if (trial.neg_log_likelihood < best.neg_log_likelihood) best = trial;
             }
         }
@@ -81,15 +94,17 @@ public:
     }
 
 private:
-    double negativeLogLikelihood(double place, double width) const
+    double negativeLogLikelihood(double place, const Spot& spot) const
     {
         constexpr double spuriousProbability = 0.003;  // probability that a spurious point is a hit or a miss anywhere
         static const double stray = -std::log(spuriousProbability);
         static const double regular = -std::log(1 - spuriousProbability);
         const auto below = [](const Ray& ray, double height) { return ray.height < height; };
         const auto& rays = edge_.rays;
-        const auto from = std::lower_bound(rays.begin(), rays.end(), place - width / 2, below);
-        const auto to = std::lower_bound(from, rays.end(), place + width / 2, below);
+        const bool is_triangle = spot.shape == SpotShape::Triangle;
+        const double half = (is_triangle ? triangleShare : 1) * spot.width_mm / 2;
+        const auto from = std::lower_bound(rays.begin(), rays.end(), place - half, below);
+        const auto to = std::lower_bound(from, rays.end(), place + half, below);
         // Outside the ramp only counts matter.
         const auto first = static_cast<std::size_t>(from - rays.begin());
         const auto last = static_cast<std::size_t>(to - rays.begin());
@@ -99,8 +114,10 @@ private:
                        (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
         double product = 1;
         for (auto ray = from; ray != to; ++ray) {
-            const double p =
-                std::clamp(0.5 + (ray->height - place) / width, spuriousProbability, 1 - spuriousProbability);
+            const double u = (ray->height - place) / half;
+            const double rest = 1 - std::abs(u);
+            const double tail = 0.5 * (is_triangle ? rest * rest : rest);
+            const double p = std::clamp(u < 0 ? tail : 1 - tail, spuriousProbability, 1 - spuriousProbability);
             product *= ray->hit ? p : 1 - p;
             if (product < 1e-200) {
                 total -= std::log(product);
@@ -128,19 +145,21 @@ std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const Re
 
 using Group = std::vector<const Smear*>;
 
-/// One trial width for all shoulders of a group.
+/// One trial spot for all shoulders of a group.
 struct WidthTrial {
+    SpotShape shape = SpotShape::Uniform;
     double log_width = 0;
     double neg_log_likelihood = 0;
     std::vector<double> heights;
 };
 
-WidthTrial tryWidth(const Group& group, double log_width, const Progress& progress)
+WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, const Progress& progress)
 {
     std::vector<Smear::Place> places(group.size());
-    parallelFor(group.size(), 1, progress,
-                [&](std::size_t i, std::size_t) { places[i] = group[i]->findPlace(std::exp(log_width)); });
-    WidthTrial trial{log_width, 0, {}};
+    parallelFor(group.size(), 1, progress, [&](std::size_t i, std::size_t) {
+        places[i] = group[i]->findPlace({shape, std::exp(log_width)});
+    });
+    WidthTrial trial{shape, log_width, 0, {}};
     for (const Smear::Place& place : places) {
         trial.neg_log_likelihood += place.neg_log_likelihood;
         trial.heights.push_back(place.height);
@@ -148,11 +167,13 @@ WidthTrial tryWidth(const Group& group, double log_width, const Progress& progre
     return trial;
 }
 
-std::vector<WidthTrial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
+std::vector<WidthTrial> tryWidths(const Group& group, SpotShape shape, double from, double to, int count,
+                                  const Progress& progress)
 {
     std::vector<WidthTrial> trials;
     trials.reserve(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k) trials.push_back(tryWidth(group, from + (to - from) * k / (count - 1), progress));
+    for (int k = 0; k < count; ++k)
+        trials.push_back(tryWidth(group, shape, from + (to - from) * k / (count - 1), progress));
     return trials;
 }
 
@@ -164,7 +185,7 @@ double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
 }
 
 /// Trial widths within a factor of 3 of the estimate from the misplaced points, on one geometric grid for all groups,
-/// so that their likelihoods are comparable.
+/// so that their likelihoods are comparable; of the shape that is more likely.
 std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
@@ -172,7 +193,11 @@ std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Pr
     const double middle = upperMedianInPlace(guesses);
     const double rung = std::log(3.0) / 5;
     const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
-    return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
+    const auto trials = [&](SpotShape shape) {
+        return tryWidths(group, shape, guess - 5 * rung, guess + 5 * rung, 11, progress);
+    };
+    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform), triangle = trials(SpotShape::Triangle);
+    return leastNegativeLogLikelihood(triangle) < leastNegativeLogLikelihood(uniform) ? triangle : uniform;
 }
 
 /// The shoulders of a group, averaged over the trial widths with weights by likelihood.
@@ -189,7 +214,7 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
     first = first > 0 ? first - 1 : 0;
     last = std::min(coarse.size() - 1, last + 1);
     const std::vector<WidthTrial> fine =
-        tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
+        tryWidths(group, coarse.front().shape, coarse[first].log_width, coarse[last].log_width, 17, progress);
     const double best = leastNegativeLogLikelihood(fine);
     std::vector<Shoulder> shoulders;
     for (std::size_t i = 0; i < group.size(); ++i) {

@@ -39,8 +39,9 @@ double leanOf(const ScannerAxis& scanner)
     return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
 }
 
-constexpr int linePoints = 8;  // known bins beside an edge that a straight line is laid through
-constexpr int lineReach = 20;  // bins among which they are sought: noise leaves gaps in a slope
+constexpr int linePoints = 8;             // known bins beside an edge that a straight line is laid through
+constexpr std::ptrdiff_t slopeReach = 5;  // bins among which the next one of a slope is sought
+constexpr int lineReach = 20;             // bins among which they are sought: noise leaves gaps in a slope
 
 /// Straight line through the nearest known bins from `bin` in direction `step`, up to the next jump, at `z`.
 double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t step, double jump, double z)
@@ -69,11 +70,16 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
     const RadiusProfile& profile = fit.profile;
     const double least = std::max(8 * fit.sigma_mm, 0.02 * profile.step_mm);
     const auto radiusAt = [&](std::ptrdiff_t bin) { return profile.radius_mm[static_cast<std::size_t>(bin)]; };
-    // How much the radius rises (times `sign`) over the bin beside `bin` that lies away from the edge.
+    // How much the radius rises (times `sign`) for each bin, up to the known bin next to `bin` that lies away from the
+    // edge.
     const auto riseFrom = [&](std::ptrdiff_t bin, std::ptrdiff_t away, double sign) {
-        const std::ptrdiff_t next = bin + away;
-        if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size()) || std::isnan(radiusAt(next))) return 0.0;
-        return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away);
+        for (std::ptrdiff_t k = 1; k <= slopeReach; ++k) {
+            const std::ptrdiff_t next = bin + k * away;
+            if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size())) break;
+            if (std::isnan(radiusAt(next))) continue;
+            return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away) / static_cast<double>(k);
+        }
+        return 0.0;
     };
     std::vector<Edge> edges;
     std::ptrdiff_t before = -1;

@@ -328,11 +328,14 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
     }
     const bool in_full = detail == CompareDetail::Full;
     const auto judgeSurface = [&] {
+        // Where the axial position is not determined, faces are not judged, and the sides do not depend on it.
+        double& axial_um = result.alignment.uncertainty.axial_um;
+        const double stated_um = axial_um;
+        if (std::isnan(stated_um)) axial_um = 0;
         SurfaceWindows windows =
             line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
                  : generalWindows(moved_copy, direction, result, measuring);
-        // Where the axial position is not determined, faces are not judged, and the sides do not depend on it.
-        if (std::isnan(windows.axial_sigma_mm)) windows.axial_sigma_mm = 0;
+        axial_um = stated_um;
         if (line && in_full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
         result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
         if (is_same) result.deviation_mm = std::move(own_noise);

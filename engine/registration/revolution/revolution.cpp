@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "engine/core/units.h"
 #include "engine/registration/registration_codes.h"
@@ -19,6 +20,9 @@ using Eigen::Vector3d;
 constexpr double capShare = 0.02;              // of the largest radius: a larger difference of the radii counts as this
 constexpr double capSigmas = 6;                // the same in standard deviations of the scatter, where that is more
 constexpr double asGoodShare = 0.005;          // of the cap: alignments whose costs differ by less are equally good
+constexpr double possibleShare = 0.1;          // of the cap: of two whose costs differ by more, the dearer is wrong
+constexpr double differenceSigmas = 3;         // of the mean differences of two alignments, when not by chance
+constexpr double sameOverlap = 0.01;           // difference of two overlaps that is none
 constexpr double nearShare = 0.1;              // of the length: the reach of a search near the pose as scanned
 constexpr double leastOverlapAsScanned = 0.5;  // without a determined shift, for the pose as scanned to be kept
 
@@ -91,6 +95,37 @@ struct Way {
     Settled settled;
 };
 
+/// Whether the radii of one alignment agree better than those of another, where the costs leave both possible.
+bool isSurelyBetter(const ShiftMatch& a, const ShiftMatch& b)
+{
+    const double noise_mm = differenceSigmas * std::hypot(a.difference_sigma_mm, b.difference_sigma_mm);
+    return a.difference_mm < b.difference_mm - noise_mm;
+}
+
+/// Where the cost leaves both possible, because one of them has a little more in common, the one whose radii agree
+/// better is right. A part that is symmetric end for end keeps the smaller rotation, one that fits at several shifts
+/// the smaller shift.
+bool isBetter(const Way& way, const Way& other, double cap_mm)
+{
+    const ShiftMatch& a = way.settled.match;
+    const ShiftMatch& b = other.settled.match;
+    const double dearer_mm = std::abs(a.cost - b.cost);
+    if (dearer_mm < possibleShare * cap_mm && (isSurelyBetter(a, b) || isSurelyBetter(b, a)))
+        return isSurelyBetter(a, b);
+    if (dearer_mm >= asGoodShare * cap_mm) return a.cost < b.cost;
+    return way.angle != other.angle ? way.angle < other.angle : way.off_home < other.off_home;
+}
+
+/// Turned end for end the two fit as well, but other parts of them lie on each other: scans of a symmetric part that
+/// lost its ends. Which way is right, and so where along the axis, cannot be known.
+bool isAmbiguous(const Way& best, const Way& other, double cap_mm)
+{
+    const ShiftMatch& a = best.settled.match;
+    const ShiftMatch& b = other.settled.match;
+    return best.angle != other.angle && std::abs(a.cost - b.cost) < possibleShare * cap_mm && !isSurelyBetter(a, b) &&
+           std::abs(a.overlap - b.overlap) > sameOverlap;
+}
+
 /// The alignment with the least difference, of all starts in both directions.
 std::optional<Way> findBestWay(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial)
 {
@@ -101,7 +136,7 @@ std::optional<Way> findBestWay(const TurnedPart& reference, const TurnedPart& co
     const double cap_mm =
         std::max(capShare * largest, capSigmas * std::hypot(reference.fit.sigma_mm, copy.fit.sigma_mm));
     const double as_good_mm = asGoodShare * cap_mm;
-    std::optional<Way> best;
+    std::vector<Way> ways;
     for (const bool is_turned : {false, true}) {
         Way way;
         way.copy = is_turned ? reversedPart(copy) : copy;
@@ -121,16 +156,16 @@ std::optional<Way> findBestWay(const TurnedPart& reference, const TurnedPart& co
         for (const ShiftMatch& start : starts) {
             way.settled = settle(reference, way.copy, search, start, home, as_good_mm);
             way.off_home = std::abs(way.settled.match.shift - home);
-            const double cost = way.settled.match.cost;
-            if (!std::isfinite(cost)) continue;
-            // A part that is symmetric end for end keeps the smaller rotation, one that fits at several shifts the
-            // smaller shift.
-            const bool is_as_good = best && std::abs(cost - best->settled.match.cost) < as_good_mm;
-            const bool is_nearer =
-                best && (way.angle != best->angle ? way.angle < best->angle : way.off_home < best->off_home);
-            if (!best || (is_as_good ? is_nearer : cost < best->settled.match.cost)) best = way;
+            if (!std::isfinite(way.settled.match.cost)) continue;
+            ways.push_back(way);
         }
     }
+    if (ways.empty()) return std::nullopt;
+    Way best = ways.front();
+    for (const Way& other : ways)
+        if (isBetter(other, best, cap_mm)) best = other;
+    if (std::any_of(ways.begin(), ways.end(), [&](const Way& other) { return isAmbiguous(best, other, cap_mm); }))
+        best.settled.is_determined = false;
     return best;
 }
 

@@ -109,6 +109,7 @@ ShiftMatch ShiftSearch::at(double shift, std::size_t stride) const
 {
     const double weight_mm = copy_.profile.step_mm * static_cast<double>(stride);
     double sum = 0;
+    double squares = 0;
     double both = 0;
     for (std::size_t i = 0; i < copy_.profile.size(); i += stride) {
         const double radius = copy_.profile.radius_mm[i];
@@ -116,7 +117,9 @@ ShiftMatch ShiftSearch::at(double shift, std::size_t stride) const
         const double there = radiusAt(reference_.profile, copy_.profile.middle_mm(i) + shift);
         if (std::isnan(there)) continue;
         ++both;
-        sum += std::min(cap_mm_, std::abs(there - radius));
+        const double off = std::min(cap_mm_, std::abs(there - radius));
+        sum += off;
+        squares += off * off;
     }
     // Lengths of one part beyond an end face of the other; a few steps of noise are none.
     const double slack_mm = 2 * step_mm_;
@@ -130,6 +133,7 @@ ShiftMatch ShiftSearch::at(double shift, std::size_t stride) const
     match.overlap = std::min(1.0, both * weight_mm / std::min(copy_.known_mm, reference_.known_mm));
     if (match.overlap < leastOverlap) return match;
     match.difference_mm = (sum * weight_mm + cap_mm_ * outside_mm) / (both * weight_mm + outside_mm);
+    match.difference_sigma_mm = std::sqrt(std::max(0.0, squares - sum * sum / both)) / both;
     match.cost = match.difference_mm + 0.5 * cap_mm_ * (1 - match.overlap);
     return match;
 }

@@ -24,6 +24,7 @@ struct ShiftMatch {
     double cost =
         std::numeric_limits<double>::infinity();  ///< difference, and half the cap for what does not overlap; mm
     double difference_mm = 0;                     ///< mean difference of the radii, each capped
+    double difference_sigma_mm = 0;               ///< standard error of that mean, from its scatter over the bins
     double overlap = 0;                           ///< length in common over that of the shorter part, 0…1
 };
 

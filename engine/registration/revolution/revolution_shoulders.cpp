@@ -58,12 +58,12 @@ public:
         double neg_log_likelihood = 0;  ///< -log of the likelihood
     };
 
-    /// The best place for a spot: a fine scan, then three finer ones around the best.
-    Place findPlace(const Spot& spot) const
+    /// The best place for a spot: a fine scan, then `zooms` finer ones around the best.
+    Place findPlace(const Spot& spot, int zooms) const
     {
         Place best{start_, negativeLogLikelihood(start_, spot)};
         double step = spot.width_mm / 16;
-        for (int zoom = 0; zoom < 4; ++zoom, step /= 5) {
+        for (int zoom = 0; zoom <= zooms; ++zoom, step /= 5) {
             const double centre = best.height;
             const int reach = zoom == 0 ? 16 : 6;
             for (int k = -reach; k <= reach; ++k) {
@@ -112,13 +112,13 @@ private:
         const double misses_after = static_cast<double>(rays.size() - last) - (hitsBefore_.back() - hitsBefore_[last]);
         double total = (hits_before + misses_after) * stray +
                        (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
+        const double per_half = 1 / half;
         double product = 1;
         for (auto ray = from; ray != to; ++ray) {
-            const double u = (ray->height - place) / half;
+            const double u = (ray->height - place) * per_half;
             const double rest = 1 - std::abs(u);
-            const double tail = 0.5 * (is_triangle ? rest * rest : rest);
-            const double p = std::clamp(u < 0 ? tail : 1 - tail, spuriousProbability, 1 - spuriousProbability);
-            product *= ray->hit ? p : 1 - p;
+            const double tail = std::max(0.5 * (is_triangle ? rest * rest : rest), spuriousProbability);
+            product *= ray->hit == (u > 0) ? 1 - tail : tail;
             if (product < 1e-200) {
                 total -= std::log(product);
                 product = 1;
@@ -145,6 +145,9 @@ std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const Re
 
 using Group = std::vector<const Smear*>;
 
+constexpr int coarseZooms = 1;  // of the search for the place: enough to compare widths and shapes
+constexpr int fineZooms = 3;
+
 /// One trial spot for all shoulders of a group.
 struct WidthTrial {
     SpotShape shape = SpotShape::Uniform;
@@ -153,11 +156,11 @@ struct WidthTrial {
     std::vector<double> heights;
 };
 
-WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, const Progress& progress)
+WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, int zooms, const Progress& progress)
 {
     std::vector<Smear::Place> places(group.size());
     parallelFor(group.size(), 1, progress, [&](std::size_t i, std::size_t) {
-        places[i] = group[i]->findPlace({shape, std::exp(log_width)});
+        places[i] = group[i]->findPlace({shape, std::exp(log_width)}, zooms);
     });
     WidthTrial trial{shape, log_width, 0, {}};
     for (const Smear::Place& place : places) {
@@ -167,14 +170,19 @@ WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, const
     return trial;
 }
 
-std::vector<WidthTrial> tryWidths(const Group& group, SpotShape shape, double from, double to, int count,
+std::vector<WidthTrial> tryWidths(const Group& group, SpotShape shape, double from, double to, int count, int zooms,
                                   const Progress& progress)
 {
     std::vector<WidthTrial> trials;
     trials.reserve(static_cast<std::size_t>(count));
     for (int k = 0; k < count; ++k)
-        trials.push_back(tryWidth(group, shape, from + (to - from) * k / (count - 1), progress));
+        trials.push_back(tryWidth(group, shape, from + (to - from) * k / (count - 1), zooms, progress));
     return trials;
+}
+
+bool isMoreLikely(const WidthTrial& a, const WidthTrial& b)
+{
+    return a.neg_log_likelihood < b.neg_log_likelihood;
 }
 
 double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
@@ -193,11 +201,16 @@ std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Pr
     const double middle = upperMedianInPlace(guesses);
     const double rung = std::log(3.0) / 5;
     const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
-    const auto trials = [&](SpotShape shape) {
-        return tryWidths(group, shape, guess - 5 * rung, guess + 5 * rung, 11, progress);
+    const auto trials = [&](SpotShape shape, double from, double to, int count) {
+        return tryWidths(group, shape, from, to, count, coarseZooms, progress);
     };
-    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform), triangle = trials(SpotShape::Triangle);
-    return leastNegativeLogLikelihood(triangle) < leastNegativeLogLikelihood(uniform) ? triangle : uniform;
+    const double from = guess - 5 * rung, to = guess + 5 * rung;
+    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform, from, to, 11);
+    const double best = std::min_element(uniform.begin(), uniform.end(), isMoreLikely)->log_width;
+    if (leastNegativeLogLikelihood(trials(SpotShape::Triangle, best - rung, best + rung, 3)) >=
+        leastNegativeLogLikelihood(uniform))
+        return uniform;
+    return trials(SpotShape::Triangle, from, to, 11);
 }
 
 /// The shoulders of a group, averaged over the trial widths with weights by likelihood.
@@ -213,8 +226,8 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
         }
     first = first > 0 ? first - 1 : 0;
     last = std::min(coarse.size() - 1, last + 1);
-    const std::vector<WidthTrial> fine =
-        tryWidths(group, coarse.front().shape, coarse[first].log_width, coarse[last].log_width, 17, progress);
+    const std::vector<WidthTrial> fine = tryWidths(group, coarse.front().shape, coarse[first].log_width,
+                                                   coarse[last].log_width, 17, fineZooms, progress);
     const double best = leastNegativeLogLikelihood(fine);
     std::vector<Shoulder> shoulders;
     for (std::size_t i = 0; i < group.size(); ++i) {

@@ -129,6 +129,7 @@ TEST(MeanSpot, DoesNotDisplaceShouldersThatFaceOneWay)
     };
     constexpr int pairs = 24;
     int covered = 0;
+    int small = 0;  // not where the rows of the scan are parallel to the shoulder
     double sum_um = 0;
     for (std::uint64_t k = 0; k < pairs; ++k) {
         const auto draw = [&](std::uint64_t i) { return randomUniform(833, k, i); };
@@ -153,9 +154,10 @@ TEST(MeanSpot, DoesNotDisplaceShouldersThatFaceOneWay)
         covered += std::abs(error_um) <= alignment.uncertainty.axial_um ? 1 : 0;
         sum_um += error_um;
         EXPECT_LE(std::abs(error_um), 2.5 * alignment.uncertainty.axial_um) << k;
-        EXPECT_LE(alignment.uncertainty.axial_um, 12) << k;
+        small += alignment.uncertainty.axial_um <= 6 ? 1 : 0;
     }
     EXPECT_GE(covered, pairs * 90 / 100);
+    EXPECT_GE(small, pairs * 80 / 100);
     EXPECT_LE(std::abs(sum_um / pairs), 3);
 }
 

@@ -25,6 +25,8 @@ enum class SpotShape { Uniform, Triangle };
 constexpr double triangleShare = std::numbers::sqrt2;  // base of a triangle over the width of the uniform distribution
                                                        // of the same variance
 
+constexpr double otherShapeFactor = 1.2;  // of the variance of a place, when the spot is of neither shape (a disc)
+
 /// The width of a spot is that of the uniform distribution of the same variance.
 struct Spot {
     SpotShape shape = SpotShape::Uniform;
@@ -245,7 +247,8 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
         const Edge& edge = group[i]->edge();
         const double density = group[i]->density();
         const double open = std::max(0.0, squares / weight - mean * mean);  // variance from the unknown width
-        const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
+        const double own =
+            otherShapeFactor * width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
         const double height = fine.front().heights[i] + mean;
         const double rows = group[i]->rowVariance(height, width);
         shoulders.push_back({height * edge.sign, std::hypot(std::sqrt(own + open + rows), group[i]->leanSigma()),

@@ -26,7 +26,7 @@ struct FreeMotion {
 /// Expanded uncertainty (k = 2) of the determined motions. Body of revolution: along and across its axis. General part:
 /// radius of the translation, the same across its largest direction, rotation (general_uncertainty.h).
 struct AlignmentUncertainty {
-    double axial_um = 0;   ///< revolution: along the axis, 0 when that motion is free; else of the translation
+    double axial_um = 0;   ///< revolution: along the axis, NaN when that motion is free; else of the translation
     double radial_um = 0;  ///< revolution: across the axis; else of the translation across its largest direction
     double axis_deg = 0;   ///< revolution: of the direction of the axis; else of the rotation
 };

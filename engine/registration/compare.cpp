@@ -258,6 +258,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
             findShoulders(reference_points, plan.reference.fit, *copy_surface.points, plan.copy.fit, aligning);
         plan.reference.shoulders = std::move(shoulders.reference);
         plan.copy.shoulders = std::move(shoulders.copy);
+        plan.reference.ends = std::move(shoulders.reference_ends);
+        plan.copy.ends = std::move(shoulders.copy_ends);
         result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
         if (!result.alignment.converged)
             throw Error(errors::notConverged,

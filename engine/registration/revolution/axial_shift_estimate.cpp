@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
+#include "engine/core/statistics.h"
 #include "engine/registration/revolution/revolution_shift.h"
+#include "engine/registration/scanner_spot.h"
 
 namespace lathelier::registration {
 namespace {
@@ -17,27 +20,36 @@ struct ShiftEstimate {
     int facing;  ///< of a shoulder: direction of its outward normal along z of the reference; of a taper 0
 };
 
-void addShoulderEstimates(const TurnedPart& reference, const TurnedPart& copy, double shift,
-                          std::vector<ShiftEstimate>& estimates)
+constexpr double endSigmas = 3;  // standard uncertainties by which an end face may differ from the other evidence
+constexpr double nearSteps = 4;  // of the profiles: a shoulder that far from where it is expected is the same one
+
+/// One estimate for each of `copy` that has its like in `reference`: shoulders, or end faces.
+std::vector<ShiftEstimate> matchFaces(const TurnedPart& whole_reference, const TurnedPart& whole_copy,
+                                      std::vector<Shoulder> TurnedPart::*faces, double shift)
 {
-    const double near = 4 * std::max(reference.fit.profile.step_mm, copy.fit.profile.step_mm);
-    for (const Shoulder& c : copy.shoulders) {
+    std::vector<ShiftEstimate> estimates;
+    const double step_mm = std::max(whole_reference.fit.profile.step_mm, whole_copy.fit.profile.step_mm);
+    const double near = std::max(nearSteps * step_mm, smearedEdge_mm);
+    const double floor = 1e-9 * lengthOf(whole_reference.fit.profile);
+    for (const Shoulder& c : whole_copy.*faces) {
         const Shoulder* found = nullptr;
-        for (const Shoulder& r : reference.shoulders) {
+        for (const Shoulder& r : whole_reference.*faces) {
             const double height = std::abs(r.after_mm - r.before_mm);
             if (r.facing() != c.facing() || std::abs(r.z_mm - c.z_mm - shift) > near) continue;
             if (std::abs(std::abs(c.after_mm - c.before_mm) - height) > 0.3 * height) continue;
             if (!found || std::abs(r.z_mm - c.z_mm - shift) < std::abs(found->z_mm - c.z_mm - shift)) found = &r;
         }
         if (!found) continue;
-        const double floor = 1e-9 * lengthOf(reference.fit.profile);
         estimates.push_back({found->z_mm - c.z_mm,
                              found->sigma_mm * found->sigma_mm + c.sigma_mm * c.sigma_mm + floor * floor, false,
                              found->facing()});
     }
+    return estimates;
 }
 
 constexpr double leastSlope = 0.03;
+constexpr std::int64_t leastTaperFreedom = 3;   // bins of a taper less one: with fewer its scatter is unknown
+constexpr std::int64_t manyFreedoms = 1000000;  // of Student's distribution: the normal one
 
 /// Difference of the radii (copy less reference) in a bin where both are cylinders, with its variance.
 struct Difference {
@@ -109,11 +121,36 @@ void addTaperEstimates(const RadiusProfile& reference, const RadiusProfile& copy
 {
     constexpr double ownVarianceShare = 0.03 * 0.03;
     const double whole = differenceOfForm(reference, copy, shift);
-    double weight = 0, sum = 0, lever = 0;
+    struct SlopedBin {
+        double slope, off;      // off: radius of the copy less that of the reference
+        double variance;        // of that
+        double whole_variance;  // with that of the reference's bin for the mean of two: neighbours share it
+    };
+    std::vector<SlopedBin> run;
     int sign = 0;
     std::ptrdiff_t first = 0;
+    const auto clear = [&] {
+        run.clear();
+        sign = 0;
+    };
     const auto finish = [&](std::size_t end) {
+        // The spot smears the kinks at both ends of the slope.
+        const auto margin = std::min(run.size() / 4, static_cast<std::size_t>(smearedEdge_mm / copy.step_mm));
+        double weight = 0, sum = 0, lever = 0, squares = 0, shared = 0;
+        for (std::size_t k = margin; k + margin < run.size(); ++k) {
+            const SlopedBin& bin = run[k];
+            weight += bin.slope * bin.slope / bin.variance;
+            lever += bin.slope / bin.variance;
+            sum += bin.slope * bin.off / bin.variance;
+            squares += bin.off * bin.off / bin.variance;
+            shared += bin.slope * bin.slope * bin.whole_variance / (bin.variance * bin.variance);
+        }
         if (weight > 0) {
+            // A spot scatters the points of a slope more than those of the sides.
+            const auto freedom = static_cast<std::int64_t>(run.size() - 2 * margin) - 1;
+            if (freedom < leastTaperFreedom) return clear();
+            const double scatter = std::max(1.0, (squares - sum * sum / weight) / static_cast<double>(freedom)) *
+                                   std::pow(studentQuantile(0.975, freedom) / studentQuantile(0.975, manyFreedoms), 2);
             double difference = 0, sides = 0;
             for (const auto& beside : {differenceBeside(reference, copy, shift, first - 1, -1),
                                        differenceBeside(reference, copy, shift, static_cast<std::ptrdiff_t>(end), 1)})
@@ -125,10 +162,10 @@ void addTaperEstimates(const RadiusProfile& reference, const RadiusProfile& copy
                 }
             difference = sides > 0 ? difference / sides + ownVarianceShare * whole : whole;
             const double bias = lever / weight;
-            estimates.push_back({shift + sum / weight, 1 / weight + difference * bias * bias, true, 0});
+            estimates.push_back(
+                {shift + sum / weight, scatter * shared / (weight * weight) + difference * bias * bias, true, 0});
         }
-        weight = sum = lever = 0;
-        sign = 0;
+        clear();
     };
     const auto smooth = [](const RadiusProfile& p, std::size_t i) {  // no kink and no edge next to it
         if (i < 1 || i + 1 >= p.size()) return false;
@@ -151,10 +188,10 @@ void addTaperEstimates(const RadiusProfile& reference, const RadiusProfile& copy
         const double slope = (there->slope + q) / 2;
         const double variance =
             there->sigma * there->sigma + copy.sigma_mm[i] * copy.sigma_mm[i] + 1e-18 * there->radius * there->radius;
+        const double own = reference.sigma_mm[static_cast<std::size_t>(bin)];
+        const double shared_variance = std::max(0.0, own * own - there->sigma * there->sigma);
         // reference(z + shift + d) = copy(z): slope · d = copy - reference
-        weight += slope * slope / variance;
-        lever += slope / variance;
-        sum += slope * (copy.radius_mm[i] - there->radius) / variance;
+        run.push_back({slope, copy.radius_mm[i] - there->radius, variance, variance + shared_variance});
     }
     finish(copy.size());
 }
@@ -222,14 +259,39 @@ AxialShift combineEstimates(const std::vector<ShiftEstimate>& estimates)
     return {share * a.shift + (1 - share) * b.shift, share * a.variance};
 }
 
+/// Within what chance allows.
+bool agrees(const ShiftEstimate& end, const AxialShift& other)
+{
+    return std::pow(end.shift - other.shift, 2) < endSigmas * endSigmas * (end.variance + other.variance);
+}
+
+/// Whether every end of the part that both scans show has its like in `matched`, all at one shift. A part with no
+/// shoulder whose length differs has no axial position.
+bool isOneLength(const TurnedPart& reference, const TurnedPart& copy, const std::vector<ShiftEstimate>& matched)
+{
+    std::size_t both = 0;
+    for (const Shoulder& c : copy.ends)
+        for (const Shoulder& r : reference.ends) both += r.facing() == c.facing() ? 1U : 0U;
+    return matched.size() == both && std::all_of(matched.begin(), matched.end(), [&](const ShiftEstimate& end) {
+               return agrees(end, {matched.front().shift, matched.front().variance});
+           });
+}
+
 }  // namespace
 
 std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const TurnedPart& copy, double shift)
 {
-    std::vector<ShiftEstimate> estimates;
-    addShoulderEstimates(reference, copy, shift, estimates);
+    std::vector<ShiftEstimate> estimates = matchFaces(reference, copy, &TurnedPart::shoulders, shift);
     addTaperEstimates(reference.fit.profile, copy.fit.profile, shift, estimates);
-    if (estimates.empty()) return std::nullopt;
+    const std::vector<ShiftEstimate> ends = matchFaces(reference, copy, &TurnedPart::ends, shift);
+    if (estimates.empty()) {
+        if (ends.empty() || !isOneLength(reference, copy, ends)) return std::nullopt;
+        return combineEstimates(ends);
+    }
+    // A length may differ: an end that contradicts all the rest is a deviation of the copy.
+    const AxialShift inner = combineEstimates(estimates);
+    for (const ShiftEstimate& end : ends)
+        if (agrees(end, inner)) estimates.push_back(end);
     return combineEstimates(estimates);
 }
 

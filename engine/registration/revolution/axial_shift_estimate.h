@@ -12,8 +12,8 @@ struct AxialShift {
     double variance;  ///< mm²
 };
 
-/// Inverse-variance mean of the axial shifts from all shoulders and tapers that match when the copy is moved by about
-/// `shift`; nullopt when none match. The ends of the data are not used.
+/// Inverse-variance mean of the axial shifts from all shoulders, tapers and end faces that match when the copy is moved
+/// by about `shift`; nullopt when none match. Where the data end without a face is not used.
 std::optional<AxialShift> estimateAxialShift(const TurnedPart& reference, const TurnedPart& copy, double shift);
 
 }  // namespace lathelier::registration

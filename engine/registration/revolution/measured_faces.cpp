@@ -10,7 +10,6 @@
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
 #include "engine/registration/revolution/quick_turn.h"
-#include "engine/registration/scanner_spot.h"
 
 namespace lathelier::registration {
 namespace {
@@ -27,6 +26,7 @@ constexpr double steepestFaceSlope = 0.2;  // dz/dr of a face across the axis
 constexpr std::size_t faceSectors = 12;
 constexpr std::size_t leastSectorPoints = 5;
 constexpr double largestScatterShare = 0.25;  // of the search distance: with a larger scatter there is no face
+constexpr double faceTukeyLimit_sigmas = 6;   // of the weights of the points of a face; efficiency 99 %
 constexpr double medianErrorFactor = 1.2533;  // standard error of a median over that of a mean
 constexpr double normalQuantile = 1.96;       // of Student's distribution at 0.975 with many degrees of freedom
 
@@ -47,7 +47,7 @@ FacePoints pointsAbout(const std::vector<Eigen::Vector3d>& points, const Eigen::
                     if (!(std::abs(z - sought[f].z_mm) < reach_mm[f])) continue;
                     const Vector3d p = axis_T_points * points[i];
                     const double r = p.head<2>().norm();
-                    if (r > sought[f].inner_mm + smearedEdge_mm && r < sought[f].outer_mm - smearedEdge_mm)
+                    if (r > sought[f].inner_mm + sought[f].margin_mm && r < sought[f].outer_mm - sought[f].margin_mm)
                         part[f].emplace_back(z, r, quickTurn(p.y(), p.x()) + 0.5);
                 }
             }
@@ -68,31 +68,48 @@ std::vector<double> axialPlaces(const Points& points)
     return z;
 }
 
-/// Standard error of the face's place from the means of its sectors, since residuals of neighbours are correlated and
-/// the face may be tilted; bounded below by the scatter of its points, since a dozen sectors may agree by chance.
-/// Scaled by the quantile of Student's distribution over the normal one.
-double placeSigma_mm(const MeasuredFace& face, const std::vector<Vector3d>& points, double scatter_mm)
+/// The place of the face with its standard error, from the means of its points with Tukey weights about its rings.
+/// The error is that of the means of its sectors, since residuals of neighbours are correlated and the face may be
+/// tilted; bounded below by the scatter of its points, since a dozen sectors may agree by chance. Scaled by the
+/// quantile of Student's distribution over the normal one.
+void placeFace(MeasuredFace& face, const std::vector<Vector3d>& points, double scatter_mm)
 {
-    std::vector<std::vector<double>> sectors(faceSectors);
-    for (const Vector3d& p : points) {
-        const auto sector = static_cast<std::size_t>(p.z() * static_cast<double>(faceSectors));
-        sectors[std::min(sector, faceSectors - 1)].push_back(p.x() - face.zAt_mm(p.y()));
-    }
-    double n = 0;
+    struct Mean {
+        double weight = 0, off = 0;
+        std::size_t points = 0;
+    };
+    std::vector<Mean> sectors(faceSectors);
+    double weights = 0;
     double sum = 0;
+    for (const Vector3d& p : points) {
+        const double off = p.x() - face.zAt_mm(p.y());
+        const double u = scatter_mm > 0 ? off / (faceTukeyLimit_sigmas * scatter_mm) : 0;
+        if (!(u * u < 1)) continue;
+        const double w = (1 - u * u) * (1 - u * u);
+        weights += w;
+        sum += w * p.x();
+        Mean& own =
+            sectors[std::min(static_cast<std::size_t>(p.z() * static_cast<double>(faceSectors)), faceSectors - 1)];
+        own.weight += w;
+        own.off += w * off;
+        ++own.points;
+    }
+    face.z_mm = sum / weights;
+    double n = 0;
+    double offs = 0;
     double squares = 0;
-    for (std::vector<double>& off : sectors) {
-        if (off.size() < leastSectorPoints) continue;
-        const double middle = median(std::move(off));
+    for (const Mean& own : sectors) {
+        if (own.points < leastSectorPoints) continue;
+        const double middle = own.off / own.weight;
         n += 1;
-        sum += middle;
+        offs += middle;
         squares += middle * middle;
     }
-    if (n < 3) return std::numeric_limits<double>::infinity();
-    const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
+    face.place_sigma_mm = std::numeric_limits<double>::infinity();
+    if (n < 3) return;
+    const double variance = std::max(0.0, squares - offs * offs / n) / (n - 1);
     const double few = studentQuantile(0.975, static_cast<std::int64_t>(n) - 1) / normalQuantile;
-    const double least = medianErrorFactor * scatter_mm / std::sqrt(static_cast<double>(points.size()));
-    return few * std::max(std::sqrt(variance / n), least);
+    face.place_sigma_mm = few * std::max(std::sqrt(variance / n), scatter_mm / std::sqrt(weights));
 }
 
 /// dz/dr of the straight line through the points.
@@ -118,7 +135,7 @@ double pointDensity(const RadiusProfile& profile, std::size_t points)
     return area > 0 ? static_cast<double>(points) / area : 0;
 }
 
-/// The line, the place and the extent of a face from its points; the scatter of the points, NaN: most rings are too
+/// The line and the extent of a face from its points; the scatter of the points, NaN: most rings are too
 /// thin for a face.
 double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_t rings, MeasuredFace& face)
 {
@@ -131,8 +148,6 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
 
     const double enough = static_cast<double>(points.size()) / static_cast<double>(rings);
     double variance = 0;
-    double count = 0;
-    double sum = 0;
     double start = inner_mm;
     std::vector<double> scatter;
     std::vector<Vector3d> ring;
@@ -151,8 +166,6 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
             if (face.line.empty()) face.inner_mm = start;
             face.outer_mm = end;
             face.line.emplace_back(z, radius);
-            count += n;
-            sum += n * z;
             variance += std::pow(medianErrorFactor * scatter.back(), 2) / n;
         }
         ring.clear();
@@ -170,7 +183,6 @@ double layRings(const std::vector<Vector3d>& points, double inner_mm, std::size_
     }
     close(inner_mm + static_cast<double>(rings) * face.ring_mm);
     if (face.line.empty()) return notANumber;
-    face.z_mm = sum / count;
     face.sigma_mm = std::sqrt(variance / static_cast<double>(face.line.size()));
     return median(std::move(scatter));
 }
@@ -211,10 +223,11 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
     for (std::size_t f = 0; f < sought.size(); ++f) {
         const std::vector<Vector3d>& points = found[f];
         if (points.size() < leastFacePoints) continue;
-        const double inner = sought[f].inner_mm + smearedEdge_mm;
-        const double outer = sought[f].outer_mm - smearedEdge_mm;
+        const double inner = sought[f].inner_mm + sought[f].margin_mm;
+        const double outer = sought[f].outer_mm - sought[f].margin_mm;
         const double area = std::numbers::pi * (outer * outer - inner * inner);
-        if (static_cast<double>(points.size()) < leastDensityRatio * density * area) continue;
+        const double density_ratio = static_cast<double>(points.size()) / (density * area);
+        if (!(density_ratio >= leastDensityRatio)) continue;
         if (std::abs(slopeOf(points)) > steepestFaceSlope) continue;  // a chamfer or a cone
         // As many rings of one width as points allow; neighbours with few points, near the middle of an end face, are
         // one.
@@ -227,7 +240,8 @@ std::vector<MeasuredFace> measureFaces(const std::vector<Eigen::Vector3d>& point
         face.ring_mm = (outer - inner) / static_cast<double>(rings);
         const double scatter_mm = layRings(points, inner, rings, face);
         if (std::isnan(scatter_mm) || scatter_mm > largestScatterShare * reach_mm[f]) continue;
-        face.place_sigma_mm = placeSigma_mm(face, points, scatter_mm);
+        face.density_ratio = density_ratio;
+        placeFace(face, points, scatter_mm);
         faces.push_back(std::move(face));
     }
     return faces;

@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "engine/core/units.h"
 
 namespace lathelier::registration {
 namespace {
+
+constexpr std::ptrdiff_t longestShoulder_bins = 10;  // a longer gap in the profile is a place without data
+constexpr double leastOverlap = 0.25;
+constexpr double evenShare = 1e-3;        // of the cap: differences of costs below it are noise
+constexpr double worthwhileShare = 0.25;  // of the cap: a start whose cost is above the least by more is none
+constexpr std::size_t mostStarts = 4;
+constexpr std::ptrdiff_t startDistance_steps = 8;  // starts nearer to each other than that lead to the same place
 
 /// Between the middles of two bins; NaN where there is none.
 double radiusAt(const RadiusProfile& p, double z)
@@ -20,26 +25,33 @@ double radiusAt(const RadiusProfile& p, double z)
     return (1 - t) * p.radius_mm[i] + t * p.radius_mm[i + 1];
 }
 
-/// Cost of one shift: mean difference of the radii, capped, plus half the cap for bins without overlap. `known`: bins
-/// of the reference that have a radius.
-double costOf(const RadiusProfile& reference, double known, const RadiusProfile& copy, double shift, double cap,
-              std::size_t stride)
+/// Short gaps take the radius of their nearer side.
+void closeShoulders(std::vector<double>& radius_mm)
 {
-    double sum = 0;
-    double both = 0;
-    double all = 0;
-    for (std::size_t i = 0; i < copy.size(); i += stride) {
-        if (std::isnan(copy.radius_mm[i])) continue;
-        ++all;
-        const double there = radiusAt(reference, copy.middle_mm(i) + shift);
-        if (std::isnan(there)) continue;
-        ++both;
-        sum += std::min(cap, std::abs(there - copy.radius_mm[i]));
+    const auto count = static_cast<std::ptrdiff_t>(radius_mm.size());
+    const auto at = [&](std::ptrdiff_t i) -> double& { return radius_mm[static_cast<std::size_t>(i)]; };
+    std::ptrdiff_t before = -1;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        if (std::isnan(at(i))) continue;
+        if (before >= 0 && i - before - 1 <= longestShoulder_bins)
+            for (std::ptrdiff_t k = before + 1; k < i; ++k) at(k) = at(k - before <= i - k ? before : i);
+        before = i;
     }
-    const double length = std::min(all * copy.step_mm * static_cast<double>(stride), known * reference.step_mm);
-    const double overlap = std::min(1.0, both * copy.step_mm * static_cast<double>(stride) / length);
-    if (overlap < 0.25) return std::numeric_limits<double>::infinity();
-    return sum / both + 0.5 * cap * (1 - overlap);
+}
+
+/// Those whose cost no neighbour within the distance of two starts undercuts.
+std::vector<ShiftMatch> leastOfTheirPlace(const std::vector<ShiftMatch>& matches)
+{
+    const auto count = static_cast<std::ptrdiff_t>(matches.size());
+    std::vector<ShiftMatch> least;
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        const auto from = matches.begin() + std::max<std::ptrdiff_t>(0, k - startDistance_steps);
+        const auto to = matches.begin() + std::min(count, k + startDistance_steps + 1);
+        const double cost = matches[static_cast<std::size_t>(k)].cost;
+        if (std::isfinite(cost) && std::all_of(from, to, [cost](const ShiftMatch& m) { return cost <= m.cost; }))
+            least.push_back(matches[static_cast<std::size_t>(k)]);
+    }
+    return least;
 }
 
 }  // namespace
@@ -65,38 +77,113 @@ std::optional<RadiusReading> readRadius(const RadiusProfile& p, double z)
     return RadiusReading{radius, (p.radius_mm[i + 1] - p.radius_mm[i]) / p.step_mm, std::sqrt(own * own + next * next)};
 }
 
-ShiftMatch findShift(const RadiusProfile& reference, const RadiusProfile& copy, double centre, double reach,
-                     double home, double cap)
+ShiftSearch::ShiftSearch(const TurnedPart& reference, const TurnedPart& copy, double cap_mm)
+    : reference_(partOf(reference)),
+      copy_(partOf(copy)),
+      cap_mm_(cap_mm),
+      step_mm_(std::max(reference.fit.profile.step_mm, copy.fit.profile.step_mm))
 {
-    ShiftMatch best;
-    double step = std::max(reference.step_mm, copy.step_mm);
-    const double even = 1e-3 * cap;  // differences below this are noise
-    double known = 0;
-    for (const double r : reference.radius_mm) known += std::isnan(r) ? 0 : 1;
-    const auto scan = [&](double from, double to, std::size_t stride) {
-        const int count = static_cast<int>((to - from) / step) + 1;
-        std::vector<ShiftMatch> matches;
-        for (int k = 0; k <= count; ++k) {
-            const double shift = from + k * step;
-            matches.push_back({shift, costOf(reference, known, copy, shift, cap, stride)});
-        }
-        double least = std::numeric_limits<double>::infinity();
-        for (const ShiftMatch& m : matches) least = std::min(least, m.cost);
-        for (const ShiftMatch& m : matches)
-            if (m.cost <= least + even &&
-                (best.cost > least + even || std::abs(m.shift - home) < std::abs(best.shift - home)))
-                best = m;
-    };
-    scan(centre - reach, centre + reach, 4);
-    if (!std::isfinite(best.cost)) return best;
-    for (int i = 0; i < 3; ++i) {
-        const double around = best.shift;
-        const double width = 4 * step;
-        if (i > 0) step /= 4;
-        best.cost = std::numeric_limits<double>::infinity();
-        scan(around - width, around + width, 1);
+}
+
+ShiftSearch::Part ShiftSearch::partOf(const TurnedPart& part)
+{
+    Part result;
+    result.profile = part.fit.profile;
+    RadiusProfile& p = result.profile;
+    closeShoulders(p.radius_mm);
+    result.first_mm = result.last_mm = p.z_start_mm;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (std::isnan(p.radius_mm[i])) continue;
+        if (result.known_mm == 0) result.first_mm = p.middle_mm(i) - p.step_mm / 2;
+        result.known_mm += p.step_mm;
+        result.last_mm = p.middle_mm(i) + p.step_mm / 2;
+    }
+    for (const Shoulder& end : part.ends) {
+        if (end.facing() < 0) result.face_first_mm = end.z_mm;
+        if (end.facing() > 0) result.face_last_mm = end.z_mm;
+    }
+    return result;
+}
+
+ShiftMatch ShiftSearch::at(double shift, std::size_t stride) const
+{
+    const double weight_mm = copy_.profile.step_mm * static_cast<double>(stride);
+    double sum = 0;
+    double squares = 0;
+    double both = 0;
+    for (std::size_t i = 0; i < copy_.profile.size(); i += stride) {
+        const double radius = copy_.profile.radius_mm[i];
+        if (std::isnan(radius)) continue;
+        const double there = radiusAt(reference_.profile, copy_.profile.middle_mm(i) + shift);
+        if (std::isnan(there)) continue;
+        ++both;
+        const double off = std::min(cap_mm_, std::abs(there - radius));
+        sum += off;
+        squares += off * off;
+    }
+    // Lengths of one part beyond an end face of the other; a few steps of noise are none.
+    const double slack_mm = 2 * step_mm_;
+    const auto beyond = [&](double from, double to) { return std::max(0.0, to - from - slack_mm); };
+    const double outside_mm = beyond(copy_.first_mm + shift, reference_.face_first_mm) +
+                              beyond(reference_.face_last_mm, copy_.last_mm + shift) +
+                              beyond(reference_.first_mm, copy_.face_first_mm + shift) +
+                              beyond(copy_.face_last_mm + shift, reference_.last_mm);
+    ShiftMatch match;
+    match.shift = shift;
+    match.overlap = std::min(1.0, both * weight_mm / std::min(copy_.known_mm, reference_.known_mm));
+    if (match.overlap < leastOverlap) return match;
+    match.difference_mm = (sum * weight_mm + cap_mm_ * outside_mm) / (both * weight_mm + outside_mm);
+    match.difference_sigma_mm = std::sqrt(std::max(0.0, squares - sum * sum / both)) / both;
+    match.cost = match.difference_mm + 0.5 * cap_mm_ * (1 - match.overlap);
+    return match;
+}
+
+std::vector<ShiftMatch> ShiftSearch::scan(double from, double to, double step, std::size_t stride) const
+{
+    const int count = static_cast<int>((to - from) / step) + 1;
+    std::vector<ShiftMatch> matches;
+    matches.reserve(static_cast<std::size_t>(count) + 1);
+    for (int k = 0; k <= count; ++k) matches.push_back(at(from + k * step, stride));
+    return matches;
+}
+
+/// The least cost; among equal ones the nearest to `home`. Not empty.
+ShiftMatch ShiftSearch::best(const std::vector<ShiftMatch>& matches, double home) const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const ShiftMatch& m : matches) least = std::min(least, m.cost);
+    ShiftMatch best = matches.front();
+    bool found = false;
+    for (const ShiftMatch& m : matches) {
+        if (m.cost > least + evenShare * cap_mm_) continue;
+        if (!found || std::abs(m.shift - home) < std::abs(best.shift - home)) best = m;
+        found = true;
     }
     return best;
+}
+
+std::vector<ShiftMatch> ShiftSearch::starts(double centre, double reach, double home) const
+{
+    // The first is the best of all, also where a plateau of equal costs reaches to `home`.
+    const std::vector<ShiftMatch> all = scan(centre - reach, centre + reach, step_mm_, 4);
+    std::vector<ShiftMatch> chosen{best(all, home)};
+    if (!std::isfinite(chosen.front().cost)) return {};
+    std::vector<ShiftMatch> others = leastOfTheirPlace(all);
+    std::stable_sort(others.begin(), others.end(),
+                     [](const ShiftMatch& a, const ShiftMatch& b) { return a.cost < b.cost; });
+    const double distance_mm = static_cast<double>(startDistance_steps) * step_mm_;
+    for (const ShiftMatch& m : others) {
+        if (chosen.size() == mostStarts || m.cost > chosen.front().cost + worthwhileShare * cap_mm_) break;
+        if (std::all_of(chosen.begin(), chosen.end(),
+                        [&](const ShiftMatch& c) { return std::abs(c.shift - m.shift) > distance_mm; }))
+            chosen.push_back(m);
+    }
+    for (ShiftMatch& start : chosen)
+        for (const double step : {step_mm_, step_mm_ / 4, step_mm_ / 16}) {
+            const double width = std::min(16 * step, 4 * step_mm_);
+            start = best(scan(start.shift - width, start.shift + width, step, 1), home);
+        }
+    return chosen;
 }
 
 }  // namespace lathelier::registration

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
@@ -11,6 +13,25 @@
 
 namespace lathelier::registration {
 namespace {
+
+constexpr double besideEnd_mm = 1;    // the radius of a part at its end is that of this stretch
+constexpr double squarelySeen = 0.5;  // density of the points on a face over that on the sides, from which it is seen
+                                      // as well as these
+constexpr double marginSigmas = 4;  // beside the edges of such a face, within the noise of the sides, in their scatter
+
+/// Distribution of the places within a spot that the range is taken from: all of its width alike, or falling off from
+/// its middle, as that of a round spot or of one with a soft edge.
+enum class SpotShape { Uniform, Triangle };
+constexpr double triangleShare = std::numbers::sqrt2;  // base of a triangle over the width of the uniform distribution
+                                                       // of the same variance
+
+constexpr double otherShapeFactor = 1.2;  // of the variance of a place, when the spot is of neither shape (a disc)
+
+/// The width of a spot is that of the uniform distribution of the same variance.
+struct Spot {
+    SpotShape shape = SpotShape::Uniform;
+    double width_mm = 0;
+};
 
 /// The likelihood of one edge for trial places and spot widths.
 class Smear {
@@ -39,16 +60,16 @@ public:
         double neg_log_likelihood = 0;  ///< -log of the likelihood
     };
 
-    /// The best place for a spot of this width: a fine scan, then three finer ones around the best.
-    Place findPlace(double width) const
+    /// The best place for a spot: a fine scan, then `zooms` finer ones around the best.
+    Place findPlace(const Spot& spot, int zooms) const
     {
-        Place best{start_, negativeLogLikelihood(start_, width)};
-        double step = width / 16;
-        for (int zoom = 0; zoom < 4; ++zoom, step /= 5) {
+        Place best{start_, negativeLogLikelihood(start_, spot)};
+        double step = spot.width_mm / 16;
+        for (int zoom = 0; zoom <= zooms; ++zoom, step /= 5) {
             const double centre = best.height;
             const int reach = zoom == 0 ? 16 : 6;
             for (int k = -reach; k <= reach; ++k) {
-                const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, width)};
+                const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, spot)};
                 if (trial.neg_log_likelihood < best.neg_log_likelihood) best = trial;
             }
         }
@@ -75,15 +96,17 @@ public:
     }
 
 private:
-    double negativeLogLikelihood(double place, double width) const
+    double negativeLogLikelihood(double place, const Spot& spot) const
     {
         constexpr double spuriousProbability = 0.003;  // probability that a spurious point is a hit or a miss anywhere
         static const double stray = -std::log(spuriousProbability);
         static const double regular = -std::log(1 - spuriousProbability);
         const auto below = [](const Ray& ray, double height) { return ray.height < height; };
         const auto& rays = edge_.rays;
-        const auto from = std::lower_bound(rays.begin(), rays.end(), place - width / 2, below);
-        const auto to = std::lower_bound(from, rays.end(), place + width / 2, below);
+        const bool is_triangle = spot.shape == SpotShape::Triangle;
+        const double half = (is_triangle ? triangleShare : 1) * spot.width_mm / 2;
+        const auto from = std::lower_bound(rays.begin(), rays.end(), place - half, below);
+        const auto to = std::lower_bound(from, rays.end(), place + half, below);
         // Outside the ramp only counts matter.
         const auto first = static_cast<std::size_t>(from - rays.begin());
         const auto last = static_cast<std::size_t>(to - rays.begin());
@@ -91,11 +114,13 @@ private:
         const double misses_after = static_cast<double>(rays.size() - last) - (hitsBefore_.back() - hitsBefore_[last]);
         double total = (hits_before + misses_after) * stray +
                        (static_cast<double>(first + rays.size() - last) - hits_before - misses_after) * regular;
+        const double per_half = 1 / half;
         double product = 1;
         for (auto ray = from; ray != to; ++ray) {
-            const double p =
-                std::clamp(0.5 + (ray->height - place) / width, spuriousProbability, 1 - spuriousProbability);
-            product *= ray->hit ? p : 1 - p;
+            const double u = (ray->height - place) * per_half;
+            const double rest = 1 - std::abs(u);
+            const double tail = std::max(0.5 * (is_triangle ? rest * rest : rest), spuriousProbability);
+            product *= ray->hit == (u > 0) ? 1 - tail : tail;
             if (product < 1e-200) {
                 total -= std::log(product);
                 product = 1;
@@ -122,19 +147,24 @@ std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const Re
 
 using Group = std::vector<const Smear*>;
 
-/// One trial width for all shoulders of a group.
+constexpr int coarseZooms = 1;  // of the search for the place: enough to compare widths and shapes
+constexpr int fineZooms = 3;
+
+/// One trial spot for all shoulders of a group.
 struct WidthTrial {
+    SpotShape shape = SpotShape::Uniform;
     double log_width = 0;
     double neg_log_likelihood = 0;
     std::vector<double> heights;
 };
 
-WidthTrial tryWidth(const Group& group, double log_width, const Progress& progress)
+WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, int zooms, const Progress& progress)
 {
     std::vector<Smear::Place> places(group.size());
-    parallelFor(group.size(), 1, progress,
-                [&](std::size_t i, std::size_t) { places[i] = group[i]->findPlace(std::exp(log_width)); });
-    WidthTrial trial{log_width, 0, {}};
+    parallelFor(group.size(), 1, progress, [&](std::size_t i, std::size_t) {
+        places[i] = group[i]->findPlace({shape, std::exp(log_width)}, zooms);
+    });
+    WidthTrial trial{shape, log_width, 0, {}};
     for (const Smear::Place& place : places) {
         trial.neg_log_likelihood += place.neg_log_likelihood;
         trial.heights.push_back(place.height);
@@ -142,12 +172,19 @@ WidthTrial tryWidth(const Group& group, double log_width, const Progress& progre
     return trial;
 }
 
-std::vector<WidthTrial> tryWidths(const Group& group, double from, double to, int count, const Progress& progress)
+std::vector<WidthTrial> tryWidths(const Group& group, SpotShape shape, double from, double to, int count, int zooms,
+                                  const Progress& progress)
 {
     std::vector<WidthTrial> trials;
     trials.reserve(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k) trials.push_back(tryWidth(group, from + (to - from) * k / (count - 1), progress));
+    for (int k = 0; k < count; ++k)
+        trials.push_back(tryWidth(group, shape, from + (to - from) * k / (count - 1), zooms, progress));
     return trials;
+}
+
+bool isMoreLikely(const WidthTrial& a, const WidthTrial& b)
+{
+    return a.neg_log_likelihood < b.neg_log_likelihood;
 }
 
 double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
@@ -158,7 +195,7 @@ double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
 }
 
 /// Trial widths within a factor of 3 of the estimate from the misplaced points, on one geometric grid for all groups,
-/// so that their likelihoods are comparable.
+/// so that their likelihoods are comparable; of the shape that is more likely.
 std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
@@ -166,7 +203,16 @@ std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Pr
     const double middle = upperMedianInPlace(guesses);
     const double rung = std::log(3.0) / 5;
     const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
-    return tryWidths(group, guess - 5 * rung, guess + 5 * rung, 11, progress);
+    const auto trials = [&](SpotShape shape, double from, double to, int count) {
+        return tryWidths(group, shape, from, to, count, coarseZooms, progress);
+    };
+    const double from = guess - 5 * rung, to = guess + 5 * rung;
+    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform, from, to, 11);
+    const double best = std::min_element(uniform.begin(), uniform.end(), isMoreLikely)->log_width;
+    if (leastNegativeLogLikelihood(trials(SpotShape::Triangle, best - rung, best + rung, 3)) >=
+        leastNegativeLogLikelihood(uniform))
+        return uniform;
+    return trials(SpotShape::Triangle, from, to, 11);
 }
 
 /// The shoulders of a group, averaged over the trial widths with weights by likelihood.
@@ -182,8 +228,8 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
         }
     first = first > 0 ? first - 1 : 0;
     last = std::min(coarse.size() - 1, last + 1);
-    const std::vector<WidthTrial> fine =
-        tryWidths(group, coarse[first].log_width, coarse[last].log_width, 17, progress);
+    const std::vector<WidthTrial> fine = tryWidths(group, coarse.front().shape, coarse[first].log_width,
+                                                   coarse[last].log_width, 17, fineZooms, progress);
     const double best = leastNegativeLogLikelihood(fine);
     std::vector<Shoulder> shoulders;
     for (std::size_t i = 0; i < group.size(); ++i) {
@@ -201,7 +247,8 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
         const Edge& edge = group[i]->edge();
         const double density = group[i]->density();
         const double open = std::max(0.0, squares / weight - mean * mean);  // variance from the unknown width
-        const double own = width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
+        const double own =
+            otherShapeFactor * width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
         const double height = fine.front().heights[i] + mean;
         const double rows = group[i]->rowVariance(height, width);
         shoulders.push_back({height * edge.sign, std::hypot(std::sqrt(own + open + rows), group[i]->leanSigma()),
@@ -210,22 +257,57 @@ std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<Wi
     return shoulders;
 }
 
-/// A face that the scan shows is located from its own points: smaller uncertainty than from the rays beside it.
-void placeByFaces(std::vector<Shoulder>& shoulders, const std::vector<Eigen::Vector3d>& points,
-                  const RevolutionFit& fit, const Progress& progress)
+/// Where the data of a part end, as a face across the axis that may be there.
+std::optional<Shoulder> endOf(const RevolutionFit& fit, bool is_first)
 {
-    if (shoulders.empty() || fit.bend.isSeen()) return;
+    const RadiusProfile& profile = fit.profile;
+    const std::size_t count = profile.size();
+    const auto bin = [&](std::size_t k) { return is_first ? k : count - 1 - k; };
+    std::size_t end = 0;
+    while (end < count && std::isnan(profile.radius_mm[bin(end)])) ++end;
+    if (end == count) return std::nullopt;
+    double radius = 0;  // noise along the axis leaves smaller radii beside the face
+    for (std::size_t k = end; k < count && static_cast<double>(k - end) * profile.step_mm <= besideEnd_mm; ++k)
+        if (const double r = profile.radius_mm[bin(k)]; r > radius) radius = r;
+    const double z = profile.middle_mm(bin(end)) + (is_first ? -0.5 : 0.5) * profile.step_mm;
+    return Shoulder{z, std::numeric_limits<double>::infinity(), is_first ? 0 : radius, is_first ? radius : 0};
+}
+
+/// Faces that the scan shows are located from their own points: smaller uncertainty than from the rays beside them.
+/// An end without a face is left out.
+void placeByFaces(std::vector<Shoulder>& shoulders, std::vector<Shoulder>& ends,
+                  const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
+{
+    if (fit.bend.isSeen()) return;
+    const std::optional<Shoulder> first = endOf(fit, true), last = endOf(fit, false);
+    if (first) ends.push_back(*first);
+    std::vector<Shoulder*> places;
+    if (last) ends.push_back(*last);
+    if (first) places.push_back(&ends.front());
+    for (Shoulder& s : shoulders) places.push_back(&s);
+    if (last) places.push_back(&ends.back());
     std::vector<FaceCandidate> sought;
-    sought.reserve(shoulders.size());
-    for (const Shoulder& s : shoulders)
-        sought.push_back({s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing()});
-    for (const MeasuredFace& face : measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress))
-        for (Shoulder& s : shoulders)
-            if (s.z_mm == face.sought_mm && face.place_sigma_mm < s.sigma_mm) {
-                s.z_mm = face.z_mm;
-                s.sigma_mm = face.place_sigma_mm;
+    sought.reserve(places.size());
+    const auto seek = [&](double margin_mm) {
+        sought.clear();
+        for (const Shoulder* s : places)
+            sought.push_back({s->z_mm, std::min(s->before_mm, s->after_mm), std::max(s->before_mm, s->after_mm),
+                              s->facing(), margin_mm});
+        return measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress);
+    };
+    // A face that is seen as well as the sides is so up to its edges; of one seen in passing the spot smears them.
+    std::vector<MeasuredFace> faces = seek(std::min(smearedEdge_mm, marginSigmas * fit.sigma_mm));
+    if (std::any_of(faces.begin(), faces.end(),
+                    [](const MeasuredFace& face) { return face.density_ratio < squarelySeen; }))
+        faces = seek(smearedEdge_mm);
+    for (const MeasuredFace& face : faces)
+        for (Shoulder* s : places)
+            if (s->z_mm == face.sought_mm && face.place_sigma_mm < s->sigma_mm) {
+                s->z_mm = face.z_mm;
+                s->sigma_mm = face.place_sigma_mm;
                 break;
             }
+    std::erase_if(ends, [](const Shoulder& end) { return !std::isfinite(end.sigma_mm); });
 }
 
 }  // namespace
@@ -258,9 +340,9 @@ ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points,
             result.reference = averageOverWidths(first, own1, progress);
             result.copy = averageOverWidths(second, own2, progress);
         }
-        placeByFaces(result.reference, reference_points, reference, progress);
-        placeByFaces(result.copy, copy_points, copy, progress);
     }
+    placeByFaces(result.reference, result.reference_ends, reference_points, reference, progress);
+    placeByFaces(result.copy, result.copy_ends, copy_points, copy, progress);
     return result;
 }
 

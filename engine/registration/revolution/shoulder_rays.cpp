@@ -39,15 +39,20 @@ double leanOf(const ScannerAxis& scanner)
     return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
 }
 
-/// Straight line through up to 8 known bins from `bin` in direction `step`, at `z`.
+constexpr int linePoints = 8;             // known bins beside an edge that a straight line is laid through
+constexpr std::ptrdiff_t slopeReach = 5;  // bins among which the next one of a slope is sought
+constexpr int lineReach = 20;             // bins among which they are sought: noise leaves gaps in a slope
+
+/// Straight line through the nearest known bins from `bin` in direction `step`, up to the next jump, at `z`.
 double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t step, double jump, double z)
 {
     double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
     double last = profile.radius_mm[static_cast<std::size_t>(bin)];
-    for (int k = 0; k < 8; ++k, bin += step) {
+    for (int k = 0; k < lineReach && n < linePoints; ++k, bin += step) {
         if (bin < 0 || bin >= static_cast<std::ptrdiff_t>(profile.size())) break;
         const double r = profile.radius_mm[static_cast<std::size_t>(bin)];
-        if (std::isnan(r) || std::abs(r - last) > jump) break;
+        if (std::isnan(r)) continue;
+        if (std::abs(r - last) > jump) break;
         last = r;
         const double dz = profile.middle_mm(static_cast<std::size_t>(bin)) - z;
         n += 1;
@@ -65,11 +70,16 @@ std::vector<Edge> findEdges(const RevolutionFit& fit)
     const RadiusProfile& profile = fit.profile;
     const double least = std::max(8 * fit.sigma_mm, 0.02 * profile.step_mm);
     const auto radiusAt = [&](std::ptrdiff_t bin) { return profile.radius_mm[static_cast<std::size_t>(bin)]; };
-    // How much the radius rises (times `sign`) over the bin beside `bin` that lies away from the edge.
+    // How much the radius rises (times `sign`) for each bin, up to the known bin next to `bin` that lies away from the
+    // edge.
     const auto riseFrom = [&](std::ptrdiff_t bin, std::ptrdiff_t away, double sign) {
-        const std::ptrdiff_t next = bin + away;
-        if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size()) || std::isnan(radiusAt(next))) return 0.0;
-        return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away);
+        for (std::ptrdiff_t k = 1; k <= slopeReach; ++k) {
+            const std::ptrdiff_t next = bin + k * away;
+            if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size())) break;
+            if (std::isnan(radiusAt(next))) continue;
+            return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away) / static_cast<double>(k);
+        }
+        return 0.0;
     };
     std::vector<Edge> edges;
     std::ptrdiff_t before = -1;
@@ -112,21 +122,20 @@ double heightAt(const Eigen::Vector3d& p, const Eigen::Vector3d& outward, double
     return p.z() + outward.z() * (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
 }
 
-/// How far inside the larger radius a point still counts as a hit.
-double missDepth(const Edge& edge, const RevolutionFit& fit)
-{
-    return std::min(0.5 * heightOf(edge), 5 * fit.sigma_mm);
-}
+/// How far inside the larger radius, as a share of the shoulder's height, a point still counts as a hit. At half height
+/// neither a spot that shows one of the radii at random nor one that averages over both displaces the balance: the mean
+/// over a symmetric spot passes half height where its middle does.
+constexpr double missShare = 0.5;
 
 /// Height of the ray that made `p` at the radius that separates hits from misses. A ray inclined toward the face
-/// strikes the face when it does not strike the larger radius, and counts as a hit while it does so within `missDepth`;
+/// strikes the face when it does not strike the larger radius, and counts as a hit while it does so within `missShare`;
 /// one inclined away from the face passes the larger radius or strikes it.
-double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge, double miss_depth)
+double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edge& edge)
 {
     const Eigen::Vector3d outward = scanner.outward(p);
     const double high = std::max(edge.before_mm, edge.after_mm);
     const bool toward_face = outward.z() * edge.sign < 0;
-    return heightAt(p, outward, toward_face ? high - miss_depth : high) * edge.sign;
+    return heightAt(p, outward, toward_face ? high - missShare * heightOf(edge) : high) * edge.sign;
 }
 
 std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
@@ -172,7 +181,7 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
                 const double turn = quickTurn(p.y(), p.x()) + 0.5;
                 double own = z * edge.sign;
                 if (scanner) {
-                    own = rayHeight(p, *scanner, edge, missDepth(edge, fit));
+                    own = rayHeight(p, *scanner, edge);
                     if (own < std::min(edge.from_mm * edge.sign, edge.to_mm * edge.sign) ||
                         own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
                         continue;
@@ -256,7 +265,7 @@ Lean leanOfShadows(const std::vector<Edge>& edges, const std::vector<std::vector
     std::vector<SectorPlace> places;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         std::vector<std::vector<Ray>> sectors(edgeSectors);
-        for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < 0.5});
+        for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < missShare});
         for (int s = 0; s < edgeSectors; ++s) {
             std::vector<Ray>& rays = sectors[static_cast<std::size_t>(s)];
             std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
@@ -296,14 +305,11 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
     std::vector<EdgeRays> result(edges.size());
     parallelFor(edges.size(), 1, progress, [&](std::size_t e, std::size_t) {
         const Edge& edge = edges[e];
-        // With a known scanner axis every ray is placed exactly, and a point not on the larger radius is a miss.
-        // Without, the middle of the shoulder separates hits from misses, so that points on the shoulder cause no bias.
-        const double miss = scanner ? missDepth(edge, fit) / heightOf(edge) : 0.5;
         std::vector<Ray>& rays = result[e].rays;
         rays.reserve(found[e].size());
         for (const EdgePoint& p : found[e])
             rays.push_back(
-                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < miss});
+                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < missShare});
         std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
         result[e].edge = edge;
         // A ray that passes the part's axis at a distance e reaches the radius r turned by e / r, which on the mean

@@ -234,7 +234,8 @@ SurfaceWindows revolutionWindows(const TurnedPart& reference, const MeridianLine
     all.middle_mm =
         reference.fit.axis_T_scan.inverse() * Eigen::Vector3d(0, 0, (line.zFirst_mm() + line.zLast_mm()) / 2);
     const AlignmentUncertainty& u = result.alignment.uncertainty;
-    all.axial_sigma_mm = u.axial_um / 2000;
+    // Where it is not determined, faces are not judged, and the sides do not depend on it.
+    all.axial_sigma_mm = std::isnan(u.axial_um) ? 0 : u.axial_um / 2000;
     all.radial_sigma_mm = u.radial_um / 2000;
     all.tilt_sigma = u.axis_deg * std::numbers::pi / 360;
     // Without a determined axial shift the position of a face depends on the initial poses.

@@ -12,7 +12,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double pointsPerCell = 0.5;   // on average: the smallest window holds nine cells
+constexpr double pointsPerCell = 0.5;    // on average: the smallest window holds nine cells
 constexpr double finestCell_mm2 = 0.36;  // smaller cells only where their number stays small; windows begin with 2 mm
 constexpr double usualCellCount = 30000;
 constexpr double largestCellCount = 400000;

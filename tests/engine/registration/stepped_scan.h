@@ -1,9 +1,11 @@
-// Scans of a stepped shaft with its faces, their points spread evenly over the surface, in poses drawn by a seed.
+// Scans of stepped shafts: sampled evenly over the surface, or by a rotary scanner whose range is the mean over its
+// spot.
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -12,104 +14,160 @@
 
 namespace lathelier::testing_steps {
 
+/// A cylinder of the shaft, from where the one before it ends.
 struct Step {
-    double radius_mm = 0;
     double length_mm = 0;
+    double radius_mm = 0;
 };
+using Steps = std::vector<Step>;
 
-/// A round plateau on a cylinder.
-struct Plateau {
-    double z_mm = 0;  ///< of its middle, from the shaft's first end
-    double angle_rad = 0;
-    double across_mm = 4;
-    double height_mm = 0;  ///< 0: none
-};
+inline double lengthOf(const Steps& shaft)
+{
+    double length = 0;
+    for (const Step& step : shaft) length += step.length_mm;
+    return length;
+}
 
-struct SteppedShaft {
-    std::vector<Step> steps{{15, 40}, {19, 34}, {13, 50}};
-    Plateau plateau;
-};
-
-struct SteppedScan {
+/// Points of sides, shoulders and end faces, as many on each mm², with noise in all directions. What lies before
+/// `from_mm` or beyond `to_mm` is lost.
+inline Scan scanEvenly(const Steps& shaft, std::size_t count, double sigma_mm, double from_mm, double to_mm,
+                       const Eigen::Isometry3d& scan_T_part, std::uint64_t seed)
+{
+    struct Ring {
+        double area, z_from, z_to, inner, outer;
+    };
+    std::vector<Ring> rings;
+    double area = 0;
+    const auto add = [&](double own, double z_from, double z_to, double inner, double outer) {
+        area += own;
+        rings.push_back({area, z_from, z_to, inner, outer});
+    };
+    double z = 0;
+    double before = 0;
+    for (std::size_t k = 0; k <= shaft.size(); ++k) {
+        const double radius = k < shaft.size() ? shaft[k].radius_mm : 0;
+        const auto [inner, outer] = std::minmax(before, radius);
+        add(std::numbers::pi * (outer * outer - inner * inner), z, z, inner, outer);
+        if (k == shaft.size()) break;
+        add(2 * std::numbers::pi * radius * shaft[k].length_mm, z, z + shaft[k].length_mm, radius, radius);
+        z += shaft[k].length_mm;
+        before = radius;
+    }
     Scan scan;
-    Eigen::Isometry3d scan_T_part;
-};
+    for (std::uint64_t k = 0; scan.points_mm.size() < count; ++k) {
+        const auto uniform = [&](std::uint64_t stream) { return randomUniform(seed, stream, k); };
+        const double place = area * uniform(1);
+        const auto ring = std::find_if(rings.begin(), rings.end(), [&](const Ring& r) { return place <= r.area; });
+        const double u = uniform(2);
+        const double r =
+            std::sqrt(ring->inner * ring->inner + u * (ring->outer * ring->outer - ring->inner * ring->inner));
+        const double turn = 2 * std::numbers::pi * uniform(3);
+        const Eigen::Vector3d noise(randomNormal(seed, 4, k), randomNormal(seed, 5, k), randomNormal(seed, 6, k));
+        const Eigen::Vector3d point =
+            Eigen::Vector3d(r * std::cos(turn), r * std::sin(turn), ring->z_from + u * (ring->z_to - ring->z_from)) +
+            sigma_mm * noise;
+        if (point.z() >= from_mm && point.z() <= to_mm) scan.points_mm.emplace_back(scan_T_part * point);
+    }
+    return scan;
+}
 
-/// Any position within 9 mm and any direction within `most_rad` of the z axis.
-inline Eigen::Isometry3d poseOf(std::uint64_t seed, double most_rad)
+/// Any position within 9 mm, any direction within 0.1 rad of the z axis, and any turn about the part.
+inline Eigen::Isometry3d poseOf(std::uint64_t seed)
 {
     std::uint64_t drawn = 0;
     const auto draw = [&] { return 2 * randomUniform(seed, 61, drawn++) - 1; };
     const Eigen::Vector3d shift(9 * draw(), 9 * draw(), 9 * draw());
     const Eigen::Vector3d about = Eigen::Vector3d(draw(), draw(), 0.1).normalized();
-    return Eigen::Translation3d(shift) * Eigen::AngleAxisd(most_rad * draw(), about) *
+    return Eigen::Translation3d(shift) * Eigen::AngleAxisd(0.1 * draw(), about) *
            Eigen::AngleAxisd(std::numbers::pi * draw(), Eigen::Vector3d::UnitZ());
 }
 
-/// `count` points, with noise along the surface's normal.
-inline SteppedScan scanByArea(const SteppedShaft& shaft, double sigma_mm, std::size_t count, std::uint64_t seed,
-                              double most_rad = 0.1)
+/// Raises a disc `across_mm` wide on one of the sides, anywhere but within 4 mm of its edges.
+inline void addPlateau(Scan& scan, const Eigen::Isometry3d& scan_T_part, const Steps& shaft, double height_mm,
+                       double across_mm, std::uint64_t seed)
 {
-    struct Piece {
-        bool is_face;
-        double inner_mm, outer_mm;  ///< of a side both its radius
-        double z_mm, end_mm;
-        double area_mm2;
-    };
-    std::vector<Piece> pieces;
-    double z = 0;
-    double before = 0;
-    const auto face = [&](double from, double to) {
-        const double inner = std::min(from, to), outer = std::max(from, to);
-        pieces.push_back({true, inner, outer, z, z, std::numbers::pi * (outer * outer - inner * inner)});
-    };
-    for (const Step& step : shaft.steps) {
-        face(before, step.radius_mm);
-        pieces.push_back({false, step.radius_mm, step.radius_mm, z, z + step.length_mm,
-                          2 * std::numbers::pi * step.radius_mm * step.length_mm});
-        z += step.length_mm;
-        before = step.radius_mm;
+    constexpr double margin_mm = 4;
+    const auto k = static_cast<std::size_t>(randomUniform(seed, 66, 0) * static_cast<double>(shaft.size()));
+    double z = margin_mm + (shaft[k].length_mm - 2 * margin_mm) * randomUniform(seed, 66, 1);
+    for (std::size_t i = 0; i < k; ++i) z += shaft[i].length_mm;
+    const double angle = 2 * std::numbers::pi * randomUniform(seed, 66, 2);
+    const Eigen::Isometry3d part_T_scan = scan_T_part.inverse();
+    for (Eigen::Vector3d& point : scan.points_mm) {
+        Eigen::Vector3d p = part_T_scan * point;
+        const double turn = std::remainder(std::atan2(p.y(), p.x()) - angle, 2 * std::numbers::pi);
+        if (std::hypot(p.z() - z, shaft[k].radius_mm * turn) > across_mm / 2) continue;
+        p.head<2>() += height_mm * p.head<2>().normalized();
+        point = scan_T_part * p;
     }
-    face(before, 0);
-    double area = 0;
-    for (const Piece& piece : pieces) area += piece.area_mm2;
-
-    SteppedScan made{{}, poseOf(seed, most_rad)};
-    for (std::size_t i = 0; i < count; ++i) {
-        double at = area * randomUniform(seed, 62, i);
-        std::size_t k = 0;
-        while (k + 1 < pieces.size() && at > pieces[k].area_mm2) at -= pieces[k++].area_mm2;
-        const Piece& piece = pieces[k];
-        const double share = randomUniform(seed, 63, i);
-        const double angle = 2 * std::numbers::pi * randomUniform(seed, 64, i);
-        const double noise = sigma_mm * randomNormal(seed, 65, i);
-        Eigen::Vector3d p;
-        if (piece.is_face) {
-            const double r =
-                std::sqrt(std::lerp(piece.inner_mm * piece.inner_mm, piece.outer_mm * piece.outer_mm, share));
-            p = {r * std::cos(angle), r * std::sin(angle), piece.z_mm + noise};
-        } else {
-            const double along = std::lerp(piece.z_mm, piece.end_mm, share);
-            const Plateau& plateau = shaft.plateau;
-            const double around = piece.inner_mm * std::remainder(angle - plateau.angle_rad, 2 * std::numbers::pi);
-            const bool raised = std::hypot(along - plateau.z_mm, around) < plateau.across_mm / 2;
-            const double r = piece.inner_mm + noise + (raised ? plateau.height_mm : 0);
-            p = {r * std::cos(angle), r * std::sin(angle), along};
-        }
-        made.scan.points_mm.push_back(made.scan_T_part * p);
-    }
-    return made;
 }
 
-/// A plateau of +`height_mm`, 4 mm across, somewhere on a side and away from its edges.
-inline Plateau plateauOf(const SteppedShaft& shaft, std::uint64_t seed, double height_mm)
+/// A scanner as sample::ScannerModel, but its range is the mean over the height of the spot.
+struct MeanSpotScanner {
+    double row_pitch_mm = 0.1;
+    double angle_step_deg = 3.6;
+    double spot_mm = 0.15;
+    double sigma_mm = 0.05;
+    double z_from_mm = -std::numeric_limits<double>::infinity();  ///< of the rows, in the scanner's frame
+    double z_to_mm = std::numeric_limits<double>::infinity();
+    std::uint64_t seed = 1;
+};
+
+/// Distance from `origin` along `direction`, both in the part's frame, to the sides and shoulders; infinite: a miss.
+inline double rangeOn(const Steps& shaft, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction)
 {
-    const auto k = static_cast<std::size_t>(randomUniform(seed, 66, 0) * static_cast<double>(shaft.steps.size()));
+    double nearest = std::numeric_limits<double>::infinity();
+    const double a = direction.head<2>().squaredNorm();
+    const double b = origin.head<2>().dot(direction.head<2>());
     double z = 0;
-    for (std::size_t i = 0; i < k; ++i) z += shaft.steps[i].length_mm;
-    const double margin = 4;
-    return {z + margin + (shaft.steps[k].length_mm - 2 * margin) * randomUniform(seed, 66, 1),
-            2 * std::numbers::pi * randomUniform(seed, 66, 2), 4, height_mm};
+    for (std::size_t k = 0; k < shaft.size(); ++k) {
+        const double c = origin.head<2>().squaredNorm() - shaft[k].radius_mm * shaft[k].radius_mm;
+        const double end = z + shaft[k].length_mm;
+        if (b * b >= a * c) {
+            const double t = (-b - std::sqrt(b * b - a * c)) / a;
+            const double at = origin.z() + t * direction.z();
+            if (at >= z && at <= end) nearest = std::min(nearest, t);
+        }
+        if (k + 1 < shaft.size() && direction.z() != 0) {
+            const double t = (end - origin.z()) / direction.z();
+            const double r = (origin + t * direction).head<2>().norm();
+            const auto [inner, outer] = std::minmax(shaft[k].radius_mm, shaft[k + 1].radius_mm);
+            if (t > 0 && r >= inner && r <= outer) nearest = std::min(nearest, t);
+        }
+        z = end;
+    }
+    return nearest;
+}
+
+inline Scan scanByMeanSpot(const Steps& shaft, const MeanSpotScanner& scanner, const Eigen::Isometry3d& scan_T_part)
+{
+    constexpr int spotPlaces = 9;
+    constexpr double away_mm = 200;
+    const Eigen::Isometry3d part_T_scan = scan_T_part.inverse();
+    const double end1 = scan_T_part.translation().z();
+    const double end2 = (scan_T_part * Eigen::Vector3d(0, 0, lengthOf(shaft))).z();
+    const double from = std::max(scanner.z_from_mm, std::min(end1, end2) - 5);
+    const double to = std::min(scanner.z_to_mm, std::max(end1, end2) + 5);
+    const int columns = static_cast<int>(std::lround(360 / scanner.angle_step_deg));
+    const double phase = randomUniform(scanner.seed, 1, 0);
+    Scan scan;
+    std::uint64_t ray = 0;
+    for (double height = from + phase * scanner.row_pitch_mm; height <= to; height += scanner.row_pitch_mm)
+        for (int column = 0; column < columns; ++column, ++ray) {
+            const double angle = 2 * std::numbers::pi * (column + phase) / columns;
+            const Eigen::Vector3d direction(-std::cos(angle), -std::sin(angle), 0);
+            const Eigen::Vector3d origin = Eigen::Vector3d(0, 0, height) - away_mm * direction;
+            double range = 0;
+            for (int k = 0; k < spotPlaces; ++k) {
+                const double place = scanner.spot_mm * ((k + 0.5) / spotPlaces - 0.5);
+                range += rangeOn(shaft, part_T_scan * (origin + Eigen::Vector3d(0, 0, place)),
+                                 part_T_scan.linear() * direction) /
+                         spotPlaces;
+            }
+            if (!std::isfinite(range)) continue;
+            scan.points_mm.emplace_back(origin +
+                                        (range + scanner.sigma_mm * randomNormal(scanner.seed, 2, ray)) * direction);
+        }
+    return scan;
 }
 
 }  // namespace lathelier::testing_steps

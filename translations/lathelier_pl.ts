@@ -5400,6 +5400,10 @@
         <translation>z&#xa0;{z_mm:1}&#xa0;mm</translation>
     </message>
     <message>
+        <source>z&#xa0;{from_mm:1}-{to_mm:1}&#xa0;mm</source>
+        <translation>z&#xa0;{from_mm:1}-{to_mm:1}&#xa0;mm</translation>
+    </message>
+    <message>
         <source>RMS {rms_mm:4} mm · mean {mean_mm:+4} mm · noise of the scans {scatter_mm:4} mm · {method}</source>
         <translation>RMS {rms_mm:4} mm · średnio {mean_mm:+4} mm · szum skanów {scatter_mm:4} mm · {method}</translation>
     </message>

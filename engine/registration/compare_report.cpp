@@ -1,6 +1,8 @@
 #include "engine/registration/compare_report.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/core/units.h"
 #include "engine/io/io_codes.h"
@@ -226,6 +228,35 @@ void addLimits(const CompareResult& result, report::Answer& answer)
         }
 }
 
+/// The verdict of a value by the rule of the comparison.
+Verdict verdictOf(const CompareResult& result, const report::Answer& answer)
+{
+    const double lower = answer.lower_limit.value_or(-std::numeric_limits<double>::infinity());
+    const double upper = answer.upper_limit.value_or(std::numeric_limits<double>::infinity());
+    return judge(std::max(*answer.value - upper, lower - *answer.value), answer.expanded_uncertainty.value_or(0), 0,
+                 result.parameters.decision);
+}
+
+/// A difference in form that decides the verdict, where the worst place does not, takes its place in the headline:
+/// value, uncertainty and limit are those that the rule was applied to.
+void showWhatDecides(const CompareResult& result, report::Answer& answer, const Language& language)
+{
+    if (!result.verdict || *result.verdict == Verdict::Pass || verdictOf(result, answer) == *result.verdict) return;
+    const auto deciding = std::find_if(result.findings.begin(), result.findings.end(), [&](const Finding& finding) {
+        return finding.verdict == result.verdict && finding.limit_mm;
+    });
+    if (deciding == result.findings.end()) return;
+    answer.quantity = name(deciding->kind);
+    answer.value = deciding->value_mm;
+    answer.expanded_uncertainty = deciding->uncertainty_mm;
+    (deciding->value_mm < 0 ? answer.lower_limit : answer.upper_limit) =
+        deciding->value_mm < 0 ? -*deciding->limit_mm : *deciding->limit_mm;
+    answer.subject.clear();
+    if (deciding->z_start_mm)
+        answer.subject = fill(text(LT_TEXT("Engine", "z\u00A0{from_mm:1}-{to_mm:1}\u00A0mm"), language),
+                              {{"from_mm", *deciding->z_start_mm}, {"to_mm", *deciding->z_end_mm}}, language);
+}
+
 }  // namespace
 
 report::Answer answer(const CompareResult& result, const Language& language)
@@ -247,6 +278,7 @@ report::Answer answer(const CompareResult& result, const Language& language)
                 fill(text(LT_TEXT("Engine", "z\u00A0{z_mm:1}\u00A0mm"), language), {{"z_mm", *worst.z_mm}}, language);
         if (worst.z_mm && worst.angle_deg) answer.subject += ", " + fixed(*worst.angle_deg, 0, language) + "°";
         addLimits(result, answer);
+        showWhatDecides(result, answer, language);
     } else {
         answer.quantity = LT_TEXT("Engine", "RMS deviation");
         answer.value = s.rmse_mm;

@@ -5400,6 +5400,18 @@
         <translation>z&#xa0;{z_mm:1}&#xa0;mm</translation>
     </message>
     <message>
+        <source>Share of the limits</source>
+        <translation>Udział w granicach</translation>
+    </message>
+    <message>
+        <source>Histogram of the shares of the limits</source>
+        <translation>Histogram udziałów w granicach</translation>
+    </message>
+    <message>
+        <source>limits</source>
+        <translation>granice</translation>
+    </message>
+    <message>
         <source>z&#xa0;{from_mm:1}-{to_mm:1}&#xa0;mm</source>
         <translation>z&#xa0;{from_mm:1}-{to_mm:1}&#xa0;mm</translation>
     </message>

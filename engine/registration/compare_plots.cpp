@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
 #include "engine/registration/surface_form.h"
+#include "engine/registration/verdict/surface_verdict.h"
 #include "engine/report/colours.h"
 
 namespace lathelier::registration {
@@ -14,6 +16,7 @@ namespace {
 
 const report::Axis zAxis{LT_TEXT("Engine", "Along the axis, from the first data"), unit::mm};
 const report::Axis deviationAxis{LT_TEXT("Engine", "Deviation"), unit::mm};
+const report::Axis shareAxis{LT_TEXT("Engine", "Share of the limits"), unit::percent};
 
 /// Share of the values that may exceed the range of a plot: single bins at shoulders.
 constexpr double ordinaryShare = 0.98;
@@ -66,7 +69,62 @@ void addZones(report::Plot& plot, const CompareParameters& parameters)
     }
 }
 
+/// Histogram of the shares of each point's limits; the outermost bars hold what lies beyond.
+report::Plot shareHistogram(const CompareResult& result)
+{
+    constexpr int barCount = 80;
+    const double width = 2 * shareLimit_percent / barCount;
+    std::vector<double> edges;
+    for (int k = 0; k <= barCount; ++k) edges.push_back(-shareLimit_percent + k * width);
+    std::vector<double> counts(barCount, 0);
+    const std::vector<float> shares =
+        sharesOfLimits_percent(result.parameters, result.deviation_mm, result.windows->z_mm);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (!result.used[i] || std::isnan(shares[i])) continue;
+        const double bar = (static_cast<double>(shares[i]) + shareLimit_percent) / width;
+        counts[static_cast<std::size_t>(std::clamp(bar, 0.0, barCount - 1.0))] += 1;
+    }
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Histogram of the shares of the limits");
+    plot.x = shareAxis;
+    plot.x.range = Interval{-shareLimit_percent, shareLimit_percent};
+    plot.y.title = LT_TEXT("Engine", "Points");
+    const auto bars = [&](const Text& name, report::ColourRole colour, double from, double to) {
+        report::Curve curve{name, edges, {}, report::Curve::Style::Bars, {}, colour};
+        for (std::size_t k = 0; k < counts.size(); ++k) {
+            const double middle = edges[k] + width / 2;
+            curve.y.push_back(middle > from && middle < to ? counts[k] : std::nan(""));
+        }
+        plot.curves.push_back(std::move(curve));
+    };
+    bars(LT_TEXT("Engine", "too small"), report::ColourRole::Missing, -HUGE_VAL, -100);
+    bars(LT_TEXT("Engine", "within"), report::ColourRole::Within, -100, 100);
+    bars(LT_TEXT("Engine", "too large"), report::ColourRole::Excess, 100, HUGE_VAL);
+    return plot;
+}
+
 }  // namespace
+
+bool showsShares(const CompareParameters& parameters)
+{
+    return std::ranges::any_of(parameters.zones, [](const ZoneLimits& zone) { return zone.lower_mm.has_value(); });
+}
+
+std::vector<float> sharesOfLimits_percent(const CompareParameters& parameters, std::span<const float> deviation_mm,
+                                          std::span<const float> z_mm)
+{
+    const LimitsAlong limits(parameters.tolerance_mm, parameters.zones);
+    std::vector<float> shares(deviation_mm.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        if (std::isnan(z_mm[i])) continue;
+        const auto here = limits.at(static_cast<double>(z_mm[i]));
+        if (!here) continue;
+        const double middle = (here->lower_mm + here->upper_mm) / 2;
+        shares[i] =
+            static_cast<float>(100 * (static_cast<double>(deviation_mm[i]) - middle) / std::max(here->half_mm(), 1e-9));
+    }
+    return shares;
+}
 
 double colourLimit_mm(const CompareResult& result, bool with_tolerance)
 {
@@ -113,7 +171,16 @@ report::ColourMap unrolledMap(const CompareResult& result, bool with_tolerance, 
     for (std::size_t z = 0; z < columns; ++z)
         for (std::size_t angle = 0; angle < rows; ++angle) map.values[angle * columns + z] = values[z * rows + angle];
     map.limit = colourLimit_mm(result, with_tolerance);
-    if (with_tolerance)
+    if (with_tolerance && showsShares(result.parameters)) {
+        std::vector<float> z_mm;
+        for (std::size_t at = 0; at < map.values.size(); ++at)
+            z_mm.push_back(
+                static_cast<float>(source.z_start_mm + source.z_step_mm * (static_cast<double>(at % columns) + 0.5)));
+        map.values = sharesOfLimits_percent(result.parameters, map.values, z_mm);
+        map.value = shareAxis;
+        map.limit = shareLimit_percent;
+        map.tolerance = 100;
+    } else if (with_tolerance)
         map.tolerance = result.parameters.tolerance_mm;
     else {
         map.steps = contourSteps;
@@ -212,11 +279,23 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
                    curve(LT_TEXT("Engine", "copy"), report::Curve::Style::Line, report::ColourRole::Copy, deviation)};
     plot.curves.back().readout_y = meridian.deviation_mm;
     plot.curves.back().readout_unit = unit::mm;
-    if (tolerance_mm)
-        for (const double sign : {1.0, -1.0})
-            plot.curves.push_back(curve(sign > 0 ? "± " + text(Value(*tolerance_mm), language) + " mm" : std::string(),
-                                        report::Curve::Style::Dashed, report::ColourRole::Neutral,
-                                        [&](std::size_t) { return sign * *tolerance_mm; }));
+    const LimitsAlong limits(tolerance_mm, result.parameters.zones);
+    const bool zoned = showsShares(result.parameters);
+    if (limits.any())
+        for (const bool upper : {true, false}) {
+            report::Caption caption{std::string()};
+            if (upper) {
+                if (zoned)
+                    caption = LT_TEXT("Engine", "limits");
+                else
+                    caption = "± " + text(Value(*tolerance_mm), language) + " mm";
+            }
+            plot.curves.push_back(
+                curve(caption, report::Curve::Style::Dashed, report::ColourRole::Neutral, [&](std::size_t i) {
+                    const auto here = limits.at(meridian.z_mm[i]);
+                    return !here ? notANumber : upper ? here->upper_mm : here->lower_mm;
+                }));
+        }
     for (const Interval& zone : result.parameters.exclude_z_mm)
         plot.regions.push_back(report::stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone,
                                                report::ColourRole::Neutral));
@@ -235,6 +314,8 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
 
 report::Plot histogramPlot(const CompareResult& result, const Language& language, std::optional<double> limit_mm)
 {
+    if (showsShares(result.parameters) && result.windows && !result.windows->z_mm.empty())
+        return shareHistogram(result);
     const Histogram& histogram = result.histogram;
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Histogram of the deviations");

@@ -175,7 +175,7 @@ void CompareViews::setOutcome(const std::shared_ptr<const CompareOutcome>& outco
     p.synthetic->setVisible(outcome->synthetic);
     arrange();
     showCharts();
-    if (sameValues)
+    if (sameValues && !p.shares() && !p.coloured_by_share)
         recolour(p.greenWithin());  // only the verdict changed: no upload of geometry
     else
         showSurface();
@@ -291,8 +291,12 @@ void CompareViews::showSurface()
     if (deviation && p.smooth->isChecked()) copy.values = p.outcome->local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.outcome->result, &result.deviation_mm);
-    p.coloured = copy.values;
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
+    if (copy.values && p.shares())
+        copy.values = std::make_shared<const std::vector<float>>(
+            sharesOfLimits_percent(result.parameters, *copy.values, result.windows->z_mm));
+    p.coloured = copy.values;
+    p.coloured_by_share = copy.values && p.shares();
     copy.along_axis = p.outcome->along_axis;
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
@@ -305,6 +309,9 @@ void CompareViews::recolour(std::optional<double> tolerance_mm)
 {
     report::DeviationColours colours{limit_mm(), tolerance_mm};
     colours.lower = parts_->chosen_lower_mm;
+    if (parts_->shares()) colours = {registration::shareLimit_percent, tolerance_mm};
+    parts_->scene->setScale(parts_->shares() ? report::Axis{LT_TEXT("Engine", "Share of the limits"), unit::percent}
+                                             : report::Axis{LT_TEXT("Engine", "Deviation"), unit::mm});
     if (!tolerance_mm && parts_->smooth->isChecked()) {
         colours.steps = registration::contourSteps;
         if (parts_->outcome) colours.marked = parts_->result().parameters.tolerance_mm;

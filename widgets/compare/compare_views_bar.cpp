@@ -46,7 +46,10 @@ void CompareViews::buildBar()
     connect(colours, &QButtonGroup::idToggled, this, [this](int, bool on) {
         if (!on || !parts_->outcome) return;
         showCharts();
-        recolour(parts_->greenWithin());
+        if (parts_->shares() || parts_->coloured_by_share)
+            showSurface();
+        else
+            recolour(parts_->greenWithin());
     });
 
     p.factor_label = new QLabel;
@@ -109,7 +112,7 @@ void CompareViews::arrange()
     p.zone->setVisible(axis);
     p.zone->setEnabled(p.hasAxis());
     // Pass/fail colours require a tolerance.
-    const bool limited = p.outcome && p.result().parameters.tolerance_mm;
+    const bool limited = p.outcome && (p.result().parameters.tolerance_mm || showsShares(p.result().parameters));
     p.form->setEnabled(limited);
     p.pass_fail->setEnabled(limited);
     if (!limited && p.outcome) p.form->setChecked(true);

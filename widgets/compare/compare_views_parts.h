@@ -39,6 +39,7 @@ struct CompareViews::Parts {
         friend bool operator==(const Counted&, const Counted&) = default;
     } counted;
     std::shared_ptr<const std::vector<float>> coloured;  ///< deviations shown on the part; null: none
+    bool coloured_by_share = false;                      ///< `coloured` are shares of the limits
     std::optional<double> chosen_lower_mm;               ///< extent below 0 in mm; none: symmetric
     std::optional<double> chosen_factor;                 ///< chosen magnification of the error; none: from the result
     bool restored = false;                               ///< the choices above were restored from the opened project
@@ -72,9 +73,15 @@ struct CompareViews::Parts {
 
     const registration::CompareResult& result() const { return *outcome->result; }
     bool hasAxis() const { return outcome && result().unrolled && result().meridian && result().axis_T_reference; }
-    /// Tolerance of the green band; none: the colours show the form only.
+    /// Whether the colours show shares of the limits at each place, in %.
+    bool shares() const
+    {
+        return hasAxis() && pass_fail->isChecked() && registration::showsShares(result().parameters);
+    }
+    /// Half width of the green band, in the unit of the colours; none: they show the form only.
     std::optional<double> greenWithin() const
     {
+        if (shares()) return 100;
         return outcome && pass_fail->isChecked() ? result().parameters.tolerance_mm : std::nullopt;
     }
 };

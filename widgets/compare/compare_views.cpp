@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/units.h"
 #include "engine/registration/compare_plots.h"
 #include "widgets/compare/compare_views_parts.h"
 #include "widgets/compare/place_words.h"

@@ -122,7 +122,6 @@ struct Extreme {
 /// is within the limit, and the mean differs from it by no more than the extreme of many does.
 bool isNoise(const SurfaceWindows& all, const LimitsAlong& limits, const SurfaceWindow& window)
 {
-    constexpr double extremeSigmas = 3.6;
     const double mean_mm = judgedMean_mm(all, window);
     for (const SurfaceWindow* w = &window; w->wider != SurfaceWindow::noWiderWindow;) {
         w = &all.windows[w->wider];
@@ -130,7 +129,7 @@ bool isNoise(const SurfaceWindows& all, const LimitsAlong& limits, const Surface
         const auto here = limits.between(static_cast<double>(w->z_start_mm), static_cast<double>(w->z_end_mm));
         const double wide_mm = judgedMean_mm(all, *w);
         if (!here || excess_mm(all, wide_mm, 0, *here) > 0) continue;
-        if (std::abs(mean_mm - wide_mm) <= extremeSigmas * static_cast<double>(window.sigma_mm)) return true;
+        if (std::abs(mean_mm - wide_mm) <= all.factor * static_cast<double>(window.sigma_mm)) return true;
     }
     return false;
 }
@@ -240,8 +239,8 @@ std::optional<Verdict> WindowsVerdict::verdict(DecisionRule rule) const
 {
     if (fails) return Verdict::Fail;
     if (resolved_mm.empty()) return std::nullopt;
-    const double largest = rule == DecisionRule::Guarded ? leastDefect_mm : largestDefect_mm;
-    return unsure || defect_mm() > largest ? Verdict::Undecided : Verdict::Pass;
+    const double wanted = rule == DecisionRule::Guarded ? leastDefect_mm : plainDefect_mm;
+    return unsure || defect_mm() > wanted ? Verdict::Undecided : Verdict::Pass;
 }
 
 SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,

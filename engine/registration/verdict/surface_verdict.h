@@ -47,8 +47,10 @@ double excess_mm(const SurfaceWindows& all, double mean_mm, double allowance_mm,
 Verdict judgeMean(const SurfaceWindows& all, double mean_mm, double expanded_uncertainty_mm,
                   const DeviationLimits& limits, DecisionRule rule);
 
-/// Smallest and largest size of the defects that a scan has to show, as the side of a square of the same area.
+/// Size of the defects that a scan has to show for a pass, by the guarded rule and by the others; and the largest that is
+/// looked for as a defect. Sides of squares of the same area: discs of 2.5, 4.5 and 9 mm.
 inline constexpr double leastDefect_mm = 2.2;
+inline constexpr double plainDefect_mm = 4;
 inline constexpr double largestDefect_mm = 8;
 
 /// Combined verdict of the windows of one stretch of the axis, or of all.
@@ -78,7 +80,7 @@ struct WindowsVerdict {
 ///   two differ by no more than noise: the smallest of thousands of windows exceed any limit;
 /// - by the guarded rule every place has to have mean + U within the limit in the smallest window of sufficient
 ///   uncertainty about it, and a defect of leastDefect_mm has to be seen everywhere;
-/// - by the others a defect of largestDefect_mm has to be seen everywhere.
+/// - by the others a defect of plainDefect_mm has to be seen everywhere.
 struct SurfaceVerdict {
     WindowsVerdict all;
     std::vector<WindowsVerdict> zones;  ///< of the windows within each of `zones`

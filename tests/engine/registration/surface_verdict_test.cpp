@@ -56,7 +56,7 @@ TEST(SurfaceVerdict, RowsCoarserThanTheSpotMoveNothing)
         const Scan reference = sample::scanShaft(sample::nominalShaft(), scanner);
         scanner.seed = 2 * seed + 1;
         const Scan copy = sample::scanShaft(sample::nominalShaft(), scanner);
-        const CompareResult result = compare(reference, copy, withinTolerance(0.03));
+        const CompareResult result = compare(reference, copy, withinTolerance(0.05));
         EXPECT_EQ(result.verdict, Verdict::Pass) << seed;
         // Both stand upright at the same height: no shift is true.
         const double axial_um = 1000 * std::abs(result.alignment.reference_T_copy.translation().z());

@@ -13,6 +13,7 @@ constexpr double leastStepSlope = 1.5;       // dR/dz: a smaller difference is n
 constexpr double faceNoiseReach_sigmas = 6;  // extent of the noise of a face along the axis, in σ
 constexpr double narrowestLand_mm = 0.2;     // narrower lands are not expected
 constexpr std::size_t mostRuns = 2;          // runs between two sides
+constexpr double mixedReach_sigmas = 2.5;  // distance from a face up to which bins hold its points and those of a side
 
 struct Run {
     std::size_t first, last;
@@ -41,6 +42,9 @@ void clearFaceBins(RadiusProfile& profile, double sigma_mm)
         else
             runs.push_back({i, i});
     }
+    const std::size_t most_beside_gap =
+        std::max(mostRuns, static_cast<std::size_t>(std::ceil(mixedReach_sigmas * sigma_mm / profile.step_mm)));
+    const auto isGap = [](const Run& one, const Run& next) { return next.first > one.last + 2; };
     const auto isShort = [&](const Run& run) {
         return static_cast<double>(run.last - run.first + 1) * profile.step_mm <= reach;
     };
@@ -48,15 +52,23 @@ void clearFaceBins(RadiusProfile& profile, double sigma_mm)
         std::size_t end = begin;
         while (end < runs.size() && isShort(runs[end])) ++end;
         const std::size_t count = end - begin;
-        if (count > 0 && count <= mostRuns && count < runs.size()) {
-            // Beyond an end of the part the face is inside of all radii beside it.
-            const double before = begin > 0 ? profile.radius_mm[runs[begin - 1].last] : 0;
-            const double after = end < runs.size() ? profile.radius_mm[runs[end].first] : 0;
-            for (std::size_t k = begin; k < end; ++k) {
-                const double radius = profile.radius_mm[runs[k].first];
-                if ((radius - before) * (radius - after) < 0) clearRun(profile, runs[k]);
+        // Beyond an end of the part the face is inside of all radii beside it.
+        const double before = begin > 0 ? profile.radius_mm[runs[begin - 1].last] : 0;
+        const double after = end < runs.size() ? profile.radius_mm[runs[end].first] : 0;
+        if (count > 0 && count < runs.size())
+            for (std::size_t from = begin; from < end;) {
+                // Unknown bins, in which the face itself lies, part what noise makes of its two sides.
+                std::size_t to = from + 1;
+                while (to < end && !isGap(runs[to - 1], runs[to])) ++to;
+                const bool beside_gap = (from > 0 && isGap(runs[from - 1], runs[from])) ||
+                                        (to < runs.size() && isGap(runs[to - 1], runs[to]));
+                if (to - from <= (beside_gap ? most_beside_gap : mostRuns))
+                    for (std::size_t k = from; k < to; ++k) {
+                        const double radius = profile.radius_mm[runs[k].first];
+                        if ((radius - before) * (radius - after) < 0) clearRun(profile, runs[k]);
+                    }
+                from = to;
             }
-        }
         begin = std::max(end, begin + 1);
     }
 }

@@ -8,7 +8,8 @@ namespace lathelier::registration {
 /// Where a scan shows a face, noise along the axis gives single bins beside it a radius between those of its two sides,
 /// or beyond the end of the part. They would split a shoulder. A run of bins no longer than that noise reaches, with a
 /// step to its neighbours, is no land of the part: its radius becomes unknown. Three such runs in a row are a slope,
-/// and stay. `sigma_mm`: scatter of the points.
+/// and stay, unless they lie beside unknown bins, where the face is, and no further from them than noise reaches.
+/// `sigma_mm`: scatter of the points.
 void clearFaceBins(RadiusProfile& profile, double sigma_mm);
 
 }  // namespace lathelier::registration

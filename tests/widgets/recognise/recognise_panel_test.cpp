@@ -28,11 +28,11 @@ class RecognisePanelTest : public QObject, PanelFixture<RecognisePanel> {
     QTemporaryDir folder_;
     QString scan_, part_;
 
-    /// A quarter of the density of the published scan, tilted a little.
+    /// Half a row's density of the published shaft, tilted a little.
     QString write(const QString& name, sample::ScannerModel scanner) const
     {
         scanner.row_pitch_mm = 0.2;
-        scanner.angle_step_deg = 3.6;
+        scanner.angle_step_deg = 1.8;
         scanner.scan_T_part = Eigen::Isometry3d(Eigen::AngleAxisd(0.007, Eigen::Vector3d::UnitX()));
         QString path = folder_.filePath(name);
         QFile file(path);

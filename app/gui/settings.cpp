@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "engine/core/conformity.h"
-
 namespace lathelier {
 namespace {
 
@@ -47,7 +45,7 @@ Settings readSettings()
     result.presenter_percent =
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
     const QString decision = stored.value("decision").toString();
-    for (const DecisionRule rule : {DecisionRule::Simple, DecisionRule::Guarded})
+    for (const DecisionRule rule : decisionRules)
         if (decision.toStdString() == key(rule)) result.decision = decision;
     using Length = ScreenUnits::Length;
     using FormUnit = ScreenUnits::Form;

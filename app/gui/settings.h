@@ -3,7 +3,9 @@
 
 #include <QString>
 #include <QStringList>
+#include <array>
 
+#include "engine/core/conformity.h"
 #include "widgets/core/language.h"
 
 namespace lathelier {
@@ -15,6 +17,9 @@ struct Settings {
     QString decision = {};        ///< key of the decision rule that new evaluations begin with; empty: simple
     ScreenUnits units = {};       ///< in which lengths are shown
 };
+
+/// The rules that new evaluations may begin with.
+inline constexpr std::array decisionRules{DecisionRule::Simple, DecisionRule::Guarded};
 
 /// Keys of the units in the settings: "mm", "in"; "um", "mm", "uin".
 QString unitKey(ScreenUnits::Length unit);

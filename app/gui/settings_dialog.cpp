@@ -37,7 +37,7 @@ SettingsDialog::SettingsDialog(const Settings& settings, QWidget* parent)
     presenter_->setToolTip(tr("Type size in presenter mode"));
 
     decision_->setObjectName("decision");
-    for (const DecisionRule rule : {DecisionRule::Simple, DecisionRule::Guarded})
+    for (const DecisionRule rule : decisionRules)
         decision_->addItem(screenText(name(rule)),
                            QString::fromUtf8(key(rule).data(), static_cast<int>(key(rule).size())));
     decision_->setCurrentIndex(std::max(0, decision_->findData(settings.decision)));

@@ -7,7 +7,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(lathelier_options INTERFACE -Wlogical-op)
     if(LATHELIER_UNITY)
         # GCC 12 inlines more where it sees more, and then finds uninitialised strings in moved variants and pieces of
-        # blocks freed that are not. Compiled one by one (./dev lint), every source passes with these checks.
+        # blocks freed that are not.
         target_compile_options(lathelier_options INTERFACE -Wno-maybe-uninitialized -Wno-free-nonheap-object)
     endif()
 else()

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "engine/core/conformity.h"
+
 namespace lathelier {
 namespace {
 
@@ -44,7 +46,9 @@ Settings readSettings()
     result.theme = stored.value("theme").toString();
     result.presenter_percent =
         std::clamp(stored.value("presenter_percent", result.presenter_percent).toInt(), 100, 300);
-    result.decision = stored.value("decision").toString();
+    const QString decision = stored.value("decision").toString();
+    for (const DecisionRule rule : decisionRules)
+        if (decision.toStdString() == key(rule)) result.decision = decision;
     using Length = ScreenUnits::Length;
     using FormUnit = ScreenUnits::Form;
     result.units.length = unitOf(stored.value("length_unit").toString(), {Length::Millimetre, Length::Inch});

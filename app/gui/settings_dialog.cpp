@@ -38,7 +38,7 @@ SettingsDialog::SettingsDialog(const Settings& settings, QWidget* parent)
 
     decision_->setObjectName("decision");
     decision_->addItem(tr("the one each panel begins with"), QString());
-    for (const DecisionRule rule : {DecisionRule::GuardedRejection, DecisionRule::Simple, DecisionRule::Guarded})
+    for (const DecisionRule rule : decisionRules)
         decision_->addItem(screenText(name(rule)),
                            QString::fromUtf8(key(rule).data(), static_cast<int>(key(rule).size())));
     decision_->setCurrentIndex(std::max(0, decision_->findData(settings.decision)));

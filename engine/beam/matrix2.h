@@ -3,28 +3,11 @@
 
 #include <complex>
 
+#include "engine/core/plain_complex.h"
+
 namespace lathelier::beam {
 
 using Complex = std::complex<double>;
-
-inline double reciprocal(double x)
-{
-    return 1 / x;
-}
-/// Complex product without the checks for infinity of std::complex: the values are far from overflow.
-inline Complex reciprocal(const Complex& x)
-{
-    const double size = 1 / (x.real() * x.real() + x.imag() * x.imag());
-    return {x.real() * size, -x.imag() * size};
-}
-inline double product(double a, double b)
-{
-    return a * b;
-}
-inline Complex product(const Complex& a, const Complex& b)
-{
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-}
 
 /// Row: response (force or deflection), column: cause.
 template <class S>

@@ -7,7 +7,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(lathelier_options INTERFACE -Wlogical-op)
     if(LATHELIER_UNITY)
         # GCC 12 inlines more where it sees more, and then finds uninitialised strings in moved variants and pieces of
-        # blocks freed that are not. Compiled one by one (./dev lint), every source passes with these checks.
+        # blocks freed that are not.
         target_compile_options(lathelier_options INTERFACE -Wno-maybe-uninitialized -Wno-free-nonheap-object)
     endif()
 else()
@@ -17,9 +17,9 @@ endif()
 if(LATHELIER_WERROR)
     target_compile_options(lathelier_options INTERFACE -Werror)
 endif()
-if(LATHELIER_ODR)
-    add_compile_options(-O1 -flto=auto)
-    add_link_options(-O1 -flto=auto -Wodr -Werror=odr)
+if(LATHELIER_ODR)  # definitions are compared before anything is optimised
+    add_compile_options(-O0 -flto=auto)
+    add_link_options(-O0 -flto=auto -Wodr -Werror=odr)
 endif()
 # The same bits on every machine: no contraction of a*b+c into one rounding.
 target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
@@ -29,7 +29,7 @@ target_compile_options(lathelier_options INTERFACE -ffp-contract=off)
 include(CheckPIESupported)
 check_pie_supported()
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
-if(NOT LATHELIER_SANITIZE AND NOT LATHELIER_FUZZ)
+if(NOT LATHELIER_SANITIZE AND NOT LATHELIER_FUZZ AND NOT LATHELIER_ODR)
     target_compile_options(lathelier_options INTERFACE -fstack-protector-strong -fstack-clash-protection
                            $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2>)
 endif()

@@ -2,6 +2,7 @@
 // Source: ISO 14253-1 (guarded), JCGM 106 (simple acceptance, guarded rejection).
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -15,6 +16,7 @@ enum class Verdict { Pass, Fail, Undecided };
 /// by less than U is undecided. Simple: the value alone is compared. Guarded: pass and fail only outside the
 /// uncertainty about the limit.
 enum class DecisionRule { GuardedRejection, Simple, Guarded };
+inline constexpr std::array decisionRules{DecisionRule::GuardedRejection, DecisionRule::Simple, DecisionRule::Guarded};
 
 /// The one inequality of all verdicts, for a value that is to be at most `limit`, in one unit; U, its expanded
 /// uncertainty (k = 2 or 95 %), is NaN where it is not known:

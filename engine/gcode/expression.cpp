@@ -185,12 +185,15 @@ private:
         return value;
     }
 
-    struct Depth {
+    class Depth {
+    public:
         explicit Depth(Parser& parser) : parser_(parser)
         {
             if (++parser_.depth_ > deepest) parser_.fail(LT_TEXT("Engine", "brackets nested too deep"));
         }
         ~Depth() { --parser_.depth_; }
+
+    private:
         Parser& parser_;
     };
 
@@ -291,8 +294,8 @@ private:
             if (peek() != '[') fail(LT_TEXT("Engine", "a bracket is missing"));
             return std::atan2(x, plain(bracket())) / rad_per_deg;
         }
-        if (which == "IC") isIncremental_ = true;
-        if (which == "AC") isAbsolute_ = true;
+        if (which == "IC") is_incremental = true;
+        if (which == "AC") is_absolute = true;
         if (which == "SQRT" && x < 0)
             throw ExpressionFailure{LT_TEXT("Engine", "the root of a negative number"), argument};
         return checked(ofOne(which, x));
@@ -348,8 +351,8 @@ private:
     bool same_ = false;
 
 public:
-    bool isIncremental_ = false;
-    bool isAbsolute_ = false;
+    bool is_incremental = false;
+    bool is_absolute = false;
 };
 
 }  // namespace
@@ -359,8 +362,8 @@ Computed compute(std::string_view text, const Variables& variables, Dialect dial
     Parser parser(text, variables, dialect);
     Computed result;
     result.value = parser.logical();
-    result.is_incremental = parser.isIncremental_;
-    result.is_absolute = parser.isAbsolute_;
+    result.is_incremental = parser.is_incremental;
+    result.is_absolute = parser.is_absolute;
     parser.skip();
     result.end = parser.at();
     return result;

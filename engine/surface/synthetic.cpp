@@ -32,17 +32,37 @@ double scalarProduct(const Direction& a, const Direction& b)
 
 constexpr double largestDeviate = 9;  // of a normal generator with 53 bits
 
-/// Normal deviates at integer `place`, smoothly interpolated; one sequence per `index`.
-double smoothNoise(std::uint64_t seed, std::uint64_t stream, std::int64_t index, double place)
-{
-    const double cell = std::floor(place);
-    const double t = place - cell, weight = t * t * (3 - 2 * t);
-    const auto value = [&](double at) {
-        return randomNormal(seed, stream * 1000003 + static_cast<std::uint64_t>(index + 500000),
-                            static_cast<std::uint64_t>(static_cast<std::int64_t>(at) + 500000));
+/// Normal deviates of one seed. Neighbouring pixels ask for the same ones: the last of each slot is kept. For one thread.
+class Deviates {
+public:
+    explicit Deviates(std::uint64_t seed) : seed_(seed), kept_(4096) {}
+
+    /// Deviates at integer `place`, smoothly interpolated; one sequence per `index`.
+    double smooth(std::uint64_t stream, std::int64_t index, double place)
+    {
+        const double cell = std::floor(place);
+        const double t = place - cell, weight = t * t * (3 - 2 * t);
+        const std::uint64_t sequence = stream * 1000003 + static_cast<std::uint64_t>(index + 500000);
+        const auto at = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell) + 500000);
+        return (1 - weight) * deviate(sequence, at) + weight * deviate(sequence, at + 1);
+    }
+
+private:
+    struct Kept {
+        std::uint64_t sequence = ~std::uint64_t{0}, at = 0;
+        double deviate = 0;
     };
-    return (1 - weight) * value(cell) + weight * value(cell + 1);
-}
+
+    double deviate(std::uint64_t sequence, std::uint64_t at)
+    {
+        Kept& kept = kept_[(sequence * 64 + at) % kept_.size()];
+        if (kept.sequence != sequence || kept.at != at) kept = {sequence, at, randomNormal(seed_, sequence, at)};
+        return kept.deviate;
+    }
+
+    std::uint64_t seed_;
+    std::vector<Kept> kept_;
+};
 
 /// Slopes and groove brightness of the surface.
 class TurnedSurface {
@@ -59,7 +79,7 @@ public:
     }
 
     /// dh/dz and dh/dy of the lowest track at (z, y), both in mm.
-    std::array<double, 2> slopes(double z, double y) const
+    std::array<double, 2> slopes(double z, double y, Deviates& deviates) const
     {
         const double turn = y / round_mm_;
         const auto middle = static_cast<std::int64_t>(std::lround(z / p_.feed_mm_rev - turn));
@@ -74,7 +94,7 @@ public:
             const double phase = 2 * pi * waves_ * revolutions;
             const double smooth = nose + amplitude_mm_ * std::sin(phase);
             if (smooth - largestDeviate * depth_mm_ >= lowest) continue;
-            const double height = smooth + depth_mm_ * smoothNoise(seed(), TrackDepth, track, 4 * turn);
+            const double height = smooth + depth_mm_ * deviates.smooth(TrackDepth, track, 4 * turn);
             if (height >= lowest) continue;
             lowest = height;
             const double along_z = from_nose / p_.nose_radius_mm;
@@ -84,20 +104,18 @@ public:
         return found;
     }
 
-    double grooves(double z, double y) const
+    double grooves(double z, double y, Deviates& deviates) const
     {
         if (p_.grooves <= 0) return 0;
         const double across = (z - p_.feed_mm_rev * y / round_mm_) / (1.5 * p_.mm_per_px);
         const auto cell = static_cast<std::int64_t>(std::floor(across));
         const double t = across - static_cast<double>(cell);
         const double along = y / 3.0;
-        return p_.grooves * ((1 - t) * smoothNoise(seed(), GrooveLight, cell, along) +
-                             t * smoothNoise(seed(), GrooveLight, cell + 1, along));
+        return p_.grooves * ((1 - t) * deviates.smooth(GrooveLight, cell, along) +
+                             t * deviates.smooth(GrooveLight, cell + 1, along));
     }
 
 private:
-    std::uint64_t seed() const { return static_cast<std::uint64_t>(p_.seed); }
-
     const SyntheticParameters& p_;
     double round_mm_, amplitude_mm_, depth_mm_, waves_;
     std::int64_t reach_;
@@ -150,7 +168,7 @@ Grid renderedPicture(const SyntheticParameters& p, const Progress& progress)
     const double hand = p.cut == CutDirection::Up ? -1 : 1;
     const Vector along = turned({1, 0}, p.feed_direction_deg), across = turned({0, hand}, p.feed_direction_deg);
     Grid picture(p.width, p.height);
-    const auto brightness = [&](double x, double y) {
+    const auto brightness = [&](double x, double y, Deviates& deviates) {
         const Vector from{(x - 0.5 * p.width) * p.mm_per_px, (y - 0.5 * p.height) * p.mm_per_px};
         const double z = dot(from, along);
         double round = dot(from, across), tilt = 0;
@@ -159,18 +177,19 @@ Grid renderedPicture(const SyntheticParameters& p, const Progress& progress)
             tilt = std::asin(round / radius);
             round = radius * tilt;
         }
-        const auto [slope_z, slope_y] = surface.slopes(z, round);
+        const auto [slope_z, slope_y] = surface.slopes(z, round, deviates);
         const Direction normal = normalized(
             {-slope_z, -slope_y * std::cos(tilt) + std::sin(tilt), std::cos(tilt) + slope_y * std::sin(tilt)});
-        return lamps.brightness(normal) * std::max(0.2, 1 + surface.grooves(z, round));
+        return lamps.brightness(normal) * std::max(0.2, 1 + surface.grooves(z, round, deviates));
     };
     parallelFor(static_cast<std::size_t>(p.height), 8, progress, [&](std::size_t begin, std::size_t end) {
+        Deviates deviates(static_cast<std::uint64_t>(p.seed));
         for (std::size_t y = begin; y < end; ++y)
             for (int x = 0; x < p.width; ++x) {
                 double sum = 0;
                 for (int i = 0; i < sub; ++i)
                     for (int k = 0; k < sub; ++k)
-                        sum += brightness(x + (i + 0.5) / sub, static_cast<double>(y) + (k + 0.5) / sub);
+                        sum += brightness(x + (i + 0.5) / sub, static_cast<double>(y) + (k + 0.5) / sub, deviates);
                 picture.row(static_cast<int>(y))[x] = static_cast<float>(sum / (sub * sub));
             }
     });

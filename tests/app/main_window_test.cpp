@@ -145,6 +145,28 @@ private slots:
         QVERIFY(window_->tabifiedDockWidgets(dock("one")).contains(dock("two")));
     }
 
+    /// Of another version, or damaged.
+    void settingsThatAreNotUnderstoodAreNoHindrance()
+    {
+        window_->close();
+        window_.reset();
+        QSettings stored;
+        for (const char* key : {"geometry", "layouts/inspection", "layouts/roundness", "state", "workspace"})
+            stored.setValue(key, QByteArray("\x01no layout\xff"));
+        for (const char* key : {"language", "theme", "decision", "length_unit", "form_unit", "presenter_percent"})
+            stored.setValue(key, QString("furlong"));
+        stored.setValue("recent", 7);
+        restart();
+        QVERIFY(dock("one")->isVisible() || dock("two")->isVisible());
+        const Settings read = readSettings();
+        QVERIFY(read.decision.isEmpty());
+        QVERIFY(read.units == ScreenUnits{});
+        QVERIFY(read.presenter_percent >= 100);
+        QCOMPARE(window_->action("save")->text().remove('&'), QString("Save"));
+        openFiles({makeFile("a.profile")});
+        QCOMPARE(window_->activeDock(), dock("round"));
+    }
+
     void restoringNeverHidesTheActiveResult()
     {
         dock("one")->hide();

@@ -30,7 +30,7 @@ constexpr Signature signatures[] = {
 
 /// Offsets of the fields: those after the number of channels are wider since 2008.
 struct Offsets {
-    std::size_t frames, samples, total, converter, delay, channelRate, active, gains;
+    std::size_t frames, samples, total, converter, delay, channel_rate, active, gains;
 };
 constexpr Offsets narrowOffsets = {67, 71, 75, 83, 87, 91, 95, 159};
 constexpr Offsets wideOffsets = {67, 75, 83, 93, 101, 109, 117, 277};
@@ -97,7 +97,7 @@ void readNarrow(std::string_view par, LGraphHeader& header, std::int64_t& sample
     header.total_s = lgraphValueAt<double>(par, narrowOffsets.total);
     header.converter_kHz = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.converter));
     header.delay_ms = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.delay));
-    header.channel_kHz = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.channelRate));
+    header.channel_kHz = static_cast<double>(lgraphValueAt<float>(par, narrowOffsets.channel_rate));
 }
 
 void readWide(std::string_view par, LGraphHeader& header, std::int64_t& samples)
@@ -107,7 +107,7 @@ void readWide(std::string_view par, LGraphHeader& header, std::int64_t& samples)
     header.total_s = extendedAt(par, wideOffsets.total);
     header.converter_kHz = lgraphValueAt<double>(par, wideOffsets.converter);
     header.delay_ms = lgraphValueAt<double>(par, wideOffsets.delay);
-    header.channel_kHz = lgraphValueAt<double>(par, wideOffsets.channelRate);
+    header.channel_kHz = lgraphValueAt<double>(par, wideOffsets.channel_rate);
 }
 
 /// The channels whose flag is set, in ascending order; their number must agree with the header.
@@ -212,7 +212,7 @@ LGraphHeader readLGraphHeader(std::string_view par)
     std::int64_t samples = 0;
     (isWide ? readWide : readNarrow)(par, header, samples);
     checkCounts(par, offsets, samples, header);
-    positive(header.channel_kHz, LT_TEXT("Engine", "rate per channel"), offsets.channelRate);
+    positive(header.channel_kHz, LT_TEXT("Engine", "rate per channel"), offsets.channel_rate);
     positive(header.total_s, LT_TEXT("Engine", "total time"), offsets.total);
     checkTimes(offsets, header);
     if (header.version == LGraphVersion::Two) header.segments = lgraphValueAt<std::int32_t>(par, segmentsAt);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/plain_complex.h"
+
 namespace lathelier::receptance {
 namespace {
 
@@ -29,7 +31,7 @@ struct Term {
 /// The pole's part of a receptance for a residue of 1.
 Complex unitTerm(const PoleTerm& p, double r)
 {
-    return 1.0 / Complex(1 - r * r, 2 * p.damping * r);
+    return reciprocal(Complex(1 - r * r, 2 * p.damping * r));
 }
 
 Term termAt(const PoleTerm& p, double frequency_hz)
@@ -165,7 +167,7 @@ Complex valueOf(const Refined& model, double frequency_hz)
     Complex sum = model.upper_mm_N + model.lower_mm_Ns2 * massLine(frequency_hz);
     for (const PoleTerm& p : model.terms) {
         const double r = frequency_hz / p.frequency_hz;
-        sum += Complex(p.a_mm_N, p.b_mm_N * r) / Complex(1 - r * r, 2 * p.damping * r);
+        sum += Complex(p.a_mm_N, p.b_mm_N * r) * unitTerm(p, r);
     }
     return sum;
 }

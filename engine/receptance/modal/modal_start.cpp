@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/plain_complex.h"
+
 namespace lathelier::receptance {
 namespace {
 
@@ -17,7 +19,7 @@ constexpr double widestStart = 2;  ///< bound of the poles as factor of the firs
 /// The pole pair's two real basis functions at s = i·f.
 std::pair<Complex, Complex> basisOf(Complex pole, double frequency_hz)
 {
-    const Complex s(0, frequency_hz), first = 1.0 / (s - pole), second = 1.0 / (s - std::conj(pole));
+    const Complex s(0, frequency_hz), first = reciprocal(s - pole), second = reciprocal(s - std::conj(pole));
     return {first + second, Complex(0, 1) * (first - second)};
 }
 

@@ -76,6 +76,7 @@ RC_GTEST_PROP(TrajectoryProperty, CablesMayGoAnywhere, ())
 {
     sample::SpindleModel model = anyMachine();
     model.channel_skew_s = 0;  // else the order is part of the measurement
+    model.sections = 1;        // read frame by frame like any other
     const io::ProbeRecord record = sample::makeProbeRecord(model);
     const std::vector<std::size_t> order = *rc::gen::map(rc::gen::arbitrary<std::uint32_t>(), [&](std::uint32_t seed) {
         std::vector<std::size_t> places{0, 1, 2, 3, 4};
@@ -103,6 +104,7 @@ RC_GTEST_PROP(TrajectoryProperty, FramesBeforeTheFirstMarkDoNotCount, ())
 {
     sample::SpindleModel model = anyMachine();
     model.lead_turns = 0.9;
+    model.sections = 1;
     io::ProbeRecord record = sample::makeProbeRecord(model);
     const TrajectoryResult whole = trajectory({fileOf(record)}, parametersFor(model));
     const auto dropped = static_cast<std::ptrdiff_t>(*rc::gen::inRange(1, 60));

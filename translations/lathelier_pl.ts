@@ -3668,8 +3668,8 @@
         <translation>Najgorsze miejsce: średnia odchyłka</translation>
     </message>
     <message>
-        <source>… its uncertainty (k = 2)</source>
-        <translation>… jej niepewność (k = 2)</translation>
+        <source>… its uncertainty (95 % for the worst of all places)</source>
+        <translation>… jej niepewność (95 % dla najgorszego ze wszystkich miejsc)</translation>
     </message>
     <message>
         <source>… along the axis at</source>

@@ -68,7 +68,7 @@ const std::vector<QuantityOf<WorstPlace>>& quantitiesOf(const WorstPlace*)
         quantity<W>("angle_deg", &W::angle_deg, {LT_TEXT("Engine", "… at the angle"), unit::deg, 1}),
         quantity<W>("deviation_mm", &W::deviation_mm, {LT_TEXT("Engine", "Worst place: mean deviation"), unit::mm, 4}),
         quantity<W>("uncertainty_mm", &W::uncertainty_mm,
-                    {LT_TEXT("Engine", "… its uncertainty (k = 2)"), unit::mm, 4}),
+                    {LT_TEXT("Engine", "… its uncertainty (95 % for the worst of all places)"), unit::mm, 4}),
         quantity<W>("cell_mm", &W::cell_mm, {LT_TEXT("Engine", "… mean over a square of"), unit::mm, 2}));
     return all;
 }

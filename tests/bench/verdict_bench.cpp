@@ -13,6 +13,7 @@
 #include "engine/registration/surface/surface_samples.h"
 #include "engine/registration/verdict/verdict.h"
 #include "tests/engine/registration/bumped_scan.h"
+#include "tests/engine/registration/lost_ends.h"
 #include "tests/engine/registration/stepped_scan.h"
 #include "tests/engine/registration/synthetic_pair.h"
 
@@ -284,16 +285,10 @@ std::vector<Case> cases()
                 std::snprintf(name, sizeof name, "steps, plateau +%.2f, sigma %.2f, %zuk, +-0.08", plateau, sigma,
                               count / 1000);
                 all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {
-                                   using namespace testing_steps;
-                                   const Steps shaft{{25, 15}, {20, 19}, {30, 13}};
-                                   const auto scan = [&](std::uint64_t stream) {
-                                       return scanEvenly(shaft, count, sigma, -1e9, 1e9, poseOf(stream), stream);
-                                   };
-                                   const std::uint64_t stream = 9001 + 2 * seed;
-                                   Scan copy = scan(stream);
-                                   if (plateau > 0) addPlateau(copy, poseOf(stream), shaft, plateau, 4, seed);
-                                   CompareResult result =
-                                       compare(scan(stream - 1), copy, {}, {}, registration::CompareDetail::Summary);
+                                   const testing_steps::StepScans scans =
+                                       testing_steps::stepsTwice(count, sigma, plateau, seed);
+                                   CompareResult result = compare(scans.reference, scans.copy, {}, {},
+                                                                  registration::CompareDetail::Summary);
                                    judgeByAll(result, 0.08, rules);
                                    for (const Finding& f : result.findings)
                                        if (f.kind == Finding::Kind::Bump && plateau > 0)
@@ -303,6 +298,16 @@ std::vector<Case> cases()
                                        rules.guarded.state(result.worst->deviation_mm, result.worst->uncertainty_mm, 0);
                                }});
             }
+    // Wrong: further off than 5 um, and not said to be undetermined.
+    all.push_back({"ends lost, two shoulders, sigma 0.05, 40k, +-0.1", [](std::uint64_t seed, Tallies& rules) {
+                       using namespace testing_lost_ends;
+                       LostEnds lost = compareWithLostEnds(randomShaft(seed), 40000, seed);
+                       judgeByAll(lost.result, 0.1, rules);
+                       const double stated_um = lost.result.alignment.uncertainty.axial_um;
+                       if (std::isnan(stated_um)) return;
+                       rules.rejection.wrong += std::abs(lost.axial_um) > 5;
+                       rules.rejection.state(lost.axial_um / 1000, stated_um / 1000, 0);
+                   }});
     for (const int sides : {24, 36, 72, 400}) {
         std::snprintf(name, sizeof name, "shaft to mesh of %d sides, sigma 0.05, 100k points, +-0.03", sides);
         all.push_back({name, [=](std::uint64_t seed, Tallies& rules) {

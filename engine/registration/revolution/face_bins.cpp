@@ -27,12 +27,24 @@ void clearRun(RadiusProfile& profile, const Run& run)
     }
 }
 
+/// Smallest difference of radii that is a step.
+double leastStep_mm(const RadiusProfile& profile, double sigma_mm)
+{
+    return std::max(stepSigmas * sigma_mm, leastStepSlope * profile.step_mm);
+}
+
+/// Longest run of bins that noise makes of a face.
+double longestRun_mm(double sigma_mm)
+{
+    return faceNoiseReach_sigmas * sigma_mm + narrowestLand_mm;
+}
+
 }  // namespace
 
 void clearFaceBins(RadiusProfile& profile, double sigma_mm)
 {
-    const double step = std::max(stepSigmas * sigma_mm, leastStepSlope * profile.step_mm);
-    const double reach = faceNoiseReach_sigmas * sigma_mm + narrowestLand_mm;
+    const double step = leastStep_mm(profile, sigma_mm);
+    const double reach = longestRun_mm(sigma_mm);
     std::vector<Run> runs;
     for (std::size_t i = 0; i < profile.size(); ++i) {
         const double radius = profile.radius_mm[i];
@@ -70,6 +82,32 @@ void clearFaceBins(RadiusProfile& profile, double sigma_mm)
                 from = to;
             }
         begin = std::max(end, begin + 1);
+    }
+}
+
+void clearRoughFaceBins(std::vector<double>& rough_mm, const RadiusProfile& profile, double sigma_mm)
+{
+    const double step = leastStep_mm(profile, sigma_mm);
+    const std::size_t count = std::min(rough_mm.size(), profile.size());
+    double before = 0;  // radius of the last known bin
+    for (std::size_t i = 0; i < count;) {
+        if (std::isnan(rough_mm[i]) || !std::isnan(profile.radius_mm[i])) {
+            if (!std::isnan(profile.radius_mm[i])) before = profile.radius_mm[i];
+            ++i;
+            continue;
+        }
+        // Bins between the last rough one and the next known one may be unknown.
+        std::size_t end = i;
+        for (std::size_t k = i; k < count && std::isnan(profile.radius_mm[k]); ++k)
+            if (!std::isnan(rough_mm[k])) end = k + 1;
+        std::size_t next = end;
+        while (next < profile.size() && std::isnan(profile.radius_mm[next])) ++next;
+        const double after = next < profile.size() ? profile.radius_mm[next] : 0;
+        const bool is_short = static_cast<double>(end - i) * profile.step_mm <= longestRun_mm(sigma_mm);
+        if (is_short && std::abs(after - before) > step)
+            std::fill(rough_mm.begin() + static_cast<std::ptrdiff_t>(i),
+                      rough_mm.begin() + static_cast<std::ptrdiff_t>(end), notANumber);
+        i = end;
     }
 }
 

@@ -211,6 +211,7 @@ RevolutionFit fitRevolution(const std::vector<Vector3d>& points, const Progress&
     if (bins.wall_count > bins.side_count) fit.bore = radiusProfileOf(bins, step.sums.bins, bins.side_count);
     const std::vector<bool> rough = roughBins(sample, pose, bins);
     for (std::size_t i = 0; i < rough.size(); ++i) fit.rough_mm.push_back(rough[i] ? bins.bins[i].value : notANumber);
+    clearRoughFaceBins(fit.rough_mm, fit.profile, fit.sigma_mm);
     fit.not_turned = judgeRevolution(fit, sample, candidates.noise_mm);
     progress.report(1);
     return fit;

@@ -152,16 +152,24 @@ void joinCubes(const CubeLevel& cubes, CellLevel& level, const Progress& progres
         std::array<std::array<std::uint32_t, 2>, 3> row{};
     };
     std::vector<Found> found(count);
+    KeyTable occupied(count + 16);  // most cubes about a surface are empty: looked up once for all sides
+    std::vector<std::uint8_t> sides;
+    for (std::size_t c = 0; c < count; ++c) {
+        const std::uint32_t number = occupied.add(keyOf(cubes.cube[c], 0), static_cast<std::uint32_t>(sides.size()));
+        if (number == sides.size()) sides.push_back(0);
+        sides[number] = static_cast<std::uint8_t>(sides[number] | 1U << static_cast<unsigned>(cubes.side[c]));
+    }
     parallelFor(count, 1024, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
             const SurfaceCell& here = level.cells[c];
             const Cube& cube = cubes.cube[c];
             Found& mine = found[c];
             const auto look = [&](const Cube& at) {
+                const std::uint32_t held = occupied.find(keyOf(at, 0));
+                if (held == noCell) return;
                 for (int side = 0; side < 6; ++side) {
-                    if ((side ^ 1) == cubes.side[c]) continue;
+                    if ((side ^ 1) == cubes.side[c] || (sides[held] >> side & 1) == 0) continue;
                     const std::uint32_t other = cubes.table.find(keyOf(at, side));
-                    if (other == noCell) continue;
                     const SurfaceCell& there = level.cells[other];
                     if (here.normal.dot(there.normal) < sameSideCosine * here.normal.norm() * there.normal.norm())
                         continue;

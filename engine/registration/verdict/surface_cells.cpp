@@ -111,8 +111,8 @@ double inflationOfWindow(const std::vector<double>& seen, std::size_t level, dou
     return variance_inflation;
 }
 
-/// Standard uncertainty of a window's mean from the reference's own noise and the registration.
-double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum)
+/// Standard uncertainty of the mean of a window of this size from the reference's own noise and the registration.
+double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum, double size_mm)
 {
     const Eigen::Vector3d lever = sum.place_mm - all.middle_mm;
     if (!all.axis_T_reference) {
@@ -128,8 +128,9 @@ double fixedSigma(const SurfaceWindows& all, const SurfaceCell& sum)
                       std::pow(all.tilt_sigma * (turn - turn.dot(axis) * axis).norm(), 2);
     if (sum.stretch >= 0) {
         const MeridianStretch& stretch = all.stretches[static_cast<std::size_t>(sum.stretch)];
-        const double bins =
-            std::max(1.0, static_cast<double>(sum.z_end_mm - sum.z_start_mm) / stretch.reference_step_mm);
+        const double extent_mm = stretch.isFace() ? std::min(size_mm, stretch.extent_mm())
+                                                  : static_cast<double>(sum.z_end_mm - sum.z_start_mm);
+        const double bins = std::max(1.0, extent_mm / stretch.reference_step_mm);
         variance += std::pow(stretch.reference_sigma_mm, 2) / bins;
     }
     return std::sqrt(variance);
@@ -152,7 +153,7 @@ SurfaceWindow windowOf(const SurfaceCell& sum, double size_mm, double variance_i
     window.points = static_cast<float>(sum.points);
     window.mean_mm = static_cast<float>(sum.mean_mm);
     window.sigma_mm = static_cast<float>(
-        std::hypot(few * std::sqrt(variance_inflation * variance / sum.points), fixedSigma(all, sum)));
+        std::hypot(few * std::sqrt(variance_inflation * variance / sum.points), fixedSigma(all, sum, size_mm)));
     window.stretch = sum.stretch;
     return window;
 }

@@ -101,6 +101,24 @@ inline void addPlateau(Scan& scan, const Eigen::Isometry3d& scan_T_part, const S
     }
 }
 
+struct StepScans {
+    Scan reference, copy;
+};
+
+/// A shaft of three steps twice, the copy with a plateau `height_mm` high and 4 mm across; 0: none.
+inline StepScans stepsTwice(std::size_t count, double sigma_mm, double height_mm, std::uint64_t seed)
+{
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    const Steps shaft{{25, 15}, {20, 19}, {30, 13}};
+    const auto scan = [&](std::uint64_t stream) {
+        return scanEvenly(shaft, count, sigma_mm, -everywhere, everywhere, poseOf(stream), stream);
+    };
+    const std::uint64_t stream = 9001 + 2 * seed;
+    StepScans scans{scan(stream - 1), scan(stream)};
+    if (height_mm > 0) addPlateau(scans.copy, poseOf(stream), shaft, height_mm, 4, seed);
+    return scans;
+}
+
 /// A scanner as sample::ScannerModel, but its range is the mean over the height of the spot.
 struct MeanSpotScanner {
     double row_pitch_mm = 0.1;

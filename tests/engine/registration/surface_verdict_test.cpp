@@ -1,6 +1,7 @@
 // The verdict about the surface: pass, fail, undecided, and the coverage of the uncertainties.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/parallel.h"
@@ -34,11 +35,13 @@ TEST(SurfaceVerdict, TheSameShapeTwicePassesWhateverTheNoise)
 {
     for (const std::uint64_t seed : {1U, 2U}) {
         const ShaftScans scans = shaftTwice(seed, {.sigma_mm = 0.1, .step_deg = 6.6, .dropout = 0.3, .spurious = 0.02});
-        CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.05));
+        CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.1));
         EXPECT_EQ(result.verdict, Verdict::Pass);
-        EXPECT_LT(*result.within_tolerance_percent, 40) << "a share of points would have failed it";
+        EXPECT_LT(*result.within_tolerance_percent, 70) << "a share of points would have failed it";
         EXPECT_NEAR(result.scatter_mm, 0.1, 0.003);
         for (const Zone& zone : result.zones) EXPECT_LT(std::abs(zone.mean_mm), 1.6 * zone.uncertainty_mm);
+        judge(result, withinTolerance(0.05));
+        EXPECT_EQ(result.verdict, Verdict::Undecided) << "a plateau of 0.05 mm, 4.5 mm across, would not be seen";
         judge(result, withinTolerance(0.03, DecisionRule::Guarded));
         EXPECT_NE(result.verdict, Verdict::Fail);
     }
@@ -140,9 +143,17 @@ TEST(SurfaceVerdict, SaysWhatWouldDecide)
     CompareResult result = compare(scans.reference, scans.copy, withinTolerance(0.0005));
     EXPECT_EQ(result.verdict, Verdict::Undecided);
     EXPECT_TRUE(contains(result.notes, notes::scanTooPoor));
-    judge(result, withinTolerance(0.05));
-    EXPECT_EQ(result.verdict, Verdict::Pass);
+    judge(result, withinTolerance(0.06));
+    EXPECT_EQ(result.verdict, Verdict::Undecided);
     EXPECT_FALSE(contains(result.notes, notes::scanTooPoor));
+    const auto hidden = std::find_if(result.notes.begin(), result.notes.end(),
+                                     [](const Note& note) { return note.code == notes::smallDefectsHidden; });
+    ASSERT_NE(hidden, result.notes.end());
+    const auto size_mm = std::get<double>(hidden->values.at(0).second);
+    EXPECT_GT(size_mm, 4.5);
+    EXPECT_LT(size_mm, 7);
+    judge(result, withinTolerance(0.1));
+    EXPECT_EQ(result.verdict, Verdict::Pass);
 }
 
 TEST(SurfaceVerdict, FacetsOfACoarseMeshAreNoDeviation)
@@ -171,7 +182,7 @@ TEST(SurfaceVerdict, ZonesHaveLimitsOfTheirOwn)
 {
     const ShaftScans scans = shaftTwice(8, {.step_deg = 6.6, .copy = sample::copiedShaft()});
     CompareParameters asked = withinTolerance(0.06);
-    asked.zones = {{"collar", 98.5, 107.5, 0.0, 0.08}, {"grip", 0, 20, {}, {}}};
+    asked.zones = {{"collar", 98.5, 107.5, 0.0, 0.1}, {"grip", 0, 20, {}, {}}};
     CompareResult result = compare(scans.reference, scans.copy, asked);
     EXPECT_EQ(result.verdict, Verdict::Pass);
     ASSERT_EQ(result.zones.size(), 2u);

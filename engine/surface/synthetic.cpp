@@ -32,7 +32,8 @@ double scalarProduct(const Direction& a, const Direction& b)
 
 constexpr double largestDeviate = 9;  // of a normal generator with 53 bits
 
-/// Normal deviates of one seed. Neighbouring pixels ask for the same ones: the last of each slot is kept. For one thread.
+/// Normal deviates of one seed. Neighbouring pixels ask for the same ones: the last of each slot is kept. For one
+/// thread.
 class Deviates {
 public:
     explicit Deviates(std::uint64_t seed) : seed_(seed), kept_(4096) {}

@@ -13,7 +13,9 @@ const std::vector<Field<CylindricityParameters>>& fieldsOf(const CylindricityPar
               Label{LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Largest cylindricity deviation CYLt allowed."),
                     unit::um}),
         decisionField(&P::decision,
-                      LT_TEXT("Engine", "Guarded rejection: out only where surely out. Simple: the value alone. Guarded: only what is sure passes "
+                      LT_TEXT("Engine",
+                              "Guarded rejection: out only where surely out. Simple: the value alone. Guarded: only "
+                              "what is sure passes "
                               "or fails."),
                       true),
         field("probe_uncertainty_um", &P::probe_uncertainty_um, Range{0, 1e6},

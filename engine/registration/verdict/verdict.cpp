@@ -122,8 +122,8 @@ void noteResolution(CompareResult& result, const WindowsVerdict& whole)
     for (const ZoneLimits& zone : result.parameters.zones)
         if (zone.lower_mm) limit = std::min(limit, (*zone.upper_mm - *zone.lower_mm) / 2);
     if (smallest_mm <= largestDefect_mm) {
-        result.notes.push_back(
-            {notes::smallDefectsHidden, {{"size_mm", diameterOfSquare * smallest_mm}, {"limit_mm", limit}}});
+        const double across_mm = std::ceil(10 * diameterOfSquare * smallest_mm) / 10;
+        result.notes.push_back({notes::smallDefectsHidden, {{"size_mm", across_mm}, {"limit_mm", limit}}});
         return;
     }
     const double ratio = whole.needed_mm / std::max(limit, 1e-9);

@@ -116,6 +116,19 @@ private slots:
         QCOMPARE(strip.findChild<QLabel*>("verdict")->text(), QString("no limit given"));
     }
 
+    void theValueIsWholeBesideItsRuler()
+    {
+        AnswerStrip strip;
+        strip.show();
+        strip.setAnswer(made(15.2));
+        for (int width = 1600; width >= 500; width -= 50) {
+            strip.resize(width, strip.sizeHint().height());
+            QTest::qWait(1);
+            const auto* value = strip.findChild<QLabel*>("headline");
+            if (strip.findChild<QWidget*>("ruler")->isVisible()) QVERIFY(value->width() >= value->sizeHint().width());
+        }
+    }
+
     void nothingMovesWhenTheAnswerChanges()
     {
         for (const int height : {420, 90})

@@ -306,6 +306,7 @@ void AnswerStrip::clear()
     verdict_->clear();
     showPlate({}, false);
     ruler_->setAnswer({});
+    showRuler();
     sentence_->say({});
     sentence_->setToolTip({});
     for (FindingLink* finding : findings_) {
@@ -322,6 +323,8 @@ void AnswerStrip::showRuler()
     const int room = width() - others - 10 * chars;
     ruler_->setVisible(ruler_->hasScale() && room > leastRuler_chars * chars);
     ruler_->setMaximumWidth(std::clamp(room, leastRuler_chars * chars, mostRuler_chars * chars));
+    // Beside the ruler the value is whole, with its unit.
+    value_->setMinimumWidth(ruler_->isVisibleTo(this) ? value_->sizeHint().width() : 0);
 }
 
 QString AnswerStrip::text() const

@@ -8,6 +8,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/opened_files.h"
 #include "engine/io/probe/probe_reader.h"
 
 namespace lathelier::cli {
@@ -128,6 +129,15 @@ void checkOutputs(const Invocation& invocation)
         for (const NamedFile& input : inputs)
             if (isSame(output, input))
                 throw Error(errors::outputIsInput, {{"parameter", output.option}, {"file", input.path}});
+}
+
+void watchOutputs(const Invocation& invocation)
+{
+    io::setWriteCheck([outputs = outputsOf(invocation)] {
+        for (const NamedFile& output : outputs)
+            if (const auto input = io::openedAs(output.path))
+                throw Error(errors::outputIsInput, {{"parameter", output.option}, {"file", *input}});
+    });
 }
 
 }  // namespace lathelier::cli

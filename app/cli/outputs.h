@@ -10,4 +10,8 @@ namespace lathelier::cli {
 /// where they are files. Errors outputIsInput, outputsAreOne, valueNotUnderstood (“-” for anything but --json).
 void checkOutputs(const Invocation& invocation);
 
+/// Files that are reached in another way (named in an input, found beside it) are known once they are read: from now on
+/// the first output that is written is refused with outputIsInput where any output is a file that was read.
+void watchOutputs(const Invocation& invocation);
+
 }  // namespace lathelier::cli

@@ -1,16 +1,19 @@
 #include "app/cli/run.h"
 
+#include <algorithm>
 #include <ctime>
 #include <new>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/help.h"
+#include "app/cli/outputs.h"
 #include "app/cli/progress_line.h"
 #include "app/cli/standard_streams.h"
 #include "app/cli/verb_answer.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/core/texts.h"
+#include "engine/io/io_codes.h"
 #include "engine/report/html.h"
 #include "engine/report/result_json.h"
 #include "engine/verify/verify_report.h"
@@ -77,6 +80,7 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
     const CommonOptions& common = invocation.common;
     const ThreadLimit limit(common.threads);
     io::InputFiles inputs(common.threads != 1);
+    watchOutputs(invocation);
     Answer answer = ask(*invocation.verb, invocation.request, inputs, progress);
     if (!common.report.empty() && answer.report && answer.errors.empty())
         gather(answer, [&] { writeReport(common.report, answer, inputs, progress); });
@@ -85,7 +89,9 @@ int work(const Invocation& invocation, const Progress& progress, ProgressLine& l
 
     // A file is there whole or not at all, so that a stop at any moment leaves what was finished before it.
     const bool json_on_stdout = common.json == "-";
-    if (!common.json.empty() && !json_on_stdout)
+    const bool is_refused = std::any_of(answer.errors.begin(), answer.errors.end(),
+                                        [](const Error& error) { return error.code() == errors::outputIsInput; });
+    if (!common.json.empty() && !json_on_stdout && !is_refused)
         writeJson(invocation, inputs, answer, [&](const Json& json) {
             io::writeFile(common.json, [&](const io::Append& append) {
                 report::writeText(json, [&](std::string_view step) {

@@ -21,6 +21,7 @@
 #include "engine/core/memory.h"
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/opened_files.h"
 
 namespace lathelier::io {
 namespace {
@@ -57,6 +58,7 @@ public:
         if (::fstat(number(), &status_) != 0) throwNotReadable(path_, systemReason(errno));
         if (!S_ISREG(status_.st_mode) && !(pipesToo && isPipe()))
             throw Error(errors::notAFile, {{"path", path_}, {"found", kindOf(status_.st_mode)}});
+        noteOpened(path_, status_);
         waitForNewTick();
     }
 

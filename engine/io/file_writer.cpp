@@ -16,6 +16,7 @@
 #include "engine/io/file.h"
 #include "engine/io/file_system.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/opened_files.h"
 
 namespace lathelier::io {
 namespace {
@@ -134,6 +135,7 @@ void syncFolder(const fs::path& folder)
 
 void writeFile(const std::string& path, const std::function<void(const Append& append)>& write)
 {
+    checkWrite();
     const std::string target = followLinks(path);
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;

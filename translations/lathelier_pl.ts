@@ -4748,6 +4748,10 @@
         <translation>promień zewnętrzny i otworu na początku, promień zewnętrzny i otworu na końcu, długość</translation>
     </message>
     <message>
+        <source>at most 100 000 mm</source>
+        <translation>najwyżej 100 000 mm</translation>
+    </message>
+    <message>
         <source>a number that is 0 or more</source>
         <translation>liczba równa 0 lub większa</translation>
     </message>

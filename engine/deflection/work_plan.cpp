@@ -201,6 +201,7 @@ WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const Turni
     WorkPlan plan;
     const double length_mm = stock.length_mm();
     plan.z_mm = nodesOf(fixedPlaces(stock, runs, setup, length_mm), setup);
+    if (plan.z_mm.size() < 2) return plan;  // a stock without length: nothing of it can be cut
     addStock(stock, plan);
     plan.rest_nodes.reserve(setup.steady_rests.size());
     for (const SteadyRest& rest : setup.steady_rests) plan.rest_nodes.push_back(nodeAt(plan.z_mm, rest.z_mm));

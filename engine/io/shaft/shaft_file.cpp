@@ -34,6 +34,8 @@ struct StockLine {
     double start_radius_mm, start_bore_mm, end_radius_mm, end_bore_mm, length_mm;
 };
 
+constexpr double largestNumber_mm = 1e5;  // as for the rows of a SHAFT.json
+
 StockLine stockLine(const Lines& lines, std::string_view content)
 {
     const Text expected =
@@ -46,6 +48,8 @@ StockLine stockLine(const Lines& lines, std::string_view content)
         const auto value = wholeNumber(words[i], '.');
         if (!value || !std::isfinite(*value) || *value < 0)
             throw malformed(lines.number(), lines.line(), words[i], LT_TEXT("Engine", "a number that is 0 or more"));
+        if (*value > largestNumber_mm)
+            throw malformed(lines.number(), lines.line(), words[i], LT_TEXT("Engine", "at most 100 000 mm"));
         numbers[i] = *value;
     }
     if (words.size() < numbers.size())

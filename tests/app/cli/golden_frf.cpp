@@ -104,6 +104,8 @@ void makeFrfs(const std::string& folder)
     write("plain.json", R"({"segments": [{"length_mm": 250, "start_diameter_mm": 40, "end_diameter_mm": 40}]})");
     write("springs.json", R"({"springs": {"radial_N_mm": 15000, "tilt_N_mm_rad": 197400000, "loss_factor": 0.06}})");
     write("stock.txt", "20 0 20 0 250\n");
+    write("long_stock.txt", "20 0 20 0 250\n20 0 20 0 1000000\n");
+    write("speck.json", R"({"segments": [{"length_mm": 1e-9, "start_diameter_mm": 34, "end_diameter_mm": 34}]})");
     write("taps.uff", tapTests());
     write("taps.json",
           R"({"frf": "taps.uff", "rods": [)"

@@ -152,9 +152,9 @@ void removeEnds(const std::vector<Grid>& grids, std::vector<SurfaceCell>& cells,
             const auto begin = cells.begin() + static_cast<std::ptrdiff_t>(grid.first + row * grid.columns);
             return std::span(begin, grid.columns);
         };
+        const auto edge = static_cast<std::size_t>(std::ceil(smearedEdge_mm / grid.rowHeight_mm()));  // rows
         std::size_t empty = 0;  // rows before this one
         const auto endAt = [&](std::size_t row) {
-            const auto edge = static_cast<std::size_t>(std::ceil(smearedEdge_mm / grid.rowHeight_mm()));
             for (std::size_t k = row; k < std::min(row + edge, grid.rows); ++k)
                 std::fill_n(out.begin() + static_cast<std::ptrdiff_t>(grid.first + k * grid.columns), grid.columns,
                             true);
@@ -168,7 +168,6 @@ void removeEnds(const std::vector<Grid>& grids, std::vector<SurfaceCell>& cells,
                 continue;
             }
             if (static_cast<double>(empty) * grid.rowHeight_mm() >= shortestGap_mm && empty < grid.rows) {
-                const auto edge = static_cast<std::size_t>(std::ceil(smearedEdge_mm / grid.rowHeight_mm()));
                 if (filled) endAt(row);
                 if (row > empty) endAt(row - empty - std::min(edge, row - empty));
             }

@@ -27,8 +27,8 @@ struct SurfaceCell {
     void add(const SurfaceCell& other);
 };
 
-/// How large the smallest cells are to be for so many points on so much surface: a point or two each, no larger than
-/// the point density requires, and bounded in number for the run time.
+/// How large the smallest cells are to be for so many points on so much surface: half a point each on average, no
+/// larger than the point density requires, and bounded in number for the run time.
 double cellSize_mm(double points, double area_mm2);
 
 /// Cells of one size.

@@ -11,7 +11,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double toleratedShare = 0.005;  // largest share of the surface that may be unresolved (rims, small corners)
+constexpr double toleratedShare = 0.002;  // largest share of the surface that may be unresolved (rims, small corners)
 constexpr double sureHalfWidthShare =
     0.5;  // of the half-width of the limits: with an expanded uncertainty up to it a window represents its place
 constexpr double leastResolution = 2;  // standard uncertainties within the half-width: noisier windows say nothing

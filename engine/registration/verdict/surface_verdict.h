@@ -48,9 +48,9 @@ Verdict judgeMean(const SurfaceWindows& all, double mean_mm, double expanded_unc
                   const DeviationLimits& limits, DecisionRule rule);
 
 /// Size of the defects that a scan has to show for a pass, by the guarded rule and by the others; and the largest that
-/// is looked for as a defect. Sides of squares of the same area: discs of 2.5, 4.5 and 9 mm.
+/// is looked for as a defect. Sides of squares of the same area: discs of 2.5, 4 and 9 mm.
 inline constexpr double leastDefect_mm = 2.2;
-inline constexpr double plainDefect_mm = 4;
+inline constexpr double plainDefect_mm = 3.5;
 inline constexpr double largestDefect_mm = 8;
 
 /// Combined verdict of the windows of one stretch of the axis, or of all.

@@ -41,6 +41,16 @@ TEST(SmallDefect, NeverPasses)
         }
 }
 
+/// Here the disc holds 11 points, half of what is usual: no window about it is sure, which decides nothing.
+TEST(SmallDefect, OnAThinPlaceIsNotDecided)
+{
+    CompareResult result = compareSteps(stepsTwice(20000, 0.05, 0.12, 86));
+    for (const DecisionRule rule : decisionRules) {
+        judge(result, withinTolerance(limit_mm, rule));
+        EXPECT_NE(result.verdict, Verdict::Pass) << key(rule);
+    }
+}
+
 TEST(SmallDefect, TheSameShapePassesByEveryRule)
 {
     for (std::uint64_t seed = 0; seed < runs; ++seed) {

@@ -5052,6 +5052,10 @@
         <translation>Prędkość wybranego worka, {lobe_rpm} obr/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
     </message>
     <message>
+        <source>So many lobes reach these speeds that {count} of them, those with the largest depths, are not listed. The limit is that of all.</source>
+        <translation>Tych prędkości sięga tyle worków stabilności, że {count} z nich, o największych głębokościach, nie wymieniono. Granica jest granicą wszystkich.</translation>
+    </message>
+    <message>
         <source>The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits the depth may lie outside.</source>
         <translation>Najmniejsza część rzeczywista leży na końcu charakterystyki, przy {frequency_hz} Hz: postać ograniczająca głębokość może leżeć poza nią.</translation>
     </message>

@@ -648,6 +648,10 @@
         <translation>jedna jednostka dla x, y i z</translation>
     </message>
     <message>
+        <source>at most 10000 names in an object</source>
+        <translation>najwyżej 10000 nazw w obiekcie</translation>
+    </message>
+    <message>
         <source>at most 32 levels of nesting</source>
         <translation>najwyżej 32 poziomy zagnieżdżenia</translation>
     </message>

@@ -648,6 +648,10 @@
         <translation>jedna jednostka dla x, y i z</translation>
     </message>
     <message>
+        <source>at most 10000 names in an object</source>
+        <translation>najwyżej 10000 nazw w obiekcie</translation>
+    </message>
+    <message>
         <source>at most 32 levels of nesting</source>
         <translation>najwyżej 32 poziomy zagnieżdżenia</translation>
     </message>
@@ -5050,6 +5054,10 @@
     <message>
         <source>The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is the nearest inside.</source>
         <translation>Prędkość wybranego worka, {lobe_rpm} obr/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
+    </message>
+    <message>
+        <source>So many lobes reach these speeds that {count} of them, those with the largest depths, are not listed. The limit is that of all.</source>
+        <translation>Tych prędkości sięga tyle worków stabilności, że {count} z nich, o największych głębokościach, nie wymieniono. Granica jest granicą wszystkich.</translation>
     </message>
     <message>
         <source>The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits the depth may lie outside.</source>

@@ -18,61 +18,49 @@ double speedOf(const BoundaryPoint& point, int k, SpeedRelation relation)
     return 60 * point.frequency_hz / (relation == SpeedRelation::Published ? k : k + point.phase_turns);
 }
 
-/// Lower envelope at evenly spaced speeds, updated segment by segment.
-class LowerEnvelope {
-public:
-    LowerEnvelope(const Interval& speed_rpm, int points)
-        : from_(speed_rpm.from), to_(speed_rpm.to), step_((to_ - from_) / (points - 1)), last_(points - 1)
-    {
-        const auto count = static_cast<std::size_t>(points);
-        limit_ = {{},
-                  std::vector<double>(count, notANumber),
-                  std::vector<double>(count, notANumber),
-                  std::vector<int>(count, -1)};
-        limit_.speed_rpm.reserve(count);
-        for (int i = 0; i < points; ++i) limit_.speed_rpm.push_back(i + 1 == points ? to_ : from_ + i * step_);
-    }
-
-    bool isEmpty() const { return !(step_ > 0); }
-
-    void add(const LobeCurve& curve)
-    {
-        for (const auto& stretch : curve.stretches)
-            for (std::size_t i = 1; i < stretch.size(); ++i) add(stretch[i - 1], stretch[i], curve.k);
-    }
-
-    LobeLimit take() { return std::move(limit_); }
-
-private:
-    void add(const CurvePoint& a, const CurvePoint& b, int k)
-    {
-        const double low = std::min(a.speed_rpm, b.speed_rpm), high = std::max(a.speed_rpm, b.speed_rpm);
-        if (high < from_ || low > to_) return;
-        const double first = std::max(0.0, std::ceil((low - from_) / step_));
-        const double last = std::min(last_, std::floor((high - from_) / step_));
-        for (double place = first; place <= last; ++place) {
-            const auto i = static_cast<std::size_t>(place);
-            const double share =
-                high > low ? std::clamp((limit_.speed_rpm[i] - a.speed_rpm) / (b.speed_rpm - a.speed_rpm), 0.0, 1.0)
-                           : 0;
-            const double depth = a.depth_N_mm + share * (b.depth_N_mm - a.depth_N_mm);
-            if (limit_.k[i] >= 0 && depth >= limit_.depth_mm[i]) continue;
-            limit_.depth_mm[i] = depth;
-            limit_.frequency_hz[i] = a.frequency_hz + share * (b.frequency_hz - a.frequency_hz);
-            limit_.k[i] = k;
-        }
-    }
-
-    double from_, to_, step_, last_;
-    LobeLimit limit_;
-};
-
 CurvePoint curvePoint(const BoundaryPoint& point, int k, SpeedRelation relation)
 {
     return {speedOf(point, k, relation), 1 / point.compliance_mm_N, point.frequency_hz};
 }
 
 }  // namespace
+
+LowerEnvelope::LowerEnvelope(const Interval& speed_rpm, int points)
+    : from_(speed_rpm.from), to_(speed_rpm.to), step_((to_ - from_) / (points - 1)), last_(points - 1)
+{
+    const auto count = static_cast<std::size_t>(points);
+    limit_ = {{},
+              std::vector<double>(count, notANumber),
+              std::vector<double>(count, notANumber),
+              std::vector<int>(count, -1)};
+    limit_.speed_rpm.reserve(count);
+    for (int i = 0; i < points; ++i) limit_.speed_rpm.push_back(i + 1 == points ? to_ : from_ + i * step_);
+}
+
+void LowerEnvelope::add(const LobeCurve& curve)
+{
+    if (!(step_ > 0)) return;
+    for (const auto& stretch : curve.stretches)
+        for (std::size_t i = 1; i < stretch.size(); ++i) add(stretch[i - 1], stretch[i], curve.k);
+}
+
+void LowerEnvelope::add(const CurvePoint& a, const CurvePoint& b, int k)
+{
+    const double low = std::min(a.speed_rpm, b.speed_rpm), high = std::max(a.speed_rpm, b.speed_rpm);
+    if (high < from_ || low > to_) return;
+    const double first = std::max(0.0, std::ceil((low - from_) / step_));
+    const double last = std::min(last_, std::floor((high - from_) / step_));
+    for (double place = first; place <= last; ++place) {
+        const auto i = static_cast<std::size_t>(place);
+        const double share =
+            high > low ? std::clamp((limit_.speed_rpm[i] - a.speed_rpm) / (b.speed_rpm - a.speed_rpm), 0.0, 1.0) : 0;
+        const double depth = a.depth_N_mm + share * (b.depth_N_mm - a.depth_N_mm);
+        if (limit_.k[i] >= 0 && depth >= limit_.depth_mm[i]) continue;
+        limit_.depth_mm[i] = depth;
+        limit_.frequency_hz[i] = a.frequency_hz + share * (b.frequency_hz - a.frequency_hz);
+        limit_.k[i] = k;
+    }
+}
 
 LobeRange lobesWithin(const std::vector<BoundaryPoint>& stretch, SpeedRelation relation, const Interval& speed_rpm)
 {
@@ -124,18 +112,9 @@ LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation, con
     return curve;
 }
 
-LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points)
-{
-    LowerEnvelope limit(speed_rpm, points);
-    if (limit.isEmpty()) return limit.take();
-    for (const LobeCurve& curve : curves) limit.add(curve);
-    return limit.take();
-}
-
 LobeLimit envelope(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, int points)
 {
     LowerEnvelope limit(speed_rpm, points);
-    if (limit.isEmpty()) return limit.take();
     const LobeRange range = lobesWithin(boundary, relation, speed_rpm);
     for (int k = range.first; k <= range.last; ++k) limit.add(lobeCurve(boundary, k, relation, speed_rpm));
     return limit.take();

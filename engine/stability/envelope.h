@@ -1,6 +1,7 @@
 // Lobes as curves over the spindle speed, and the lower envelope of many.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/stability/lobes.h"
@@ -34,8 +35,20 @@ LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation);
 /// The part of it that may reach the speeds, with one additional point at either end.
 LobeCurve lobeCurve(const Boundary& boundary, int k, SpeedRelation relation, const Interval& speed_rpm);
 
-/// Minimum of all curves at evenly spaced speeds, as envelope().
-LobeLimit envelopeOf(const std::vector<LobeCurve>& curves, const Interval& speed_rpm, int points);
+/// Minimum of curves at evenly spaced speeds, as envelope(); of curves that are added one after another.
+class LowerEnvelope {
+public:
+    LowerEnvelope(const Interval& speed_rpm, int points);
+
+    void add(const LobeCurve& curve);
+    LobeLimit take() { return std::move(limit_); }
+
+private:
+    void add(const CurvePoint& a, const CurvePoint& b, int k);
+
+    double from_, to_, step_, last_;
+    LobeLimit limit_;
+};
 
 /// Linear interpolation between the speeds of the limit; NaN outside, and if a neighbour is NaN.
 double depthAt(const LobeLimit& limit, double speed_rpm);

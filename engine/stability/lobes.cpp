@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
@@ -15,6 +17,7 @@ namespace lathelier::stability {
 namespace {
 
 constexpr int stepsOfMeasured = 8;          ///< interpolated points per line interval
+constexpr std::size_t mostLobes = 200;      ///< that are listed
 constexpr std::size_t denseEnough = 20000;  ///< number of lines above which no points are interpolated
 
 Interval speedsOf(const LobeParameters& parameters, double frequency_hz)
@@ -63,20 +66,66 @@ double dampingOf(const LobeParameters& p)
     return dampingRatioOf(*p.process_damping_N_mm, *p.diameter_mm, *p.cutting_coefficient_N_mm2);
 }
 
-/// All lobes that may reach the speeds.
-std::vector<LobeCurve> curvesOf(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm,
-                                double beta, const Progress& progress)
+/// Calls use(curve) for all lobes that may reach the speeds, in their order. A few hundred are kept at a time: at slow
+/// speeds there may be many thousands.
+template <class Use>
+void forEachCurve(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, double beta,
+                  const Progress& progress, Use use)
 {
+    constexpr std::size_t atOnce = 256;
     const LobeRange all = lobesWithin(boundary, relation, speed_rpm);
-    std::vector<LobeCurve> curves(static_cast<std::size_t>(std::max(0, all.last - all.first + 1)));
-    parallelFor(curves.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const int k = all.first + static_cast<int>(i);
-            curves[i] = beta > 0 ? dampedLobeCurve(boundary, k, beta) : lobeCurve(boundary, k, relation, speed_rpm);
+    const auto count = static_cast<std::size_t>(std::max(0, all.last - all.first + 1));
+    std::vector<LobeCurve> curves;
+    for (std::size_t start = 0; start < count; start += atOnce) {
+        curves.assign(std::min(atOnce, count - start), {});
+        parallelFor(curves.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const int k = all.first + static_cast<int>(start + i);
+                curves[i] = beta > 0 ? dampedLobeCurve(boundary, k, beta) : lobeCurve(boundary, k, relation, speed_rpm);
+            }
+        });
+        for (const LobeCurve& curve : curves) {
+            progress.check();
+            use(curve);
         }
-    });
-    return curves;
+    }
 }
+
+/// Lobes with their least depth, of which only the strongest are kept.
+class StrongestLobes {
+public:
+    void add(Lobe lobe)
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const double depth : lobe.depth_mm) least = std::min(least, std::isnan(depth) ? least : depth);
+        ++count_;
+        lobes_.emplace_back(least, std::move(lobe));
+        if (lobes_.size() >= 2 * mostLobes) shrink();
+    }
+
+    /// By ascending k.
+    std::vector<Lobe> take()
+    {
+        if (lobes_.size() > mostLobes) shrink();
+        std::vector<Lobe> result;
+        result.reserve(lobes_.size());
+        for (auto& [least, lobe] : lobes_) result.push_back(std::move(lobe));
+        return result;
+    }
+
+    std::size_t count() const { return count_; }
+
+private:
+    void shrink()
+    {
+        std::stable_sort(lobes_.begin(), lobes_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        lobes_.resize(mostLobes);
+        std::sort(lobes_.begin(), lobes_.end(), [](const auto& a, const auto& b) { return a.second.k < b.second.k; });
+    }
+
+    std::vector<std::pair<double, Lobe>> lobes_;
+    std::size_t count_ = 0;
+};
 
 LobeLimit scaled(LobeLimit limit, double factor)
 {
@@ -96,7 +145,9 @@ LobeLimit limitIn(const Boundary& boundary, const LobeParameters& p, double beta
                   const Interval& speed_rpm, int points, const Progress& progress)
 {
     if (!(beta > 0)) return scaled(envelope(boundary, p.relation, speed_rpm, points), per_N_mm);
-    return scaled(envelopeOf(curvesOf(boundary, p.relation, speed_rpm, beta, progress), speed_rpm, points), per_N_mm);
+    LowerEnvelope limit(speed_rpm, points);
+    forEachCurve(boundary, p.relation, speed_rpm, beta, progress, [&](const LobeCurve& curve) { limit.add(curve); });
+    return scaled(limit.take(), per_N_mm);
 }
 
 /// With process damping the minimum is taken over the shown speeds, as the limit rises at low speeds.
@@ -189,8 +240,14 @@ LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Pro
     const Boundary boundary = denseBoundary(frf, parameters.direction_factor);
     // The depth over N/mm: 1/K_r, or normalised to a least depth of 1.
     const double per_N_mm = result.isRelative() ? -2 * least.real_mm_N : 1 / *parameters.cutting_coefficient_N_mm2;
-    const std::vector<LobeCurve> curves = curvesOf(boundary, parameters.relation, result.speed_rpm, beta, progress);
-    result.limit = scaled(envelopeOf(curves, result.speed_rpm, parameters.points), per_N_mm);
+    LowerEnvelope limit(result.speed_rpm, parameters.points);
+    StrongestLobes lobes;
+    forEachCurve(boundary, parameters.relation, result.speed_rpm, beta, progress, [&](const LobeCurve& curve) {
+        limit.add(curve);
+        Lobe lobe = chatters ? shownPart(curve, result.speed_rpm, per_N_mm) : Lobe{};
+        if (!lobe.speed_rpm.empty()) lobes.add(std::move(lobe));
+    });
+    result.limit = scaled(limit.take(), per_N_mm);
     if (parameters.relation == SpeedRelation::Published) result.notes.push_back({notes::publishedRelation, {}});
     if (!chatters) {
         result.notes.push_back({notes::noLimit, {}});
@@ -204,12 +261,11 @@ LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Pro
         result.minimum_depth_mm = per_N_mm / (-2 * least.real_mm_N);
         result.frequency_of_minimum_hz = least.frequency_hz;
     }
-    result.lobes.reserve(curves.size());
-    for (const LobeCurve& curve : curves) {
-        progress.check();
-        Lobe lobe = shownPart(curve, result.speed_rpm, per_N_mm);
-        if (!lobe.speed_rpm.empty()) result.lobes.push_back(std::move(lobe));
-    }
+    result.lobes = lobes.take();
+    result.lobes_in_range = lobes.count();
+    if (result.lobes.size() < lobes.count())
+        result.notes.push_back(
+            {notes::lobesLeftOut, {{"count", static_cast<std::int64_t>(lobes.count() - result.lobes.size())}}});
     if (isUncertain(parameters)) {
         const LimitOver limitOver = [&](const Interval& speed_rpm, int points) {
             return limitIn(boundary, parameters, beta, per_N_mm, speed_rpm, points, progress);

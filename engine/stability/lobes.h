@@ -63,9 +63,11 @@ struct LobeResult {
     std::optional<double> minimum_depth_mm;
     std::optional<double> frequency_of_minimum_hz;  ///< of the chatter there
     LobeLimit limit;                                ///< lower envelope
-    std::vector<Lobe> lobes;                        ///< that reach the range, k ascending
+    std::vector<Lobe> lobes;                        ///< that reach the range, at most the 200 strongest; k ascending
+    std::size_t lobes_in_range = 0;                 ///< with those that are not listed
     std::optional<LobeBand> band;                   ///< with uncertainties
-    Notes notes;                                    ///< noLimit, coefficientUnknown, publishedRelation, minimumAtEdge
+    Notes notes;                                    ///< noLimit, coefficientUnknown, publishedRelation, minimumAtEdge,
+                                                    ///< lobesLeftOut
 
     /// Are depths multiples of the least one?
     bool isRelative() const { return !parameters.cutting_coefficient_N_mm2; }

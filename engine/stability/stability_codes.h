@@ -69,6 +69,12 @@ inline constexpr NoteCode minimumAtEdge{
             "The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits "
             "the depth may lie outside.")};
 
+inline constexpr NoteCode lobesLeftOut{
+    "lobes_left_out", Severity::Info,
+    LT_TEXT("Engine",
+            "So many lobes reach these speeds that {count} of them, those with the largest depths, are not listed. The "
+            "limit is that of all.")};
+
 inline constexpr NoteCode modesFitted{
     "modes_fitted", Severity::Info,
     LT_TEXT("Engine",

@@ -55,7 +55,7 @@ report::Answer answer(const LobeResult& result, const Language& language)
     }
     answer.decimals = 3;
     answer.values = {{"frequency", fixed(*result.frequency_of_minimum_hz, 1, language)},
-                     {"lobes", static_cast<std::int64_t>(result.lobes.size())}};
+                     {"lobes", static_cast<std::int64_t>(result.lobes_in_range)}};
     if (result.isRelative()) {
         answer.sentence =
             LT_TEXT("Engine",

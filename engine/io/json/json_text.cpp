@@ -1,7 +1,9 @@
 #include "engine/io/json/json_text.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/core/utf8.h"
 #include "engine/io/io_codes.h"
@@ -10,6 +12,7 @@ namespace lathelier::io {
 namespace {
 
 constexpr int deepest = 32;
+constexpr std::size_t mostNames = 10000;  ///< in an object
 constexpr std::size_t longestQuote = 40;  ///< bytes of the file quoted in a message
 
 JsonPlace placeOfByte(std::string_view text, std::size_t byte)
@@ -134,11 +137,17 @@ struct Listener : nlohmann::json_sax<Json> {
     }
 };
 
-/// The first byte that opens a level too many; npos when there is none. Deep nesting is rejected before it exhausts the
-/// stack.
-std::size_t findTooDeep(std::string_view text)
+/// A place that is refused before anything is parsed.
+struct Refusal {
+    std::size_t byte;
+    Text expected;
+};
+
+/// Deep nesting would exhaust the stack; an object finds its names one by one, so that many take forever.
+std::optional<Refusal> refusalOf(std::string_view text)
 {
     int depth = 0;
+    std::array<std::size_t, deepest + 1> names{};  // of the object at each level
     bool inside = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
@@ -148,20 +157,22 @@ std::size_t findTooDeep(std::string_view text)
         } else if (c == '"') {
             inside = true;
         } else if (c == '[' || c == '{') {
-            if (++depth > deepest) return i;
+            if (++depth > deepest) return Refusal{i, LT_TEXT("Engine", "at most 32 levels of nesting")};
+            names[static_cast<std::size_t>(depth)] = 0;
         } else if (c == ']' || c == '}') {
-            --depth;
+            depth = std::max(0, depth - 1);
+        } else if (c == ':' && ++names[static_cast<std::size_t>(depth)] > mostNames) {
+            return Refusal{i, LT_TEXT("Engine", "at most 10000 names in an object")};
         }
     }
-    return std::string_view::npos;
+    return std::nullopt;
 }
 
 }  // namespace
 
 Json parseJson(std::string_view text)
 {
-    if (const std::size_t byte = findTooDeep(text); byte != std::string_view::npos)
-        throw malformedJson(text, byte, LT_TEXT("Engine", "at most 32 levels of nesting"));
+    if (const auto refusal = refusalOf(text)) throw malformedJson(text, refusal->byte, refusal->expected);
     Listener listener;
     if (!Json::sax_parse(text, &listener))
         throw malformedJson(text, listener.mistake > 0 ? listener.mistake - 1 : 0, LT_TEXT("Engine", "JSON"));

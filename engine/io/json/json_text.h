@@ -14,7 +14,8 @@ namespace lathelier::io {
 /// Path from the root to a value: keys or decimal array indices.
 using JsonPath = std::vector<std::string>;
 
-/// Parses `text`. Error malformed with `line` and `column` where it is no JSON, or nests deeper than 32.
+/// Parses `text`. Error malformed with `line` and `column` where it is no JSON, nests deeper than 32, or has more than
+/// 10 000 names in an object.
 Json parseJson(std::string_view text);
 
 /// Line and column, counted from 1, of the value at `path` in `text`, which is JSON; of its object when it is missing.

@@ -131,10 +131,10 @@ TEST(Lobes, PointsThatSayNothingAreLeftOut)
         const LobeLimit one = envelope(all, relation, {800, 6000}, 500);
         const LobeLimit whole = envelope(dense, relation, {800, 6000}, 500);
         const LobeLimit other = envelope(few, relation, {800, 6000}, 500);
-        std::vector<LobeCurve> curves;
+        LowerEnvelope curves({800, 6000}, 500);
         for (int k = 0; k < 300; ++k)
-            if (relation == SpeedRelation::Exact || k > 0) curves.push_back(lobeCurve(few, k, relation));
-        const LobeLimit of_curves = envelopeOf(curves, {800, 6000}, 500);
+            if (relation == SpeedRelation::Exact || k > 0) curves.add(lobeCurve(few, k, relation));
+        const LobeLimit of_curves = curves.take();
         for (std::size_t i = 0; i < 500; ++i) {
             ASSERT_EQ(one.k[i] < 0, other.k[i] < 0) << one.speed_rpm[i];
             if (one.k[i] < 0) continue;
@@ -143,6 +143,26 @@ TEST(Lobes, PointsThatSayNothingAreLeftOut)
             EXPECT_EQ(of_curves.depth_mm[i], other.depth_mm[i]) << one.speed_rpm[i];
         }
     }
+}
+
+/// At slow speeds there are thousands: the limit is that of all, the list ends with the strongest.
+TEST(Lobes, OfSlowSpeedsAreListedInPart)
+{
+    const Frf frf = frfOf(paperA, 2000);
+    const LobeResult slow = findLobes(frf, asking(SpeedRelation::Exact, {20, 60}, 40));
+    EXPECT_EQ(slow.lobes.size(), 200U);
+    EXPECT_TRUE(contains(slow.notes, notes::lobesLeftOut));
+    double strongest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < slow.lobes.size(); ++i) {
+        if (i > 0) {
+            EXPECT_GT(slow.lobes[i].k, slow.lobes[i - 1].k);
+        }
+        for (const double depth : slow.lobes[i].depth_mm)
+            if (!std::isnan(depth)) strongest = std::min(strongest, depth);
+    }
+    EXPECT_NEAR(strongest, *slow.minimum_depth_mm, 1e-3 * strongest);
+    const LobeResult usual = findLobes(frf, asking(SpeedRelation::Exact, {2500, 4500}, 50));
+    EXPECT_FALSE(contains(usual.notes, notes::lobesLeftOut));
 }
 
 TEST(Lobes, ScaleAsTheirDimensionsSay)

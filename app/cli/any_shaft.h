@@ -6,7 +6,7 @@
 #include "engine/core/error.h"
 #include "engine/core/json.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cli {
 

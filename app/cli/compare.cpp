@@ -7,13 +7,13 @@
 #include "app/cli/scans.h"
 #include "app/cli/verbs.h"
 #include "engine/core/core_codes.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/features/shaft_comparison.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
 #include "engine/registration/verdict/zone_limits.h"
 #include "engine/report/plain_text.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cli {
 namespace {

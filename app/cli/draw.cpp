@@ -4,8 +4,8 @@
 #include "app/cli/any_shaft.h"
 #include "app/cli/shaft_outputs.h"
 #include "app/cli/verbs.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cli {
 namespace {

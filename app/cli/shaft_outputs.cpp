@@ -15,14 +15,14 @@
 #include "engine/cad/solidworks_macro.h"
 #include "engine/cad/step_writer.h"
 #include "engine/cad/steps_view.h"
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/stock_part.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cli {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "app/cli/verb.h"
 #include "engine/core/input_file.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cli {
 

@@ -7,7 +7,7 @@
 #include "engine/beam/beam_section.h"
 #include "engine/beam/piece_stiffness.h"
 #include "engine/core/material.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::beam {
 

@@ -1,7 +1,7 @@
 // The contour of one segment of a shaft: cylinder, cone or arc.
 #pragma once
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::beam {
 

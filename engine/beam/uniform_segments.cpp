@@ -5,7 +5,7 @@
 
 #include "engine/beam/beam_codes.h"
 #include "engine/beam/segment_contour.h"
-#include "engine/core/shaft_codes.h"
+#include "engine/shaft/shaft_codes.h"
 
 namespace lathelier::beam {
 namespace {

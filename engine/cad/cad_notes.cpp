@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/cad/cad_codes.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
 namespace {

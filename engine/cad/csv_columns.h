@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cad {
 

@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/core/utf8.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
 namespace {

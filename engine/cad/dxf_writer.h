@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cad {
 

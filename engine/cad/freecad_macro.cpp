@@ -7,10 +7,10 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/core/units.h"
 #include "engine/core/utf8.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
 namespace {

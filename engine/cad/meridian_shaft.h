@@ -1,8 +1,8 @@
-// Rows and bores from a closed meridian: the inverse of engine/core/shaft_contour.h.
+// Rows and bores from a closed meridian: the inverse of engine/shaft/shaft_contour.h.
 #pragma once
 
-#include "engine/core/shaft.h"
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "engine/cad/step_faces.h"
-#include "engine/core/shaft.h"
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
 

@@ -9,10 +9,10 @@
 #include "engine/cad/part21.h"
 #include "engine/cad/step_faces.h"
 #include "engine/cad/step_meridian.h"
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/core/utf8.h"
 #include "engine/registration/registration_codes.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
 namespace {

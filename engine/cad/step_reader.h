@@ -14,7 +14,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cad {
 

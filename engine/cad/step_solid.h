@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/cad/step_writer.h"
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
 

@@ -12,10 +12,10 @@
 
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/step_solid.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/core/units.h"
 #include "engine/core/utf8.h"
 #include "engine/core/version.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::cad {
 namespace {

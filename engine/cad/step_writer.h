@@ -8,7 +8,7 @@
 #include <string>
 
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cad {
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/core/shaft.h"
-#include "engine/core/shaft_step.h"
+#include "engine/shaft/shaft.h"
+#include "engine/shaft/shaft_step.h"
 
 namespace lathelier::cad {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/cam/job_bodies.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cam {
 namespace {

@@ -2,7 +2,7 @@
 // Lines and arcs are those of core/shaft_contour.h, walls between rows are pieces of their own.
 #pragma once
 
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cam {
 

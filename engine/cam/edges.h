@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "engine/cam/job.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cam {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/core/fields.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 #include "engine/stock/turning_insert.h"
 
 namespace lathelier::cam {

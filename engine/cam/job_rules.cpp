@@ -6,9 +6,9 @@
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/job_bodies.h"
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cam {
 namespace {

@@ -2,8 +2,8 @@
 // DRITTO project", a bar of 34 mm turned to 28 mm between chuck and tailstock.
 #pragma once
 
-#include "engine/core/shaft.h"
 #include "engine/deflection/setup.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::deflection {
 

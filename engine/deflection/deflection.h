@@ -13,9 +13,9 @@
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
 #include "engine/core/units.h"
 #include "engine/deflection/turning_work.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::deflection {
 

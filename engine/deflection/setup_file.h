@@ -4,9 +4,9 @@
 #include <string>
 
 #include "engine/core/error.h"
-#include "engine/core/shaft.h"
 #include "engine/deflection/setup.h"
 #include "engine/io/file_kind.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::deflection {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/core/quantities.h"
-#include "engine/core/shaft.h"
 #include "engine/deflection/setup.h"
 #include "engine/report/chart.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::deflection {
 

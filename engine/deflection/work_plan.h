@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/deflection/setup.h"
 #include "engine/deflection/tool_path.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::deflection {
 

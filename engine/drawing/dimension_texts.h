@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "engine/core/shaft.h"
 #include "engine/drawing/drawing.h"
 #include "engine/drawing/shaft_drawing.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::drawing {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/core/units.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/stations.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::drawing {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/drawing/features.h"
 #include "engine/drawing/layout.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/title_block.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::drawing {
 namespace {

@@ -28,9 +28,9 @@
 #include <vector>
 
 #include "engine/core/input_file.h"
-#include "engine/core/shaft.h"
 #include "engine/core/text.h"
 #include "engine/drawing/drawing.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::drawing {
 

@@ -1,9 +1,9 @@
 // The view of a shaft: edges, axis, hatching, thread roots and keyways, in mm on paper from the axis at the free end.
 #pragma once
 
-#include "engine/core/shaft_contour.h"
 #include "engine/drawing/drawing.h"
 #include "engine/drawing/features.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::drawing {
 

@@ -16,8 +16,8 @@
 
 #include "engine/core/conformity.h"
 #include "engine/core/quantities.h"
-#include "engine/core/shaft.h"
 #include "engine/features/recognition.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

@@ -6,7 +6,6 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/marks.h"
@@ -21,6 +20,7 @@
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
 #include "engine/registration/surface/surface_samples.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {

@@ -16,9 +16,9 @@
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
-#include "engine/core/shaft.h"
-#include "engine/core/shaft_step.h"
 #include "engine/features/scene/scene.h"
+#include "engine/shaft/shaft.h"
+#include "engine/shaft/shaft_step.h"
 
 namespace lathelier::features {
 

@@ -8,12 +8,12 @@
 #include <limits>
 #include <map>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/core/statistics.h"
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/snap.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/features/dimensions.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/model_edit.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
 #include "engine/features/refit_codes.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {

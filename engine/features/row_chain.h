@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/features/nominal.h"
 #include "engine/features/recognition.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/core/shaft_bores.h"
+#include "engine/shaft/shaft_bores.h"
 
 namespace lathelier::features {
 namespace {

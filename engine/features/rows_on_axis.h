@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/features/recognition.h"
 #include "engine/features/row_matching.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

@@ -6,7 +6,6 @@
 #include <span>
 #include <variant>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/shaft_mesh.h"
 #include "engine/registration/compare_quantities.h"
@@ -14,6 +13,7 @@
 #include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"
 #include "engine/report/quantity_table.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {

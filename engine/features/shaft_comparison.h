@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/features/nominal_rows.h"
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

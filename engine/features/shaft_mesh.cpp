@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {

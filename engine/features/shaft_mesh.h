@@ -11,7 +11,7 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

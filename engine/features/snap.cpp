@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/shaft_rules.h"
 #include "engine/features/nominal_chain.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::features {
 namespace {

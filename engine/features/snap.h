@@ -16,8 +16,8 @@
 // false there). An arc that runs behind the edge of an undercut face is cut at the face.
 #pragma once
 
-#include "engine/core/shaft.h"
 #include "engine/features/recognition.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

@@ -1,6 +1,6 @@
 #include "engine/features/stock_part.h"
 
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 

@@ -1,7 +1,7 @@
 // The part of a shaft outside the chuck, for a stock file.
 #pragma once
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 

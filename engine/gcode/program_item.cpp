@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/item_numbers.h"
-#include "engine/core/shaft_item.h"
+#include "engine/shaft/shaft_item.h"
 
 namespace lathelier::gcode {
 namespace {

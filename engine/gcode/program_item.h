@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/core/value.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::gcode {
 

@@ -10,9 +10,9 @@
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
 #include "engine/core/used_value.h"
 #include "engine/receptance/spindle_receptance.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::receptance {
 

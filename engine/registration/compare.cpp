@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/core/contour_distance.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/registration/default_reach.h"
@@ -24,6 +23,7 @@
 #include "engine/registration/verdict/revolution_cells.h"
 #include "engine/registration/verdict/verdict.h"
 #include "engine/registration/verdict/zone_limits.h"
+#include "engine/shaft/contour_distance.h"
 
 namespace lathelier::registration {
 namespace {

@@ -1,8 +1,8 @@
 // A comparison with a drawing: the copy is aligned with its mesh, deviations are measured from its exact meridian.
 #pragma once
 
-#include "engine/core/shaft_contour.h"
 #include "engine/registration/compare.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::registration {
 

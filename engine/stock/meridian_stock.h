@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 #include "engine/stock/convex_polygon.h"
 
 namespace lathelier::stock {

@@ -26,8 +26,8 @@
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
 #include "engine/gcode/move.h"
+#include "engine/shaft/shaft.h"
 #include "engine/stock/machine_limits.h"
 #include "engine/stock/meridian_stock.h"
 #include "engine/stock/stock_outline.h"

@@ -6,9 +6,9 @@
 
 #include "engine/cad/step_reader.h"
 #include "engine/core/error.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/core/texts.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

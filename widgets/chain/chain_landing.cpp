@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/spindle_item.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chain/chain_memory.h"
 #include "widgets/core/form/input_column.h"
 

@@ -7,7 +7,6 @@
 #include "engine/cad/step_kind.h"
 #include "engine/cam/job_file.h"
 #include "engine/core/field_within.h"
-#include "engine/core/shaft_item.h"
 #include "engine/core/units.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
@@ -17,6 +16,7 @@
 #include "engine/receptance/spindle_file.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/shaft/shaft_item.h"
 
 namespace lathelier::chain_panel {
 namespace fs = std::filesystem;

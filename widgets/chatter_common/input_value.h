@@ -7,10 +7,10 @@
 #include "engine/core/error.h"
 #include "engine/core/frf.h"
 #include "engine/core/input_file.h"
-#include "engine/core/shaft.h"
 #include "engine/project/project.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/receptance/spindle_receptance.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/core/files/stores.h"
 
 namespace lathelier::chatter_common {

@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "engine/cad/step_reader.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/features/shaft_mesh.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_head.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/surface_form.h"
 #include "engine/registration/verdict/verdict.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::compare_panel {
 namespace {

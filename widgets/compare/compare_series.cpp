@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/features/shaft_mesh.h"
 #include "engine/io/file.h"
 #include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"
+#include "engine/shaft/shaft_contour.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier::compare_panel {

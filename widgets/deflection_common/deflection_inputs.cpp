@@ -3,10 +3,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/input_box.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft_sizes.h"
 #include "engine/drawing/drawing.h"
+#include "engine/shaft/shaft_sizes.h"
 
 namespace lathelier::drawing_panel {
 

@@ -8,11 +8,11 @@
 
 #include "engine/cad/cad_notes.h"
 #include "engine/core/json.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
-#include "engine/core/shaft_sizes.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/report/result_json.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
+#include "engine/shaft/shaft_sizes.h"
 #include "widgets/part_common/drawing_words.h"
 #include "widgets/part_common/part_input.h"
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "engine/core/input_file.h"
-#include "engine/core/shaft_item.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/core/files/stores.h"
 #include "widgets/drawing/drawing_question.h"
 

@@ -1,7 +1,7 @@
 #include "widgets/drawing/drawing_panel.h"
 
-#include "engine/core/shaft_item.h"
-#include "engine/core/shaft_rules.h"
+#include "engine/shaft/shaft_item.h"
+#include "engine/shaft/shaft_rules.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"

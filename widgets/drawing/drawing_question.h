@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/chatter_common/libraries.h"
 #include "widgets/part_common/shaft_table.h"
 

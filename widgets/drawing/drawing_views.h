@@ -8,8 +8,8 @@
 #include <memory>
 #include <optional>
 
-#include "engine/core/bore_edit.h"
-#include "engine/core/shaft_sizes.h"
+#include "engine/shaft/bore_edit.h"
+#include "engine/shaft/shaft_sizes.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/drawing/drawing_outcome.h"

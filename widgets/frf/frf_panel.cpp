@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/core/frf_item.h"
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/io/shaft/shaft_kind.h"
@@ -13,6 +12,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/quantity_table.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"

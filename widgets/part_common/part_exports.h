@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/core/texts.h"
 #include "engine/drawing/drawing.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier::part_common {

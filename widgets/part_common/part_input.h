@@ -6,8 +6,8 @@
 
 #include "engine/core/error.h"
 #include "engine/core/input_file.h"
-#include "engine/core/shaft_item.h"
 #include "engine/project/project.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/core/files/stores.h"
 
 namespace lathelier::part_common {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/shaft_edit.h"
+#include "engine/shaft/shaft_edit.h"
 
 namespace lathelier::part_common {
 

@@ -6,8 +6,8 @@
 
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
-#include "engine/core/shaft.h"
 #include "engine/project/project.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/chatter_common/libraries.h"
 
 namespace lathelier::part_common {

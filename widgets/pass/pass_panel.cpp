@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/chart_csv.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"

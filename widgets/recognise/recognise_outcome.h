@@ -6,12 +6,12 @@
 #include <mutex>
 #include <vector>
 
-#include "engine/core/shaft_item.h"
 #include "engine/core/texts.h"
 #include "engine/drawing/drawing.h"
 #include "engine/features/accepted_sizes.h"
 #include "engine/features/row_change.h"
 #include "engine/project/project.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/core/files/scan_store.h"
 
 namespace lathelier::recognise_panel {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_item.h"
 #include "engine/features/recognition_plots.h"
 #include "engine/features/recognition_quantities.h"
 #include "engine/features/recognition_report.h"
@@ -13,6 +11,8 @@
 #include "engine/io/file.h"
 #include "engine/report/plot_svg.h"
 #include "engine/report/result_json.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/core/language.h"
 #include "widgets/part_common/part_exports.h"
 #include "widgets/recognise/recognise_views.h"

@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/frf_item.h"
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/io/shaft/shaft_file.h"
@@ -14,6 +13,7 @@
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/result_json.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/chatter_common/shaft_files.h"
 #include "widgets/core/form/form.h"

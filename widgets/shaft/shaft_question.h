@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/receptance/shaft_receptance.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/chatter_common/libraries.h"
 #include "widgets/part_common/shaft_table.h"
 

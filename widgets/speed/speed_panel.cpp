@@ -1,9 +1,9 @@
 #include "widgets/speed/speed_panel.h"
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/shaft/shaft_item.h"
 #include "engine/stability/stability_report.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"

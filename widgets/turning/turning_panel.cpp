@@ -4,11 +4,11 @@
 
 #include "engine/cad/step_kind.h"
 #include "engine/core/frf_item.h"
-#include "engine/core/shaft_item.h"
 #include "engine/gcode/program_kind.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/form.h"

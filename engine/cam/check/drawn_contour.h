@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/shaft.h"
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft.h"
+#include "engine/shaft/shaft_contour.h"
 #include "engine/stock/convex_polygon.h"
 
 namespace lathelier::cam {

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::io {
 namespace {

@@ -3,7 +3,7 @@
 // SHAFT.json: {"schema": "lathelier-shaft", "schema_version": 1, "name", "segments": [{"length_mm",
 // "start_diameter_mm", "end_diameter_mm", "bore_diameter_mm"?, "arc_radius_mm"?, "role"?}… from the free end],
 // "bores"?, "marks"?, "material"?, "general_tolerance"?}; beam models require bores merged into the rows
-// (engine/core/shaft_contour.h). Stock file: a line for each segment from the free end, with outer radius and bore
+// (engine/shaft/shaft_contour.h). Stock file: a line for each segment from the free end, with outer radius and bore
 // radius at its start, the same at its end, and its length, all in mm; blank lines and remarks after # are skipped.
 #pragma once
 
@@ -12,8 +12,8 @@
 
 #include "engine/core/error.h"
 #include "engine/core/progress.h"
-#include "engine/core/shaft.h"
 #include "engine/io/json/json_document.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::io {
 

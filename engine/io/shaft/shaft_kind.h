@@ -1,8 +1,8 @@
 // Files of shafts as a kind of file.
 #pragma once
 
-#include "engine/core/shaft.h"
 #include "engine/io/file_kind.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::io {
 

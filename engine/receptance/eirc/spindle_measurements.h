@@ -9,7 +9,7 @@
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::receptance {
 

@@ -1,7 +1,7 @@
 // A shaft of which a part of the length has been turned down.
 #pragma once
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::stability {
 

@@ -8,10 +8,10 @@
 
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
-#include "engine/core/shaft.h"
 #include "engine/core/units.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/report/document.h"
+#include "engine/shaft/shaft.h"
 #include "engine/stability/lobes.h"
 
 namespace lathelier::stability {

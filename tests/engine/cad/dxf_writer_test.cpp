@@ -8,7 +8,7 @@
 #include <map>
 #include <numbers>
 
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 #include "parts.h"
 
 namespace lathelier::cad {

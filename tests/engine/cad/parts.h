@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::cad {
 

@@ -9,7 +9,7 @@
 #include "../core/code_of_error.h"
 #include "engine/cad/cad_codes.h"
 #include "engine/cad/cad_notes.h"
-#include "engine/core/shaft_codes.h"
+#include "engine/shaft/shaft_codes.h"
 #include "fixed_time.h"
 #include "parts.h"
 #include "tests/occurrences.h"

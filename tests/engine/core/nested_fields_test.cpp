@@ -4,7 +4,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 namespace {

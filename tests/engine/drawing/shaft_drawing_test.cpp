@@ -9,10 +9,10 @@
 #include <random>
 #include <set>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/drawing/features.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/view.h"
+#include "engine/shaft/shaft_contour.h"
 #include "placement.h"
 #include "six_parts.h"
 

@@ -7,12 +7,12 @@
 #include <cmath>
 #include <regex>
 
-#include "engine/core/shaft_contour.h"
 #include "engine/features/recognition_plots.h"
 #include "engine/features/roles.h"
 #include "engine/features/snap.h"
 #include "engine/features/stock_part.h"
 #include "engine/report/plain_text.h"
+#include "engine/shaft/shaft_contour.h"
 #include "tests/engine/features/made_recognition.h"
 
 namespace lathelier::features {

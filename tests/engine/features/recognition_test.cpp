@@ -9,9 +9,9 @@
 #include "../core/code_of_error.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/features/features_codes.h"
 #include "engine/registration/registration_codes.h"
+#include "engine/shaft/shaft_rules.h"
 #include "made_scan.h"
 
 namespace lathelier::features {

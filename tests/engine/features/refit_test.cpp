@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "engine/core/shaft_rules.h"
 #include "engine/features/accepted_sizes.h"
 #include "engine/features/refit_codes.h"
+#include "engine/shaft/shaft_rules.h"
 #include "made_scan.h"
 
 namespace lathelier::features {

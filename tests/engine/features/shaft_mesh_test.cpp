@@ -9,8 +9,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 #include "made_recognition.h"
 
 namespace lathelier::features {

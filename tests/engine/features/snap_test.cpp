@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "engine/core/random.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_rules.h"
 #include "engine/features/roles.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_rules.h"
 #include "made_recognition.h"
 
 namespace lathelier::features {

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/core/shaft.h"
 #include "engine/io/io_codes.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 namespace {

@@ -1,10 +1,10 @@
 // Items of a project, and a project file of every format version.
 #include <gtest/gtest.h>
 
-#include "engine/core/shaft.h"
 #include "engine/project/migration.h"
 #include "engine/project/project.h"
 #include "engine/project/project_json.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 namespace {

@@ -3,12 +3,12 @@
 
 #include "../core/code_of_error.h"
 #include "engine/beam/beam_codes.h"
-#include "engine/core/shaft_codes.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/shaft/shaft_codes.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {

@@ -8,9 +8,9 @@
 #include "engine/core/frf_item.h"
 #include "engine/core/item_codes.h"
 #include "engine/core/item_numbers.h"
-#include "engine/core/shaft_item.h"
 #include "engine/project/project.h"
 #include "engine/receptance/spindle_item.h"
+#include "engine/shaft/shaft_item.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {

@@ -9,9 +9,9 @@
 
 #include "../core/code_of_error.h"
 #include "engine/beam/beam_codes.h"
-#include "engine/core/shaft_codes.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/receptance_quantities.h"
+#include "engine/shaft/shaft_codes.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {

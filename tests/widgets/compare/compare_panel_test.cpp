@@ -13,11 +13,11 @@
 #include <cmath>
 
 #include "engine/cad/step_writer.h"
-#include "engine/core/shaft_item.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/project/project_codes.h"
 #include "engine/report/html.h"
+#include "engine/shaft/shaft_item.h"
 #include "tests/widgets/compare/compare_fixture.h"
 #include "widgets/compare/compare_tables.h"
 #include "widgets/compare/compare_views.h"

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/core/panel/panel.h"
 #include "widgets/core/resources.h"
 

@@ -10,7 +10,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"

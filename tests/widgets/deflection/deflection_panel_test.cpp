@@ -4,11 +4,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "engine/core/shaft_item.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/shaft/shaft_item.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/chatter_common/input_value.h"

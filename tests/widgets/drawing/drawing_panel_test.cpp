@@ -10,8 +10,8 @@
 #include <QUndoStack>
 #include <QWheelEvent>
 
-#include "engine/core/shaft_item.h"
 #include "engine/io/shaft/shaft_file.h"
+#include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/drop_files.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/form/input_column.h"

@@ -8,7 +8,6 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/core/random.h"
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_reader.h"
 #include "engine/io/frf/frf_writer.h"
@@ -16,6 +15,7 @@
 #include "engine/receptance/modal/modal_plots.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"

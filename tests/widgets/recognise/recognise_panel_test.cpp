@@ -9,10 +9,10 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "engine/core/shaft_item.h"
 #include "engine/features/recognition_report.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/sample/sample.h"
+#include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/drop_files.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/language.h"

@@ -8,12 +8,12 @@
 #include <QUndoStack>
 
 #include "engine/core/frf_item.h"
-#include "engine/core/shaft_item.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
 #include "engine/receptance/spindle_item.h"
+#include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/primary_views.h"

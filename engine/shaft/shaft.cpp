@@ -1,4 +1,4 @@
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 #include "engine/core/units.h"
 

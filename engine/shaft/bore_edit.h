@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/core/shaft_edit.h"
+#include "engine/shaft/shaft_edit.h"
 
 namespace lathelier {
 

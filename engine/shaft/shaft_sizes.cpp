@@ -1,4 +1,4 @@
-#include "engine/core/shaft_sizes.h"
+#include "engine/shaft/shaft_sizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <optional>
 #include <set>
 
-#include "engine/core/shaft_codes.h"
+#include "engine/shaft/shaft_codes.h"
 
 namespace lathelier {
 namespace {

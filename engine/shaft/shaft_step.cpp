@@ -1,4 +1,4 @@
-#include "engine/core/shaft_step.h"
+#include "engine/shaft/shaft_step.h"
 
 #include "engine/core/units.h"
 

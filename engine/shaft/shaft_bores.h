@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 

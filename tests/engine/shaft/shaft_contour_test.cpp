@@ -1,5 +1,5 @@
 // The meridian of a shaft as exact pieces: volumes against closed forms, bores, beam view, and the rules one by one.
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "code_of_error.h"
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_rules.h"
-#include "tests/engine/core/shaft_row.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_rules.h"
+#include "tests/engine/shaft/shaft_row.h"
 
 namespace lathelier {
 namespace {

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier {
 

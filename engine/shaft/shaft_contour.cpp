@@ -1,12 +1,12 @@
-#include "engine/core/shaft_contour.h"
+#include "engine/shaft/shaft_contour.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/shaft_bores.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft_bores.h"
 
 namespace lathelier {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/core/contour_distance.h"
+#include "engine/shaft/contour_distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "engine/core/shaft_edit.h"
+#include "engine/shaft/shaft_edit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/core/error.h"
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <string>
 
-#include "engine/core/shaft_edit.h"
+#include "engine/shaft/shaft_edit.h"
 
 namespace lathelier {
 

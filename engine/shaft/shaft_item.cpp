@@ -1,4 +1,4 @@
-#include "engine/core/shaft_item.h"
+#include "engine/shaft/shaft_item.h"
 
 #include "engine/core/error.h"
 

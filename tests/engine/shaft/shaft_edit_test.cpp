@@ -1,5 +1,5 @@
 // Rows of a shaft edited as in a drawing: changed, kept and adapted sizes.
-#include "engine/core/shaft_edit.h"
+#include "engine/shaft/shaft_edit.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <functional>
 #include <numbers>
 
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_contour.h"
-#include "engine/core/shaft_item.h"
-#include "engine/core/shaft_rules.h"
-#include "engine/core/shaft_sizes.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_contour.h"
+#include "engine/shaft/shaft_item.h"
+#include "engine/shaft/shaft_rules.h"
+#include "engine/shaft/shaft_sizes.h"
 
 namespace lathelier {
 namespace {

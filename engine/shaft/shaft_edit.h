@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/core/shaft.h"
 #include "engine/core/units.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 

@@ -1,5 +1,5 @@
 // Distances from a meridian against brute force and by hand.
-#include "engine/core/contour_distance.h"
+#include "engine/shaft/contour_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "engine/core/random.h"
-#include "tests/engine/core/shaft_row.h"
+#include "tests/engine/shaft/shaft_row.h"
 
 namespace lathelier {
 namespace {

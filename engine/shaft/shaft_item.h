@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/core/shaft.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier {
 

@@ -1,10 +1,10 @@
-#include "engine/core/bore_edit.h"
+#include "engine/shaft/bore_edit.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/core/error.h"
-#include "engine/core/shaft_codes.h"
+#include "engine/shaft/shaft_codes.h"
 
 namespace lathelier {
 namespace {

@@ -1,10 +1,10 @@
 // Edits of bores: resulting rows, and depths from the mouth.
-#include "engine/core/bore_edit.h"
+#include "engine/shaft/bore_edit.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/core/shaft_codes.h"
-#include "engine/core/shaft_rules.h"
+#include "engine/shaft/shaft_codes.h"
+#include "engine/shaft/shaft_rules.h"
 
 namespace lathelier {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/core/shaft_bores.h"
+#include "engine/shaft/shaft_bores.h"
 
 #include <algorithm>
 

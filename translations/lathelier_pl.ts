@@ -8704,10 +8704,6 @@
         <translation>Z PLIKU (plik półfabrykatu albo SHAFT.json), zamiast podanego w ustawieniu.</translation>
     </message>
     <message>
-        <source>a set-up (SETUP.json)</source>
-        <translation>ustawienie (SETUP.json)</translation>
-    </message>
-    <message>
         <source>Tools</source>
         <translation>Narzędzia</translation>
     </message>
@@ -8770,14 +8766,6 @@
     <message>
         <source>The NC program that turns the work.</source>
         <translation>Program NC, który toczy przedmiot.</translation>
-    </message>
-    <message>
-        <source>Machine, tool and material: SETUP.json.</source>
-        <translation>Maszyna, narzędzie i materiał: SETUP.json.</translation>
-    </message>
-    <message>
-        <source>In place of the one that the set-up names: a stock file, SHAFT.json, or a shaft of the project.</source>
-        <translation>Zamiast podanego w ustawieniu: plik półfabrykatu, SHAFT.json albo wał z projektu.</translation>
     </message>
     <message>
         <source>In place of the value in the set-up.</source>
@@ -9196,10 +9184,6 @@
         <translation>Płytki i oprawki.</translation>
     </message>
     <message>
-        <source>In place of the chuck in the set-up: SPINDLE.json, or a spindle of the project.</source>
-        <translation>Zamiast uchwytu z ustawienia: SPINDLE.json albo wrzeciono z projektu.</translation>
-    </message>
-    <message>
         <source>Feed that holds the tolerance</source>
         <translation>Posuw, który utrzymuje tolerancję</translation>
     </message>
@@ -9374,46 +9358,6 @@
     <message>
         <source>The geometry of the insert {insert} is taken from the library (source: {source}); the cutting coefficients stay those of the set-up.</source>
         <translation>Geometria płytki {insert} pochodzi z biblioteki (źródło: {source}); współczynniki skrawania zostają z ustawienia.</translation>
-    </message>
-    <message>
-        <source>CNMG 120404, 95°</source>
-        <translation>CNMG 120404, 95°</translation>
-    </message>
-    <message>
-        <source>CNMG 120408, 95°</source>
-        <translation>CNMG 120408, 95°</translation>
-    </message>
-    <message>
-        <source>CNMG 120412, 95°</source>
-        <translation>CNMG 120412, 95°</translation>
-    </message>
-    <message>
-        <source>WNMG 080408, 95°</source>
-        <translation>WNMG 080408, 95°</translation>
-    </message>
-    <message>
-        <source>DNMG 150608, 93°</source>
-        <translation>DNMG 150608, 93°</translation>
-    </message>
-    <message>
-        <source>VNMG 160404, 93°</source>
-        <translation>VNMG 160404, 93°</translation>
-    </message>
-    <message>
-        <source>TNMG 160408, 93°</source>
-        <translation>TNMG 160408, 93°</translation>
-    </message>
-    <message>
-        <source>SNMG 120408, 75°</source>
-        <translation>SNMG 120408, 75°</translation>
-    </message>
-    <message>
-        <source>CCMT 09T304, 95°</source>
-        <translation>CCMT 09T304, 95°</translation>
-    </message>
-    <message>
-        <source>DCMT 11T304, 93°</source>
-        <translation>DCMT 11T304, 93°</translation>
     </message>
     <message>
         <source>as the set-up states</source>
@@ -12532,14 +12476,6 @@
         <translation>Zadanie</translation>
     </message>
     <message>
-        <source>Bar, chuck, tools and cutting data: JOB.json; it may hold the shaft as well.</source>
-        <translation>Pręt, uchwyt, narzędzia i dane skrawania: JOB.json; może zawierać także wałek.</translation>
-    </message>
-    <message>
-        <source>Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing.</source>
-        <translation>Prędkości wynikają z jego dynamiki: SPINDLE.json lub wrzeciono z projektu. Można pominąć.</translation>
-    </message>
-    <message>
         <source>Drop a job (JOB.json) and a shaft here: its turning program follows, read back and checked.</source>
         <translation>Upuść tu zadanie (JOB.json) i wałek: powstanie jego program toczenia, odczytany ponownie i sprawdzony.</translation>
     </message>
@@ -12550,10 +12486,6 @@
     <message>
         <source>GRBL</source>
         <translation>GRBL</translation>
-    </message>
-    <message>
-        <source>The program is written for it.</source>
-        <translation>Program jest pisany dla niego.</translation>
     </message>
     <message>
         <source>Job changed from</source>
@@ -12974,14 +12906,6 @@
     <message>
         <source>✗ compensated; material stays</source>
         <translation>✗ skompensowany; materiał pozostaje</translation>
-    </message>
-    <message>
-        <source>Program in place of the planned one</source>
-        <translation>Program w miejsce zaplanowanego</translation>
-    </message>
-    <message>
-        <source>To be checked instead: one that came back corrected from the panel Correction, or an NC program for the first clamping. It may be missing.</source>
-        <translation>Do sprawdzenia zamiast zaplanowanego: program skorygowany w panelu Korekcja albo program NC pierwszego zamocowania. Można pominąć.</translation>
     </message>
     <message>
         <source>Programs that were changed by hand and stand in place of planned ones.</source>
@@ -13748,14 +13672,6 @@
         <translation>Częstotliwość odczytana z obrazu.</translation>
     </message>
     <message>
-        <source>Control of your own</source>
-        <translation>Własne sterowanie</translation>
-    </message>
-    <message>
-        <source>POST.json: the program is written for it, and not for the control below. It may be missing.</source>
-        <translation>POST.json: program jest pisany dla niego, a nie dla sterowania poniżej. Może go nie być.</translation>
-    </message>
-    <message>
         <source>Clamping {clamping}: roughing is written as moves and not as a cycle, {reason}.</source>
         <translation>Zamocowanie {clamping}: obróbka zgrubna jest zapisana jako ruchy, a nie jako cykl: {reason}.</translation>
     </message>
@@ -13830,6 +13746,62 @@
     <message>
         <source>A part of the program cannot be loaded: {file} ({reason}). Is the installation complete?</source>
         <translation>Nie można wczytać części programu: {file} ({reason}). Czy instalacja jest kompletna?</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Sprawdź</translation>
+    </message>
+    <message>
+        <source>The program is written for it: a post that is built in, or POST.json.</source>
+        <translation>Dla niego pisany jest program: wbudowany postprocesor albo POST.json.</translation>
+    </message>
+    <message>
+        <source>The part (SHAFT.json, STEP, CSV) with --job, or a job that holds its shaft.</source>
+        <translation>Część (SHAFT.json, STEP, CSV) z --job albo zadanie, które zawiera swój wałek.</translation>
+    </message>
+    <message>
+        <source>POST.json, in place of a control that is built in.</source>
+        <translation>POST.json, zamiast wbudowanego sterowania.</translation>
+    </message>
+    <message>
+        <source>In place of the planned program of the first clamping; it is checked like it.</source>
+        <translation>Zamiast ułożonego programu pierwszego zamocowania; jest sprawdzany tak samo.</translation>
+    </message>
+    <message>
+        <source>Its springs (SPINDLE.json), instead of the chuck in the set-up.</source>
+        <translation>Jego sprężyny (SPINDLE.json), zamiast uchwytu z ustawienia.</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabela (*.csv)</translation>
+    </message>
+    <message>
+        <source>Corrected program…</source>
+        <translation>Skorygowany program…</translation>
+    </message>
+    <message>
+        <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
+        <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
+    </message>
+    <message>
+        <source>Correction along the work (CSV)…</source>
+        <translation>Korekcja wzdłuż przedmiotu (CSV)…</translation>
+    </message>
+    <message>
+        <source>Error along the work (CSV)…</source>
+        <translation>Błąd wzdłuż przedmiotu (CSV)…</translation>
+    </message>
+    <message>
+        <source>Set-up as changed here (JSON)…</source>
+        <translation>Ustawienie zmienione tutaj (JSON)…</translation>
+    </message>
+    <message>
+        <source>Set-up (*.json)</source>
+        <translation>Ustawienie (*.json)</translation>
+    </message>
+    <message>
+        <source>Moves of the tool (CSV)…</source>
+        <translation>Ruchy narzędzia (CSV)…</translation>
     </message>
 </context>
 <context>
@@ -15316,22 +15288,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::correction_panel::CorrectionPanel</name>
     <message>
-        <source>Corrected program…</source>
-        <translation>Skorygowany program…</translation>
-    </message>
-    <message>
-        <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
-        <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
-    </message>
-    <message>
-        <source>Correction along the work (CSV)…</source>
-        <translation>Korekcja wzdłuż przedmiotu (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
         <source>Correct line %1</source>
         <translation>Koryguj wiersz %1</translation>
     </message>
@@ -15485,25 +15441,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>%L1 blocks</source>
         <translation>bloki: %L1</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::deflection_panel::DeflectionPanel</name>
-    <message>
-        <source>Error along the work (CSV)…</source>
-        <translation>Błąd wzdłuż przedmiotu (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Set-up as changed here (JSON)…</source>
-        <translation>Ustawienie zmienione tutaj (JSON)…</translation>
-    </message>
-    <message>
-        <source>Set-up (*.json)</source>
-        <translation>Ustawienie (*.json)</translation>
     </message>
 </context>
 <context>
@@ -16345,14 +16282,6 @@ odchyłka %3</translation>
     <message>
         <source>NC program (*.nc *.ngc *.mpf *.tap)</source>
         <translation>Program NC (*.nc *.ngc *.mpf *.tap)</translation>
-    </message>
-    <message>
-        <source>Moves of the tool (CSV)…</source>
-        <translation>Ruchy narzędzia (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
     </message>
 </context>
 <context>

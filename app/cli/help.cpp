@@ -51,6 +51,7 @@ std::string placeholder(const FieldInfo& info)
         if (!choices.empty()) choices += '|';
         choices += choice.key;
     }
+    if (info.is_open) choices += "|FILE";
     return choices;
 }
 

@@ -43,7 +43,7 @@ std::string now()
 void writeReport(const std::string& path, const Answer& answer, io::InputFiles& inputs, const Progress& progress)
 {
     report::Document document = answer.report();
-    document.inputs = inputs.list();
+    document.inputs = inputsOf(answer, inputs);
     document.created = now();
     verify::quoteVerification(document, progress);
     io::writeFile(path, report::toHtml(document));

@@ -15,6 +15,7 @@
 #include "engine/io/file_kind.h"
 #include "engine/io/input_files.h"
 #include "engine/report/document.h"
+#include "engine/task/task.h"
 
 namespace lathelier::cli {
 
@@ -56,9 +57,11 @@ struct Answer {
     std::function<report::Document()> report;  ///< empty for verbs without one
     std::string summary;                       ///< readable summary
     Notes notes;
-    std::vector<Error> errors;   ///< inputs refused while others could be answered
-    std::optional<bool> pass;    ///< the verdict, where there is one
-    bool always_strict = false;  ///< a verdict against it is exit code 1 even without --strict
+    std::vector<Error> errors;                     ///< inputs refused while others could be answered
+    std::optional<bool> pass;                      ///< the verdict, where there is one
+    bool always_strict = false;                    ///< a verdict against it is exit code 1 even without --strict
+    std::shared_ptr<const task::Sources> sources;  ///< of a task: what it read; null: the inputs of the run
+    Values parameters;                             ///< of a task: all of them; empty: those of the request
 };
 
 struct Verb {
@@ -69,7 +72,7 @@ struct Verb {
     io::FileKinds kinds;  ///< of files that it reads: their reading options are options of the verb
     std::vector<OutputOption> outputs;
     bool has_report = false;
-    void (*run)(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer);
+    std::function<void(const Request& request, io::InputFiles& inputs, const Progress& progress, Answer& answer)> run;
 };
 
 /// Options that settle what the input files of a verb leave open.

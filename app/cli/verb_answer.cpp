@@ -49,9 +49,15 @@ Answer ask(const Verb& verb, const Request& request, io::InputFiles& inputs, con
     return answer;
 }
 
+std::vector<InputFile> inputsOf(const Answer& answer, io::InputFiles& inputs)
+{
+    return answer.sources ? answer.sources->inputs : inputs.list();
+}
+
 Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, const Answer& answer)
 {
-    Json result = report::resultHead(verb.name, inputs.list(), request.parameters);
+    Json result = report::resultHead(verb.name, inputsOf(answer, inputs),
+                                     answer.parameters.empty() ? request.parameters : answer.parameters);
     Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
     if (!answer.errors.empty()) {
@@ -97,7 +103,7 @@ chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progre
     Answer answer = ask(verb, request, inputs, progress);
     chain::VerbReply reply;
     reply.result = std::make_shared<const Json>(envelope(verb, request, inputs, answer));
-    reply.inputs = inputs.list();
+    reply.inputs = inputsOf(answer, inputs);
     reply.parameters = request.parameters;
     if (answer.report && answer.errors.empty()) reply.sections = answer.report().sections;
     reply.notes = std::move(answer.notes);

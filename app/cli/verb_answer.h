@@ -24,6 +24,9 @@ void gather(Answer& answer, Work work)
 /// Runs the verb. Errors become part of the answer, each with the file that it is about. Throws Cancelled.
 Answer ask(const Verb& verb, const Request& request, io::InputFiles& inputs, const Progress& progress);
 
+/// What was read for the answer.
+std::vector<InputFile> inputsOf(const Answer& answer, io::InputFiles& inputs);
+
 /// The whole object: head, the verb's keys, `error`, notes.
 Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, const Answer& answer);
 

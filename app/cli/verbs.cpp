@@ -1,7 +1,12 @@
 // The table of verbs: a new capability is one line here and one file beside it.
 #include "app/cli/verbs.h"
 
+#include "app/cli/task_verb.h"
 #include "engine/cad/step_kind.h"
+#include "engine/cam/task/check_task.h"
+#include "engine/cam/task/turn_task.h"
+#include "engine/deflection/deflection_task.h"
+#include "engine/deflection/toolpath_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 
@@ -10,11 +15,25 @@ namespace lathelier::cli {
 const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
-        std::vector<Verb> table{sampleVerb(),     compareVerb(),    roundnessVerb(),     cylindricityVerb(),
-                                trajectoryVerb(), frfVerb(),        spindleVerb(),       lobesVerb(),
-                                speedVerb(),      simulateVerb(),   toolpathVerb(),      turnVerb(),
-                                checkVerb(),      deflectionVerb(), remanufactureVerb(), recognizeVerb(),
-                                drawVerb(),       surfaceVerb(),    verifyVerb()};
+        std::vector<Verb> table{sampleVerb(),
+                                compareVerb(),
+                                roundnessVerb(),
+                                cylindricityVerb(),
+                                trajectoryVerb(),
+                                frfVerb(),
+                                spindleVerb(),
+                                lobesVerb(),
+                                speedVerb(),
+                                simulateVerb(),
+                                verbOf(deflection::toolpathTask()),
+                                verbOf(cam::turnTask()),
+                                verbOf(cam::checkTask()),
+                                verbOf(deflection::deflectionTask()),
+                                remanufactureVerb(),
+                                recognizeVerb(),
+                                drawVerb(),
+                                surfaceVerb(),
+                                verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),
                             &io::frfFiles(),

@@ -6,7 +6,7 @@
 
 #include "engine/core/failure.h"
 #include "engine/report/title_block.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report/report_files.h"
 

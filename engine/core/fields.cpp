@@ -151,8 +151,8 @@ void check(const FieldInfo& info, const Value& value)
             break;
         case FieldInfo::Kind::Choice: {
             const auto* key = std::get_if<std::string>(&value);
-            if (!key || std::none_of(info.choices.begin(), info.choices.end(),
-                                     [&](const FieldChoice& choice) { return choice.key == *key; }))
+            if (!key || (!info.is_open && std::none_of(info.choices.begin(), info.choices.end(),
+                                                       [&](const FieldChoice& choice) { return choice.key == *key; })))
                 reject(info, value);
             break;
         }

@@ -33,6 +33,8 @@ struct FieldInfo {
     bool required = false;             ///< in a JSON file: a missing key is an error
     bool advanced = false;             ///< folded away in the form
     bool wraps = false;                ///< Intervals of angles: 350:10 runs through 0
+    bool is_kept = false;              ///< kept in the state of a window (programs changed by hand): no option
+    bool is_open = false;              ///< Choice: any other word is valid too (a name, or a file)
     std::vector<FieldChoice> choices;  ///< Choice: the values it may take, in the order of its enumerators
     std::vector<double> usual = {};    ///< Number: values of a standard, offered beside free typing
     Text group = {};                   ///< heading over the fields of one group; empty: none

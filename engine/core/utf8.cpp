@@ -22,6 +22,16 @@ Utf8Character utf8At(std::string_view text, std::size_t at)
     return code < least[length] || surrogate || code > 0x10FFFF ? Utf8Character{} : Utf8Character{code, length};
 }
 
+bool isUtf8(std::string_view text)
+{
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8At(text, at).length;
+        if (length == 0) return false;
+        at += length;
+    }
+    return true;
+}
+
 std::size_t countCharacters(std::string_view text)
 {
     return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), beginsCharacter));

@@ -16,6 +16,8 @@ struct Utf8Character {
 /// none.
 Utf8Character utf8At(std::string_view text, std::size_t at);
 
+bool isUtf8(std::string_view text);
+
 /// Does this byte begin a character? In text that is UTF-8.
 constexpr bool beginsCharacter(char byte)
 {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/built_in_text.h"
+#include "engine/core/fields.h"
 #include "engine/core/library.h"
 #include "engine/cutting/cutting_forces.h"
 
@@ -12,5 +14,17 @@ namespace lathelier::cutting {
 
 /// Errors with line and column: malformed, keyMissing, keyOutOfRange.
 std::vector<LibraryEntry<ToolGeometry>> readInserts(const std::string& json);
+
+/// resources/library/inserts.json.
+const std::vector<BuiltInText>& builtInInserts();
+
+/// The entries that are built in. Thread-safe.
+const std::vector<LibraryEntry<ToolGeometry>>& inserts();
+
+/// "CNMG 120404, 95°".
+Text nameOfInsert(const std::string& key);
+
+/// Entries as choices of a field; the first one, "stated", is called `stated`.
+std::vector<FieldChoice> insertChoices(Text stated);
 
 }  // namespace lathelier::cutting

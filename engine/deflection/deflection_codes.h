@@ -66,10 +66,6 @@ inline constexpr ErrorCode measuredOutsideCut{
 
 namespace notes {
 
-inline constexpr NoteCode programEdited{
-    "program_edited", Severity::Warning,
-    LT_TEXT("Engine", "The program was changed here and is not saved: the answer is that of the changed text.")};
-
 inline constexpr NoteCode belowScallop{
     "below_scallop", Severity::Warning,
     LT_TEXT(

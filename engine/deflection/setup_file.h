@@ -33,4 +33,15 @@ SetupFile loadSetup(const io::FileToRead& file);
 /// "follower_rest", "K_tc_N_mm2".
 const io::FileKind& setupFiles();
 
+/// A set-up as an input of a task (task/inputs.h).
+struct SetupInput {
+    using File = SetupFile;
+    using Value = SetupFile;
+    static constexpr const char* item = "";
+
+    static File read(const io::FileToRead& file) { return loadSetup(file); }
+    static Value valueOf(const File& file) { return file; }
+    static io::FileKinds kinds() { return {&setupFiles()}; }
+};
+
 }  // namespace lathelier::deflection

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/utf8.h"
 #include "engine/gcode/block_scanner.h"
 #include "engine/gcode/gcode_codes.h"
 #include "engine/gcode/word_tables.h"
@@ -11,19 +12,6 @@
 
 namespace lathelier::gcode {
 namespace {
-
-bool isUtf8(std::string_view text)
-{
-    for (std::size_t i = 0; i < text.size();) {
-        const auto c = static_cast<unsigned char>(text[i]);
-        const std::size_t length = c < 0x80 ? 1 : c >> 5 == 6 ? 2 : c >> 4 == 14 ? 3 : c >> 3 == 30 ? 4 : 0;
-        if (length == 0 || i + length > text.size()) return false;
-        for (std::size_t k = 1; k < length; ++k)
-            if (static_cast<unsigned char>(text[i + k]) >> 6 != 2) return false;
-        i += length;
-    }
-    return true;
-}
 
 void refuseUnreadable(const std::string& text)
 {

@@ -9,4 +9,8 @@ inline constexpr NoteCode barOfProgram{
     "bar_of_program", Severity::Info,
     LT_TEXT("Engine", "The stock is the bar that the program was planned for, {length_mm} mm up to the chuck.")};
 
+inline constexpr NoteCode programEdited{
+    "program_edited", Severity::Warning,
+    LT_TEXT("Engine", "The program was changed here and is not saved: the answer is that of the changed text.")};
+
 }  // namespace lathelier::notes

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/built_in_text.h"
+#include "engine/core/fields.h"
 #include "engine/core/library.h"
 #include "engine/core/material.h"
 #include "engine/receptance/spindle_receptance.h"
@@ -14,5 +16,20 @@ namespace lathelier::receptance {
 /// Errors with line and column: malformed, keyMissing, keyOutOfRange. The name of a material is its key.
 std::vector<LibraryEntry<Material>> readMaterials(const std::string& json);
 std::vector<LibraryEntry<SpindleSprings>> readMachines(const std::string& json);
+
+/// resources/library/materials.json and machines.json.
+const std::vector<BuiltInText>& builtInModels();
+
+/// The entries that are built in. Thread-safe.
+const std::vector<LibraryEntry<Material>>& materials();
+const std::vector<LibraryEntry<SpindleSprings>>& machines();
+
+/// Shown name of an entry: of a known key in the reader's language, else the key.
+Text nameOfMaterial(const std::string& key);
+Text nameOfMachine(const std::string& key);
+
+/// Entries as choices of a field; the first one, "stated", is called `stated`.
+std::vector<FieldChoice> materialChoices(Text stated);
+std::vector<FieldChoice> machineChoices(Text stated);
 
 }  // namespace lathelier::receptance

@@ -67,12 +67,12 @@ void showCuts(report::Plot& plot, const ProgramCheck& check)
 }  // namespace
 
 ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
-                          const std::optional<CheckedStock>& stock, const Progress& progress)
+                          const std::optional<CheckedStock>& stock, const gcode::Noses& noses, const Progress& progress)
 {
     ProgramCheck check;
     check.program =
         gcode::readProgram(std::move(text), parameters.dialect, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
-    check.path = gcode::findToolpath(check.program, parameters, {},
+    check.path = gcode::findToolpath(check.program, parameters, noses,
                                      progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
     const gcode::RapidRates rates =
         stock ? gcode::RapidRates{stock->parameters.rapid_x_m_min, stock->parameters.rapid_z_m_min}
@@ -185,13 +185,7 @@ report::Table toolTable(const ProgramCheck& check)
 
 Json toJson(const ProgramCheck& check)
 {
-    gcode::Toolpath without_moves;
-    without_moves.parameters = check.path.parameters;
-    without_moves.words = check.path.words;
-    without_moves.words_understood = check.path.words_understood;
-    without_moves.diagnostics = check.path.diagnostics;
-    Json json = gcode::toJson(without_moves);
-    json.erase("moves");
+    Json json = gcode::toJson(check.path);
     json["times"] = nestedJson(describedValues(check.times));
     if (check.stock)
         json.update(nestedJson(describedValues(*check.stock)));

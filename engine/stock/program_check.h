@@ -29,10 +29,11 @@ struct ProgramCheck {
     Notes notes;                       ///< of the stock; programTimeIncomplete
 };
 
-/// Errors in the program are part of the result, not exceptions. Errors: those of gcode::readProgram() and
-/// simulateStock(). Throws Cancelled.
+/// `noses`: nose radii by tool. Errors in the program are part of the result, not exceptions. Errors: those of
+/// gcode::readProgram() and simulateStock(). Throws Cancelled.
 ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
-                          const std::optional<CheckedStock>& stock = {}, const Progress& progress = {});
+                          const std::optional<CheckedStock>& stock = {}, const gcode::Noses& noses = {},
+                          const Progress& progress = {});
 
 /// Machining time; fail if the program has errors or a tool collides, pass if it was checked against stock. Findings
 /// refer to program lines.
@@ -53,7 +54,7 @@ std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& languag
 
 report::Table passTable(const ProgramCheck& check);  ///< empty without stock
 report::Table toolTable(const ProgramCheck& check);  ///< by tool: line, times, ways
-Json toJson(const ProgramCheck& check);              ///< diagnostics, words, times; keys of the stock; without moves
+Json toJson(const ProgramCheck& check);              ///< moves, words, diagnostics; times; keys of the stock
 /// `notes`: of the check and its files.
 report::Document programReport(const ProgramCheck& check, const Notes& notes, const Language& language = {});
 

@@ -7,9 +7,9 @@
 #include "engine/chain/dossier.h"
 #include "engine/chain/machine_fit.h"
 #include "engine/chain/proof.h"
+#include "engine/task/stores.h"
 #include "widgets/chain/chain_memory.h"
 #include "widgets/chain/chain_state.h"
-#include "widgets/core/files/stores.h"
 
 namespace lathelier::chain_panel {
 

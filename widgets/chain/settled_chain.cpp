@@ -2,10 +2,9 @@
 
 #include <filesystem>
 
+#include "engine/deflection/deflection_task.h"
 #include "engine/deflection/setup_file.h"
 #include "widgets/chatter_common/input_value.h"
-#include "widgets/deflection_common/deflection_question.h"
-#include "widgets/deflection_common/turning_files.h"
 
 namespace lathelier::chain_panel {
 namespace {
@@ -15,8 +14,8 @@ namespace fs = std::filesystem;
 /// Set-up as changed in the panel; empty: as in the file.
 std::string changedSetup(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    const project::Source& source = state.inputs.at(deflection_common::setupRole);
-    const auto loaded = stores.of<deflection_common::SetupStore>()->load(source, progress);
+    const project::Source& source = state.inputs.at(deflection::setupRole);
+    const auto loaded = stores.of<task::CacheOf<deflection::SetupInput>>()->load(source, progress);
     deflection::TurningSetup stated = loaded->file.setup;
     if (!stated.stock.empty())
         stated.stock = fs::absolute(fs::path(source.path).parent_path() / stated.stock).lexically_normal().string();
@@ -26,7 +25,7 @@ std::string changedSetup(const project::PanelState& state, Stores& stores, const
             setup.chuck.radial_N_mm = springs->radial_N_mm;
             setup.chuck.tilt_N_mm_rad = springs->tilt_N_mm_rad;
         }
-    const auto question = fromValues<deflection_common::DeflectionQuestion>(state.parameters);
+    const auto question = fromValues<deflection::DeflectionQuestion>(state.parameters);
     Notes setupNotes;  // notes of the panel's changes
     const std::string text = deflection::setupText(changed(std::move(setup), question.changes, setupNotes));
     return text == deflection::setupText(stated) ? std::string() : text;
@@ -36,7 +35,7 @@ std::string changedSetup(const project::PanelState& state, Stores& stores, const
 
 AskedChain settled(AskedChain asked, Stores& stores, const Progress& progress)
 {
-    if (!asked.deflection || asked.deflection->inputs.count(deflection_common::setupRole) == 0) return asked;
+    if (!asked.deflection || asked.deflection->inputs.count(deflection::setupRole) == 0) return asked;
     try {
         if (std::string text = changedSetup(*asked.deflection, stores, progress); !text.empty()) {
             asked.made.push_back(madeInput(asked.question.out, "setup", std::move(text)));

@@ -1,8 +1,8 @@
 // Completes the chain's question by the set-up as changed in the panel Deflection.
 #pragma once
 
+#include "engine/task/stores.h"
 #include "widgets/chain/chain_state.h"
-#include "widgets/core/files/stores.h"
 
 namespace lathelier::chain_panel {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/io/frf/frf_reader.h"
-#include "widgets/core/files/file_cache.h"
+#include "engine/task/file_cache.h"
 
 namespace lathelier::chatter_common {
 

@@ -11,7 +11,7 @@
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/receptance/spindle_receptance.h"
 #include "engine/shaft/shaft.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 
 namespace lathelier::chatter_common {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "engine/project/project.h"
+#include "engine/task/stores.h"
 #include "widgets/core/files/kind_finder.h"
-#include "widgets/core/files/stores.h"
 #include "widgets/core/panel/panel_facts.h"
 
 namespace lathelier::chatter_common {

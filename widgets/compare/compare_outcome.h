@@ -8,8 +8,8 @@
 #include "engine/features/shaft_comparison.h"
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
+#include "engine/task/stores.h"
 #include "widgets/core/files/scan_store.h"
-#include "widgets/core/files/stores.h"
 #include "widgets/part_common/part_input.h"
 #include "widgets/scene/scene_data.h"
 

@@ -8,8 +8,8 @@
 
 #include "engine/project/project.h"
 #include "engine/project/recipe.h"
+#include "engine/task/stores.h"
 #include "widgets/core/files/source_watch.h"
-#include "widgets/core/files/stores.h"
 
 namespace lathelier {
 

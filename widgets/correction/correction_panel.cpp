@@ -4,34 +4,41 @@
 
 #include "engine/cam/check/correction_file.h"
 #include "engine/core/item_numbers.h"
-#include "engine/deflection/deflection_plots.h"
-#include "engine/deflection/setup_file.h"
-#include "engine/io/file.h"
-#include "engine/report/chart_csv.h"
-#include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/correction/correction_views.h"
-#include "widgets/deflection_common/deflection_inputs.h"
 
 namespace lathelier::correction_panel {
 namespace {
 
-using deflection_common::DeflectionQuestion;
-using deflection_common::StudyKind;
+using deflection::DeflectionOutcome;
+using deflection::DeflectionQuestion;
+
+const std::vector<std::string> roles{gcode::programRole, deflection::setupRole, deflection::stockRole,
+                                     deflection::spindleRole};
+
+/// Prediction and correction alone: what the panel Deflection shows beside the prediction is left out.
+DeflectionOutcome correct(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                          const Progress& progress)
+{
+    project::PanelState asked = state;
+    for (const char* key : {"band", "sensitivities", "feed", "map"}) lathelier::set(asked.parameters, key, false);
+    return deflection::answerDeflection(asked, deflection::StudyKind::Correction, stores, sources, progress);
+}
 
 PanelInputs panelInputs()
 {
-    return deflection_common::deflectionInputs(
-        {"corrected_runs", "residual_tolerance_um", "largest_correction_um", deflection_common::keptLinesKey},
+    return inputsOf(
+        deflection::deflectionTask(), roles,
+        {"corrected_runs", "residual_tolerance_um", "largest_correction_um", deflection::keptLinesKey}, true,
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the corrected program follows."));
 }
 
 /// The corrected text with its intended offset from the programmed contour; z from the free end of its clamping.
-gcode::ProgramItem correctedProgram(const deflection_common::DeflectionOutcome& outcome)
+gcode::ProgramItem correctedProgram(const DeflectionOutcome& outcome)
 {
     const deflection::CorrectedProgram& corrected = *outcome.study->corrected;
     gcode::ProgramItem item;
-    item.text = deflection_common::toUtf8(corrected.text);
+    item.text = gcode::toUtf8(corrected.text);
     if (outcome.program) item.clamping = outcome.program->clamping;
     item.corrected_from = outcome.program_sha256;
     item.z_zero_mm = outcome.job->setup.z_zero_mm;
@@ -50,14 +57,16 @@ gcode::ProgramItem correctedProgram(const deflection_common::DeflectionOutcome& 
 
 PanelFacts correctionPanelFacts()
 {
-    PanelFacts facts = deflection_common::deflectionFacts("correction", LT_TEXT("Engine", "Correction"), "correction",
-                                                          StudyKind::Correction);
+    PanelFacts facts = deflection_common::turningFacts(
+        factsOf(deflection::deflectionTask(), "correction", "correction", roles, {{deflection::compensateExport}},
+                {{"band", false}, {"sensitivities", false}, {"feed", false}, {"map", false}}));
+    facts.title = LT_TEXT("Engine", "Correction");
     facts.make = [](Session& session) -> PanelBase* { return new CorrectionPanel(session); };
     return facts;
 }
 
 CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, correctionPanelFacts(), panelInputs(), StudyKind::Correction, parent),
+    : TurningPanel(owner, deflection::deflectionTask(), correct, correctionPanelFacts(), panelInputs(), parent),
       views_(new CorrectionViews)
 {
     setViews(views_, views_->primaryViews());
@@ -66,26 +75,9 @@ CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
     connect(views_, &CorrectionViews::notWritten, this, &CorrectionPanel::reportWriteFailure);
 }
 
-void CorrectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome)
+void CorrectionPanel::showResult(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
     views_->setOutcome(outcome);
-}
-
-report::Answer CorrectionPanel::answer(const deflection_common::DeflectionOutcome& outcome) const
-{
-    return deflection::answer(outcome.study->corrected->compensation, screenLanguage());
-}
-
-std::vector<PanelExport> CorrectionPanel::exports() const
-{
-    const auto outcome = result();
-    if (!outcome) return {};
-    return {{tr("Corrected program…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
-             [outcome](const QString& path) { io::writeFile(path.toStdString(), outcome->study->corrected->text); }},
-            {tr("Correction along the work (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
-                 io::writeFile(path.toStdString(),
-                               report::toCsv(deflection::correctionPlot(outcome->study->corrected->compensation)));
-             }}};
 }
 
 /// Intervals of single lines, in addition to those typed by the user.
@@ -105,7 +97,7 @@ void CorrectionPanel::take(qlonglong line, bool isTaken)
                       if (number < lines.to) kept.push_back({number + 1, lines.to});
                   }
                   if (!isTaken) kept.push_back({number, number});
-                  lathelier::set(state.parameters, deflection_common::keptLinesKey, Value(kept));
+                  lathelier::set(state.parameters, deflection::keptLinesKey, Value(kept));
               });
 }
 
@@ -114,11 +106,11 @@ void CorrectionPanel::offerCorrected()
 {
     const auto outcome = result();
     if (!outcome || !outcome->study->corrected) return;
-    const project::Source& source = state().inputs.at(deflection_common::programRole);
+    const project::Source& source = state().inputs.at(gcode::programRole);
     const std::string of = source.item.empty() ? std::filesystem::path(source.path).stem().string() : source.item;
     try {
         offerItem(tr("%1, corrected").arg(QString::fromStdString(of)).toStdString(), gcode::correctedItem,
-                  gcode::toValues(correctedProgram(*outcome)), outcome->synthetic);
+                  gcode::toValues(correctedProgram(*outcome)), outcome->sources.synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }

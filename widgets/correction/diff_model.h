@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "widgets/deflection_common/deflection_outcome.h"
+#include "engine/deflection/deflection_task.h"
 
 namespace lathelier::correction_panel {
 
-using deflection_common::DeflectionOutcome;
+using deflection::DeflectionOutcome;
 
 /// Columns Take, Line, Program, Corrected, Reason. A row for each line of the program and for each added block; of
 /// changed blocks alone on demand. Take is ticked for a changed block and not for a kept one.

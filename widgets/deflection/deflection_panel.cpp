@@ -1,68 +1,58 @@
 #include "widgets/deflection/deflection_panel.h"
 
-#include "engine/deflection/deflection_plots.h"
-#include "engine/deflection/setup_file.h"
-#include "engine/io/file.h"
-#include "engine/report/chart_csv.h"
-#include "widgets/core/language.h"
-#include "widgets/core/session.h"
 #include "widgets/deflection/deflection_views.h"
-#include "widgets/deflection_common/deflection_inputs.h"
 
 namespace lathelier::deflection_panel {
 namespace {
 
-using deflection_common::DeflectionQuestion;
-using deflection_common::StudyKind;
+using deflection::DeflectionOutcome;
+
+const std::vector<std::string> roles{gcode::programRole, deflection::setupRole, deflection::stockRole,
+                                     deflection::spindleRole};
+
+/// What the window shows beside the prediction; the command line computes it where it is asked.
+const Values begins_with{{"band", true}, {"sensitivities", true}, {"feed", true}, {"map", true}};
+
+DeflectionOutcome predict(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                          const Progress& progress)
+{
+    return deflection::answerDeflection(state, deflection::StudyKind::Prediction, stores, sources, progress);
+}
 
 PanelInputs panelInputs()
 {
-    return deflection_common::deflectionInputs(
+    PanelInputs inputs = inputsOf(
+        deflection::deflectionTask(), roles,
         {"tolerance_um", "changed_tailstock_N_mm", "changed_chuck_N_mm", "changed_chuck_N_mm_rad",
          "changed_forces_percent", "changed_insert", "changed_machine", "changed_material", "measured",
          "cutting_speed_m_min", "band", "sensitivities", "feed", "map"},
+        true,
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the error along the work follows."));
+    for (const auto& [key, value] : begins_with) set(inputs.defaults, key, value);
+    return inputs;
 }
 
 }  // namespace
 
 PanelFacts deflectionPanelFacts()
 {
-    PanelFacts facts = deflection_common::deflectionFacts("deflection", LT_TEXT("Engine", "Deflection"), "deflection",
-                                                          StudyKind::Prediction);
+    PanelFacts facts = deflection_common::turningFacts(
+        factsOf(deflection::deflectionTask(), "deflection", "deflection", roles, {}, begins_with));
     facts.make = [](Session& session) -> PanelBase* { return new DeflectionPanel(session); };
     return facts;
 }
 
 DeflectionPanel::DeflectionPanel(Session& owner, QWidget* parent)
-    : TurningPanel(owner, deflectionPanelFacts(), panelInputs(), StudyKind::Prediction, parent),
+    : TurningPanel(owner, deflection::deflectionTask(), predict, deflectionPanelFacts(), panelInputs(), parent),
       views_(new DeflectionViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &DeflectionViews::notWritten, this, &DeflectionPanel::reportWriteFailure);
 }
 
-void DeflectionPanel::showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome)
+void DeflectionPanel::showResult(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
     views_->setOutcome(outcome);
-}
-
-report::Answer DeflectionPanel::answer(const deflection_common::DeflectionOutcome& outcome) const
-{
-    return deflection::answer(*outcome.study, screenLanguage());
-}
-
-std::vector<PanelExport> DeflectionPanel::exports() const
-{
-    const auto outcome = result();
-    if (!outcome) return {};
-    return {{tr("Error along the work (CSV)…"), tr("Table (*.csv)"), "csv",
-             [outcome](const QString& path) {
-                 io::writeFile(path.toStdString(), report::toCsv(deflection::errorPlot(outcome->study->prediction)));
-             }},
-            {tr("Set-up as changed here (JSON)…"), tr("Set-up (*.json)"), "json", [outcome](const QString& path) {
-                 io::writeFile(path.toStdString(), deflection::setupText(outcome->job->setup));
-             }}};
 }
 
 void DeflectionPanel::retranslate()

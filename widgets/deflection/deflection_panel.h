@@ -10,7 +10,7 @@ class DeflectionViews;
 /// The panel's line of the panel table.
 PanelFacts deflectionPanelFacts();
 
-class DeflectionPanel : public deflection_common::TurningPanel {
+class DeflectionPanel : public deflection_common::TurningPanel<deflection::DeflectionOutcome> {
     Q_OBJECT
 
 public:
@@ -19,9 +19,7 @@ public:
     DeflectionViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const deflection_common::DeflectionOutcome>& outcome) override;
-    report::Answer answer(const deflection_common::DeflectionOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
+    void showResult(const std::shared_ptr<const deflection::DeflectionOutcome>& outcome) override;
     void retranslate() override;
 
 private:

@@ -5,14 +5,14 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/deflection/deflection_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/deflection_common/deflection_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::deflection_panel {
 
-using deflection_common::DeflectionOutcome;
+using deflection::DeflectionOutcome;
 
 class DeflectionViews : public QWidget {
     Q_OBJECT

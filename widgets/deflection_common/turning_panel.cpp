@@ -1,43 +1,55 @@
 #include "widgets/deflection_common/turning_panel.h"
 
-#include "widgets/core/language.h"
-#include "widgets/core/session.h"
-#include "widgets/deflection_common/deflection_inputs.h"
+#include <QCoreApplication>
+
+#include "engine/deflection/setup_file.h"
+#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/core/form/input_box.h"
 
 namespace lathelier::deflection_common {
+namespace {
 
-TurningPanel::TurningPanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs, StudyKind studyKind,
-                           QWidget* parent)
-    : Panel(owner, facts, inputs, parent), studyKind_(studyKind)
+struct TurningFacts {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::deflection_common::TurningFacts)
+};
+
+using FactsOfPrograms = task::CacheOf<gcode::ProgramFacts>;
+
+}  // namespace
+
+PanelFacts turningFacts(PanelFacts facts)
 {
+    facts.state = "deflection";
+    facts.workspaces = {{"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 40}};
+    facts.kinds = {&gcode::programFiles(), &deflection::setupFiles()};
+    facts.part_inputs = {gcode::programRole};
+    facts.item_inputs = {{gcode::programItem, gcode::programRole}};
+    return facts;
 }
 
-TurningPanel::Compute TurningPanel::compute(const project::PanelState& state) const
+void readProgramFacts(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    fromValues<DeflectionQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, studyKind = studyKind_, stores = session().sharedStores()](const Progress& progress) {
-        return deflectionOutcome(state, studyKind, *stores, progress);
-    };
+    const project::Source* const source = task::sourceOf(state, gcode::programRole);
+    if (!source || !source->item.empty()) return;
+    try {
+        stores.of<FactsOfPrograms>()->load(*source, progress);
+    } catch (const Error&) {  // reported by the answer
+    }
 }
 
-report::Document TurningPanel::document(const DeflectionOutcome& outcome) const
+QString understoodTurning(const std::string& role, const project::Source& source, Stores& stores)
 {
-    return reportOf(outcome, screenLanguage());
-}
-
-void TurningPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
-{
-    assignTurningFiles(state, files);
-}
-
-QString TurningPanel::understood(const InputRole& role, const project::Source& source) const
-{
-    return understoodTurning(role.role, source, session().stores());
-}
-
-Worker::Job TurningPanel::makeReadingJob(const project::PanelState& state) const
-{
-    return readingJob(state, session().sharedStores());
+    if (role == deflection::stockRole || role == deflection::spindleRole)
+        return chatter_common::understoodModel(role, source, stores);
+    if (role == deflection::setupRole) {
+        const auto loaded = stores.of<task::CacheOf<deflection::SetupInput>>()->known(source);
+        if (!loaded) return {};
+        return understoodText(loaded->file.facts, loaded->file.setup.tailstock ? TurningFacts::tr("chuck and tailstock")
+                                                                               : TurningFacts::tr("chuck"));
+    }
+    const auto loaded = stores.of<FactsOfPrograms>()->known(source);
+    if (!loaded) return {};
+    return understoodText(loaded->file.facts, TurningFacts::tr("%L1 blocks").arg(loaded->file.facts.rows));
 }
 
 }  // namespace lathelier::deflection_common

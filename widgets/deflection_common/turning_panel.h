@@ -1,28 +1,47 @@
-// Common base of the panels Deflection and Correction: inputs, computation, report.
+// Common base of the panels of the workspace Deflection: programs with set-ups as inputs of a task.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/deflection_common/deflection_outcome.h"
+#include "engine/deflection/deflection_task.h"
+#include "engine/gcode/program_input.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::deflection_common {
 
-class TurningPanel : public Panel<DeflectionOutcome> {
-    Q_OBJECT
+/// Facts common to the panels: they share a state and a workspace, and open by programs and set-ups.
+PanelFacts turningFacts(PanelFacts facts);
 
+/// Reads the facts of the program where it is a file; a file that is refused has none.
+void readProgramFacts(const project::PanelState& state, Stores& stores, const Progress& progress);
+
+/// Facts of the file of an input, in the user's language; empty when it was not read.
+QString understoodTurning(const std::string& role, const project::Source& source, Stores& stores);
+
+template <class R>
+class TurningPanel : public TaskPanel<R> {
 public:
-    TurningPanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, StudyKind studyKind,
-                 QWidget* parent = nullptr);
+    using TaskPanel<R>::TaskPanel;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    Notes notes(const DeflectionOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const DeflectionOutcome& outcome) const override;
-    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
-    QString understood(const InputRole& role, const project::Source& source) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
-
-private:
-    StudyKind studyKind_;
+    typename Panel<R>::Compute compute(const project::PanelState& state) const override
+    {
+        return [state, answer = TaskPanel<R>::compute(state),
+                stores = this->session().sharedStores()](const Progress& progress) {
+            readProgramFacts(state, *stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")));
+            return answer(progress.part(0.1, 1));
+        };
+    }
+    Worker::Job makeReadingJob(const project::PanelState& state) const override
+    {
+        return [state, read = TaskPanel<R>::makeReadingJob(state),
+                stores = this->session().sharedStores()](const Progress& progress) {
+            readProgramFacts(state, *stores, progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
+            return read(progress.part(0.5, 1));
+        };
+    }
+    QString understood(const InputRole& role, const project::Source& source) const override
+    {
+        return understoodTurning(role.role, source, this->session().stores());
+    }
 };
 
 }  // namespace lathelier::deflection_common

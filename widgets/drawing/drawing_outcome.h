@@ -10,7 +10,7 @@
 #include "engine/project/project.h"
 #include "engine/report/document.h"
 #include "engine/shaft/shaft_item.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 #include "widgets/drawing/drawing_question.h"
 
 namespace lathelier::drawing_panel {

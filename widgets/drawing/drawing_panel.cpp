@@ -1,5 +1,7 @@
 #include "widgets/drawing/drawing_panel.h"
 
+#include "engine/cad/step_kind.h"
+#include "engine/io/shaft/shaft_kind.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/shaft/shaft_rules.h"
 #include "widgets/core/form/form.h"

@@ -6,8 +6,8 @@
 
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
+#include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
-#include "widgets/chatter_common/libraries.h"
 #include "widgets/part_common/shaft_table.h"
 
 namespace lathelier::drawing_panel {
@@ -37,13 +37,13 @@ std::string boresOf(const project::PanelState& state);
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores);
 
 struct DrawingQuestion {
-    std::vector<ShaftSegment> segments;  ///< table of segments; empty: those of the file
-    std::string segments_of;             ///< identity() of the input of the edited table
-    std::vector<BoreRow> bores;          ///< table of bores; has precedence if bores_of equals boresOf()
-    std::string bores_of;                ///< boresOf() of the input of the edited table; empty: bores of the file
-    std::string name;                    ///< name of the part; empty: that of the input
-    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;  ///< material for the mass
-    std::string material_name;                                   ///< printed name; empty: that of the material
+    std::vector<ShaftSegment> segments;   ///< table of segments; empty: those of the file
+    std::string segments_of;              ///< identity() of the input of the edited table
+    std::vector<BoreRow> bores;           ///< table of bores; has precedence if bores_of equals boresOf()
+    std::string bores_of;                 ///< boresOf() of the input of the edited table; empty: bores of the file
+    std::string name;                     ///< name of the part; empty: that of the input
+    std::string material = statedChoice;  ///< key of the library; material for the mass
+    std::string material_name;            ///< printed name; empty: that of the material
     SheetChoice sheet = SheetChoice::Automatic;                  ///< sheet size
     drawing::LengthsFrom lengths = drawing::LengthsFrom::Datum;  ///< reference of lengths in the drawing and of edits
     std::string date;                                            ///< printed date; empty: today

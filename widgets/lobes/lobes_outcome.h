@@ -7,9 +7,9 @@
 #include "engine/report/document.h"
 #include "engine/stability/marks_item.h"
 #include "engine/stability/stability_plots.h"
+#include "engine/task/stores.h"
 #include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/input_value.h"
-#include "widgets/core/files/stores.h"
 #include "widgets/lobes/lobes_question.h"
 
 namespace lathelier::lobes_panel {

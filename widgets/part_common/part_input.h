@@ -8,7 +8,7 @@
 #include "engine/core/input_file.h"
 #include "engine/project/project.h"
 #include "engine/shaft/shaft_item.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 
 namespace lathelier::part_common {
 

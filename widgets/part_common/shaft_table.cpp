@@ -63,12 +63,13 @@ void noteShaftChanged(const project::Source& source, Notes& notes)
     notes.push_back({notes::shaftChanged, {{"source", source.item.empty() ? source.path : source.item}}});
 }
 
-bool chooseMaterial(chatter_common::MaterialChoice choice, Shaft& shaft, Notes& notes)
+bool chooseMaterial(const std::string& choice, Shaft& shaft, Notes& notes)
 {
-    const auto [entry, name] = chatter_common::chosen(choice);
+    const auto* const entry = entryOf(receptance::materials(), choice);
     if (!entry) return false;
     shaft.material = entry->value;
-    notes.push_back({notes::materialOfLibrary, {{"material", name}, {"source", entry->source}}});
+    notes.push_back(
+        {notes::materialOfLibrary, {{"material", receptance::nameOfMaterial(choice)}, {"source", entry->source}}});
     return true;
 }
 

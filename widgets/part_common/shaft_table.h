@@ -7,8 +7,8 @@
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/project/project.h"
+#include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
-#include "widgets/chatter_common/libraries.h"
 
 namespace lathelier::part_common {
 
@@ -45,8 +45,8 @@ template <class Take>
 bool chooseSegments(const std::vector<ShaftSegment>& table, const std::string& table_of,
                     const project::PanelState& state, Shaft& shaft, Notes& notes, const Take& take);
 
-/// The material of the library where it was chosen, with the note materialOfLibrary.
-bool chooseMaterial(chatter_common::MaterialChoice choice, Shaft& shaft, Notes& notes);
+/// The material of the library where one is chosen by its key, with the note materialOfLibrary.
+bool chooseMaterial(const std::string& choice, Shaft& shaft, Notes& notes);
 
 /// Adds shaftChanged with the name of the source.
 void noteShaftChanged(const project::Source& source, Notes& notes);

@@ -3,29 +3,31 @@
 #include <QFileDialog>
 #include <QFileInfo>
 
-#include "engine/gcode/toolpath_files.h"
 #include "engine/io/file.h"
 #include "widgets/core/form/input_column.h"
-#include "widgets/core/language.h"
 #include "widgets/core/session.h"
-#include "widgets/deflection_common/deflection_inputs.h"
 #include "widgets/program/program_views.h"
 #include "widgets/program_common/program_editor.h"
 
 namespace lathelier::program_panel {
 namespace {
 
-using namespace deflection_common;
+using deflection::ToolpathQuestion;
+using gcode::draftsKey;
+using gcode::ProgramDraft;
+using gcode::programRole;
+
+const std::vector<std::string> roles{programRole, deflection::setupRole, deflection::stockRole};
 
 PanelInputs panelInputs()
 {
-    return programInputs({"changed_z_zero_mm", "dialect", "integer_words"},
-                         LT_TEXT("Engine",
-                                 "Drop an NC program here: its path, its remarks and its time follow. With a "
-                                 "set-up (SETUP.json) it is checked against the stock."));
+    return inputsOf(deflection::toolpathTask(), roles, {"changed_z_zero_mm", "dialect", "integer_words"}, false,
+                    LT_TEXT("Engine",
+                            "Drop an NC program here: its path, its remarks and its time follow. With a "
+                            "set-up (SETUP.json) it is checked against the stock."));
 }
 
-void forgetDraft(DeflectionQuestion& question, const ProgramOutcome& outcome)
+void forgetDraft(ToolpathQuestion& question, const ProgramOutcome& outcome)
 {
     std::erase_if(question.drafts,
                   [&](const ProgramDraft& draft) { return isOf(draft, outcome.file, outcome.sha256); });
@@ -35,15 +37,16 @@ void forgetDraft(DeflectionQuestion& question, const ProgramOutcome& outcome)
 
 PanelFacts programPanelFacts()
 {
-    PanelFacts facts = turningFacts("program", LT_TEXT("Engine", "Program"), "program");
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(programOutcome(state, stores, progress), language); };
+    PanelFacts facts =
+        deflection_common::turningFacts(factsOf(deflection::toolpathTask(), "program", "program", roles, {}));
     facts.make = [](Session& session) -> PanelBase* { return new ProgramPanel(session); };
     return facts;
 }
 
 ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
-    : Panel(owner, programPanelFacts(), panelInputs(), parent), views_(new ProgramViews)
+    : TurningPanel(owner, deflection::toolpathTask(), deflection::answerToolpath, programPanelFacts(), panelInputs(),
+                   parent),
+      views_(new ProgramViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &ProgramViews::edited, this, &ProgramPanel::keepDraft);
@@ -53,21 +56,13 @@ ProgramPanel::ProgramPanel(Session& owner, QWidget* parent)
     connect(views_, &ProgramViews::notWritten, this, &ProgramPanel::reportWriteFailure);
 }
 
-ProgramPanel::Compute ProgramPanel::compute(const project::PanelState& state) const
-{
-    fromValues<DeflectionQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, stores = session().sharedStores()](const Progress& progress) {
-        return programOutcome(state, *stores, progress);
-    };
-}
-
 /// Pending input is kept; else the text follows the project, including undo.
 void ProgramPanel::showResult(const std::shared_ptr<const ProgramOutcome>& outcome)
 {
     const auto source = state().inputs.find(programRole);
     const bool is_asked = source != state().inputs.end() && source->second.item == outcome->item &&
                           (!outcome->item.empty() || source->second.path == outcome->file);
-    const auto asked = fromValues<DeflectionQuestion>(state().parameters);
+    const auto asked = fromValues<ToolpathQuestion>(state().parameters);
     const ProgramDraft* draft = draftOf(asked.drafts, outcome->file, outcome->sha256);
     const bool is_newest = draft ? outcome->isDraft() && draft->text == outcome->text : !outcome->isDraft();
     views_->setOutcome(outcome, is_asked && is_newest && !views_->editor()->isTyping());
@@ -91,7 +86,7 @@ void ProgramPanel::setDraft(const QString& step, const std::optional<std::string
     editState(
         step,
         [&](project::PanelState& state) {
-            auto question = fromValues<DeflectionQuestion>(state.parameters);
+            auto question = fromValues<ToolpathQuestion>(state.parameters);
             forgetDraft(question, *outcome);
             if (utf8) question.drafts.push_back({outcome->file, outcome->sha256, *utf8});
             lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
@@ -106,11 +101,12 @@ void ProgramPanel::saveTo(const QString& path)
     if (!outcome) return;
     const std::string text = views_->editor()->program().toStdString();
     // The bytes of the file decide whether it is Latin-1.
-    const auto file = session().stores().of<ProgramStore>()->known(state().inputs.at(programRole));
-    io::writeFile(path.toStdString(), bytesOf(text, file ? file->file.text : std::string()));
+    const auto file =
+        session().stores().of<task::CacheOf<gcode::ProgramInput>>()->known(state().inputs.at(programRole));
+    io::writeFile(path.toStdString(), gcode::bytesOf(text, file ? file->file.text : std::string()));
     const bool is_same = QFileInfo(path) == QFileInfo(QString::fromStdString(outcome->file));
     editState(tr("Save the program"), [&](project::PanelState& state) {
-        auto question = fromValues<DeflectionQuestion>(state.parameters);
+        auto question = fromValues<ToolpathQuestion>(state.parameters);
         forgetDraft(question, *outcome);
         lathelier::set(state.parameters, draftsKey, *lathelier::find(toValues(question), draftsKey));
         if (!is_same) state.inputs[programRole] = newSource(path);
@@ -139,43 +135,14 @@ void ProgramPanel::askAndSave()
     }
 }
 
-report::Answer ProgramPanel::answer(const ProgramOutcome& outcome) const
-{
-    return stock::answer(*outcome.check, screenLanguage());
-}
-
-report::Document ProgramPanel::document(const ProgramOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage());
-}
-
 std::vector<PanelExport> ProgramPanel::exports() const
 {
-    const auto outcome = result();
-    if (!outcome) return {};
+    if (!result()) return {};
+    std::vector<PanelExport> all = TurningPanel::exports();
     auto* panel = const_cast<ProgramPanel*>(this);  // saving changes the project, like the button
-    return {{tr("Program as it stands here…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
-             [panel](const QString& path) { panel->saveTo(path); }},
-            {tr("Moves of the tool (CSV)…"), tr("Table (*.csv)"), "csv", [outcome](const QString& path) {
-                 std::string text;
-                 gcode::writeMoves(outcome->check->path, [&text](std::string_view part) { text += part; });
-                 io::writeFile(path.toStdString(), text);
-             }}};
-}
-
-void ProgramPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
-{
-    assignTurningFiles(state, files);
-}
-
-QString ProgramPanel::understood(const InputRole& role, const project::Source& source) const
-{
-    return understoodTurning(role.role, source, session().stores());
-}
-
-Worker::Job ProgramPanel::makeReadingJob(const project::PanelState& state) const
-{
-    return readingJob(state, session().sharedStores());
+    all.insert(all.begin(), {tr("Program as it stands here…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"), "nc",
+                             [panel](const QString& path) { panel->saveTo(path); }, true});
+    return all;
 }
 
 void ProgramPanel::showPlace(const report::Place& place)

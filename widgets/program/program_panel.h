@@ -1,17 +1,19 @@
 // The panel "Program": moves, errors and remaining stock of an NC program.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/program/program_outcome.h"
+#include "engine/deflection/toolpath_task.h"
+#include "widgets/deflection_common/turning_panel.h"
 
 namespace lathelier::program_panel {
+
+using ProgramOutcome = deflection::ToolpathOutcome;
 
 class ProgramViews;
 
 /// The panel's line of the panel table.
 PanelFacts programPanelFacts();
 
-class ProgramPanel : public Panel<ProgramOutcome> {
+class ProgramPanel : public deflection_common::TurningPanel<ProgramOutcome> {
     Q_OBJECT
 
 public:
@@ -23,15 +25,8 @@ public:
     void saveTo(const QString& path);
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const ProgramOutcome>& outcome) override;
-    report::Answer answer(const ProgramOutcome& outcome) const override;
-    Notes notes(const ProgramOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const ProgramOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
-    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
-    QString understood(const InputRole& role, const project::Source& source) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
     void showPlace(const report::Place& place) override;
     void retranslate() override;
 

@@ -10,10 +10,10 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/deflection/toolpath_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/program/program_outcome.h"
 
 namespace lathelier::program_common {
 class ProgramEditor;

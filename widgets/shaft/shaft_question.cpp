@@ -37,9 +37,9 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
     static const auto all = folded(described<Q>(
         rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
         field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
-        field("material", &Q::material, chatter_common::materialChoices(LT_TEXT("Engine", "as the file states")),
-              Label{LT_TEXT("Engine", "Material"),
-                    LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
+        choice("material", &Q::material, receptance::materialChoices(LT_TEXT("Engine", "as the file states")),
+               Label{LT_TEXT("Engine", "Material"),
+                     LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
         group("own_material", &Q::own_material,
               Label{LT_TEXT("Engine", "Own material"),
                     LT_TEXT("Engine", "Stated in place of the file and the library.")}),

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "engine/receptance/library.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/shaft/shaft.h"
-#include "widgets/chatter_common/libraries.h"
 #include "widgets/part_common/shaft_table.h"
 
 namespace lathelier::shaft_panel {
@@ -26,10 +26,9 @@ struct Rest {
 const std::vector<Field<Rest>>& fieldsOf(const Rest*);
 
 struct ShaftQuestion {
-    std::vector<ShaftSegment> segments;  ///< the table; empty: as the file has them
-    std::string segments_of;             ///< identity() of the input they were changed from
-    /// library material, unless own_material is given
-    chatter_common::MaterialChoice material = chatter_common::MaterialChoice::Stated;
+    std::vector<ShaftSegment> segments;         ///< the table; empty: as the file has them
+    std::string segments_of;                    ///< identity() of the input they were changed from
+    std::string material = statedChoice;        ///< key of the library, unless own_material is given
     std::optional<Material> own_material;       ///< stated by the user
     Hold hold = Hold::Given;                    ///< at the chuck face
     receptance::SpindleSprings springs;         ///< of Hold::Springs

@@ -55,7 +55,7 @@ void takeSprings(MachineOutcome& outcome)
 {
     receptance::SpindleSprings springs = outcome.question.springs;
     ValueOrigin origin = ValueOrigin::Given;
-    if (const auto* entry = chatter_common::chosen(ofLibrary(outcome.question.source)).entry) {
+    if (const auto* entry = entryOf(receptance::machines(), outcome.question.source)) {
         springs = entry->value;
         origin = ValueOrigin::Assumed;
         outcome.notes.push_back({notes::machineOfLibrary, {{"source", entry->source}}});
@@ -96,7 +96,7 @@ MachineOutcome machineOutcome(const project::PanelState& state, Stores& stores, 
 {
     MachineOutcome outcome;
     outcome.question = fromValues<MachineQuestion>(state.parameters);
-    if (outcome.question.source == MachineSource::Measured)
+    if (outcome.question.source == measuredSource)
         identify(outcome, state, stores, progress);
     else
         takeSprings(outcome);

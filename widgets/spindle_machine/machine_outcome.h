@@ -8,8 +8,8 @@
 #include "engine/receptance/eirc/spindle_check.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/report/document.h"
-#include "widgets/core/files/file_cache.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/file_cache.h"
+#include "engine/task/stores.h"
 #include "widgets/spindle_machine/machine_question.h"
 
 namespace lathelier::machine_panel {

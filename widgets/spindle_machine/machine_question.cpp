@@ -1,7 +1,5 @@
 #include "widgets/spindle_machine/machine_question.h"
 
-#include <array>
-
 #include "engine/core/units.h"
 
 namespace lathelier::machine_panel {
@@ -9,30 +7,22 @@ namespace {
 
 std::vector<FieldChoice> sources()
 {
-    std::vector<FieldChoice> choices = chatter_common::machineChoices(LT_TEXT("Engine", "springs"));
-    choices.front().key = "springs";
-    choices.insert(choices.begin(), {"measured", LT_TEXT("Engine", "tap tests")});
+    std::vector<FieldChoice> choices = receptance::machineChoices(LT_TEXT("Engine", "springs"));
+    choices.front().key = springsSource;
+    choices.insert(choices.begin(), {measuredSource, LT_TEXT("Engine", "tap tests")});
     return choices;
 }
 
 }  // namespace
-
-chatter_common::MachineChoice ofLibrary(MachineSource source)
-{
-    constexpr std::array choices{chatter_common::MachineChoice::Stated, chatter_common::MachineChoice::Stated,
-                                 chatter_common::MachineChoice::Papers, chatter_common::MachineChoice::Stiff,
-                                 chatter_common::MachineChoice::Soft};
-    return choices.at(static_cast<std::size_t>(source));
-}
 
 const std::vector<Field<MachineQuestion>>& fieldsOf(const MachineQuestion*)
 {
     using Q = MachineQuestion;
     static const auto all = [] {
         auto list = described<Q>(
-            field(sourceKey, &Q::source, sources(),
-                  Label{LT_TEXT("Engine", "Known from"),
-                        LT_TEXT("Engine", "Machines of the library are assumed values to begin with.")}),
+            choice(sourceKey, &Q::source, sources(),
+                   Label{LT_TEXT("Engine", "Known from"),
+                         LT_TEXT("Engine", "Machines of the library are assumed values to begin with.")}),
             group("springs", &Q::springs,
                   Label{LT_TEXT("Engine", "Springs at the chuck"), LT_TEXT("Engine", "Where they are typed.")}));
         for (const auto& inner : fields<receptance::IdentificationParameters>())

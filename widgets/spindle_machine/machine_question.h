@@ -5,20 +5,18 @@
 #include <string>
 
 #include "engine/receptance/eirc/identify_spindle.h"
-#include "widgets/chatter_common/libraries.h"
+#include "engine/receptance/library.h"
 
 namespace lathelier::machine_panel {
 
-/// Measured: identified from tap tests. Springs: typed. The others are those of the library, in its order.
-enum class MachineSource { Measured, Springs, Papers, Stiff, Soft };
-
-/// Of the library; Stated for the first two.
-chatter_common::MachineChoice ofLibrary(MachineSource source);
+/// Sources beside the machines of the library, which have their keys: identified from tap tests, or typed.
+inline constexpr const char* measuredSource = "measured";
+inline constexpr const char* springsSource = "springs";
 
 struct MachineQuestion {
-    MachineSource source = MachineSource::Measured;       ///< source of the receptance
-    receptance::SpindleSprings springs;                   ///< of MachineSource::Springs
-    receptance::IdentificationParameters identification;  ///< of MachineSource::Measured
+    std::string source = measuredSource;                  ///< source of the receptance
+    receptance::SpindleSprings springs;                   ///< of springsSource
+    receptance::IdentificationParameters identification;  ///< of measuredSource
     std::optional<double> limit_percent;                  ///< largest residual that is accepted; none: no verdict
 };
 

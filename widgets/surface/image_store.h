@@ -3,7 +3,7 @@
 
 #include "engine/io/image/image.h"
 #include "engine/io/input_files.h"
-#include "widgets/core/files/file_cache.h"
+#include "engine/task/file_cache.h"
 
 namespace lathelier::surface_panel {
 

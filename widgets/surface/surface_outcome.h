@@ -13,7 +13,7 @@
 #include "engine/stability/speed_choice.h"
 #include "engine/surface/stripes.h"
 #include "engine/surface/surface.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 #include "widgets/surface/surface_question.h"
 
 namespace lathelier::surface_panel {

@@ -4,7 +4,7 @@
 #include "engine/io/probe/probe_reader.h"
 #include "engine/io/profile/profile_reader.h"
 #include "engine/report/document.h"
-#include "widgets/core/files/file_cache.h"
+#include "engine/task/file_cache.h"
 
 namespace lathelier::trajectory_common {
 

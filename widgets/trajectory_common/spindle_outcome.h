@@ -9,8 +9,8 @@
 #include "engine/form/roundness/superimpose.h"
 #include "engine/project/project.h"
 #include "engine/report/document.h"
+#include "engine/task/stores.h"
 #include "engine/trajectory/trajectory.h"
-#include "widgets/core/files/stores.h"
 #include "widgets/plot/polar_data.h"
 #include "widgets/trajectory_common/spindle_files.h"
 

@@ -19,8 +19,6 @@
 namespace lathelier::turning_panel {
 namespace {
 
-constexpr std::size_t mostReportedFindings = 3;
-
 /// Height of the drawing over a stretch, for the number of what stays there.
 double radiusAt(const ClampingOutcome& clamping, const Interval& z_mm)
 {
@@ -308,7 +306,8 @@ report::QuantityTable sheetOf(const TurningOutcome& outcome, std::size_t setup)
     const auto add = [&](Text name, Value value, Text unit = {}, int decimals = 2) {
         table.rows.push_back({name, std::move(value), unit, decimals});
     };
-    add(LT_TEXT("Engine", "Control"), outcome.has_own_post ? Value(plan.post) : Value(labelOf(outcome.question.post)));
+    add(LT_TEXT("Engine", "Control"),
+        outcome.has_own_post ? Value(plan.post) : Value(cam::labelOfPost(outcome.question.post)));
     add(LT_TEXT("Engine", "Diameter of the bar"), plan.job.stock.diameter_mm, unit::mm, 3);
     if (plan.job.stock.length_mm) add(LT_TEXT("Engine", "Length of the bar"), *plan.job.stock.length_mm, unit::mm);
     add(LT_TEXT("Engine", "Zero of the program"), clamping.is_mirrored
@@ -329,62 +328,11 @@ report::QuantityTable sheetOf(const TurningOutcome& outcome, std::size_t setup)
     return table;
 }
 
-report::Answer answerOf(const TurningOutcome& outcome, const Language& language)
-{
-    const cam::TurningPlan& plan = *outcome.plan;
-    report::Answer answer = cam::answer(plan, language);
-    if (outcome.isVoid()) {
-        answer.verdict_words = LT_TEXT("Engine", "? check void");
-        answer.sentence = LT_TEXT("Engine", "A program was changed after its check: check it again.");
-        answer.value.reset();
-        answer.values.clear();
-        return answer;
-    }
-    const bool is_corrected = std::any_of(outcome.programs.begin(), outcome.programs.end(),
-                                          [](const ShownProgram& p) { return p.origin == ProgramOrigin::Corrected; });
-    if (is_corrected && plan.verdict && !plan.is_refused)
-        answer.verdict_words = plan.rest.empty() ? LT_TEXT("Engine", "✓ compensated, checked")
-                                                 : LT_TEXT("Engine", "✗ compensated; material stays");
-    for (const cam::SetupPlan& setup : plan.setups)
-        for (const cam::CheckFinding& found : setup.check.findings) {
-            if (answer.findings.size() == mostReportedFindings) break;
-            report::Finding& reported = answer.findings.emplace_back();
-            reported.pattern = LT_TEXT("Engine", "Line {line}: {kind} at z = {z_mm:1} mm, {depth_mm:2} mm deep");
-            reported.values = {{"line", found.line},
-                               {"kind", cam::nameOf(found.kind)},
-                               {"z_mm", found.z_mm},
-                               {"depth_mm", found.depth_mm}};
-            reported.verdict = Verdict::Fail;
-            reported.place.line = found.line;
-        }
-    std::vector<const cam::RestInterval*> largest;
-    for (const cam::RestInterval& rest : plan.rest) largest.push_back(&rest);
-    std::stable_sort(largest.begin(), largest.end(),
-                     [](const auto* a, const auto* b) { return a->left_mm > b->left_mm + meet_mm; });
-    for (const cam::RestInterval* rest : largest) {
-        if (answer.findings.size() == mostReportedFindings) break;
-        report::Finding& reported = answer.findings.emplace_back();
-        reported.pattern = LT_TEXT("Engine", "Left {left_mm:3} mm · z {from:2}-{to:2} mm · {cause}");
-        reported.values = {{"left_mm", rest->left_mm},
-                           {"from", rest->z_start_mm},
-                           {"to", rest->z_end_mm},
-                           {"cause", cam::nameOf(rest->cause)}};
-        reported.verdict = Verdict::Fail;
-        reported.place.z_mm = Interval{rest->z_start_mm, rest->z_end_mm};
-    }
-    return answer;
-}
-
 report::Document reportOf(const TurningOutcome& outcome, const Language& language)
 {
-    report::Document document = withSheets(cam::planReport(*outcome.plan, language), outcome);
-    if (!document.sections.empty() && !document.sections.front().blocks.empty())
-        document.sections.front().blocks.front() = answerOf(outcome, language);
-    document.inputs = outcome.inputs;
-    document.synthetic = outcome.synthetic;
-    document.results = {report::toText(report::wholeResult("turn", outcome.inputs, toValues(outcome.question),
-                                                           cam::toJson(*outcome.plan), outcome.notes))};
-    return document;
+    return withSheets(documentOf(cam::turnTask(), outcome.asked, outcome.sources,
+                                 cam::outcomeOf({std::shared_ptr<const cam::TurnOutcome>(), &outcome}), language),
+                      outcome);
 }
 
 }  // namespace lathelier::turning_panel

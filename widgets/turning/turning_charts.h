@@ -47,7 +47,6 @@ report::Table operationTable(const TurningOutcome& outcome, std::size_t setup); 
 /// Set-up sheet of one clamping: control, bar, zero, chuck, time, what stays.
 report::QuantityTable sheetOf(const TurningOutcome& outcome, std::size_t setup);
 
-report::Answer answerOf(const TurningOutcome& outcome, const Language& language = {});
 report::Document reportOf(const TurningOutcome& outcome, const Language& language);
 
 }  // namespace lathelier::turning_panel

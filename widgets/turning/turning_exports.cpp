@@ -22,16 +22,9 @@ struct ExportWords {
 
 void writePrograms(const TurningOutcome& outcome, const QString& path, QWidget* parent)
 {
-    for (std::size_t i = 0; i < outcome.programs.size(); ++i) {
-        if (outcome.programs[i].is_void)
-            throw Error(errors::checkVoid, {{"clamping", static_cast<std::int64_t>(i) + 1}});
-        if (const int tool = cam::unknownToolOf(outcome.plan->setups[i].check); tool != 0)
-            throw Error(errors::cutsNotChecked,
-                        {{"clamping", static_cast<std::int64_t>(i) + 1}, {"tool", std::int64_t{std::max(0, tool)}}});
-    }
-    cam::throwIfRefused(*outcome.plan);
+    requireWritable(outcome);
     const std::vector<std::string> paths = cam::programPaths(path.toStdString(), outcome.programs.size());
-    cam::refuseInputs(paths, outcome.inputs, paths.front());
+    cam::refuseInputs(paths, outcome.sources.inputs, paths.front());
     // The dialog asked for one name, and two others are written.
     QStringList there;
     if (paths.size() > 1)

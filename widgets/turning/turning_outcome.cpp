@@ -3,68 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/cam/cam_codes.h"
 #include "engine/cam/check/drawn_contour.h"
 #include "engine/cam/job_bodies.h"
-#include "engine/cam/plan_codes.h"
-#include "widgets/chatter_common/input_value.h"
-#include "widgets/part_common/part_input.h"
-#include "widgets/part_common/shaft_table.h"
-#include "widgets/turning/job_store.h"
 
 namespace lathelier::turning_panel {
 namespace {
 
-constexpr std::size_t shownDigits = 12;
 constexpr double drawnSpacing_mm = 0.5;
 constexpr double narrow = 0.6, wide = 1.6;  // of a speed: range of its chart
-
-template <class Input>
-void recordInput(TurningOutcome& outcome, const Input& input)
-{
-    outcome.inputs.push_back(input.input);
-    outcome.notes.insert(outcome.notes.end(), input.notes.begin(), input.notes.end());
-    outcome.synthetic = outcome.synthetic || input.synthetic;
-}
-
-cam::Job takeJob(TurningOutcome& outcome, const project::PanelState& state, Stores& stores, const Progress& progress)
-{
-    cam::Job job = outcome.question.job;
-    const auto source = state.inputs.find(jobRole);
-    if (source == state.inputs.end()) return job;
-    outcome.is_changed = formRules(outcome.question, state);
-    const auto loaded = stores.of<JobStore>()->load(source->second, progress);
-    outcome.inputs.push_back(loaded->inputs.front());
-    outcome.notes.insert(outcome.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
-    outcome.synthetic = outcome.synthetic || source->second.synthetic;
-    if (!outcome.is_changed) return loaded->file.job;
-    job.shaft = loaded->file.job.shaft;
-    if (!(job == loaded->file.job)) outcome.notes.push_back({notes::jobChanged, {{"source", source->second.path}}});
-    return job;
-}
-
-Shaft takeShaft(TurningOutcome& outcome, const cam::Job& job, const project::PanelState& state, Stores& stores,
-                const Progress& progress)
-{
-    if (state.inputs.count(part_common::shaftRole) > 0) {
-        part_common::PartInput taken = part_common::takePart(state, part_common::shaftRole, stores, progress);
-        recordInput(outcome, taken);
-        return std::move(taken.shaft);
-    }
-    if (!job.shaft) throw Error(errors::jobWithoutShaft, {{"path", identity(state)}});
-    return *job.shaft;
-}
-
-cam::Post takePost(TurningOutcome& outcome, const project::PanelState& state, Stores& stores, const Progress& progress)
-{
-    const auto source = state.inputs.find(postRole);
-    if (source == state.inputs.end()) return cam::postNamed(nameOf(outcome.question.post));
-    const auto loaded = stores.of<PostStore>()->load(source->second, progress);
-    outcome.has_own_post = true;
-    outcome.inputs.push_back(loaded->inputs.front());
-    outcome.notes.insert(outcome.notes.end(), loaded->file.notes.begin(), loaded->file.notes.end());
-    return loaded->file.post;
-}
 
 ClampingOutcome clampingOutcome(const cam::TurningPlan& plan, std::size_t index, const Progress& progress)
 {
@@ -125,24 +71,10 @@ std::shared_ptr<const SectionLobes> lobesOf(const cam::SectionSpeed& section, co
 
 }  // namespace
 
-TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, const Progress& progress)
+TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                              const Progress& progress)
 {
-    TurningOutcome outcome;
-    outcome.question = fromValues<TurningQuestion>(state.parameters);
-    const Progress reading = progress.part(0, 0.1, LT_TEXT("Engine", "Reading"));
-    const cam::Job job = takeJob(outcome, state, stores, reading);
-    const Shaft part = takeShaft(outcome, job, state, stores, reading);
-    cam::TurningInputs inputs;
-    inputs.post = takePost(outcome, state, stores, reading);
-    inputs.keeps_outlines = true;
-    if (auto spindle = chatter_common::takeSpindle(state, stores, reading))
-        inputs.spindle = chatter_common::recordInput(outcome, *std::move(spindle));
-    for (const InputFile& input : outcome.inputs)
-        inputs.origin.push_back("SHA-256 " + input.sha256.substr(0, shownDigits));
-    cam::TurningPlan planned = cam::planTurning(part, job, inputs, outcome.question.plan, progress.part(0.1, 0.7));
-    const std::vector<cam::GivenProgram> given = chooseProgram(outcome, planned, state, stores, reading);
-    outcome.plan = std::make_shared<const cam::TurningPlan>(
-        cam::withPrograms(std::move(planned), given, inputs, progress.part(0.7, 0.8)));
+    TurningOutcome outcome{cam::answerTurn(state, true, stores, sources, progress.part(0, 0.8)), {}, {}};
     for (std::size_t i = 0; i < outcome.plan->setups.size(); ++i)
         outcome.clampings.push_back(clampingOutcome(*outcome.plan, i, progress));
     const double share = 0.2 / static_cast<double>(outcome.plan->sections.size() + 1);
@@ -150,13 +82,7 @@ TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, 
         const double from = 0.8 + share * static_cast<double>(i);
         outcome.lobes.push_back(lobesOf(outcome.plan->sections[i], *outcome.plan, progress.part(from, from + share)));
     }
-    outcome.notes.insert(outcome.notes.end(), outcome.plan->notes.begin(), outcome.plan->notes.end());
     return outcome;
-}
-
-bool TurningOutcome::isVoid() const
-{
-    return std::any_of(programs.begin(), programs.end(), [](const ShownProgram& program) { return program.is_void; });
 }
 
 Interval inStock(const TurningOutcome& outcome, std::size_t setup, const Interval& z_mm)

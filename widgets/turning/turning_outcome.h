@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "engine/cam/plan.h"
-#include "engine/core/input_file.h"
+#include "engine/cam/task/turn_task.h"
 #include "engine/report/document.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stock/drawn_path.h"
-#include "widgets/core/files/stores.h"
-#include "widgets/turning/turning_programs.h"
-#include "widgets/turning/turning_question.h"
+#include "engine/task/stores.h"
 
 namespace lathelier::turning_panel {
+
+using cam::ProgramOrigin;
+using cam::ShownProgram;
+using cam::TurningQuestion;
 
 /// One clamping, in the coordinates of its stock: z from the raw end of the bar, radius.
 struct ClampingOutcome {
@@ -37,24 +38,14 @@ struct SectionLobes {
     std::optional<stability::SpeedResult> speed;  ///< chosen speed; none: no stable speed
 };
 
-struct TurningOutcome {
-    TurningQuestion question;                                ///< question of the request
-    bool is_changed = false;                                 ///< the form has precedence over the file
-    bool has_own_post = false;                               ///< of a file, not built in
-    std::shared_ptr<const cam::TurningPlan> plan;            ///< with the programs as they stand here; never null
-    std::vector<ShownProgram> programs;                      ///< one for each set-up of the plan
+struct TurningOutcome : cam::TurnOutcome {
     std::vector<ClampingOutcome> clampings;                  ///< one for each set-up of the plan
     std::vector<std::shared_ptr<const SectionLobes>> lobes;  ///< one for each section; null: no dynamics
-    std::vector<InputFile> inputs;                           ///< files and items
-    Notes notes;                                             ///< of the files and of the plan
-    bool synthetic = false;                                  ///< a source is marked as synthetic
-
-    bool isVoid() const;  ///< true: a program was changed after its check
 };
 
-/// Reads, plans and checks; thread-safe. Errors: those of the readers and of cam::planTurning(); jobWithoutShaft.
-/// Throws Cancelled.
-TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, const Progress& progress);
+/// cam::answerTurn() with what its views need. Thread-safe. Throws Cancelled.
+TurningOutcome turningOutcome(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                              const Progress& progress);
 
 /// The number of a section of a clamping, or of what stays, by z of the part as drawn, in the stock of the clamping.
 Interval inStock(const TurningOutcome& outcome, std::size_t setup, const Interval& z_mm);

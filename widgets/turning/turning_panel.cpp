@@ -2,81 +2,43 @@
 
 #include <algorithm>
 
-#include "engine/cad/step_kind.h"
+#include "engine/cad/part_input.h"
+#include "engine/cam/task/job_input.h"
 #include "engine/core/frf_item.h"
-#include "engine/gcode/program_kind.h"
-#include "engine/io/shaft/shaft_kind.h"
-#include "engine/receptance/spindle_item.h"
-#include "engine/receptance/spindle_kind.h"
-#include "engine/shaft/shaft_item.h"
-#include "widgets/chatter_common/input_value.h"
+#include "engine/gcode/program_input.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
-#include "widgets/deflection_common/turning_files.h"
-#include "widgets/part_common/part_input.h"
-#include "widgets/part_common/part_store.h"
-#include "widgets/part_common/shaft_table.h"
 #include "widgets/program_common/program_editor.h"
-#include "widgets/turning/job_store.h"
 #include "widgets/turning/turning_charts.h"
 #include "widgets/turning/turning_exports.h"
+#include "widgets/turning/turning_state.h"
 #include "widgets/turning/turning_views.h"
 
 namespace lathelier::turning_panel {
 namespace {
 
-using chatter_common::spindleRole;
-using part_common::shaftRole;
-
 constexpr const char* clampingKey = "clamping";
 constexpr const char* coursesKey = "courses";
 
+const std::vector<std::string> roles{cam::jobRole, cam::partRole, cam::spindleRole, cam::postRole, cam::programRole};
+
 PanelInputs panelInputs()
 {
-    InputRole job = chatter_common::inputRole(
-        jobRole, LT_TEXT("Engine", "Job"),
-        LT_TEXT("Engine", "Bar, chuck, tools and cutting data: JOB.json; it may hold the shaft as well."),
-        cam::jobFiles(), "");
-    job.required = false;
-    InputRole shaft;
-    shaft.role = shaftRole;
-    shaft.label = LT_TEXT("Engine", "Shaft");
-    shaft.hint = LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made");
-    shaft.kinds = {&io::shaftFiles(), &cad::stepFiles()};
-    shaft.item_kind = shaftItem;
-    shaft.required = false;
-    shaft.takes_next = true;
-    InputRole spindle = chatter_common::inputRole(
-        spindleRole, LT_TEXT("Engine", "Spindle"),
-        LT_TEXT("Engine", "Speeds follow its dynamics: SPINDLE.json, or a spindle of the project. It may be missing."),
-        receptance::spindleFiles(), receptance::spindleItem);
-    spindle.required = false;
-    InputRole program = chatter_common::inputRole(
-        programRole, LT_TEXT("Engine", "Program in place of the planned one"),
-        LT_TEXT("Engine",
-                "To be checked instead: one that came back corrected from the panel Correction, or an NC program for "
-                "the first clamping. It may be missing."),
-        gcode::programFiles(), gcode::correctedItem);
-    program.required = false;
-    InputRole post = chatter_common::inputRole(
-        postRole, LT_TEXT("Engine", "Control of your own"),
-        LT_TEXT("Engine",
-                "POST.json: the program is written for it, and not for the control below. It may be missing."),
-        cam::postFiles(), "");
-    post.required = false;
-    PanelInputs inputs;
-    inputs.roles = {job, shaft, spindle, post, program};
-    const auto& hidden = {jobOfKey, skippedKey, orderKey, draftsKey};
+    PanelInputs inputs = inputsOf(cam::turnTask(), roles, {}, false,
+                                  LT_TEXT("Engine",
+                                          "Drop a job (JOB.json) and a shaft here: its turning program follows, read "
+                                          "back and checked."));
+    const auto& hidden = {cam::jobOfKey, cam::skippedKey, cam::orderKey, cam::draftsKey};
     for (FieldInfo& info : infos<TurningQuestion>())
         if (std::find(hidden.begin(), hidden.end(), info.key) == hidden.end()) inputs.fields.push_back(std::move(info));
-    inputs.defaults = toValues(TurningQuestion{});
-    inputs.invitation = LT_TEXT("Engine",
-                                "Drop a job (JOB.json) and a shaft here: its turning program follows, read back and "
-                                "checked.");
+    for (InputRole& role : inputs.roles) {
+        role.required = false;  // either may hold the part: missingInputs()
+        role.takes_next = role.role == cam::partRole;
+    }
     return inputs;
 }
 
@@ -84,26 +46,25 @@ PanelInputs panelInputs()
 
 PanelFacts turningPanelFacts()
 {
-    PanelFacts facts;
-    facts.id = "turning";
-    facts.title = LT_TEXT("Engine", "Turning program");
-    facts.icon = "turning";
+    PanelFacts facts = factsOf(cam::turnTask(), "turning", "turning", roles, {});
     facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
-    facts.part_inputs = {shaftRole, programRole};
-    facts.item_inputs = {
-        {shaftItem, shaftRole}, {receptance::spindleItem, spindleRole}, {gcode::correctedItem, programRole}};
+    facts.part_inputs = {cam::partRole, cam::programRole};
     facts.make = [](Session& session) -> PanelBase* { return new TurningPanel(session); };
     facts.missing = missingInputs;
     facts.has_work = [](const project::PanelState& state) { return missingInputs(state).empty(); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(turningOutcome(state, stores, progress), language); };
+                      const Progress& progress) {
+        task::Sources sources;
+        return reportOf(turningOutcome(state, stores, sources, progress), language);
+    };
     return facts;
 }
 
 TurningPanel::TurningPanel(Session& owner, QWidget* parent)
-    : Panel(owner, turningPanelFacts(), panelInputs(), parent), views_(new TurningViews)
+    : TaskPanel(owner, cam::turnTask(), turningOutcome, turningPanelFacts(), panelInputs(), parent),
+      views_(new TurningViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &TurningViews::operationSwitched, this, &TurningPanel::switchOperation);
@@ -129,8 +90,8 @@ TurningPanel::TurningPanel(Session& owner, QWidget* parent)
 void TurningPanel::followForm(const std::string& key, const Value& value, int gesture, const QString& step)
 {
     const auto outcome = result();
-    if (!isOfJob(key) || !outcome || identity(state()).empty()) return;
-    Values job = jobValues(outcome->plan->stated);
+    if (!isOfJob(key) || !outcome || cam::identity(state()).empty()) return;
+    Values job = toValues(outcome->plan->stated);
     lathelier::set(job, key, value);
     change(
         step,
@@ -158,7 +119,7 @@ void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool 
         cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
         std::erase(plan.skipped, operation);
         if (!on) plan.skipped.push_back(operation);
-        lathelier::set(state.parameters, skippedKey, *lathelier::find(toValues(plan), skippedKey));
+        lathelier::set(state.parameters, cam::skippedKey, *lathelier::find(toValues(plan), cam::skippedKey));
     });
 }
 
@@ -169,7 +130,7 @@ void TurningPanel::setOrder(const QString& step, int clamping, const std::vector
         cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
         std::erase_if(plan.order, [clamping](const cam::OperationStep& each) { return each.setup == clamping; });
         plan.order.insert(plan.order.end(), order.begin(), order.end());
-        lathelier::set(state.parameters, orderKey, *lathelier::find(toValues(plan), orderKey));
+        lathelier::set(state.parameters, cam::orderKey, *lathelier::find(toValues(plan), cam::orderKey));
     });
 }
 
@@ -198,10 +159,11 @@ void TurningPanel::offerProgram(int clamping)
     const auto outcome = result();
     const auto index = static_cast<std::size_t>(clamping);
     if (!outcome || index >= outcome->programs.size() || !isSound(*outcome, index)) return;
-    QString name = QString::fromStdString(turning_panel::nameOf(*outcome));
+    QString name = QString::fromStdString(cam::nameOf(*outcome));
     if (name.isEmpty()) name = tr("turning program");
     if (outcome->programs.size() > 1) name = tr("%1, clamping %2").arg(name).arg(clamping + 1);
-    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*outcome, index)), outcome->synthetic);
+    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*outcome, index)),
+              outcome->sources.synthetic);
 }
 
 void TurningPanel::offerLobes(int section)
@@ -213,7 +175,7 @@ void TurningPanel::offerLobes(int section)
     const std::string name =
         tr("part at z %1-%2 mm").arg(screenNumber(speed.z_start_mm, 1), screenNumber(speed.z_end_mm, 1)).toStdString();
     try {
-        offerItem(name, frfItem, toValues(*speed.receptance), outcome->synthetic);
+        offerItem(name, frfItem, toValues(*speed.receptance), outcome->sources.synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -225,57 +187,31 @@ void TurningPanel::assignFiles(project::PanelState& state, const std::vector<Fou
         if (file.kind == &cam::jobFiles())
             openJob(state, file.path);
         else
-            state.inputs[file.kind == &receptance::spindleFiles() ? spindleRole
-                         : file.kind == &cam::postFiles()         ? postRole
-                         : file.kind == &gcode::programFiles()    ? programRole
-                                                                  : shaftRole] =
-                newSource(QString::fromStdString(file.path));
+            assignByKind(state, inputs().roles, {file});
     }
-}
-
-TurningPanel::Compute TurningPanel::compute(const project::PanelState& state) const
-{
-    fromValues<TurningQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, stores = session().sharedStores()](const Progress& progress) {
-        return turningOutcome(state, *stores, progress);
-    };
-}
-
-Worker::Job TurningPanel::makeReadingJob(const project::PanelState& state) const
-{
-    return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-        const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
-        if (const auto given = state.inputs.find(jobRole); given != state.inputs.end())
-            stores->of<JobStore>()->load(given->second, part);
-        if (state.inputs.count(shaftRole) > 0) part_common::takePart(state, shaftRole, *stores, part);
-        chatter_common::takeSpindle(state, *stores, part);
-        if (const auto post = state.inputs.find(postRole); post != state.inputs.end())
-            stores->of<PostStore>()->load(post->second, part);
-        return nullptr;
-    };
 }
 
 QString TurningPanel::understood(const InputRole& role, const project::Source& source) const
 {
     Stores& stores = session().stores();
-    if (role.role == spindleRole) return chatter_common::understoodModel(role.role, source, stores);
-    if (role.role == jobRole) {
-        const auto loaded = stores.of<JobStore>()->known(source);
+    if (role.role == cam::spindleRole) return chatter_common::understoodModel(role.role, source, stores);
+    if (role.role == cam::jobRole) {
+        const auto loaded = stores.of<task::CacheOf<cam::JobInput>>()->known(source);
         if (!loaded) return {};
         const cam::Job& job = loaded->file.job;
         return understoodText(loaded->file.facts, job.shaft ? tr("%L1 tools, with its shaft").arg(job.tools.size())
                                                             : tr("%L1 tools").arg(job.tools.size()));
     }
-    if (role.role == postRole) {
-        const auto loaded = stores.of<PostStore>()->known(source);
+    if (role.role == cam::postRole) {
+        const auto loaded = stores.of<task::CacheOf<cam::PostInput>>()->known(source);
         return loaded ? understoodText(loaded->file.facts, QString::fromStdString(loaded->file.post.name)) : QString();
     }
-    if (role.role == programRole) {
-        const auto loaded = stores.of<deflection_common::ProgramStore>()->known(source);
+    if (role.role == cam::programRole) {
+        const auto loaded = stores.of<task::CacheOf<gcode::ProgramFacts>>()->known(source);
         if (!loaded) return {};
         return understoodText(loaded->file.facts, tr("%L1 blocks").arg(loaded->file.facts.rows));
     }
-    const auto loaded = stores.of<part_common::PartStore>()->known(source);
+    const auto loaded = stores.of<task::CacheOf<cad::PartInput>>()->known(source);
     if (!loaded) return {};
     const Shaft& shaft = loaded->file.shaft;
     return understoodText(
@@ -285,7 +221,7 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
 
 void TurningPanel::showResult(const std::shared_ptr<const TurningOutcome>& outcome)
 {
-    inputColumn().form().setValues(jobValues(outcome->plan->stated));  // also those of a file
+    inputColumn().form().setValues(toValues(outcome->plan->stated));  // also those of a file
     bool is_newest = false;
     try {
         is_newest = outcome->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
@@ -293,11 +229,6 @@ void TurningPanel::showResult(const std::shared_ptr<const TurningOutcome>& outco
         is_newest = false;  // the present request is invalid and reports its error
     }
     views_->setOutcome(outcome, is_newest && !views_->editor()->isTyping());
-}
-
-report::Answer TurningPanel::answer(const TurningOutcome& outcome) const
-{
-    return turning_panel::answerOf(outcome, screenLanguage());
 }
 
 report::Document TurningPanel::document(const TurningOutcome& outcome) const
@@ -312,7 +243,7 @@ std::vector<PanelExport> TurningPanel::exports() const
     const bool two = outcome->plan->setups.size() > 1;
     std::vector<PanelExport> all{{two ? tr("Programs of both clampings…") : tr("Turning program…"),
                                   tr("NC program (*.nc *.ngc *.mpf *.tap)"),
-                                  outcome->question.post == PostChoice::Sinumerik ? "mpf" : "nc",
+                                  outcome->question.post == "sinumerik" ? "mpf" : "nc",
                                   [this, outcome](const QString& path) { writePrograms(*outcome, path, window()); }}};
     for (std::size_t i = 0; i < outcome->plan->setups.size(); ++i)
         all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),

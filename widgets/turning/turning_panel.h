@@ -1,7 +1,7 @@
 // The panel "Turning program": program that turns a shaft, remaining material and findings of its check.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
+#include "widgets/core/panel/task_panel.h"
 #include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
@@ -12,7 +12,7 @@ class TurningViews;
 PanelFacts turningPanelFacts();
 
 /// A file fills the form of the job; once a field is edited, the form has precedence until another file is opened.
-class TurningPanel : public Panel<TurningOutcome> {
+class TurningPanel : public TaskPanel<TurningOutcome> {
     Q_OBJECT
 
 public:
@@ -22,15 +22,11 @@ public:
     void setPresenting(bool presenting) override;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
     void showResult(const std::shared_ptr<const TurningOutcome>& outcome) override;
-    report::Answer answer(const TurningOutcome& outcome) const override;
-    Notes notes(const TurningOutcome& outcome) const override { return outcome.notes; }
     report::Document document(const TurningOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
     void showPlace(const report::Place& place) override;
     Values view() const override;
     void restoreView(const Values& kept) override;

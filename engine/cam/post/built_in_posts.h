@@ -4,13 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace lathelier::cam {
+#include "engine/core/built_in_text.h"
 
-/// A file by its name without extension.
-struct BuiltInText {
-    const char* name;  ///< "fanuc_a"
-    std::string text;  ///< content at build time
-};
+namespace lathelier::cam {
 
 const std::vector<BuiltInText>& builtInPosts();      ///< resources/posts, by name
 const std::vector<BuiltInText>& builtInLibraries();  ///< resources/library

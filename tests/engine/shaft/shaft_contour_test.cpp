@@ -7,9 +7,9 @@
 #include <limits>
 #include <numbers>
 
-#include "code_of_error.h"
 #include "engine/shaft/shaft_codes.h"
 #include "engine/shaft/shaft_rules.h"
+#include "tests/engine/core/code_of_error.h"
 #include "tests/engine/shaft/shaft_row.h"
 
 namespace lathelier {

@@ -127,14 +127,14 @@ private slots:
             deflection::TurningSetup setup = deflection::caseASetup();
             setup.stock.clear();
             io::writeFile(folder_.filePath("bare.json").toStdString(), deflection::setupText(setup));
-            state.inputs[deflection_common::setupRole].path = folder_.filePath("bare.json").toStdString();
+            state.inputs[deflection::setupRole].path = folder_.filePath("bare.json").toStdString();
             gcode::ProgramItem program;
             program.text = deflection_common::slenderProgram;
             program.z_zero_mm = 2;
             program.stock = Shaft{"bar", {{287.5, 34, 34, 0, {}, ""}}, std::nullopt};
             project.items["planned"] = {gcode::programItem, gcode::toValues(program), {}};
-            state.inputs[deflection_common::programRole] = {};
-            state.inputs[deflection_common::programRole].item = "planned";
+            state.inputs[gcode::programRole] = {};
+            state.inputs[gcode::programRole].item = "planned";
         });
         settle();
         QVERIFY(contains(panel_->result()->notes, notes::barOfProgram));

@@ -4,8 +4,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "engine/cutting/insert_library.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
+#include "engine/receptance/library.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
 #include "engine/shaft/shaft_item.h"
@@ -82,20 +84,31 @@ private slots:
         QVERIFY(!contains(panel_->result()->notes, notes::materialOfShaft));
     }
 
+    void nothingIsWrittenOverWhatWasRead()
+    {
+        open();
+        settle();
+        const auto exports = panel_->offeredExports();
+        const QString stock = folder_->filePath("stock.txt");  // named in the set-up
+        for (const PanelExport& one : exports) QVERIFY_EXCEPTION_THROWN(panel_->writeExport(one, stock), Error);
+        QVERIFY(QFile::link(stock, folder_->filePath("link.txt")));
+        QVERIFY_EXCEPTION_THROWN(panel_->writeExport(exports.front(), folder_->filePath("link.txt")), Error);
+        const QString free = folder_->filePath("free.csv");
+        panel_->writeExport(exports.front(), free);
+        QVERIFY(QFileInfo(free).size() > 0);
+        QCOMPARE(QFileInfo(stock).size(), qint64(16));
+    }
+
     void everyChoiceStandsForAnEntryOfItsLibrary()
     {
-        using namespace chatter_common;
-        const auto all = [](auto stated, std::size_t count) {
-            for (std::size_t i = 1; i < count; ++i) QVERIFY(chosen(static_cast<decltype(stated)>(i)).entry);
-            QVERIFY(!chosen(stated).entry);
-        };
-        all(MaterialChoice::Stated, materialChoices({}).size());
-        all(MachineChoice::Stated, machineChoices({}).size());
-        all(InsertChoice::Stated, insertChoices({}).size());
-        const auto inserts = insertChoices({});
-        for (std::size_t i = 1; i < inserts.size(); ++i) {  // the angle in the name is that of the entry
-            const double entering_deg = 90 - chosen(static_cast<InsertChoice>(i)).entry->value.lead_angle_deg;
-            QVERIFY(QString(inserts[i].label.english).endsWith(QString(", %1°").arg(entering_deg)));
+        for (const FieldChoice& choice : receptance::materialChoices({}))
+            QVERIFY((choice.key == statedChoice) == !entryOf(receptance::materials(), choice.key));
+        for (const FieldChoice& choice : receptance::machineChoices({}))
+            QVERIFY((choice.key == statedChoice) == !entryOf(receptance::machines(), choice.key));
+        for (const FieldChoice& choice : cutting::insertChoices({})) {  // the angle in the name is that of the entry
+            if (choice.key == statedChoice) continue;
+            const double entering_deg = 90 - entryOf(cutting::inserts(), choice.key)->value.lead_angle_deg;
+            QVERIFY(QString(choice.label.english).endsWith(QString(", %1°").arg(entering_deg)));
         }
     }
 

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "engine/deflection/case_a.h"
+#include "engine/deflection/deflection_task.h"
 #include "engine/deflection/setup_file.h"
+#include "engine/gcode/program_input.h"
 #include "engine/io/file.h"
 #include "engine/project/project.h"
-#include "widgets/deflection_common/deflection_outcome.h"
 
 namespace lathelier::deflection_common {
 
@@ -26,8 +27,8 @@ inline void giveSlenderFiles(const QTemporaryDir& folder, project::PanelState& s
     io::writeFile(path("stock.txt"), "17 0 17 0 287.5\n");
     io::writeFile(path("setup.json"), deflection::setupText(setup));
     io::writeFile(path("program.nc"), program);
-    state.inputs[programRole].path = path("program.nc");
-    state.inputs[setupRole].path = path("setup.json");
+    state.inputs[gcode::programRole].path = path("program.nc");
+    state.inputs[deflection::setupRole].path = path("setup.json");
 }
 
 }  // namespace lathelier::deflection_common

@@ -7,10 +7,11 @@
 #include <QTest>
 #include <QUndoStack>
 
+#include "engine/deflection/deflection_task.h"
+#include "engine/gcode/program_item_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "tests/widgets/deflection/slender_files.h"
 #include "widgets/core/resources.h"
-#include "widgets/deflection_common/turning_files.h"
 #include "widgets/program/program_panel.h"
 #include "widgets/program/program_views.h"
 #include "widgets/program_common/program_editor.h"
@@ -36,7 +37,7 @@ class ProgramPanelTest : public QObject, PanelFixture<ProgramPanel> {
         session_->edit("Open", [&](project::Project& project) {
             project::PanelState& state = project.panels["deflection"];
             deflection_common::giveSlenderFiles(*folder_, state, program);
-            state.inputs.erase(deflection_common::setupRole);
+            state.inputs.erase(deflection::setupRole);
         });
         settle();
     }
@@ -139,8 +140,9 @@ private slots:
         QVERIFY(panel_->result()->isDraft());
         QVERIFY(check().times.all.feed_time_s > before);
         QVERIFY(contains(panel_->result()->notes, notes::programEdited));
-        const deflection_common::DeflectionOutcome other = deflection_common::deflectionOutcome(
-            session_->panel("deflection"), deflection_common::StudyKind::Prediction, session_->stores(), Progress());
+        task::Sources sources;
+        const deflection::DeflectionOutcome other = deflection::answerDeflection(
+            session_->panel("deflection"), deflection::StudyKind::Prediction, session_->stores(), sources, Progress());
         QVERIFY(contains(other.notes, notes::programEdited));
         QCOMPARE(other.job->program.text, editor().program().toStdString());
         QVERIFY(session_->isModified());
@@ -198,8 +200,8 @@ private slots:
 
     void aDraftFollowsItsFileToAnotherFolder()
     {
-        using deflection_common::isOf;
-        const deflection_common::ProgramDraft draft{"/a/one.nc", "1234", "G0"};
+        using gcode::isOf;
+        const gcode::ProgramDraft draft{"/a/one.nc", "1234", "G0"};
         QVERIFY(isOf(draft, "/a/one.nc", "9999"));   // the same file, written by another program
         QVERIFY(isOf(draft, "/b/one.nc", "1234"));   // moved with its project
         QVERIFY(!isOf(draft, "/b/one.nc", "9999"));  // another program of that name

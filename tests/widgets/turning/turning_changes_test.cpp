@@ -103,7 +103,7 @@ private slots:
         corrected.clamping = 2;
         session_->edit("Use", [&](project::Project& project) {
             project.items["corrected"] = {gcode::correctedItem, gcode::toValues(corrected), {}};
-            project.panels["turning"].inputs[programRole].item = "corrected";
+            project.panels["turning"].inputs[cam::programRole].item = "corrected";
         });
         settle();
         QCOMPARE(program().origin, ProgramOrigin::Planned);
@@ -297,7 +297,7 @@ private slots:
         const auto give = [&](const gcode::ProgramItem& item) {
             session_->edit("Use", [&](project::Project& project) {
                 project.items["corrected"] = {gcode::correctedItem, gcode::toValues(item), {}};
-                project.panels["turning"].inputs[programRole].item = "corrected";
+                project.panels["turning"].inputs[cam::programRole].item = "corrected";
             });
             settle();
         };
@@ -319,7 +319,8 @@ private slots:
         const Notes& notes = panel_->result()->notes;
         QVERIFY(std::any_of(notes.begin(), notes.end(),
                             [](const Note& note) { return note.code.key == std::string("corrected_from_other"); }));
-        session_->edit("Clear", [](project::Project& project) { project.panels["turning"].inputs.erase(programRole); });
+        session_->edit("Clear",
+                       [](project::Project& project) { project.panels["turning"].inputs.erase(cam::programRole); });
         settle();
         QCOMPARE(program().origin, ProgramOrigin::Planned);
         QCOMPARE(typed(), QByteArray::fromStdString(plan().setups[0].text));

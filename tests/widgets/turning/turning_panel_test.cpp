@@ -18,6 +18,7 @@
 #include "widgets/core/resources.h"
 #include "widgets/program_common/program_editor.h"
 #include "widgets/turning/turning_panel.h"
+#include "widgets/turning/turning_state.h"
 #include "widgets/turning/turning_views.h"
 
 namespace lathelier::turning_panel {
@@ -93,7 +94,7 @@ private slots:
         session_->edit("Set", [&](project::Project& project) {
             cam::Job job = plan().job;
             job.cutting.rough.depth_mm = 1;
-            setJob(project.panels["turning"], jobValues(job));
+            setJob(project.panels["turning"], toValues(job));
         });
         settle();
         QVERIFY(panel_->result()->is_changed && says("job_changed"));
@@ -149,11 +150,11 @@ private slots:
         QCOMPARE(plan().job.tools[1].nose_radius_mm, std::optional<double>(0.8));
         const auto edit = [&](const char* key, const std::string& code) {
             // As the form does it: the table of tools with one cell changed.
-            Values values = jobValues(plan().stated);
-            Rows tools = std::get<Rows>(*lathelier::find(values, toolsKey));
+            Values values = toValues(plan().stated);
+            Rows tools = std::get<Rows>(*lathelier::find(values, cam::toolsKey));
             lathelier::set(tools.rows[1].cells, key, code);
             auto& form = panel_->findChild<InputColumn*>()->form();
-            emit form.valueChanged(toolsKey, tools, 0);
+            emit form.valueChanged(cam::toolsKey, tools, 0);
             settle();
         };
         edit("insert", "DNMG 150604");

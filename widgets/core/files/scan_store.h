@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/io/cloud/scan_reader.h"
-#include "widgets/core/files/file_cache.h"
+#include "engine/task/file_cache.h"
 
 namespace lathelier {
 

@@ -10,7 +10,7 @@
 
 #include "engine/core/error.h"
 #include "engine/project/project.h"
-#include "widgets/core/files/stores.h"
+#include "engine/task/stores.h"
 #include "widgets/core/task/task.h"
 
 namespace lathelier {

@@ -55,6 +55,9 @@ public:
     /// Exports of the shown result: those of the panel, and all numbers as JSON.
     std::vector<PanelExport> offeredExports() const;
 
+    /// Writes it. Error outputIsInput where the file was read as an input, under any name; those of PanelExport::write.
+    void writeExport(const PanelExport& item, const QString& path) const;
+
     /// Fields, views, exports and findings, as commands.
     std::vector<PanelCommand> commands();
 

@@ -253,6 +253,15 @@ void PanelBase::takeOffer(const Values& proposed)
     });
 }
 
+void PanelBase::writeExport(const PanelExport& item, const QString& path) const
+{
+    if (!item.may_replace_input)
+        for (const FileSeen& file : session_.stores().seen())
+            if (QFileInfo(path) == QFileInfo(QString::fromStdString(file.path)))
+                throw Error(errors::outputIsInput, {{"parameter", item.label.toStdString()}, {"file", file.path}});
+    item.write(path);
+}
+
 void PanelBase::runExport(const PanelExport& item)
 {
     takeOverTyping(this);
@@ -266,7 +275,7 @@ void PanelBase::runExport(const PanelExport& item)
     while (alive && isBusy()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
     if (!alive) return;
     try {
-        item.write(path);
+        writeExport(item, path);
         showAnswer();  // clears an earlier error
         emit messageRaised({Phrase{LT_TEXT("Engine", "Saved {path}."), {{"path", path.toStdString()}}}, facts_.title});
     } catch (const Error& error) {

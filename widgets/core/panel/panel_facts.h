@@ -110,6 +110,7 @@ struct PanelExport {
     QString filter;                                  ///< filter of the file dialog, "CSV (*.csv)"
     QString suffix;                                  ///< default suffix, "csv"
     std::function<void(const QString& path)> write;  ///< writes the file; throws Error
+    bool may_replace_input = false;                  ///< saves an input that was changed here
 };
 
 }  // namespace lathelier

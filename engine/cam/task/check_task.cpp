@@ -1,0 +1,105 @@
+#include "engine/cam/task/check_task.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/cad/part_input.h"
+#include "engine/cam/cam_codes.h"
+#include "engine/cam/check/check_report.h"
+#include "engine/cam/task/job_input.h"
+#include "engine/cam/task/turn_question.h"
+#include "engine/gcode/program_input.h"
+
+namespace lathelier::cam {
+namespace {
+
+constexpr const char* correctionRole = "correction";
+constexpr const char* beforeRole = "before";
+
+}  // namespace
+
+CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                         const Progress& progress)
+{
+    const Progress reading = progress.part(0, 0.08, LT_TEXT("Engine", "Reading"));
+    CheckOutcome outcome;
+    outcome.asked = state;
+    const Job job = *task::take<JobInput>(state, jobRole, stores, reading, sources);
+    if (auto part = task::take<cad::PartInput>(state, partRole, stores, reading, sources))
+        outcome.part = *std::move(part);
+    else if (job.shaft)
+        outcome.part = *job.shaft;
+    else
+        throw Error(errors::jobWithoutShaft, {{"path", task::nameOf(state.inputs.at(jobRole))}});
+    CheckInputs further;
+    further.correction =
+        task::take<CorrectionInput>(state, correctionRole, stores, reading, sources).value_or(StatedCorrection{});
+    if (auto before = task::take<gcode::ProgramInput>(state, beforeRole, stores, reading, sources))
+        further.before = std::move(before->text);
+    gcode::ProgramText program = *task::take<gcode::ProgramInput>(state, programRole, stores, reading, sources);
+    try {
+        outcome.result = std::make_shared<const CheckResult>(checkTurning(std::move(program.text), outcome.part, job,
+                                                                          fromValues<CheckParameters>(state.parameters),
+                                                                          further, progress.part(0.08, 1)));
+    } catch (Error& error) {
+        throw error.with("path", task::nameOf(state.inputs.at(programRole)));
+    }
+    outcome.sources = sources;
+    outcome.notes = sources.notes;
+    outcome.notes.insert(outcome.notes.end(), outcome.result->notes.begin(), outcome.result->notes.end());
+    return outcome;
+}
+
+task::Outcome outcomeOf(std::shared_ptr<const CheckOutcome> outcome)
+{
+    task::Outcome all;
+    all.result = outcome;
+    all.notes = outcome->notes;
+    all.verdict = outcome->result->verdict;
+    if (std::optional<Error> error = gcode::firstError(outcome->result->path)) {
+        error->with("path", task::nameOf(outcome->asked.inputs.at(programRole)));
+        all.errors.push_back(*error);
+    }
+    all.json = [outcome] { return toJson(*outcome->result); };
+    all.answer = [outcome](const Language& language) { return answer(*outcome->result, language); };
+    all.summary = [outcome](const Language& language) { return checkSummary(*outcome->result, language); };
+    all.report = [outcome](const Language& language) {
+        CheckResult whole = *outcome->result;
+        whole.notes = outcome->notes;
+        return checkReport(whole, outcome->part, language);
+    };
+    return all;
+}
+
+const task::Task& checkTask()
+{
+    static const task::Task task = [] {
+        task::Task made;
+        made.key = "check";
+        made.title = LT_TEXT("Engine", "Check");
+        made.summary =
+            "Check a turning program against its drawing and its stock: what it cuts too deep, leaves and meets.";
+        made.inputs = {
+            gcode::programAsInput(),
+            task::input<JobInput>(jobRole, jobRole, LT_TEXT("Engine", "Job"),
+                                  LT_TEXT("Engine", "Stock, set-up, tools and cutting data, from JOB.json.")),
+            task::optionalInput<cad::PartInput>(
+                partRole, partRole, LT_TEXT("Engine", "Shaft"),
+                LT_TEXT("Engine", "The part, from FILE (SHAFT.json, STEP, CSV), instead of the one in the job.")),
+            task::optionalInput<CorrectionInput>(
+                correctionRole, correctionRole, LT_TEXT("Engine", "Correction"),
+                LT_TEXT("Engine",
+                        "What the program was corrected by: FILE that deflection --compensate wrote with --json.")),
+            task::optionalInput<gcode::ProgramInput>(
+                beforeRole, beforeRole, LT_TEXT("Engine", "Program before"),
+                LT_TEXT("Engine", "The program of the first clamping, for --setup 2."))};
+        task::askFor<CheckParameters>(made);
+        made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
+                      const Progress& progress) {
+            return outcomeOf(std::make_shared<const CheckOutcome>(answerCheck(state, stores, sources, progress)));
+        };
+        return made;
+    }();
+    return task;
+}
+
+}  // namespace lathelier::cam

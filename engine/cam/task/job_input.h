@@ -1,0 +1,49 @@
+// Jobs, posts and corrections as inputs of a task (task/inputs.h).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "engine/cam/check/correction_file.h"
+#include "engine/cam/job_file.h"
+#include "engine/cam/post/post_file.h"
+
+namespace lathelier::cam {
+
+struct JobInput {
+    using File = JobFile;
+    using Value = Job;
+    static constexpr const char* item = "";
+
+    static File read(const io::FileToRead& file) { return loadJob(file); }
+    static Value valueOf(const File& file) { return file.job; }
+    static io::FileKinds kinds() { return {&jobFiles()}; }
+};
+
+struct PostInput {
+    using File = PostFile;
+    using Value = Post;
+    static constexpr const char* item = "";
+
+    static File read(const io::FileToRead& file) { return loadPost(file); }
+    static Value valueOf(const File& file) { return file.post; }
+    static io::FileKinds kinds() { return {&postFiles()}; }
+};
+
+/// What `deflection --compensate --json` wrote.
+struct CorrectionFile {
+    StatedCorrection correction;
+    Notes notes;  ///< none
+};
+
+struct CorrectionInput {
+    using File = CorrectionFile;
+    using Value = StatedCorrection;
+    static constexpr const char* item = "";
+
+    static File read(const io::FileToRead& file) { return {readCorrection(std::string(file.bytes)), {}}; }
+    static Value valueOf(const File& file) { return file.correction; }
+    static io::FileKinds kinds() { return {}; }
+};
+
+}  // namespace lathelier::cam

@@ -1,0 +1,189 @@
+#include "engine/deflection/deflection_task.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/deflection/deflection_codes.h"
+#include "engine/deflection/deflection_plots.h"
+#include "engine/deflection/setup_file.h"
+#include "engine/gcode/program_input.h"
+#include "engine/gcode/program_item_codes.h"
+#include "engine/io/file.h"
+#include "engine/io/shaft/shaft_input.h"
+#include "engine/receptance/spindle_input.h"
+#include "engine/report/chart_csv.h"
+
+namespace lathelier::deflection {
+namespace {
+
+/// What the inputs state, by precedence.
+struct Stated {
+    TurningSetup setup;
+    std::optional<Shaft> stock;
+};
+
+Stated takeMachine(const project::PanelState& state, const SetupChanges& changes, Stores& stores,
+                   const Progress& progress, task::Sources& sources)
+{
+    const SetupFile file = *task::take<SetupInput>(state, setupRole, stores, progress.part(0, 0.3), sources);
+    Stated stated{file.setup, file.stock};
+    if (auto stock = task::take<io::ShaftInput>(state, stockRole, stores, progress.part(0.3, 0.6), sources)) {
+        stated.stock = *std::move(stock);
+        const bool is_item = !state.inputs.at(stockRole).item.empty();
+        if (is_item && stated.stock->material && changes.material == statedChoice) {
+            stated.setup.material.elastic = *stated.stock->material;
+            sources.notes.push_back(
+                {notes::materialOfShaft, {{"modulus_MPa", stated.setup.material.elastic.elastic_modulus_MPa}}});
+        }
+    }
+    if (const auto chuck =
+            task::take<receptance::SpindleInput>(state, spindleRole, stores, progress.part(0.6, 1), sources)) {
+        if (const receptance::SpindleSprings* springs = chuck->springs()) {
+            stated.setup.chuck.radial_N_mm = springs->radial_N_mm;
+            stated.setup.chuck.tilt_N_mm_rad = springs->tilt_N_mm_rad;
+        } else {
+            sources.notes.push_back({notes::spindleHasNoSprings, {}});
+        }
+    }
+    return stated;
+}
+
+TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progress& progress, task::Sources& sources,
+                 DeflectionOutcome& outcome)
+{
+    Stated stated = takeMachine(state, outcome.question.changes, stores, progress.part(0, 0.3), sources);
+    gcode::ProgramTaken taken =
+        gcode::takeProgram(state, outcome.question.drafts, stores, progress.part(0.3, 0.5), sources);
+    const gcode::Noses noses =
+        task::take<gcode::NosesInput>(state, gcode::toolsRole, stores, progress, sources).value_or(gcode::Noses{});
+    outcome.program = taken.item;
+    outcome.program_sha256 = io::sha256(taken.text);
+    if (!stated.stock && taken.item && taken.item->stock) {
+        stated.stock = taken.item->stock;
+        if (!outcome.question.changes.z_zero_mm) stated.setup.z_zero_mm = taken.item->z_zero_mm;
+        sources.notes.push_back({notes::barOfProgram, {{"length_mm", stated.stock->length_mm()}}});
+    }
+    if (!stated.stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
+    gcode::ProgramRun run =
+        gcode::runProgram(std::move(taken.text), task::nameOf(state.inputs.at(gcode::programRole)),
+                          outcome.question.reading, noses, progress.part(0.5, 1, LT_TEXT("Engine", "Reading")));
+    return turningJob(std::move(run.program), std::move(run.path), *std::move(stated.stock),
+                      changed(std::move(stated.setup), outcome.question.changes, sources.notes), noses);
+}
+
+}  // namespace
+
+task::Input setupAsInput(bool required)
+{
+    task::Input input =
+        task::input<SetupInput>(setupRole, setupRole, LT_TEXT("Engine", "Set-up"),
+                                LT_TEXT("Engine", "Machine, tool, material and stock, from SETUP.json."));
+    input.required = required;
+    return input;
+}
+
+task::Input stockAsInput()
+{
+    return task::optionalInput<io::ShaftInput>(
+        stockRole, "stock", LT_TEXT("Engine", "Stock"),
+        LT_TEXT("Engine", "From FILE (a stock file or SHAFT.json), instead of the one in the set-up."));
+}
+
+task::Input spindleAsInput()
+{
+    return task::optionalInput<receptance::SpindleInput>(
+        spindleRole, spindleRole, LT_TEXT("Engine", "Spindle"),
+        LT_TEXT("Engine", "Its springs (SPINDLE.json), instead of the chuck in the set-up."));
+}
+
+DeflectionOutcome answerDeflection(const project::PanelState& state, StudyKind kind, Stores& stores,
+                                   task::Sources& sources, const Progress& progress)
+{
+    DeflectionOutcome outcome;
+    outcome.question = fromValues<DeflectionQuestion>(state.parameters);
+    StudyParameters asked = outcome.question.study;
+    asked.correction = kind == StudyKind::Correction;
+    try {
+        const auto job = std::make_shared<const TurningJob>(
+            jobOf(state, stores, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), sources, outcome));
+        outcome.job = job;
+        outcome.study = std::make_shared<const TurningStudy>(
+            studyTurning(*job, asked, detailsOf(outcome.question), progress.part(0.3, 0.98)));
+        if (kind == StudyKind::Prediction && outcome.study->stock)
+            outcome.drawn = stock::DrawnPath(job->path.moves, job->setup.z_zero_mm, job->program.blocks.size(),
+                                             progress.part(0.98, 1));
+    } catch (Error& error) {
+        throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
+    }
+    outcome.asked = state;
+    set(outcome.asked.parameters, gcode::draftsKey, *find(toValues(outcome.question), gcode::draftsKey));
+    outcome.sources = sources;
+    outcome.notes = sources.notes;
+    outcome.notes.insert(outcome.notes.end(), outcome.study->notes.begin(), outcome.study->notes.end());
+    return outcome;
+}
+
+task::Outcome outcomeOf(std::shared_ptr<const DeflectionOutcome> outcome)
+{
+    task::Outcome all;
+    all.result = outcome;
+    all.notes = outcome->notes;
+    all.verdict = outcome->study->verdict;
+    const std::shared_ptr<const TurningStudy> study = outcome->study;
+    all.json = [study] { return toJson(*study); };
+    all.answer = [study](const Language& language) {
+        return study->corrected ? answer(study->corrected->compensation, language) : answer(*study, language);
+    };
+    all.summary = [study](const Language& language) { return studySummary(*study, language); };
+    all.report = [outcome](const Language& language) {
+        TurningStudy whole = *outcome->study;
+        whole.notes = outcome->notes;
+        return studyReport(whole, language);
+    };
+    all.writers[errorsExport] = [study](const std::string& path, const Progress&) {
+        io::writeFile(path, report::toCsv(errorPlot(study->prediction)));
+    };
+    all.writers[setupExport] = [outcome](const std::string& path, const Progress&) {
+        io::writeFile(path, setupText(outcome->job->setup));
+    };
+    if (!study->corrected) return all;
+    all.writers[compensateExport] = [study](const std::string& path, const Progress&) {
+        io::writeFile(path, study->corrected->text);
+    };
+    all.writers[correctionExport] = [study](const std::string& path, const Progress&) {
+        io::writeFile(path, report::toCsv(correctionPlot(study->corrected->compensation)));
+    };
+    return all;
+}
+
+const task::Task& deflectionTask()
+{
+    static const task::Task task = [] {
+        const Text table = LT_TEXT("Engine", "Table (*.csv)");
+        task::Task made;
+        made.key = "deflection";
+        made.title = LT_TEXT("Engine", "Deflection");
+        made.summary = "Predict how far slender work bends under the tool, and write the program that allows for it.";
+        made.inputs = {gcode::programAsInput(), setupAsInput(true), stockAsInput(), spindleAsInput(),
+                       gcode::nosesAsInput()};
+        task::askFor<DeflectionQuestion>(made);
+        made.exports = {
+            {compensateExport, "Write the corrected program as FILE.", LT_TEXT("Engine", "Corrected program…"),
+             LT_TEXT("Engine", "NC program (*.nc *.ngc *.mpf *.tap)"), "nc"},
+            {correctionExport, "Write the correction along the work as FILE.csv.",
+             LT_TEXT("Engine", "Correction along the work (CSV)…"), table, "csv"},
+            {errorsExport, "Write the error along the work as FILE.csv.",
+             LT_TEXT("Engine", "Error along the work (CSV)…"), table, "csv"},
+            {setupExport, "Write the set-up with its changes as FILE.json.",
+             LT_TEXT("Engine", "Set-up as changed here (JSON)…"), LT_TEXT("Engine", "Set-up (*.json)"), "json"}};
+        made.run = [](const project::PanelState& state, const task::Wanted& wanted, Stores& stores,
+                      task::Sources& sources, const Progress& progress) {
+            const bool corrects = wanted.has(compensateExport) || wanted.has(correctionExport);
+            return outcomeOf(std::make_shared<const DeflectionOutcome>(answerDeflection(
+                state, corrects ? StudyKind::Correction : StudyKind::Prediction, stores, sources, progress)));
+        };
+        return made;
+    }();
+    return task;
+}
+
+}  // namespace lathelier::deflection

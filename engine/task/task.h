@@ -1,0 +1,93 @@
+// A capability described once: inputs, question, answer, exports. Command line, window and chain call the same task,
+// so that a rule about its inputs (what may stand in place of what, what has precedence) holds everywhere.
+//
+// A room describes its task beside its engine call (deflection/deflection_task.h): a question struct with fields, the
+// kinds of its inputs, one function from inputs to a typed outcome, and outcomeOf() for the callers that work with
+// every task.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/conformity.h"
+#include "engine/core/json.h"
+#include "engine/core/texts.h"
+#include "engine/report/document.h"
+#include "engine/task/inputs.h"
+
+namespace lathelier::task {
+
+/// A file that can be written from the outcome.
+struct Export {
+    std::string option;  ///< of the command line, "compensate"
+    std::string help;    ///< of the command line, English
+    Text label;          ///< in the window's menu; empty: not there
+    Text filter;         ///< of the window's file dialog, "Table (*.csv)"
+    std::string suffix;  ///< usual suffix, "csv"
+};
+
+/// Bytes of an export, or writing by itself where it is more than one file.
+using WriteExport = std::function<void(const std::string& path, const Progress& progress)>;
+
+/// Whatever a caller needs of an answer without knowing its type.
+struct Outcome {
+    std::shared_ptr<const void> result;  ///< the typed outcome
+    Notes notes;                         ///< of the readers and of the result
+    std::optional<Verdict> verdict;      ///< none: nothing to judge
+    std::vector<Error> errors;           ///< answered all the same (a program with errors has its diagnostics)
+    std::function<Json()> json;          ///< keys of the result, without head and notes
+    std::function<report::Answer(const Language&)> answer;
+    std::function<report::Section(const Language&)> summary;
+    std::function<report::Document(const Language&)> report;  ///< without inputs; `results` empty
+    std::map<std::string, WriteExport> writers;               ///< by Export::option: those possible
+};
+
+/// What a run is asked for besides the state of its panel.
+struct Wanted {
+    std::vector<std::string> exports;  ///< by Export::option: to be written after the run
+
+    bool has(const std::string& option) const;
+};
+
+struct Task {
+    std::string key;      ///< of the verb and in JSON: "deflection"
+    Text title;           ///< of its panel
+    std::string summary;  ///< of the help page, English
+    std::vector<Input> inputs;
+    std::vector<FieldInfo> fields;  ///< of its question
+    Values defaults;                ///< of the fields
+    std::vector<Export> exports;
+    bool has_report = true;
+    /// Reads what `state` names and computes. `sources` receives what was read, also where an error ends the run.
+    /// Errors of the readers and of the computation. Throws Cancelled. Thread-safe.
+    std::function<Outcome(const project::PanelState& state, const Wanted& wanted, Stores& stores, Sources& sources,
+                          const Progress& progress)>
+        run;
+
+    const Input* input(const std::string& role) const;  ///< nullptr: none
+};
+
+/// Fields and defaults of the question Q.
+template <class Q>
+void askFor(Task& task)
+{
+    task.fields = infos<Q>();
+    task.defaults = toValues(Q{});
+}
+
+/// All parameters of a run: files named by options, the question with its defaults, reading options. Of what a window
+/// keeps only what is there.
+Values parametersOf(const Task& task, const project::PanelState& state);
+
+/// The whole object that command line and window write: head, keys of the result, `error` of an outcome answered in
+/// part, notes.
+Json resultOf(const Task& task, const project::PanelState& state, const Sources& sources, const Outcome& outcome);
+
+/// The report with its inputs and the whole object as its result.
+report::Document documentOf(const Task& task, const project::PanelState& state, const Sources& sources,
+                            const Outcome& outcome, const Language& language = {});
+
+}  // namespace lathelier::task

@@ -1,0 +1,124 @@
+// Window and command line give one answer: the object that a panel writes beside its report is that of the verb, for
+// the same inputs and parameters.
+#include <QTemporaryDir>
+#include <QTest>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/verb_answer.h"
+#include "app/gui/panels.h"
+#include "engine/cam/job_file.h"
+#include "engine/cam/task/turn_task.h"
+#include "engine/deflection/deflection_task.h"
+#include "engine/deflection/toolpath_task.h"
+#include "engine/gcode/program_input.h"
+#include "tests/engine/cam/plan_data.h"
+#include "tests/widgets/deflection/slender_files.h"
+
+namespace lathelier {
+
+class TaskAnswersTest : public QObject {
+    Q_OBJECT
+
+    QTemporaryDir folder_;
+
+    static const PanelFacts& factsOf(const std::string& id)
+    {
+        const std::vector<PanelFacts>& all = panelTable();
+        return *std::find_if(all.begin(), all.end(), [&](const PanelFacts& facts) { return facts.id == id; });
+    }
+
+    /// The object of the panel's report, with the command line's defaults.
+    static Json ofPanel(const std::string& id, const task::Task& task, project::PanelState state)
+    {
+        for (const auto& [key, value] : task.defaults)
+            if (!find(state.parameters, key)) set(state.parameters, key, value);
+        Stores stores;
+        return Json::parse(factsOf(id).report(state, stores, {}, {}).results.front());
+    }
+
+    static Json ofVerb(const task::Task& task, const project::PanelState& state,
+                       std::map<std::string, std::string> outputs = {})
+    {
+        chain::VerbQuestion question;
+        question.verb = task.key;
+        question.given = state.parameters;
+        question.outputs = std::move(outputs);
+        for (const task::Input& input : task.inputs) {
+            const auto source = state.inputs.find(input.role);
+            if (source == state.inputs.end()) continue;
+            if (input.option.empty())
+                question.operands.push_back(source->second.path);
+            else
+                set(question.given, input.option, source->second.path);
+        }
+        const chain::VerbReply reply = cli::runVerbByName(question, {});
+        return *reply.result;
+    }
+
+    static void areEqual(const Json& panel, const Json& verb)
+    {
+        QVERIFY(panel.contains("parameters") && panel.contains("inputs"));
+        for (const auto& [key, value] : verb.items())
+            if (!panel.contains(key) || panel[key] != value)
+                QFAIL((key + ": " + value.dump().substr(0, 400) +
+                       "\npanel: " + (panel.contains(key) ? panel[key].dump().substr(0, 400) : std::string("nothing")))
+                          .c_str());
+        QCOMPARE(panel.size(), verb.size());
+    }
+
+    std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
+
+private slots:
+    void program()
+    {
+        project::PanelState state;
+        deflection_common::giveSlenderFiles(folder_, state);
+        areEqual(ofPanel("program", deflection::toolpathTask(), state), ofVerb(deflection::toolpathTask(), state));
+        state.inputs.erase(deflection::setupRole);
+        areEqual(ofPanel("program", deflection::toolpathTask(), state), ofVerb(deflection::toolpathTask(), state));
+    }
+
+    void deflectionWithASpindleAndAnInsertOfTheLibrary()
+    {
+        project::PanelState state;
+        deflection_common::giveSlenderFiles(folder_, state);
+        io::writeFile(path("spindle.json"), R"({"springs": {"radial_N_mm": 50000, "tilt_N_mm_rad": 1e9,
+                                                            "loss_factor": 0.02}})");
+        state.inputs[deflection::spindleRole].path = path("spindle.json");
+        state.parameters = {{"tolerance_um", 30.0}, {"changed_insert", std::string("dnmg_150608")}, {"band", true}};
+        const Json panel = ofPanel("deflection", deflection::deflectionTask(), state);
+        areEqual(panel, ofVerb(deflection::deflectionTask(), state));
+        QCOMPARE(panel["parameters"]["spindle"].get<std::string>(), path("spindle.json"));
+        state.inputs.erase(deflection::spindleRole);
+        QVERIFY(ofVerb(deflection::deflectionTask(), state)["max_um"] != panel["max_um"]);  // the chuck is that spindle
+    }
+
+    void correction()
+    {
+        project::PanelState state;
+        deflection_common::giveSlenderFiles(folder_, state);
+        areEqual(ofPanel("correction", deflection::deflectionTask(), state),
+                 ofVerb(deflection::deflectionTask(), state, {{"--compensate", path("corrected.nc")}}));
+    }
+
+    void turningProgram()
+    {
+        io::writeFile(path("job.json"), cam::jobText(cam::paperJob({cam::roughC80(), cam::finishC80()})));
+        project::PanelState state;
+        state.inputs[cam::jobRole].path = path("job.json");
+        const Json panel = ofPanel("turning", cam::turnTask(), state);
+        project::PanelState of_verb = state;  // the operand is the job
+        of_verb.inputs[cam::partRole] = of_verb.inputs[cam::jobRole];
+        of_verb.inputs.erase(cam::jobRole);
+        Json verb = ofVerb(cam::turnTask(), of_verb);
+        QCOMPARE(verb["parameters"]["job"].get<std::string>(), std::string());
+        verb["parameters"]["job"] = panel["parameters"]["job"];
+        areEqual(panel, verb);
+    }
+};
+
+}  // namespace lathelier
+
+QTEST_MAIN(lathelier::TaskAnswersTest)
+#include "task_answers_test.moc"

@@ -1,0 +1,94 @@
+// A panel over a task: inputs, form, report, exports and files follow from its description; the panel adds views.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/task/task.h"
+#include "widgets/core/language.h"
+#include "widgets/core/panel/panel.h"
+
+namespace lathelier {
+
+/// Inputs of the task as those of a panel, in this order.
+std::vector<InputRole> rolesOf(const task::Task& task, const std::vector<std::string>& roles);
+
+/// The left column. `unfolded`: keys of the fields that are open, in order; `rest`: whether the others follow, folded.
+/// Fields that a window keeps are not in the form.
+PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& roles,
+                     const std::vector<std::string>& unfolded, bool rest, Text invitation);
+
+/// Id, title, kinds, roles, items and the report of a panel with these inputs. `begins_with`: values that the panel
+/// begins with in place of the task's defaults.
+PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, const std::vector<std::string>& roles,
+                   const task::Wanted& wanted, const Values& begins_with = {});
+
+/// The state with what is not given yet.
+project::PanelState filledWith(project::PanelState state, const Values& values);
+
+/// Assigns files to the inputs that take their kind; those of no kind to the last one.
+void assignByKind(project::PanelState& state, const std::vector<InputRole>& roles, const std::vector<FoundFile>& files);
+
+/// Reads the inputs that are given.
+Worker::Job readingOf(const task::Task& task, const project::PanelState& state, std::shared_ptr<Stores> stores);
+
+/// The exports that the outcome can be written as.
+std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr<const task::Outcome>& outcome);
+
+/// R: the typed outcome of the task, with `asked` (the state), `sources` and `notes`; outcomeOf(shared_ptr<const R>).
+template <class R>
+class TaskPanel : public Panel<R> {
+public:
+    using AnswerTask = R (*)(const project::PanelState&, Stores&, task::Sources&, const Progress&);
+
+    TaskPanel(Session& owner, const task::Task& task, AnswerTask answerTask, const PanelFacts& facts,
+              const PanelInputs& inputs, QWidget* parent)
+        : Panel<R>(owner, facts, inputs, parent), task_(task), answerTask_(answerTask)
+    {
+    }
+
+protected:
+    typename Panel<R>::Compute compute(const project::PanelState& state) const override
+    {
+        for (const FieldInfo& field : task_.fields)  // ranges are checked before the computation
+            if (const Value* const given = find(state.parameters, field.key)) check(field, *given);
+        return [state, answerTask = answerTask_, stores = this->session().sharedStores()](const Progress& progress) {
+            task::Sources sources;
+            return answerTask(state, *stores, sources, progress);
+        };
+    }
+    Notes notes(const R& outcome) const override { return outcome.notes; }
+    report::Answer answer(const R& outcome) const override { return whole(outcome).answer(screenLanguage()); }
+    report::Document document(const R& outcome) const override
+    {
+        return documentOf(task_, outcome.asked, outcome.sources, whole(outcome), screenLanguage());
+    }
+    std::vector<PanelExport> exports() const override
+    {
+        const auto outcome = this->result();
+        if (!outcome) return {};
+        return exportsOf(task_, std::make_shared<const task::Outcome>(outcomeOf(outcome)));
+    }
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override
+    {
+        assignByKind(state, this->inputs().roles, files);
+    }
+    Worker::Job makeReadingJob(const project::PanelState& state) const override
+    {
+        return readingOf(task_, state, this->session().sharedStores());
+    }
+
+private:
+    /// Valid while `outcome` is.
+    static task::Outcome whole(const R& outcome)
+    {
+        return outcomeOf(std::shared_ptr<const R>(std::shared_ptr<const R>(), &outcome));
+    }
+
+    const task::Task& task_;
+    AnswerTask answerTask_;
+};
+
+}  // namespace lathelier

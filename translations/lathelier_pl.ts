@@ -8700,8 +8700,8 @@
         <translation>Maszyna, narzędzie, materiał i półfabrykat, z SETUP.json.</translation>
     </message>
     <message>
-        <source>From FILE (a stock file or SHAFT.json), instead of the one in the set-up.</source>
-        <translation>Z PLIKU (plik półfabrykatu albo SHAFT.json), zamiast podanego w ustawieniu.</translation>
+        <source>A stock file or SHAFT.json, instead of the one in the set-up.</source>
+        <translation>Plik półfabrykatu albo SHAFT.json, zamiast podanego w ustawieniu.</translation>
     </message>
     <message>
         <source>Tools</source>

@@ -85,7 +85,7 @@ task::Input stockAsInput()
 {
     return task::optionalInput<io::ShaftInput>(
         stockRole, "stock", LT_TEXT("Engine", "Stock"),
-        LT_TEXT("Engine", "From FILE (a stock file or SHAFT.json), instead of the one in the set-up."));
+        LT_TEXT("Engine", "A stock file or SHAFT.json, instead of the one in the set-up."));
 }
 
 task::Input spindleAsInput()

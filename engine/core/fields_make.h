@@ -96,6 +96,16 @@ Field<P> field(const char* key, E P::*member, const std::vector<FieldChoice>& ch
             }};
 }
 
+/// A Choice that is held as its key, for choices that are a list of data instead of an enum.
+template <class P>
+Field<P> choice(const char* key, std::string P::*member, const std::vector<FieldChoice>& choices, const Label& label)
+{
+    FieldInfo info = detail::makeInfo(key, FieldInfo::Kind::Choice, label);
+    info.choices = choices;
+    return {info, [member](const P& p) -> Value { return p.*member; },
+            [member](P& p, const Value& v) { p.*member = std::get<std::string>(v); }};
+}
+
 /// A list of structs, described like a number is: a table with a column for each field of R. `count`: how many rows.
 template <class P, class R>
 Field<P> rows(const char* key, std::vector<R> P::*member, Range count, const Label& label)

@@ -46,7 +46,7 @@ ProgramRead readProgram(const std::string& path, const Request& request, io::Inp
     ProgramRead read;
     read.noses = nosesOf(request, inputs, progress);
     try {
-        read.program = gcode::readProgram(std::string(inputs.open(path, progress)), parameters.dialect,
+        read.program = gcode::readProgram(std::string(inputs.open(path, progress)), controlOf(parameters),
                                           progress.part(0.1, 0.5, LT_TEXT("Engine", "Reading")));
     } catch (Error& error) {
         throw error.with("path", path);

@@ -51,7 +51,7 @@ deflection::TurningJob jobOf(const project::PanelState& state, Stores& stores, c
     if (!stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
     try {
         gcode::Program read =
-            gcode::readProgram(std::move(program), outcome.question.reading.dialect, progress.part(0.4, 0.6));
+            gcode::readProgram(std::move(program), controlOf(outcome.question.reading), progress.part(0.4, 0.6));
         gcode::Toolpath moves = findToolpath(read, outcome.question.reading, {}, progress.part(0.6, 1));
         for (const gcode::Diagnostic& diagnostic : moves.diagnostics)
             if (diagnostic.error) throw Error(*diagnostic.error);

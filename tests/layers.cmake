@@ -3,7 +3,8 @@
 # - headers of the engine show no third-party type but std, Eigen and JSON's forward declaration;
 # - widgets include no app; a panel folder includes itself and what panels share (widgets/<name>_common: what several
 #   panels of one room share), never another panel;
-# - the command line (app/cli) includes the engine only.
+# - the command line (app/cli) includes the engine only;
+# - no source but the descriptions of the controls names a control: not by an enumerator, not by its key as a literal.
 cmake_policy(VERSION 3.25)
 set(known_rooms "")
 macro(room name)
@@ -19,6 +20,18 @@ endmacro()
 include(${SOURCE_DIR}/engine/rooms.cmake)
 set(shared_widgets core plot scene)  # widgets/<folder> that every panel may include
 set(foreign_in_headers "PCL|png\\.h|jpeglib|tiffio|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
+set(control_descriptions engine/gcode/controls/)
+set(names_of_posts widgets/turning/turning_question.h widgets/turning/turning_question.cpp)  # some are called as their control
+set(control_keys "")
+file(GLOB descriptions ${SOURCE_DIR}/${control_descriptions}*.cpp)
+foreach(description ${descriptions})
+    file(STRINGS ${description} lines REGEX "control\\.key = \"[a-z_]+\";")
+    foreach(line ${lines})
+        string(REGEX REPLACE ".*\"([a-z_]+)\".*" "\\1" key "${line}")
+        list(APPEND control_keys ${key})
+    endforeach()
+endforeach()
+list(JOIN control_keys "|" any_control)
 set(findings "")
 
 function(includes_of file result)
@@ -35,6 +48,26 @@ macro(complain text)
     list(APPEND findings "${relative}: ${text}")
 endmacro()
 
+# Does a source name a control? Comments may, and texts that say more than a key.
+function(named_control file result)
+    set(${result} "" PARENT_SCOPE)
+    file(READ ${file} text)
+    string(TOLOWER "${text}" text)
+    if(NOT text MATCHES "${any_control}")
+        return()
+    endif()
+    string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+    string(REGEX REPLACE "\\\\\"|'\"'" "" text "${text}")
+    if(text MATCHES "\"(${any_control})\"")
+        set(${result} "the literal \"${CMAKE_MATCH_1}\"" PARENT_SCOPE)
+        return()
+    endif()
+    string(REGEX REPLACE "\"[^\"\n]*\"" "" text "${text}")
+    if(text MATCHES "[a-z0-9_]*(${any_control})[a-z0-9_]*")
+        set(${result} "${CMAKE_MATCH_0}" PARENT_SCOPE)
+    endif()
+endfunction()
+
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/engine/*.h ${SOURCE_DIR}/engine/*.cpp ${SOURCE_DIR}/widgets/*.h
      ${SOURCE_DIR}/widgets/*.cpp ${SOURCE_DIR}/app/*.h ${SOURCE_DIR}/app/*.cpp)
 list(LENGTH files count)
@@ -45,6 +78,12 @@ foreach(relative ${files})
     string(REPLACE "/" ";" rooms ${relative})
     list(GET rooms 0 house)
     list(GET rooms 1 room)
+    if(any_control AND NOT relative MATCHES "^${control_descriptions}" AND NOT relative IN_LIST names_of_posts)
+        named_control(${SOURCE_DIR}/${relative} named)
+        if(named)
+            complain("${named} names a control, which only ${control_descriptions} may: ask a property of gcode::Control")
+        endif()
+    endif()
     includes_of(${SOURCE_DIR}/${relative} names)
     foreach(name ${names})
         string(REPLACE "/" ";" target "${name}")

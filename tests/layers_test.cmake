@@ -45,6 +45,21 @@ foreach(offence
     file(WRITE ${WORK_DIR}/${file} "#include \"${included}\"\n")
     check("${text}")
 endforeach()
+foreach(offence
+        "engine/form/a.cpp|if (control == Control::LinuxCnc) return|linuxcnc names a control"
+        "app/cli/a.cpp|if (control->key == \"linuxcnc\") return|the literal \"linuxcnc\" names a control"
+        "engine/form/a.cpp|// as linuxcnc does|"
+        "engine/form/a.cpp|const Text help = LT_TEXT(\"Engine\", \"Of LinuxCNC.\")|")
+    string(REPLACE "|" ";" parts "${offence}")
+    list(GET parts 0 file)
+    list(GET parts 1 line)
+    list(GET parts 2 text)
+    plant()
+    file(WRITE ${WORK_DIR}/engine/gcode/controls/linuxcnc.cpp "    control.key = \"linuxcnc\";\n")
+    file(APPEND ${WORK_DIR}/engine/rooms.cmake "room(gcode)\n")
+    file(WRITE ${WORK_DIR}/${file} "${line}\n")
+    check("${text}")
+endforeach()
 plant()
 file(WRITE ${WORK_DIR}/engine/rooms.cmake "room(core)\nroom(io USES core form)\nroom(form USES core)\n")
 check("io uses form, which stands below it or nowhere")

@@ -8456,10 +8456,6 @@
         <translation>P, J i K muszą być dodatnie, a K nie mniejsze niż J</translation>
     </message>
     <message>
-        <source>this dialect has no such cycle</source>
-        <translation>ten dialekt nie ma takiego cyklu</translation>
-    </message>
-    <message>
         <source>it stands within the contour of a cycle</source>
         <translation>stoi w konturze cyklu</translation>
     </message>
@@ -13802,6 +13798,30 @@
     <message>
         <source>Moves of the tool (CSV)…</source>
         <translation>Ruchy narzędzia (CSV)…</translation>
+    </message>
+    <message>
+        <source>Fagor</source>
+        <translation>Fagor</translation>
+    </message>
+    <message>
+        <source>Fanuc (G code system B)</source>
+        <translation>Fanuc (system kodów G B)</translation>
+    </message>
+    <message>
+        <source>Fanuc (G code system C)</source>
+        <translation>Fanuc (system kodów G C)</translation>
+    </message>
+    <message>
+        <source>Heidenhain</source>
+        <translation>Heidenhain</translation>
+    </message>
+    <message>
+        <source>Mazatrol</source>
+        <translation>Mazatrol</translation>
+    </message>
+    <message>
+        <source>Okuma OSP</source>
+        <translation>Okuma OSP</translation>
     </message>
 </context>
 <context>

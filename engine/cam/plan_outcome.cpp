@@ -6,6 +6,7 @@
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/core/units.h"
+#include "engine/gcode/controls/controls.h"
 
 namespace lathelier::cam {
 namespace {
@@ -75,19 +76,19 @@ CheckResult checkProgram(const Shaft& part, const Job& job, const GivenProgram& 
                          CheckParameters parameters, const Post& post, const Progress& progress)
 {
     const auto readable = [&](const GivenProgram& given) {
-        return post.dialect && post.is_system_b && given.is_of_post ? asSystemA(given.text) : given.text;
-    };
-    const auto dialect = [&](const GivenProgram& given) {
-        return given.is_of_post ? post.dialect.value_or(gcode::Dialect::Auto) : gcode::Dialect::Auto;
+        return gcode::readableText(given.text, given.is_of_post ? post.control : nullptr);
     };
     CheckInputs inputs;
     inputs.correction = program.correction;
     if (before) {
-        inputs.before = readable(*before);
-        inputs.before_dialect = dialect(*before);
+        gcode::ReadableText first = readable(*before);
+        inputs.before = std::move(first.text);
+        inputs.before_control = std::move(first.control);
     }
-    parameters.program.dialect = dialect(program);
-    return checkTurning(readable(program), part, job, parameters, inputs, progress);
+    gcode::ReadableText read = readable(program);
+    parameters.program.control = read.control;
+    parameters.program.dialect = read.control ? read.control->key : gcode::automaticControl;
+    return checkTurning(std::move(read.text), part, job, parameters, inputs, progress);
 }
 
 int unknownToolOf(const CheckResult& check)

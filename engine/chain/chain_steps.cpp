@@ -14,6 +14,7 @@
 #include "engine/chain/proof.h"
 #include "engine/core/texts.h"
 #include "engine/deflection/setup_file.h"
+#include "engine/gcode/controls/controls.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 
@@ -165,20 +166,19 @@ void ChainSteps::planSpeeds()
 /// File extension of programs of the control.
 std::string ChainSteps::extension() const
 {
-    std::optional<gcode::Dialect> dialect;
+    gcode::ControlPtr control;
     try {
         if (question_.post.ends_with(".json")) {
             Notes ignored_notes;  // reported by the step itself
             const io::FileBytes bytes(question_.post);
-            dialect = cam::readPost(std::string(bytes.view()), ignored_notes).dialect;
+            control = cam::readPost(std::string(bytes.view()), ignored_notes).control;
         } else {
-            dialect = cam::postNamed(question_.post).dialect;
+            control = cam::postNamed(question_.post).control;
         }
     } catch (const Error&) {
-        return ".nc";  // the step reports the error
+        // the step reports the error
     }
-    if (dialect == gcode::Dialect::Sinumerik) return ".mpf";
-    return dialect == gcode::Dialect::LinuxCnc ? ".ngc" : ".nc";
+    return gcode::extensionOf(control);
 }
 
 void ChainSteps::program()

@@ -305,9 +305,9 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
     result.blocks_added = written.blocks_added;
     if (planner.arcs() > 0) result.notes.push_back({notes::arcsBecomeLines, {{"count", planner.arcs()}}});
 
-    gcode::Program again = gcode::readProgram(corrected.text, job.program.dialect, progress.part(0.6, 0.7));
+    gcode::Program again = gcode::readProgram(corrected.text, job.program.control, progress.part(0.6, 0.7));
     gcode::ToolpathParameters reading = job.path.parameters;
-    reading.dialect = job.program.dialect;
+    reading.dialect = job.program.control->key;
     gcode::Toolpath path = findToolpath(again, reading, job.noses, progress.part(0.7, 0.8));
     Notes known;
     const std::vector<ToolRun> runs = turningRuns(path, job.setup, known);

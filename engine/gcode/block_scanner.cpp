@@ -1,6 +1,6 @@
 #include "engine/gcode/block_scanner.h"
 
-#include <array>
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <string_view>
@@ -42,11 +42,7 @@ bool startsWith(std::string_view text, std::string_view word)
 }  // namespace
 
 BlockScanner::BlockScanner(Program& program)
-    : program_(program),
-      text_(program.text),
-      isFanuc_(isFanucLike(program.dialect)),
-      isSinumerik_(program.dialect == Dialect::Sinumerik),
-      isLinuxCnc_(program.dialect == Dialect::LinuxCnc)
+    : program_(program), text_(program.text), grammar_(program.control->grammar)
 {
 }
 
@@ -118,17 +114,20 @@ void BlockScanner::scanWord()
 {
     const std::size_t from = at_;
     const char c = text_[from];
-    if (c == ';' || (c == '(' && !isSinumerik_)) {
+    if (c == ';' || (c == '(' && grammar_.has_bracket_comments)) {
         scanComment();
     } else if (c == '#') {
         scanVariable();
     } else if (isAlpha(c)) {
         const char next = from + 1 < end_ ? text_[from + 1] : ' ';
-        if ((isAlpha(next) || next == '_') && scanControl(from)) return;
-        if (isLinuxCnc_ && capital(c) == 'O' && scanControl(from)) return;
-        if (isSinumerik_ && (isAlpha(next) || next == '_' || next == ':')) {
+        if (grammar_.flow == FlowStyle::Labelled) {
+            if (scanLabelled(from)) return;
+        } else if ((isAlpha(next) || next == '_') && scanStatement(from)) {
+            return;
+        }
+        if (grammar_.has_names && (isAlpha(next) || next == '_' || next == ':')) {
             scanName(from);
-        } else if (isSinumerik_ && isDigit(next)) {
+        } else if (grammar_.has_names && isDigit(next)) {
             std::size_t to = from + 1;
             while (to < end_ && isDigit(text_[to])) ++to;
             const std::size_t after = skipBlanks(to);
@@ -142,7 +141,7 @@ void BlockScanner::scanWord()
         } else {
             scanAddress(capital(c), from + 1);
         }
-    } else if (c == ',' && isFanuc_) {
+    } else if (c == ',' && grammar_.has_comma_words) {
         const std::size_t at = skipBlanks(from + 1);
         if (at < end_ && isAlpha(text_[at])) {
             scanAddress(static_cast<char>(capital(text_[at]) - 'A' + 'a'), at + 1);
@@ -189,7 +188,7 @@ std::size_t BlockScanner::afterValue(std::size_t at) const
     return at;
 }
 
-/// Behind a Sinumerik expression: up to the next blank outside brackets that is not adjacent to an operator.
+/// Behind the value of a name: up to the next blank outside brackets that is not adjacent to an operator.
 std::size_t BlockScanner::afterExpression(std::size_t at) const
 {
     constexpr std::string_view operators = "+-*/=<>,(";
@@ -227,7 +226,7 @@ void BlockScanner::scanAddress(char letter, std::size_t from)
 {
     const std::size_t begin = from - 1;
     std::size_t at = skipBlanks(from);
-    if (isSinumerik_ && at < end_ && text_[at] == '=') {
+    if (grammar_.has_names && at < end_ && text_[at] == '=') {
         const std::size_t value = skipBlanks(at + 1);
         const std::size_t to = afterExpression(value);
         if (to <= value) return fail(errors::ncNumberMissing, begin, to > begin ? to : begin + 1);
@@ -261,7 +260,7 @@ void BlockScanner::scanAddress(char letter, std::size_t from)
         return;
     }
     const bool canCompute = digits < end_ && (text_[digits] == '#' || text_[digits] == '[' || isAlpha(text_[digits]));
-    if (!isSinumerik_ && canCompute && (!isAlpha(text_[digits]) || isLinuxCnc_)) {
+    if (grammar_.has_number_sign && canCompute && (!isAlpha(text_[digits]) || grammar_.has_open_functions)) {
         const std::size_t to = afterValue(value);
         const bool isFunction = isAlpha(text_[digits]) && text_.find('[', digits) < to;
         if (!isAlpha(text_[digits]) || isFunction) {
@@ -277,61 +276,54 @@ void BlockScanner::scanVariable()
     const std::size_t from = at_;
     std::size_t at = afterValue(from);
     const std::size_t equals = skipBlanks(at);
-    if (isSinumerik_ || equals >= end_ || text_[equals] != '=')
+    if (!grammar_.has_number_sign || equals >= end_ || text_[equals] != '=')
         return fail(errors::ncCharacter, from, std::max(at, from + 1));
     const std::size_t value = skipBlanks(equals + 1);
-    const std::size_t to = isLinuxCnc_ ? afterValue(value) : endOfCode(value);
+    const std::size_t to = grammar_.assigns_many ? afterValue(value) : endOfCode(value);
     if (to <= value) return fail(errors::ncNumberMissing, from, equals + 1);
     add(from, to, WordKind::Assignment, '#').value_begin = static_cast<std::uint32_t>(value);
 }
 
-/// IF, WHILE, GOTO… of Fanuc, o words of LinuxCNC, statements of Sinumerik take the rest of the block.
-bool BlockScanner::scanControl(std::size_t from)
+/// o100 while […]: a label and a statement, which takes the rest of the block.
+bool BlockScanner::scanLabelled(std::size_t from)
+{
+    if (capital(text_[from]) != 'O') return false;
+    std::size_t at = skipBlanks(from + 1);
+    if (at < end_ && text_[at] == '<')
+        while (at < end_ && text_[at] != '>') ++at;
+    else if (at < end_ && text_[at] == '#')
+        at = afterValue(at);
+    else
+        while (at < end_ && isDigit(text_[at])) ++at;
+    if (at < end_ && text_[at] == '>') ++at;
+    const std::size_t word = skipBlanks(at);
+    if (word >= end_ || !isAlpha(text_[word])) return false;
+    add(from, endOfCode(word), WordKind::Flow, 'O').value_begin = static_cast<std::uint32_t>(word);
+    return true;
+}
+
+/// IF, WHILE, GOTO…: a statement takes the rest of the block.
+bool BlockScanner::scanStatement(std::size_t from)
 {
     const std::string_view rest = std::string_view(text_).substr(from, end_ - from);
-    if (isLinuxCnc_) {
-        if (capital(rest.front()) != 'O') return false;
-        std::size_t at = skipBlanks(from + 1);
-        if (at < end_ && text_[at] == '<')
-            while (at < end_ && text_[at] != '>') ++at;
-        else if (at < end_ && text_[at] == '#')
-            at = afterValue(at);
-        else
-            while (at < end_ && isDigit(text_[at])) ++at;
-        if (at < end_ && text_[at] == '>') ++at;
-        const std::size_t word = skipBlanks(at);
-        if (word >= end_ || !isAlpha(text_[word])) return false;
-        add(from, endOfCode(word), WordKind::Control, 'O').value_begin = static_cast<std::uint32_t>(word);
-        return true;
-    }
-    static constexpr std::array fanuc{"IF", "WHILE", "GOTO", "END", "DO"};
-    static constexpr std::array sinumerik{"IF",     "ELSE",  "ENDIF",   "WHILE",  "ENDWHILE", "FOR",
-                                          "ENDFOR", "LOOP",  "ENDLOOP", "REPEAT", "UNTIL",    "GOTO",
-                                          "GOTOF",  "GOTOB", "DEF",     "PROC",   "RET"};
-    const auto matches = [&](const char* word) {
-        const std::string_view name(word);
+    const auto matches = [&](const std::string& name) {
         if (!startsWith(rest, name)) return false;
         const char next = rest.size() > name.size() ? rest[name.size()] : ' ';
-        return isSinumerik_ ? !isNameCharacter(next) : !isAlpha(next);
+        return grammar_.has_names ? !isNameCharacter(next) : !isAlpha(next);
     };
-    bool found = false;
-    if (isFanuc_)
-        for (const char* word : fanuc) found = found || matches(word);
-    if (isSinumerik_)
-        for (const char* word : sinumerik) found = found || matches(word);
-    if (!found) return false;
+    if (std::none_of(grammar_.statements.begin(), grammar_.statements.end(), matches)) return false;
     std::size_t to = end_;
-    if (isFanuc_)
+    if (grammar_.has_bracket_comments)
         to = endOfCode(from);
     else {
         to = std::min(text_.find(';', from), end_);
         while (to > from && isSpace(text_[to - 1])) --to;
     }
-    add(from, to, WordKind::Control);
+    add(from, to, WordKind::Flow);
     return true;
 }
 
-/// Sinumerik: NAME, NAME=value, NAME(arguments), NAME:
+/// NAME, NAME=value, NAME(arguments), NAME:
 void BlockScanner::scanName(std::size_t from)
 {
     std::size_t at = from;

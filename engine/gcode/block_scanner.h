@@ -1,4 +1,4 @@
-// One block of an NC program as words: the grammar of the dialects.
+// One block of an NC program as words: by the grammar of its control.
 #pragma once
 
 #include "engine/gcode/program.h"
@@ -20,7 +20,8 @@ private:
     void scanName(std::size_t from);
     void scanComment();
     void scanVariable();
-    bool scanControl(std::size_t from);
+    bool scanStatement(std::size_t from);
+    bool scanLabelled(std::size_t from);
     std::size_t afterValue(std::size_t at) const;
     std::size_t afterExpression(std::size_t at) const;
     std::size_t endOfCode(std::size_t at) const;
@@ -30,9 +31,7 @@ private:
 
     Program& program_;
     const std::string& text_;
-    bool isFanuc_ = false;
-    bool isSinumerik_ = false;
-    bool isLinuxCnc_ = false;
+    const Grammar& grammar_;
     Block* block_ = nullptr;
     std::size_t at_ = 0;
     std::size_t end_ = 0;

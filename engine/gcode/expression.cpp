@@ -14,8 +14,8 @@ constexpr int deepest = 100;
 /// Recursive descent over one expression; a vacant variable is an empty value until it is used.
 class Parser {
 public:
-    Parser(std::string_view text, const Variables& variables, Dialect dialect)
-        : text_(text), variables_(variables), isSinumerik_(dialect == Dialect::Sinumerik)
+    Parser(std::string_view text, const Variables& variables)
+        : text_(text), variables_(variables), rules_(variables.arithmetic())
     {
     }
 
@@ -163,7 +163,7 @@ private:
             } else if (word("MOD")) {
                 const double by = divisor();
                 const double rest = std::fmod(plain(left), by);
-                left = rest < 0 && !isSinumerik_ ? rest + std::abs(by) : rest;
+                left = rest < 0 && rules_.modulo_is_positive ? rest + std::abs(by) : rest;
             } else if (word("DIV")) {
                 left = std::trunc(plain(left) / divisor());
             } else {
@@ -219,7 +219,7 @@ private:
             ++at_;
             return operand();
         }
-        if (c == '[' || (c == '(' && isSinumerik_)) return bracket();
+        if (c == '[' || (c == '(' && rules_.has_parentheses)) return bracket();
         if (std::isdigit(static_cast<unsigned char>(c)) || c == '.') {
             double value = 0;
             std::size_t end = at_;
@@ -253,7 +253,7 @@ private:
             if (peek() == '[' || peek() == '(') return function(unary);
             at_ = before;
         }
-        if (!isSinumerik_) fail(LT_TEXT("Engine", "an unknown function"));
+        if (!rules_.has_named_variables) fail(LT_TEXT("Engine", "an unknown function"));
         if (word("TRUE")) return 1.0;
         if (word("FALSE")) return 0.0;
         return read(variable());
@@ -278,7 +278,7 @@ private:
             take(close);
             return std::atan2(x, y) / rad_per_deg;
         }
-        if (which == "ATAN" && peek() == ',') {  // ATAN[a,b] of newer Fanuc
+        if (which == "ATAN" && peek() == ',') {  // ATAN[a,b]
             ++at_;
             const double y = plain(logical());
             take(close);
@@ -328,7 +328,7 @@ private:
             if (std::toupper(static_cast<unsigned char>(text_[at_ + i])) != expected[i]) return false;
         const char next = at_ + expected.size() < text_.size() ? text_[at_ + expected.size()] : ' ';
         if (std::isalpha(static_cast<unsigned char>(next)) || next == '_' ||
-            (isSinumerik_ && std::isdigit(static_cast<unsigned char>(next))))
+            (rules_.has_named_variables && std::isdigit(static_cast<unsigned char>(next))))
             return false;
         at_ += expected.size();
         return true;
@@ -338,14 +338,14 @@ private:
     {
         skip();
         if (text_.substr(at_, expected.size()) != expected) return false;
-        if (expected.size() == 1 && (expected == "<" || expected == ">") && !isSinumerik_) return false;
+        if (expected.size() == 1 && (expected == "<" || expected == ">") && !rules_.has_comparison_signs) return false;
         at_ += expected.size();
         return true;
     }
 
     std::string_view text_;
     const Variables& variables_;
-    bool isSinumerik_;
+    const Arithmetic& rules_;
     std::size_t at_ = 0;
     int depth_ = 0;
     bool same_ = false;
@@ -357,9 +357,9 @@ public:
 
 }  // namespace
 
-Computed compute(std::string_view text, const Variables& variables, Dialect dialect)
+Computed compute(std::string_view text, const Variables& variables)
 {
-    Parser parser(text, variables, dialect);
+    Parser parser(text, variables);
     Computed result;
     result.value = parser.logical();
     result.is_incremental = parser.is_incremental;
@@ -369,9 +369,9 @@ Computed compute(std::string_view text, const Variables& variables, Dialect dial
     return result;
 }
 
-VariableName variableName(std::string_view text, const Variables& variables, Dialect dialect)
+VariableName variableName(std::string_view text, const Variables& variables)
 {
-    return Parser(text, variables, dialect).variable();
+    return Parser(text, variables).variable();
 }
 
 }  // namespace lathelier::gcode

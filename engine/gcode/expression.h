@@ -7,15 +7,18 @@
 #include <unordered_map>
 #include <vector>
 
-#include "engine/gcode/dialect.h"
+#include "engine/gcode/control.h"
 
 namespace lathelier::gcode {
 
-/// Values of variables. Numbered variables are global except those local to a call (#1…#33 of Fanuc, #1…#30 of
-/// LinuxCNC, named ones of LinuxCNC without a leading underscore).
+/// Values of variables, and how a control computes with them. Numbered variables are global except those up to
+/// Arithmetic::last_local, named ones are local to a call except those with a leading underscore.
 class Variables {
 public:
-    explicit Variables(Dialect dialect) : dialect_(dialect) { calls_.emplace_back(); }
+    /// The arithmetic has to outlive the variables.
+    explicit Variables(const Arithmetic& arithmetic) : arithmetic_(arithmetic) { calls_.emplace_back(); }
+
+    const Arithmetic& arithmetic() const { return arithmetic_; }
 
     std::optional<double> get(long number) const;
     std::optional<double> get(const std::string& name) const;
@@ -32,7 +35,7 @@ private:
     };
     bool isLocal(long number) const;
 
-    Dialect dialect_;
+    const Arithmetic& arithmetic_;
     std::unordered_map<long, double> numbers_;
     std::unordered_map<std::string, double> names_;
     std::vector<Call> calls_;
@@ -44,18 +47,18 @@ struct ExpressionFailure {
     std::size_t at = 0;  ///< byte in the expression
 };
 
-/// Result of an expression. `value` is empty for a single vacant variable (#0 of Fanuc).
+/// Result of an expression. `value` is empty for a single vacant variable (#0).
 struct Computed {
     std::optional<double> value;
-    bool is_incremental = false;  ///< IC(…) of Sinumerik
+    bool is_incremental = false;  ///< IC(…)
     bool is_absolute = false;     ///< AC(…)
     std::size_t end = 0;          ///< number of bytes parsed
 };
 
-/// The value of the expression that `text` begins with. Brackets [ ] (Sinumerik: ( )), at most 100 deep;
+/// The value of the expression that `text` begins with. Brackets [ ], at most 100 deep;
 /// + - * / ** MOD DIV, EQ NE GT GE LT LE or == <> > < >= <=, AND OR XOR NOT; SIN COS TAN ASIN ACOS ATAN ATAN2 SQRT SQR
 /// POT ABS ROUND FIX FUP LN EXP TRUNC in degrees. Truth is 1 or 0. Throws ExpressionFailure.
-Computed compute(std::string_view text, const Variables& variables, Dialect dialect);
+Computed compute(std::string_view text, const Variables& variables);
 
 /// The number or the name of the variable that `text` begins with (#101, #[#1+2], #<name>, R5), and its end.
 struct VariableName {
@@ -63,6 +66,6 @@ struct VariableName {
     std::string name;
     std::size_t end = 0;
 };
-VariableName variableName(std::string_view text, const Variables& variables, Dialect dialect);
+VariableName variableName(std::string_view text, const Variables& variables);
 
 }  // namespace lathelier::gcode

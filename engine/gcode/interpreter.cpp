@@ -15,21 +15,18 @@ Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters,
       parameters_(parameters),
       noses_(noses),
       progress_(progress),
-      dialect_(program.dialect),
-      isFanuc_(isFanucLike(program.dialect)),
+      control_(*program.control),
       diagnostics_(program.diagnostics),
-      variables_(program.dialect),
+      variables_(control_.arithmetic),
       path_(result_.moves)
 {
-    if (dialect_ == Dialect::LinuxCnc) {
-        modal_.is_diameter = false;
-        modal_.per_revolution = false;
-        modal_.at = {0, 0};  // start position of the LinuxCNC interpreter
-        modal_.motion = G::Unknown;
-    }
+    modal_.is_diameter = control_.start.is_diameter;
+    modal_.per_revolution = control_.start.is_per_revolution;
+    if (control_.start.is_at_origin) modal_.at = {0, 0};
     result_.blocks.resize(program.blocks.size());
     result_.parameters = parameters;
-    result_.parameters.dialect = dialect_;
+    result_.parameters.dialect = control_.key;
+    result_.parameters.control = program.control;
 }
 
 Toolpath Interpreter::run()
@@ -89,7 +86,7 @@ std::optional<double> Interpreter::valueOf(const Word& word, Computed* computed)
     if (word.kind == WordKind::Number) return word.value;
     const std::string_view text = program_.valueOf(word);
     try {
-        Computed found = compute(text, variables_, dialect_);
+        Computed found = compute(text, variables_);
         if (found.end < text.size())
             throw ExpressionFailure{LT_TEXT("Engine", "something is left behind it"), found.end};
         if (computed) *computed = found;
@@ -108,8 +105,8 @@ void Interpreter::assign(const Word& word)
     const auto value = valueOf(word);
     const std::string_view text = program_.textOf(word);
     try {
-        const VariableName name = variableName(text, variables_, dialect_);
-        if (name.number == 3000 && isFanuc_) {
+        const VariableName name = variableName(text, variables_);
+        if (name.number == control_.arithmetic.alarm) {
             error(errors::ncAlarm, &word, {{"found", shown(program_, program_.textOf(program_.blocks[pc_]))}});
             stop();
         }
@@ -124,43 +121,36 @@ void Interpreter::assign(const Word& word)
 
 void Interpreter::takeName(const Word& word, BlockWords& words)
 {
-    const std::string_view text = program_.textOf(word);
-    const std::string name = capitals(text.substr(0, text.find_first_of("=([: \t")));
-    if (name == "DIAMON" || name == "DIAM90" || name == "DIAMOF") {
-        modal_.is_diameter = name != "DIAMOF";
-        modal_.is_diameter_absolute_only = name == "DIAM90";
-        statedDiameter_ = true;
-    } else if (name == "SUPA") {
-        words.is_machine = true;
-    } else if (name == "CIP") {
-        words.is_through = true;
-        modal_.motion = G::ArcThrough;
-    } else if (name == "X1" || name == "Z1") {
-        words.has_axis_zero = true;
-    } else if (word.kind == WordKind::Expression || word.kind == WordKind::Number) {
-        if (name == "T") return;
-        const double value = valueOf(word).value_or(notANumber);
-        const double scale = modal_.is_inch ? mm_per_inch : 1;
-        if (name == "LIMS")
-            modal_.limit_rpm = value;
-        else if (name == "CR")
-            words.cr = value * scale;
-        else if (name == "AR")
-            words.ar = value;
-        else if (name == "I1")
-            words.i1 = value * scale;
-        else if (name == "K1")
-            words.k1 = value * scale;
-        else if (name == "CHF")
-            words.chf = value * scale;
-        else if (name == "CHR")
-            words.chr = value * scale;
-        else if (name == "RND")
-            words.rnd = value * scale;
-        else if (name == "RNDM")
-            modal_.round_mm = value * scale;
-        else if (name == "S1")
-            modal_.speed = value;
+    const Name meaning = meaningOfName(control_, program_.textOf(word));
+    switch (meaning) {
+        case Name::DiameterOn:
+        case Name::DiameterOff:
+        case Name::DiameterAbsolute:
+            modal_.is_diameter = meaning != Name::DiameterOff;
+            modal_.is_diameter_absolute_only = meaning == Name::DiameterAbsolute;
+            statedDiameter_ = true;
+            return;
+        case Name::MachineMove: words.is_machine = true; return;
+        case Name::ArcThrough: modal_.motion = G::ArcThrough; return;
+        case Name::AxisPoint: words.has_axis_point = true; return;
+        case Name::Uncomputed: return;
+        default: break;
+    }
+    if (word.kind != WordKind::Expression && word.kind != WordKind::Number) return;
+    const double value = valueOf(word).value_or(notANumber);
+    const double length_mm = value * (modal_.is_inch ? mm_per_inch : 1);
+    switch (meaning) {
+        case Name::SpeedLimit: modal_.limit_rpm = value; break;
+        case Name::Speed: modal_.speed = value; break;
+        case Name::RoundModal: modal_.round_mm = length_mm; break;
+        case Name::ArcAngle: words.named[static_cast<std::size_t>(meaning)] = value; break;
+        case Name::ArcRadius:
+        case Name::ArcMiddleX:
+        case Name::ArcMiddleZ:
+        case Name::ChamferChord:
+        case Name::ChamferLeg:
+        case Name::Round: words.named[static_cast<std::size_t>(meaning)] = length_mm; break;
+        default: break;
     }
 }
 
@@ -174,7 +164,7 @@ bool Interpreter::gather(BlockWords& words)
         switch (word.kind) {
             case WordKind::Comment: continue;
             case WordKind::Bad: return false;
-            case WordKind::Control: continue;
+            case WordKind::Flow: continue;
             case WordKind::Assignment: assign(word); continue;
             case WordKind::Name:
             case WordKind::Call: takeName(word, words); continue;
@@ -184,7 +174,7 @@ bool Interpreter::gather(BlockWords& words)
             takeName(word, words);
             continue;
         }
-        if (word.letter == 'T' && dialect_ == Dialect::Sinumerik &&
+        if (word.letter == 'T' && control_.tools_have_names &&
             program_.valueOf(word).find('"') != std::string_view::npos) {
             const std::string_view name = program_.valueOf(word);
             const std::size_t digit = name.find_first_of("0123456789");
@@ -203,7 +193,7 @@ bool Interpreter::gather(BlockWords& words)
         }
         if (word.letter == 'G') {
             const auto code10 = static_cast<int>(std::lround(std::clamp(*value, -1.0, 1e6) * 10));
-            const G meaning = meaningOf(dialect_, code10);
+            const G meaning = meaningOfG(control_, code10);
             if (word.kind == WordKind::Expression && (meaning == G::Unknown || meaning == G::NotModelled)) {
                 warn(notes::ncWordUnknown, &word, {{"found", shownWord(word)}});
                 notUnderstood(&word);
@@ -220,12 +210,13 @@ bool Interpreter::gather(BlockWords& words)
         } else {
             const int slot = BlockWords::slot(word.letter);
             if ((words.given >> slot & 1U) != 0) {
-                if (dialect_ == Dialect::LinuxCnc)
+                if (control_.refuses_conflicts)
                     error(errors::ncGroups, &word, {{"found", shownWord(word)}});
                 else
                     warn(notes::ncWordRepeated, &word, {{"found", shownWord(word)}});
             }
             words.given |= 1U << slot;
+            if (meaningOfLetter(control_, word.letter) != Letter::Unknown) words.known |= 1U << slot;
             if (computed.is_incremental) words.incremental |= 1U << slot;
             if (computed.is_absolute) words.absolute |= 1U << slot;
             words.value[static_cast<std::size_t>(slot)] = *value;
@@ -235,63 +226,73 @@ bool Interpreter::gather(BlockWords& words)
     return isWhole;
 }
 
+/// M97 P…: a subprogram within the same program.
+void Interpreter::callBlock(BlockWords& words)
+{
+    const long number = std::lround(plain(words, 'P'));
+    if (const auto found = findSequence(number, pc_))
+        call(*found, std::max(std::lround(plain(words, 'L', 1)), 1L), false);
+    else
+        error(errors::ncSequence, nullptr, {{"found", named('N', number)}});
+}
+
+/// M99, M99 P…
+void Interpreter::returnOrRepeat(BlockWords& words)
+{
+    const bool hasTarget = words.has('P');
+    const long number = std::lround(plain(words, 'P'));
+    if (!calls_.empty()) {
+        returnFromCall();
+        if (hasTarget)
+            if (const auto found = findSequence(number, next_ > 0 ? next_ - 1 : 0)) next_ = *found;
+    } else if (hasTarget) {
+        const auto found = findSequence(number, pc_);
+        if (found && countLoop()) jump(*found);
+    } else {
+        warn(notes::ncMainRepeats);
+        stop();
+    }
+}
+
 void Interpreter::takeM(BlockWords& words)
 {
-    if (dialect_ == Dialect::Sinumerik && words.has('L')) callByNumber(words);
+    if (control_.call_letter != 0 && words.has(control_.call_letter)) callByName(words);
     for (int i = 0; i < words.m_count; ++i) {
         const int m = words.m[static_cast<std::size_t>(i)];
-        if ((inContour_ || inFinish_) && m >= 97 && m <= 99) {
+        const M meaning = meaningOfM(control_, m);
+        if ((inContour_ || inFinish_) && meaning >= M::CallProgram) {
             warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}});
             continue;
         }
-        if (m == 2 || m == 30 || (m == 17 && dialect_ == Dialect::Sinumerik)) {
-            if (dialect_ == Dialect::Sinumerik && !calls_.empty())
-                returnFromCall();
-            else
-                stop();
-        } else if (m == 98 && isFanuc_) {
-            callProgram(words, false);
-        } else if (m == 97 && dialect_ == Dialect::Haas) {
-            const long number = std::lround(plain(words, 'P'));
-            const auto found = findSequence(number, pc_);
-            if (found)
-                call(*found, std::max(std::lround(plain(words, 'L', 1)), 1L), false);
-            else
-                error(errors::ncSequence, nullptr, {{"found", named('N', number)}});
-        } else if (m == 99 && isFanuc_) {
-            if (calls_.empty()) {
-                if (words.has('P')) {
-                    const auto found = findSequence(std::lround(plain(words, 'P')), pc_);
-                    if (found && countLoop()) jump(*found);
-                    continue;
-                }
-                warn(notes::ncMainRepeats);
-                stop();
-            } else {
-                const bool hasTarget = words.has('P');
-                const long number = std::lround(plain(words, 'P'));
-                returnFromCall();
-                if (hasTarget)
-                    if (const auto found = findSequence(number, next_ > 0 ? next_ - 1 : 0)) next_ = *found;
-            }
+        switch (meaning) {
+            case M::EndOrReturn:
+                if (calls_.empty())
+                    stop();
+                else
+                    returnFromCall();
+                break;
+            case M::End: stop(); break;
+            case M::CallProgram: callProgram(words, false); break;
+            case M::CallBlock: callBlock(words); break;
+            case M::Return: returnOrRepeat(words); break;
+            default: break;
         }
     }
 }
 
 void Interpreter::checkUnused(const BlockWords& words)
 {
-    constexpr std::string_view always = "NOFSTGMLXZUW";
-    std::uint32_t rest = words.given & ~words.used;
-    for (const char letter : always) rest &= ~(1U << BlockWords::slot(letter));
+    const std::uint32_t rest = words.given & ~words.used;
     if (rest == 0) return;
     for (int i = 0; i < words.g_count; ++i) {
         const G g = words.g[static_cast<std::size_t>(i)];
-        if (g == G::NoEffect || g == G::NotModelled || g == G::Unknown || g == G::FixedPoint) return;
+        if (g == G::NoEffect || g == G::ReturnToLevel || g == G::NotModelled || g == G::Unknown || g == G::FixedPoint)
+            return;
     }
     for (int slot = 0; slot < 28; ++slot) {
         const Word* const word = words.word[static_cast<std::size_t>(slot)];
         if ((rest >> slot & 1U) == 0 || !word || !word->is_understood) continue;
-        if (word->letter == 'D' && dialect_ == Dialect::Sinumerik) continue;  // the tool offset
+        if (meaningOfLetter(control_, word->letter) == Letter::Always) continue;
         if (words.m_count > 0 && (word->letter == 'P' || word->letter == 'Q' || word->letter == 'R')) continue;
         warn(notes::ncWordWithoutUse, word, {{"found", shownWord(*word)}});
         notUnderstood(word);
@@ -323,11 +324,11 @@ void Interpreter::execute(std::size_t block)
         checkUnused(words);
         for (std::uint32_t i = 0; i < here.word_count && !stopped_; ++i) {
             const Word& word = program_.words[here.first_word + i];
-            if (word.kind != WordKind::Control) continue;
+            if (word.kind != WordKind::Flow) continue;
             if (inContour_ || inFinish_)
                 warn(notes::ncBlockNotModelled, &word, {{"found", shownWord(word)}});
             else
-                control(word);
+                runStatement(word);
         }
         if (!path_.problems.empty()) drainProblems();
     }

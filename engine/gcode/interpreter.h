@@ -2,6 +2,7 @@
 // findToolpath().
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -12,7 +13,6 @@
 #include "engine/gcode/expression.h"
 #include "engine/gcode/path_builder.h"
 #include "engine/gcode/toolpath.h"
-#include "engine/gcode/word_tables.h"
 
 namespace lathelier::gcode {
 
@@ -21,7 +21,7 @@ struct Modal {
     bool is_inch = false;
     bool inch_feed = false;
     bool is_diameter = true;
-    bool is_diameter_absolute_only = false;  ///< DIAM90
+    bool is_diameter_absolute_only = false;  ///< Name::DiameterAbsolute
     bool is_incremental = false;
     bool arc_is_absolute = false;
     bool per_revolution = true;
@@ -36,9 +36,9 @@ struct Modal {
     int work_offset = 540;
     G motion = G::Unknown;  ///< of the group of motions; cycles too
     NoseSide side = NoseSide::Off;
-    double nose_radius_mm = notANumber;  ///< G41.1 D
+    double nose_radius_mm = notANumber;  ///< of G::NoseLeftByWords
     int nose_tip = 9;
-    double round_mm = 0;  ///< RNDM
+    double round_mm = 0;  ///< Name::RoundModal
     Point at;             ///< programmed position
 };
 
@@ -47,6 +47,7 @@ struct BlockWords {
     std::array<double, 32> value{};
     std::array<const Word*, 32> word{};
     std::uint32_t given = 0;
+    std::uint32_t known = 0;  ///< letters that the control has
     std::uint32_t used = 0;
     std::array<G, 12> g{};
     std::array<const Word*, 12> g_word{};
@@ -54,25 +55,28 @@ struct BlockWords {
     int g_count = 0;
     std::array<int, 8> m{};
     int m_count = 0;
-    std::uint32_t incremental = 0;  ///< letters given as IC(…)
-    std::uint32_t absolute = 0;     ///< as AC(…)
-    double cr = notANumber, ar = notANumber, i1 = notANumber, k1 = notANumber, chf = notANumber, chr = notANumber,
-           rnd = notANumber;
-    bool is_through = false;     ///< CIP
-    bool is_machine = false;     ///< SUPA
-    bool has_axis_zero = false;  ///< X1=, Z1=
+    std::uint32_t incremental = 0;   ///< letters given as IC(…)
+    std::uint32_t absolute = 0;      ///< given as AC(…)
+    std::array<double, 32> named{};  ///< values of names, by Name; NaN: not given
+    bool is_machine = false;         ///< Name::MachineMove
+    bool has_axis_point = false;     ///< Name::AxisPoint
+
+    BlockWords() { named.fill(notANumber); }
+    double valueOf(Name name) const { return named[static_cast<std::size_t>(name)]; }
 
     static int slot(char letter)
     {
         return letter >= 'a' ? (letter == 'c' ? 26 : letter == 'r' ? 27 : 28) : letter - 'A';
     }
-    bool has(char letter) const { return (given >> slot(letter) & 1U) != 0; }
-    bool hasG(G meaning) const
+    bool has(char letter) const { return (given & known) >> slot(letter) & 1U; }
+    bool hasG(G meaning) const { return wordOfG(meaning) != nullptr; }
+    const Word* wordOfG(G meaning) const
     {
-        for (int i = 0; i < g_count; ++i)
-            if (g[static_cast<std::size_t>(i)] == meaning) return true;
-        return false;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(g_count); ++i)
+            if (g[i] == meaning) return g_word[i];
+        return nullptr;
     }
+    bool isDrilled() const { return std::any_of(g.begin(), g.begin() + g_count, isDrilling); }
 };
 
 /// A block or program by its number, "N100".
@@ -90,9 +94,9 @@ public:
 
 private:
     // flow (interpreter_flow.cpp)
-    struct Control {
+    struct FlowStatement {
         std::size_t block = 0;
-        std::string label;     ///< of LinuxCNC
+        std::string label;     ///< O word
         std::string keyword;   ///< in capitals
         std::size_t rest = 0;  ///< offset of what follows the keyword
     };
@@ -105,15 +109,15 @@ private:
     };
     struct Loop {
         std::size_t head = 0;  ///< block of WHILE, DO, FOR, REPEAT
-        double left = 0;       ///< of LinuxCNC repeat
+        double left = 0;       ///< of REPEAT with a number
     };
     void indexFlow();
     void runAll();
-    void control(const Word& word);
-    void controlFanuc(const Word& word);
-    void controlLinuxCnc(const Control& at);
-    void controlSinumerik(const Control& at);
-    const Control* controlOf(std::size_t block) const;
+    void runStatement(const Word& word);
+    void runMacro(const Word& word);
+    void runLabelled(const FlowStatement& at);
+    void runStructured(const FlowStatement& at);
+    const FlowStatement* statementOf(std::size_t block) const;
     std::optional<std::size_t> findSequence(long number, std::size_t from) const;
     std::pair<std::size_t, std::size_t> sectionOf(std::size_t block) const;
     void jump(std::size_t to);
@@ -121,7 +125,9 @@ private:
     void call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments = {});
     void returnFromCall();
     void callProgram(BlockWords& words, bool isMacro);
-    void callByNumber(BlockWords& words);
+    void callByName(BlockWords& words);
+    void callBlock(BlockWords& words);
+    void returnOrRepeat(BlockWords& words);
     std::size_t matching(std::size_t index, const char* open, const char* close, int step) const;
     void stop() { stopped_ = true; }
 
@@ -139,6 +145,7 @@ private:
     // motion (interpreter_motion.cpp)
     void move(BlockWords& words);
     void dwell(BlockWords& words);
+    bool isOfDwell(const BlockWords& words, char letter) const;
     void reference(BlockWords& words);
     void thread(BlockWords& words);
     void arc(BlockWords& words, const Point& end);
@@ -176,8 +183,7 @@ private:
     const ToolpathParameters& parameters_;
     const Noses& noses_;
     const Progress& progress_;
-    Dialect dialect_;
-    bool isFanuc_;
+    const Control& control_;
     Toolpath result_;
     Diagnostics diagnostics_;
     Variables variables_;
@@ -192,8 +198,8 @@ private:
     bool statedDiameter_ = false;
     bool statedFeedMode_ = false;
     std::int64_t loops_ = 0;
-    std::vector<Control> controls_;
-    std::vector<std::size_t> controlAt_;
+    std::vector<FlowStatement> statements_;
+    std::vector<std::size_t> statementAt_;
     std::vector<std::size_t> sections_;  ///< first blocks of programs within the file
     std::unordered_map<long, std::vector<std::size_t>> sequences_;
     bool isIndexed_ = false;

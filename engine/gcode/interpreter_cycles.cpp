@@ -20,8 +20,8 @@ bool Interpreter::cycle(BlockWords& words)
         peck(words, words.hasG(G::TurnPeck));
         return true;
     }
-    if (words.hasG(G::ThreadMulti)) {
-        if (isFanuc_)
+    if (words.hasG(G::ThreadMulti) || words.hasG(G::DriveThread)) {
+        if (words.hasG(G::ThreadMulti))
             threadMulti(words);
         else
             driveThread(words);
@@ -69,29 +69,23 @@ void Interpreter::singleCycle(BlockWords& words)
 
 void Interpreter::drill(BlockWords& words)
 {
-    const bool isNew = words.hasG(G::Drill);
+    const bool isNew = words.isDrilled();
     const bool hasC = words.has('C') || words.has('H');
     if (!isNew && !hasAxes(words) && !hasC) return;
     if (isNew) {
-        const bool chipBreak = drilling_.chip_break;
+        if (const Word* const across = words.wordOfG(G::DrillAcross)) {
+            warn(notes::ncBlockNotModelled, across, {{"found", shownWord(*across)}});
+            notUnderstood(across);
+            modal_.motion = G::Unknown;
+            modal_.at = {};
+            return;
+        }
         drilling_ = {};
-        drilling_.chip_break = chipBreak;
         drilling_.level_z_mm = modal_.at.z_mm;
         drilling_.bottom_z_mm = modal_.at.z_mm;
-        for (int i = 0; i < words.g_count; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            if (words.g[at] != G::Drill) continue;
-            const int code = words.g10[at] / 10;
-            drilling_.is_tap = code == 84 || code == 88 || code == 95;
-            drilling_.feeds_out = code == 85 || code == 89;
-            if (isFanuc_ && (code == 87 || code == 88 || code == 89 || code == 86)) {  // across the axis
-                warn(notes::ncBlockNotModelled, words.g_word[at], {{"found", shownWord(*words.g_word[at])}});
-                notUnderstood(words.g_word[at]);
-                modal_.motion = G::Unknown;
-                modal_.at = {};
-                return;
-            }
-        }
+        drilling_.chip_break = words.hasG(G::DrillChipBreak);
+        drilling_.is_tap = words.hasG(G::Tap);
+        drilling_.feeds_out = words.hasG(G::DrillFeedOut);
     }
     Point to = modal_.at;
     const bool hasZ = words.has('Z') || words.has('W');
@@ -101,8 +95,9 @@ void Interpreter::drill(BlockWords& words)
         emit(MoveKind::Rapid, {to.x_mm, modal_.at.z_mm});
     if (words.has('R')) {
         const double r = length_mm(words, 'R');
-        double level = modal_.is_incremental && !isFanuc_ ? modal_.at.z_mm + r : r;
-        if (dialect_ == Dialect::Fanuc) {  // incremental from the start; absolute if that would lead away from the hole
+        double level = modal_.is_incremental ? modal_.at.z_mm + r : r;
+        if (control_.drill_level_is_increment) {  // incremental from the start; absolute if that would lead away from
+                                                  // the hole
             const double from = modal_.at.z_mm + r;
             const bool isAway = hasZ && (from - modal_.at.z_mm) * (given.z_mm - modal_.at.z_mm) < 0;
             level = isAway ? r : from;
@@ -113,13 +108,12 @@ void Interpreter::drill(BlockWords& words)
     if (words.has('Q')) drilling_.peck_mm = std::abs(micro_mm(words, 'Q'));
     if (words.has('P')) {
         const Word* const word = words.word['P' - 'A'];
-        drilling_.dwell_s = plain(words, 'P') * (isFanuc_ && !word->has_point ? 1e-3 : 1);
+        drilling_.dwell_s = plain(words, 'P') * (control_.integers_count_increments && !word->has_point ? 1e-3 : 1);
     }
     long repeats = 1;
     for (const char letter : {'K', 'L'})
         if (words.has(letter)) repeats = std::clamp(std::lround(plain(words, letter)), 0L, 10000L);
-    for (int i = 0; i < words.g_count && dialect_ == Dialect::LinuxCnc; ++i)
-        if (words.g10[static_cast<std::size_t>(i)] == 990) drilling_.to_level = true;
+    if (words.hasG(G::ReturnToLevel)) drilling_.to_level = true;
     for (long k = 0; k < repeats && result_.moves.size() <= mostMoves; ++k)
         emitCycle(drilling(modal_.at, drilling_), modal_.feed);
 }
@@ -213,7 +207,7 @@ void Interpreter::peck(BlockWords& words, bool alongX)
     const bool isOneBlock = words.has('D') || (words.has('K') || words.has('I'));
     double deltaX = words.has('P') ? micro_mm(words, 'P') : 0, deltaZ = words.has('Q') ? micro_mm(words, 'Q') : 0;
     if (isOneBlock) {
-        if (words.has('I')) deltaX = length_mm(words, 'I') / (dialect_ == Dialect::Haas ? 2 : 1);
+        if (words.has('I')) deltaX = length_mm(words, 'I') / (control_.groove_step_is_diameter ? 2 : 1);
         if (words.has('K')) deltaZ = length_mm(words, 'K');
         if (words.has('D')) groove.relief_mm = length_mm(words, 'D');
     }
@@ -234,7 +228,6 @@ void Interpreter::contourCycle(BlockWords& words, G which)
                              : which == G::RoughFace ? "G72"
                                                      : "G73";
     const auto unusable = [&](Text reason) { error(errors::ncCycle, nullptr, {{"cycle", name}, {"reason", reason}}); };
-    if (!isFanuc_) return unusable(LT_TEXT("Engine", "this dialect has no such cycle"));
     if (inContour_ || inFinish_) return unusable(LT_TEXT("Engine", "it stands within the contour of a cycle"));
     const bool hasContour = words.has('P') && words.has('Q');
     const bool isOneBlock = hasContour && (words.has('D') || words.has('I') || words.has('K') || words.has('R'));

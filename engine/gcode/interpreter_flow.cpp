@@ -9,12 +9,12 @@
 
 namespace lathelier::gcode {
 
-/// Index of program starts, block numbers and control statements; built on first use.
+/// Index of program starts, block numbers and statements; built on first use.
 void Interpreter::indexFlow()
 {
     if (isIndexed_) return;
     isIndexed_ = true;
-    controlAt_.assign(program_.blocks.size(), std::string::npos);
+    statementAt_.assign(program_.blocks.size(), std::string::npos);
     sections_.push_back(0);
     for (std::size_t b = 0; b < program_.blocks.size(); ++b) {
         const Block& block = program_.blocks[b];
@@ -22,14 +22,14 @@ void Interpreter::indexFlow()
             const Word& word = program_.words[block.first_word + i];
             if (word.letter == 'N' && word.kind == WordKind::Number) sequences_[std::lround(word.value)].push_back(b);
             if (word.letter == 'O' && word.kind == WordKind::Number && b > 0) sections_.push_back(b);
-            if (word.kind == WordKind::Comment && i == 0 && dialect_ == Dialect::Sinumerik &&
-                program_.textOf(word).starts_with("%_N_") && b > 0)
+            if (word.kind == WordKind::Comment && i == 0 && !control_.program_head.empty() &&
+                program_.textOf(word).starts_with(control_.program_head) && b > 0)
                 sections_.push_back(b);
-            if (word.kind != WordKind::Control) continue;
-            Control found;
+            if (word.kind != WordKind::Flow) continue;
+            FlowStatement found;
             found.block = b;
             found.rest = word.begin;
-            if (dialect_ == Dialect::LinuxCnc) {
+            if (word.letter == 'O') {
                 found.label = capitals(program_.textOf(word).substr(0, word.value_begin - word.begin));
                 std::erase_if(found.label, [](char c) { return c == ' ' || c == '\t'; });
                 found.rest = word.value_begin;
@@ -37,8 +37,8 @@ void Interpreter::indexFlow()
             const std::size_t end = word.begin + word.length;
             found.keyword = keywordOf(std::string_view(program_.text).substr(found.rest, end - found.rest));
             found.rest += found.keyword.size();
-            controlAt_[b] = controls_.size();
-            controls_.push_back(std::move(found));
+            statementAt_[b] = statements_.size();
+            statements_.push_back(std::move(found));
         }
     }
 }
@@ -63,10 +63,10 @@ std::optional<std::size_t> Interpreter::findSequence(long number, std::size_t fr
     return best;
 }
 
-const Interpreter::Control* Interpreter::controlOf(std::size_t block) const
+const Interpreter::FlowStatement* Interpreter::statementOf(std::size_t block) const
 {
-    return block < controlAt_.size() && controlAt_[block] != std::string::npos ? &controls_[controlAt_[block]]
-                                                                               : nullptr;
+    return block < statementAt_.size() && statementAt_[block] != std::string::npos ? &statements_[statementAt_[block]]
+                                                                                   : nullptr;
 }
 
 bool Interpreter::countLoop()
@@ -116,7 +116,7 @@ void Interpreter::callProgram(BlockWords& words, bool isMacro)
     const double given = plain(words, 'P', -1);
     long number = std::lround(std::clamp(given, -1.0, 1e12));
     long repeats = std::lround(std::clamp(plain(words, 'L', 1), 0.0, 1e6));
-    if (!isMacro && number > 9999 && dialect_ == Dialect::Fanuc) {
+    if (!isMacro && number > 9999 && control_.call_holds_repeats) {
         repeats *= number / 10000;
         number %= 10000;
     }
@@ -188,29 +188,28 @@ void Interpreter::runAll()
     }
 }
 
-void Interpreter::control(const Word& word)
+void Interpreter::runStatement(const Word& word)
 {
-    const Control* const at = controlOf(pc_);
+    const FlowStatement* const at = statementOf(pc_);
     if (!at) return;
     try {
-        if (isFanuc_)
-            controlFanuc(word);
-        else if (dialect_ == Dialect::LinuxCnc)
-            controlLinuxCnc(*at);
-        else
-            controlSinumerik(*at);
+        switch (control_.grammar.flow) {
+            case FlowStyle::Macro: runMacro(word); break;
+            case FlowStyle::Labelled: runLabelled(*at); break;
+            case FlowStyle::Structured: runStructured(*at); break;
+        }
     } catch (const ExpressionFailure& failure) {
         error(errors::ncExpression, &word, {{"found", shownWord(word)}, {"reason", failure.reason}});
     }
 }
 
-/// The control statement that closes or opens controls_[index], respecting nesting.
+/// The statement that closes or opens statements_[index], respecting nesting.
 std::size_t Interpreter::matching(std::size_t index, const char* open, const char* close, int step) const
 {
     int depth = 0;
-    for (auto i = static_cast<std::ptrdiff_t>(index); i >= 0 && i < static_cast<std::ptrdiff_t>(controls_.size());
+    for (auto i = static_cast<std::ptrdiff_t>(index); i >= 0 && i < static_cast<std::ptrdiff_t>(statements_.size());
          i += step) {
-        const Control& here = controls_[static_cast<std::size_t>(i)];
+        const FlowStatement& here = statements_[static_cast<std::size_t>(i)];
         if (here.keyword == open) ++depth;
         if (here.keyword == close && --depth == 0) return static_cast<std::size_t>(i);
     }

@@ -19,14 +19,14 @@ void Interpreter::takeSpindle(BlockWords& words)
     const bool isLimit = words.hasG(G::SpeedLimit);
     if (words.hasG(G::CssOn)) {
         modal_.is_css = true;
-        if (dialect_ == Dialect::Sinumerik) {
+        if (control_.css_is_per_revolution) {
             modal_.per_revolution = true;
             statedFeedMode_ = true;
         }
     }
     if (words.hasG(G::CssOff)) {
         modal_.is_css = false;
-        if (dialect_ == Dialect::LinuxCnc) modal_.limit_rpm = notANumber;
+        if (control_.css_limit != 0) modal_.limit_rpm = notANumber;
         if (wasCss && !words.has('S')) {  // the current spindle speed is kept
             const double diameter_m = isKnown(modal_.at.x_mm) ? 2e-3 * std::abs(modal_.at.x_mm) : notANumber;
             double rpm = modal_.speed / (std::acos(-1.0) * diameter_m);
@@ -35,17 +35,14 @@ void Interpreter::takeSpindle(BlockWords& words)
         }
     }
     if (words.hasG(G::CssOn) && !wasCss && !words.has('S')) modal_.speed = notANumber;
-    if (words.hasG(G::CssOn) && dialect_ == Dialect::LinuxCnc)
-        modal_.limit_rpm = words.has('D') ? plain(words, 'D') : notANumber;
-    if (!words.has('S')) return;
-    if (words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik) return;
+    if (words.hasG(G::CssOn) && control_.css_limit != 0)
+        modal_.limit_rpm = plain(words, control_.css_limit, notANumber);
+    if (!words.has('S') || isOfDwell(words, 'S')) return;
     const double value = plain(words, 'S');
     if (isLimit)
         modal_.limit_rpm = value;
     else
-        modal_.speed = modal_.is_css && modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed)
-                           ? value * foot_m
-                           : value;
+        modal_.speed = modal_.is_css && modal_.inch_feed ? value * foot_m : value;
 }
 
 void Interpreter::takeModes(BlockWords& words)
@@ -57,14 +54,10 @@ void Interpreter::takeModes(BlockWords& words)
         switch (words.g[at]) {
             case G::Inch:
                 modal_.is_inch = true;
-                modal_.inch_feed = dialect_ != Dialect::Sinumerik;
-                break;
-            case G::Metric:
-                modal_.is_inch = false;
                 modal_.inch_feed = false;
                 break;
             case G::InchAll: modal_.is_inch = modal_.inch_feed = true; break;
-            case G::MetricAll: modal_.is_inch = modal_.inch_feed = false; break;
+            case G::Metric: modal_.is_inch = modal_.inch_feed = false; break;
             case G::PlaneOther:
                 warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}});
                 notUnderstood(word);
@@ -93,16 +86,17 @@ void Interpreter::takeModes(BlockWords& words)
             case G::NoseRight:
                 modal_.side = words.g[at] == G::NoseLeft ? NoseSide::Left : NoseSide::Right;
                 modal_.nose_radius_mm = notANumber;
-                if (words.g10[at] == 411 || words.g10[at] == 421) {
-                    modal_.nose_radius_mm = plain(words, 'D') / 2 * (modal_.is_inch ? mm_per_inch : 1);
-                    const int turned[] = {9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
-                    modal_.nose_tip = turned[std::clamp(static_cast<int>(plain(words, 'L')), 0, 9)];
-                } else if (words.has('D')) {
-                    modal_.offset = static_cast<int>(plain(words, 'D'));
-                }
+                if (words.has('D')) modal_.offset = static_cast<int>(plain(words, 'D'));
                 break;
+            case G::NoseLeftByWords:
+            case G::NoseRightByWords: {
+                modal_.side = words.g[at] == G::NoseLeftByWords ? NoseSide::Left : NoseSide::Right;
+                modal_.nose_radius_mm = plain(words, 'D') / 2 * (modal_.is_inch ? mm_per_inch : 1);
+                modal_.nose_tip = tipOfOrientation[static_cast<std::size_t>(std::clamp(plain(words, 'L'), 0.0, 9.0))];
+                break;
+            }
             case G::WorkOffset:
-                if (words.g10[at] != modal_.work_offset && dialect_ != Dialect::LinuxCnc && words.g10[at] != 5000) {
+                if (words.g10[at] != modal_.work_offset) {
                     if (isKnown(modal_.at.x_mm) || isKnown(modal_.at.z_mm)) {
                         warn(notes::ncOffsetUnknown, word, {{"found", shownWord(*word)}});
                         modal_.at = {};
@@ -111,25 +105,25 @@ void Interpreter::takeModes(BlockWords& words)
                 }
                 if (words.has('P')) plain(words, 'P');
                 break;
+            case G::WorkOffsetNamed: plain(words, 'P'); break;
             default: break;
         }
     }
-    if (words.has('F') && !(words.hasG(G::Dwell) && dialect_ == Dialect::Sinumerik)) {
-        modal_.feed = plain(words, 'F') *
-                      (modal_.is_inch && (dialect_ != Dialect::Sinumerik || modal_.inch_feed) ? mm_per_inch : 1);
+    if (words.has('F') && !isOfDwell(words, 'F')) {
+        modal_.feed = plain(words, 'F') * (modal_.inch_feed ? mm_per_inch : 1);
         modal_.feed_is_stale = false;
     } else if (wasPerRevolution != modal_.per_revolution && isKnown(modal_.feed)) {
-        if (dialect_ == Dialect::LinuxCnc)
+        if (control_.feed_ends_with_its_kind)
             modal_.feed = notANumber;
         else
             modal_.feed_is_stale = true;
     }
     if (words.has('T')) {
         const double number = plain(words, 'T');
-        const bool isLong = isFanuc_ && number >= 100;
+        const bool isLong = control_.tool_holds_offset && number >= 100;
         modal_.tool = static_cast<int>(std::clamp(isLong ? std::floor(number / 100) : number, 0.0, 1e6));
         modal_.offset = isLong ? static_cast<int>(std::fmod(number, 100)) : modal_.tool;
-        if (isFanuc_ && modal_.offset == 0) modal_.offset = modal_.tool;
+        if (modal_.offset == 0) modal_.offset = modal_.tool;
     }
 }
 

@@ -9,7 +9,8 @@
 namespace lathelier::gcode {
 namespace {
 
-constexpr double tightEnd_mm = 0.0127;  ///< limits of LinuxCNC for the radius error at the end of an arc
+constexpr double tightEnd_mm =
+    0.0127;  ///< limits of the interpreter of LinuxCNC for the radius error at the end of an arc
 constexpr double looseEnd_mm = 0.127;
 constexpr double relativeEnd = 0.001;
 constexpr double remarkedEnd_mm = 0.003;  ///< exceeds the rounding error of three decimals
@@ -32,7 +33,8 @@ double Interpreter::length_mm(BlockWords& words, char letter)
     const double value = plain(words, letter);
     const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
     double scale = modal_.is_inch ? mm_per_inch : 1;
-    if (isFanuc_ && word && word->kind == WordKind::Number && !word->has_point && value != 0) {
+    if (control_.integers_count_increments && word && word->kind == WordKind::Number && !word->has_point &&
+        value != 0) {
         if (parameters_.integer_words == IntegerWords::Micrometre) scale *= modal_.is_inch ? 1e-4 : 1e-3;
         warn(notes::ncIntegerWord, word, {{"found", shownWord(*word)}, {"read_as_mm", value * scale}});
     }
@@ -44,13 +46,14 @@ double Interpreter::micro_mm(BlockWords& words, char letter)
 {
     const double value = plain(words, letter);
     const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(letter))];
-    const bool isMicro = isFanuc_ && word && word->kind == WordKind::Number && !word->has_point;
+    const bool isMicro =
+        control_.integers_count_increments && word && word->kind == WordKind::Number && !word->has_point;
     return value * (modal_.is_inch ? mm_per_inch : 1) * (isMicro ? (modal_.is_inch ? 1e-4 : 1e-3) : 1);
 }
 
 bool Interpreter::hasAxes(const BlockWords& words) const
 {
-    return words.has('X') || words.has('Z') || (isFanuc_ && (words.has('U') || words.has('W')));
+    return words.has('X') || words.has('Z') || (control_.increments_are_letters && (words.has('U') || words.has('W')));
 }
 
 Point Interpreter::target(BlockWords& words)
@@ -67,11 +70,10 @@ Point Interpreter::target(BlockWords& words)
         const double value = length_mm(words, 'X') / (isDiameter ? 2 : 1);
         if (adds && !isKnown(to.x_mm)) warn(notes::ncPositionUnknown, words.word['X' - 'A']);
         to.x_mm = adds ? to.x_mm + value : value;
-        if (dialect_ == Dialect::Sinumerik && !statedDiameter_) {
+        if (!control_.start.assumed_diameter.empty() && !statedDiameter_) {
             statedDiameter_ = true;
             warn(notes::ncAssumed, words.word['X' - 'A'],
-                 {{"what", LT_TEXT("Engine", "diameter or radius")},
-                  {"assumed", LT_TEXT("Engine", "diameter (DIAMON)")}});
+                 {{"what", LT_TEXT("Engine", "diameter or radius")}, {"assumed", control_.start.assumed_diameter}});
         }
     }
     if (words.has('Z')) {
@@ -80,7 +82,7 @@ Point Interpreter::target(BlockWords& words)
         if (adds && !isKnown(to.z_mm)) warn(notes::ncPositionUnknown, words.word['Z' - 'A']);
         to.z_mm = adds ? to.z_mm + value : value;
     }
-    if (!isFanuc_) return to;
+    if (!control_.increments_are_letters) return to;
     for (const auto& [absolute, incremental] : {std::pair{'X', 'U'}, std::pair{'Z', 'W'}}) {
         if (!words.has(incremental)) continue;
         const Word* const word = words.word[static_cast<std::size_t>(incremental - 'A')];
@@ -119,11 +121,10 @@ void Interpreter::emit(MoveKind kind, const Point& to, const Corner& corner, con
             modal_.feed_is_stale = false;
             warn(notes::ncFeedKept, nullptr, {{"found", modal_.feed}});
         }
-        if (dialect_ == Dialect::Sinumerik && !statedFeedMode_) {
+        if (!control_.start.assumed_feed.empty() && !statedFeedMode_) {
             statedFeedMode_ = true;
             warn(notes::ncAssumed, nullptr,
-                 {{"what", LT_TEXT("Engine", "the kind of feed")},
-                  {"assumed", LT_TEXT("Engine", "mm per revolution (G95)")}});
+                 {{"what", LT_TEXT("Engine", "the kind of feed")}, {"assumed", control_.start.assumed_feed}});
         }
     }
     Move move = filled(kind, to);
@@ -183,34 +184,36 @@ Corner Interpreter::cornerOf(BlockWords& words)
 {
     if (words.has('c')) return {CornerKind::Legs, std::abs(length_mm(words, 'c'))};
     if (words.has('r')) return {CornerKind::Round, std::abs(length_mm(words, 'r'))};
-    if (isKnown(words.chf)) return {CornerKind::Chord, words.chf};
-    if (isKnown(words.chr)) return {CornerKind::Legs, words.chr};
-    if (isKnown(words.rnd)) return {CornerKind::Round, words.rnd};
+    for (const auto& [name, kind] :
+         {std::pair{Name::ChamferChord, CornerKind::Chord}, std::pair{Name::ChamferLeg, CornerKind::Legs},
+          std::pair{Name::Round, CornerKind::Round}})
+        if (isKnown(words.valueOf(name))) return {kind, words.valueOf(name)};
     if (modal_.round_mm > 0) return {CornerKind::Round, modal_.round_mm};
-    const bool isLine = modal_.motion == G::Line && isFanuc_;
+    const bool isLine = modal_.motion == G::Line && control_.line_radius_is_rounding;
     if (isLine && words.has('R') && (words.has('X') || words.has('U')) != (words.has('Z') || words.has('W')))
         return {CornerKind::Round, std::abs(length_mm(words, 'R'))};
     return {};
 }
 
+/// Does the letter state the time of a dwell in this block, instead of what it states in others?
+bool Interpreter::isOfDwell(const BlockWords& words, char letter) const
+{
+    return words.hasG(G::Dwell) && std::any_of(control_.dwell.begin(), control_.dwell.end(),
+                                               [letter](const DwellWord& of) { return of.letter == letter; });
+}
+
 void Interpreter::dwell(BlockWords& words)
 {
     double seconds = 0;
-    if (dialect_ == Dialect::Sinumerik) {
-        if (words.has('F'))
-            seconds = plain(words, 'F');
-        else if (words.has('S') && !modal_.is_css)
-            seconds = 60 * plain(words, 'S') / modal_.speed;
-    } else if (isFanuc_) {
-        for (const char letter : {'X', 'U', 'P'}) {
-            if (!words.has(letter)) continue;
-            const Word* const word = words.word[static_cast<std::size_t>(letter - 'A')];
-            const bool isWhole = word && word->kind == WordKind::Number && !word->has_point;
-            const bool isMilli = isWhole && (letter == 'P' || parameters_.integer_words == IntegerWords::Micrometre);
-            seconds = plain(words, letter) * (isMilli ? 1e-3 : 1);
-        }
-    } else {
-        seconds = plain(words, 'P');
+    for (const DwellWord& of : control_.dwell) {
+        if (!words.has(of.letter) || (of.unit == DwellWord::Unit::Revolutions && modal_.is_css)) continue;
+        const Word* const word = words.word[static_cast<std::size_t>(BlockWords::slot(of.letter))];
+        const bool isWhole = word && word->kind == WordKind::Number && !word->has_point;
+        const bool isMilli =
+            of.unit == DwellWord::Unit::Milliseconds ||
+            (of.unit == DwellWord::Unit::SecondsOrMilli && parameters_.integer_words == IntegerWords::Micrometre);
+        seconds = plain(words, of.letter) * (isWhole && isMilli ? 1e-3 : 1);
+        if (of.unit == DwellWord::Unit::Revolutions) seconds = 60 * seconds / modal_.speed;
     }
     Move move = filled(MoveKind::Dwell, modal_.at);
     move.dwell_s = seconds;
@@ -229,7 +232,7 @@ void Interpreter::reference(BlockWords& words)
     } else if (!isHome) {
         for (const char letter : {'X', 'Z', 'U', 'W'}) words.used |= 1U << BlockWords::slot(letter);
     }
-    if (!isHome && all && !words.has_axis_zero && words.hasG(G::MachineMove)) return;
+    if (!isHome && all && !words.has_axis_point && words.hasG(G::MachineMove)) return;
     Point to = modal_.at;
     if (all || words.has('X') || words.has('U')) to.x_mm = notANumber;
     if (all || words.has('Z') || words.has('W')) to.z_mm = notANumber;
@@ -243,7 +246,7 @@ void Interpreter::thread(BlockWords& words)
 {
     const bool hasMove = hasAxes(words);
     double lead = modal_.feed;
-    if (!isFanuc_) {
+    if (control_.thread_lead_is_ik) {
         const double along = words.has('K') ? length_mm(words, 'K') : notANumber;
         const double across = words.has('I') ? length_mm(words, 'I') : notANumber;
         lead = isKnown(along) ? along : across;
@@ -266,7 +269,8 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     Point centre;
     double radius = notANumber;
     if (modal_.motion == G::ArcThrough) {
-        const Point by{modal_.is_diameter ? words.i1 / 2 : words.i1, words.k1};
+        const double middle = words.valueOf(Name::ArcMiddleX);
+        const Point by{modal_.is_diameter ? middle / 2 : middle, words.valueOf(Name::ArcMiddleZ)};
         const auto found = isKnown(by) ? centreThrough(from, by, end) : std::nullopt;
         if (!found) return error(errors::ncArcIncomplete);
         centre = *found;
@@ -276,13 +280,13 @@ void Interpreter::arc(BlockWords& words, const Point& end)
         modal_.motion = clockwise ? G::ArcCw : G::ArcCcw;
         return emit(MoveKind::Arc, end, corner, centre, clockwise);
     }
-    if (isKnown(words.cr))
-        radius = words.cr;
-    else if (words.has('R') && dialect_ != Dialect::Sinumerik)
+    if (isKnown(words.valueOf(Name::ArcRadius)))
+        radius = words.valueOf(Name::ArcRadius);
+    else if (words.has('R'))
         radius = length_mm(words, 'R');
-    else if (isKnown(words.ar)) {
-        const double half = words.ar / 2 * std::acos(-1.0) / 180;
-        radius = distance_mm(from, end) / (2 * std::sin(half)) * (words.ar > 180 ? -1 : 1);
+    else if (const double angle = words.valueOf(Name::ArcAngle); isKnown(angle)) {
+        const double half = angle / 2 * std::acos(-1.0) / 180;
+        radius = distance_mm(from, end) / (2 * std::sin(half)) * (angle > 180 ? -1 : 1);
     }
     if (isKnown(radius)) {
         const auto found = centreOfRadius(from, end, radius, clockwise);
@@ -319,7 +323,8 @@ void Interpreter::move(BlockWords& words)
     bool hasMotion = false;
     for (int i = 0; i < words.g_count; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        switch (words.g[at]) {
+        const G motion = isDrilling(words.g[at]) ? G::Drill : words.g[at];
+        switch (motion) {
             case G::NotModelled: blocker = words.g_word[at]; break;
             case G::Rapid:
             case G::Line:
@@ -330,12 +335,11 @@ void Interpreter::move(BlockWords& words)
             case G::FaceCycle:
             case G::ThreadCycle:
             case G::Drill:
-                if (hasMotion && dialect_ == Dialect::LinuxCnc && modal_.motion != words.g[at])
+                if (hasMotion && control_.refuses_conflicts && modal_.motion != motion)
                     error(errors::ncGroups, words.g_word[at], {{"found", shownWord(*words.g_word[at])}});
                 hasMotion = true;
-                if (modal_.motion != words.g[at]) cycleStart_.reset();
-                modal_.motion = words.g[at];
-                if (words.g[at] == G::Drill) drilling_.chip_break = words.g10[at] == 730;
+                if (modal_.motion != motion) cycleStart_.reset();
+                modal_.motion = motion;
                 break;
             default: break;
         }
@@ -351,18 +355,15 @@ void Interpreter::move(BlockWords& words)
     if (words.hasG(G::MacroCall)) return callProgram(words, true);
     if (words.hasG(G::Home) || words.hasG(G::FixedPoint) || words.is_machine || (words.hasG(G::MachineMove)))
         return reference(words);
-    if (words.hasG(G::SpeedLimit)) {
-        if (hasAxes(words)) modal_.at = target(words);  // the coordinates redefine the current position
+    if (words.hasG(G::SpeedLimit) || words.hasG(G::SetPosition)) {
+        if (hasAxes(words)) modal_.at = target(words);
         return;
     }
     if (words.hasG(G::Shift)) {
-        if (hasAxes(words) && dialect_ == Dialect::LinuxCnc && words.g10[0] == 920) {
-            modal_.at = target(words);
-        } else if (hasAxes(words)) {
-            target(words);
-            warn(notes::ncOffsetUnknown, words.g_word[0], {{"found", shownWord(*words.g_word[0])}});
-            modal_.at = {};
-        }
+        if (!hasAxes(words)) return;
+        target(words);
+        warn(notes::ncOffsetUnknown, words.g_word[0], {{"found", shownWord(*words.g_word[0])}});
+        modal_.at = {};
         return;
     }
     if (cycle(words)) return;
@@ -370,11 +371,10 @@ void Interpreter::move(BlockWords& words)
     const bool isArc = modal_.motion == G::ArcCw || modal_.motion == G::ArcCcw || modal_.motion == G::ArcThrough;
     if (!hasAxes(words) && !(isArc && (words.has('I') || words.has('K')))) return;
     if (modal_.motion == G::Unknown) {
-        if (!isFanuc_ && dialect_ != Dialect::Sinumerik) return error(errors::ncMotionMissing);
-        modal_.motion = dialect_ == Dialect::Sinumerik ? G::Line : G::Rapid;
+        if (control_.start.assumed_motion == G::Unknown) return error(errors::ncMotionMissing);
+        modal_.motion = control_.start.assumed_motion;
         warn(notes::ncAssumed, nullptr,
-             {{"what", LT_TEXT("Engine", "a motion")},
-              {"assumed", dialect_ == Dialect::Sinumerik ? LT_TEXT("Engine", "G1") : LT_TEXT("Engine", "G0")}});
+             {{"what", LT_TEXT("Engine", "a motion")}, {"assumed", control_.start.assumed_motion_word}});
     }
     const Point to = target(words);
     if (isArc) return arc(words, to);

@@ -4,8 +4,9 @@
 
 #include "engine/core/utf8.h"
 #include "engine/gcode/block_scanner.h"
+#include "engine/gcode/detection.h"
 #include "engine/gcode/gcode_codes.h"
-#include "engine/gcode/word_tables.h"
+#include "engine/gcode/word_classes.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/readable_text.h"
@@ -78,23 +79,19 @@ std::int64_t countUnderstood(const Program& program)
     });
 }
 
-Program readProgram(std::string text, Dialect dialect, const Progress& progress)
+Program readProgram(std::string text, const ControlPtr& control, const Progress& progress)
 {
     refuseUnreadable(text);
     Program program;
     program.text = std::move(text);
     program.is_utf8 = isUtf8(program.text);
-    program.dialect = dialect;
-    if (dialect == Dialect::Auto) {
-        const DialectFound found = detectDialect(program.text);
-        if (!found.not_read.empty())
-            throw Error(errors::ncDialectNotRead,
-                        {{"line", std::max<std::int64_t>(found.line, 1)},
-                         {"found", found.not_read},
-                         {"dialect", found.not_read},
-                         {"expected", LT_TEXT("Engine", "Fanuc (G code system A), Haas, Sinumerik or LinuxCNC")}});
-        program.dialect = found.dialect;
-    }
+    const ControlFound found = control ? ControlFound{control} : detectControl(program.text);
+    if (!found.control->is_read)
+        throw Error(errors::ncDialectNotRead, {{"line", std::max<std::int64_t>(found.line, 1)},
+                                               {"found", found.control->label},
+                                               {"dialect", found.control->label},
+                                               {"expected", readControls()}});
+    program.control = found.control;
     const std::string& all = program.text;
     const auto lines = static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1;
     program.blocks.reserve(lines);
@@ -116,11 +113,11 @@ Program readProgram(std::string text, Dialect dialect, const Progress& progress)
     return program;
 }
 
-std::vector<Word> wordsOfLine(std::string line, Dialect dialect)
+std::vector<Word> wordsOfLine(std::string line, const ControlPtr& control)
 {
     Program program;
     program.text = std::move(line);
-    program.dialect = dialect;
+    program.control = control;
     Block& block = program.blocks.emplace_back();
     block.length = static_cast<std::uint32_t>(program.text.size());
     BlockScanner(program).scan(block);

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "engine/core/progress.h"
+#include "engine/gcode/control.h"
+#include "engine/gcode/controls/controls.h"
 #include "engine/gcode/diagnostic.h"
-#include "engine/gcode/dialect.h"
 
 namespace lathelier::gcode {
 
@@ -18,9 +19,9 @@ namespace lathelier::gcode {
 inline constexpr std::size_t largestProgram_bytes = std::size_t{1} << 30;
 
 /// Number: letter and number (X28.). Expression: letter and expression (X[#1+2.], X=R1, CR=5). Assignment: #1=…, R1=….
-/// Control: the rest of a block with a control statement (IF, WHILE, GOTO, o100 sub). Name: a word of its own (DIAMON,
+/// Flow: the rest of a block with a statement (IF, WHILE, GOTO, o100 sub). Name: a word of its own (DIAMON,
 /// a label). Call: a name with arguments (MSG("…"), CYCLE95(…)). Bad: none of these.
-enum class WordKind : std::uint8_t { Number, Expression, Assignment, Control, Name, Call, Comment, Bad };
+enum class WordKind : std::uint8_t { Number, Expression, Assignment, Flow, Name, Call, Comment, Bad };
 
 /// A range of the text. Comments are in the list, but not counted as words.
 struct Word {
@@ -45,12 +46,12 @@ struct Block {
 };
 
 struct Program {
-    std::string text;                  ///< every byte as it was read
-    Dialect dialect = Dialect::Fanuc;  ///< never Auto
-    bool is_utf8 = true;               ///< columns count characters of UTF-8; else bytes
-    std::vector<Block> blocks;         ///< lines, from the first to the last
-    std::vector<Word> words;           ///< of all blocks, in order
-    Diagnostics diagnostics;           ///< of parsing alone
+    std::string text;                     ///< every byte as it was read
+    ControlPtr control = usualControl();  ///< what it was read with; never nullptr
+    bool is_utf8 = true;                  ///< columns count characters of UTF-8; else bytes
+    std::vector<Block> blocks;            ///< lines, from the first to the last
+    std::vector<Word> words;              ///< of all blocks, in order
+    Diagnostics diagnostics;              ///< of parsing alone
 
     std::string_view textOf(const Block& block) const
     {
@@ -76,14 +77,15 @@ std::string shown(const Program& program, std::string_view part);
 std::int64_t countWords(const Program& program);
 std::int64_t countUnderstood(const Program& program);
 
-/// Splits a program into blocks and words and classifies each word by the tables of its dialect. Auto: detectDialect().
+/// Splits a program into blocks and words and classifies each word by the tables of its control, which may be any
+/// Control that is read; nullptr: that of detectControl().
 /// Throws Error ncDialectNotRead (line, found), ncTooLong, formatUnknown (UTF-16, binary), fileEmpty; all other
 /// problems are diagnostics. Cost: one pass, about 0.3 µs a word; 24 bytes for each word and 20 for each block.
-Program readProgram(std::string text, Dialect dialect = Dialect::Auto, const Progress& progress = {});
+Program readProgram(std::string text, const ControlPtr& control = nullptr, const Progress& progress = {});
 
 /// The words of one line alone, classified as in readProgram(): for an editor that shows few lines. Offsets are those
 /// in `line`.
-std::vector<Word> wordsOfLine(std::string line, Dialect dialect);
+std::vector<Word> wordsOfLine(std::string line, const ControlPtr& control);
 
 /// Adds a diagnostic at a byte of a block: line, column and the text of the block are filled in.
 void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const ErrorCode& code,

@@ -1,7 +1,9 @@
 #include "engine/gcode/program_kind.h"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "engine/gcode/detection.h"
 #include "engine/gcode/toolpath.h"
 #include "engine/gcode/toolpath_files.h"
 #include "engine/io/text/encoding.h"
@@ -13,17 +15,30 @@ namespace {
 bool hasProgramName(const std::string& path)
 {
     const std::string extension = io::lowerCase(std::filesystem::path(path).extension().string());
-    for (const char* known : {".nc", ".ngc", ".tap", ".mpf", ".spf", ".cnc", ".min", ".eia", ".h"})
-        if (extension == known) return true;
-    return false;
+    const auto& all = allControls();
+    return std::any_of(all.begin(), all.end(), [&extension](const ControlPtr& control) {
+        const auto& own = control->extensions;
+        return std::find(own.begin(), own.end(), extension) != own.end();
+    });
+}
+
+/// For file dialogs: names of programs that can be read.
+std::string namePatterns()
+{
+    std::string patterns;
+    for (const ControlPtr& control : allControls())
+        for (const std::string& extension : control->extensions)
+            if (control->is_read && patterns.find("*" + extension + " ") == std::string::npos)
+                patterns += "*" + extension + " ";
+    return patterns + "*.txt";
 }
 
 io::Likeness likeProgram(const std::string& path, std::string_view head, const Values&)
 {
     if (head.empty() || head.substr(0, 4096).find('\0') != std::string_view::npos) return io::Likeness::No;
-    const DialectFound found = detectDialect(head);
+    const ControlFound found = detectControl(head);
     const bool isNamed = hasProgramName(path);
-    if (!found.not_read.empty() && (isNamed || found.nc_lines > 0))
+    if (!found.control->is_read && (isNamed || found.nc_lines > 0))
         return isNamed ? io::Likeness::Certain : io::Likeness::Likely;
     const bool isMostly = found.has_codes && found.nc_lines >= 4 * found.other_lines && found.nc_lines > 0;
     if (isNamed && (found.has_codes || found.has_head)) return io::Likeness::Certain;
@@ -33,14 +48,14 @@ io::Likeness likeProgram(const std::string& path, std::string_view head, const V
 
 io::FileFacts factsOf(const io::FileToRead& file, Notes&)
 {
-    Program program = readProgram(std::string(file.bytes), Dialect::Auto, file.progress.part(0, 0.5));
+    Program program = readProgram(std::string(file.bytes), nullptr, file.progress.part(0, 0.5));
     const Toolpath path = findToolpath(program, {}, {}, file.progress.part(0.5, 1));
     io::FileFacts facts;
     facts.path = file.path;
     facts.format = "nc_program";
     facts.encoding = program.is_utf8 ? "utf-8" : "latin-1";
     facts.rows = static_cast<std::int64_t>(program.blocks.size());
-    set(facts.details, "dialect", std::string(key(program.dialect)));
+    set(facts.details, "dialect", program.control->key);
     set(facts.details, "blocks", static_cast<std::int64_t>(program.blocks.size()));
     set(facts.details, "words", path.words);
     set(facts.details, "words_understood", path.words_understood);
@@ -52,9 +67,8 @@ io::FileFacts factsOf(const io::FileToRead& file, Notes&)
 
 const io::FileKind& programFiles()
 {
-    static const io::FileKind kind{
-        "nc_program", LT_TEXT("Engine", "NC programs"), "*.nc *.ngc *.tap *.mpf *.spf *.cnc *.txt", {}, {}, likeProgram,
-        factsOf};
+    static const io::FileKind kind{"nc_program", LT_TEXT("Engine", "NC programs"), namePatterns(), {}, {}, likeProgram,
+                                   factsOf};
     return kind;
 }
 

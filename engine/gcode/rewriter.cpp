@@ -7,7 +7,6 @@
 
 #include "engine/core/units.h"
 #include "engine/gcode/gcode_codes.h"
-#include "engine/gcode/word_tables.h"
 
 namespace lathelier::gcode {
 namespace {
@@ -45,18 +44,23 @@ std::string applied(std::string_view text, std::size_t offset, std::vector<Edit>
     return result;
 }
 
-bool movesX(const Program& program, const Block& block)
+/// The word U or W of a block where that is an increment; else nullptr.
+const Word* incrementOf(const Program& program, const Block& block, char letter)
 {
-    return program.wordOf(block, 'X') || (isFanucLike(program.dialect) && program.wordOf(block, 'U'));
+    return program.control->increments_are_letters ? program.wordOf(block, letter) : nullptr;
 }
 
-/// ,C ,R ,A of Fanuc; CHF=, CHR=, RND=, ANG= of Sinumerik.
-bool shapesCorner(const Program& program, const Word& word)
+bool movesX(const Program& program, const Block& block)
+{
+    return program.wordOf(block, 'X') || incrementOf(program, block, 'U');
+}
+
+/// Chamfers, roundings and angles, as comma words or names.
+bool shapesItsEnd(const Program& program, const Word& word)
 {
     if (word.letter == 'c' || word.letter == 'r' || word.letter == 'a') return true;
-    if (word.letter != 0 || word.kind == WordKind::Comment) return false;
-    const std::string_view text = program.textOf(word);
-    return text.starts_with("CHF") || text.starts_with("CHR") || text.starts_with("RND") || text.starts_with("ANG");
+    return word.letter == 0 && word.kind != WordKind::Comment &&
+           shapesCorner(meaningOfName(*program.control, program.textOf(word)));
 }
 
 }  // namespace
@@ -88,7 +92,7 @@ std::optional<Error> Rewriter::refusal(std::size_t block) const
             if (const Word* word = program_.wordOf(where, letter); word && word->kind == WordKind::Expression)
                 refuse(block, LT_TEXT("Engine", "its position is computed"));
         for (std::uint32_t i = 0; i < where.word_count; ++i)
-            if (shapesCorner(program_, program_.words[where.first_word + i]))
+            if (shapesItsEnd(program_, program_.words[where.first_word + i]))
                 refuse(block, LT_TEXT("Engine", "a chamfer, a rounding or an angle shapes its end"));
         if (!isKnown(state.end)) refuse(block, LT_TEXT("Engine", "its position is not known"));
     } catch (const Error& error) {
@@ -132,7 +136,7 @@ std::string Rewriter::number(std::size_t block, double value_mm, bool isX, const
         text.resize(last + 1);
     }
     if (text.starts_with("-") && text.find_first_of("123456789") == std::string::npos) text.erase(0, 1);
-    const bool keepsPoint = isFanucLike(program_.dialect) || (like && like->has_point);
+    const bool keepsPoint = program_.control->integers_count_increments || (like && like->has_point);
     if (!keepsPoint && text.ends_with('.')) text.pop_back();
     return text;
 }
@@ -147,8 +151,8 @@ std::string Rewriter::firstText(std::size_t block, const Point& from, const Poin
     std::vector<Edit> edits;
     const Word* x = program_.wordOf(where, 'X');
     const Word* z = program_.wordOf(where, 'Z');
-    const Word* u = isFanucLike(program_.dialect) ? program_.wordOf(where, 'U') : nullptr;
-    const Word* w = isFanucLike(program_.dialect) ? program_.wordOf(where, 'W') : nullptr;
+    const Word* u = incrementOf(program_, where, 'U');
+    const Word* w = incrementOf(program_, where, 'W');
     const auto replace = [&](const Word& word, const std::string& value) {
         edits.push_back({word.value_begin, word.begin + word.length - word.value_begin, value});
     };
@@ -177,9 +181,9 @@ std::string Rewriter::firstText(std::size_t block, const Point& from, const Poin
         edits.push_back({g->begin, g->length, "G1"});
         for (std::uint32_t i = 0; i < where.word_count; ++i) {
             const Word& word = program_.words[where.first_word + i];
-            const bool isShape =
-                word.letter == 'I' || word.letter == 'K' || word.letter == 'R' ||
-                (word.letter == 0 && word.kind != WordKind::Comment && program_.textOf(word).starts_with("CR"));
+            const bool isShape = word.letter == 'I' || word.letter == 'K' || word.letter == 'R' ||
+                                 (word.letter == 0 && word.kind != WordKind::Comment &&
+                                  meaningOfName(*program_.control, program_.textOf(word)) == Name::ArcRadius);
             if (!isShape) continue;
             std::size_t begin = word.begin;  // with the blanks before it
             while (begin > where.begin && all[begin - 1] == ' ') --begin;
@@ -234,8 +238,8 @@ RewrittenProgram Rewriter::write() const
             if (hasMotion && motionWord(program_, block)) isAfterArc = false;
             if (isChanged && state.kind == MoveKind::Arc && hasMotion)
                 refuse(b, LT_TEXT("Engine", "it is an arc that begins at a changed X"));
-            const bool counts = (isFanucLike(program_.dialect) && program_.wordOf(block, 'U')) ||
-                                (state.is_incremental && program_.wordOf(block, 'X'));
+            const bool counts =
+                incrementOf(program_, block, 'U') || (state.is_incremental && program_.wordOf(block, 'X'));
             if (isChanged && counts && hasMotion && isKnown(state.end)) {
                 if (auto error = refusal(b)) throw Error(*error);
                 texts.push_back(firstText(b, {state.start.x_mm + change_mm, state.start.z_mm}, state.end, false));

@@ -1,6 +1,5 @@
 #include "engine/gcode/tool_table.h"
 
-#include <array>
 #include <cctype>
 #include <cmath>
 
@@ -14,7 +13,6 @@ namespace lathelier::gcode {
 
 Noses readToolTable(std::string_view text)
 {
-    static constexpr std::array fanucTip{9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
     Noses noses;
     const io::DecodedText decoded = io::decodeText(text, io::Encoding::Auto);
     std::vector<std::string_view> words;
@@ -42,7 +40,7 @@ Noses readToolTable(std::string_view text)
                              {"expected", LT_TEXT("Engine", "T, P, D, Q (0 to 9) or an offset with a number")}});
             if (letter == 'T') number = static_cast<int>(*value);
             if (letter == 'D') diameter_mm = *value;
-            if (letter == 'Q') tip = fanucTip[static_cast<std::size_t>(*value)];
+            if (letter == 'Q') tip = tipOfOrientation[static_cast<std::size_t>(*value)];
         }
         if (number < 0)
             throw Error(errors::toolTableMalformed, {{"line", lines.number()},

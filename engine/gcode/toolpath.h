@@ -1,6 +1,7 @@
 // An NC program interpreted to canonical moves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -20,6 +21,9 @@ struct Nose {
         3;  ///< Fanuc's number: 3 towards -X -Z, 2 +X -Z, 1 +X +Z, 4 -X +Z, 5 +Z, 6 +X, 7 -Z, 8 -X, 9 and 0 centre
 };
 
+/// Nose::tip by the orientation of a tool as tool tables and G41.1 L of LinuxCNC count it, 0 to 9.
+inline constexpr std::array tipOfOrientation{9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+
 /// Limits of interpretation; exceeding one gives an error diagnostic at the block.
 inline constexpr std::int64_t mostLoops = 500000;       ///< sum of repetitions, backward jumps and calls
 inline constexpr std::int64_t mostBlocksRun = 2500000;  ///< default of ToolpathParameters
@@ -29,14 +33,18 @@ inline constexpr int deepestCalls = 32;                 ///< nesting depth of su
 enum class IntegerWords { Millimetre, Micrometre };
 
 struct ToolpathParameters {
-    Dialect dialect = Dialect::Auto;
+    std::string dialect = automaticControl;                 ///< key of the control
     std::optional<double> nose_radius_mm;                   ///< of every tool
     int tip = 3;                                            ///< of every tool, with nose_radius_mm
     IntegerWords integer_words = IntegerWords::Millimetre;  ///< meaning of X50 for Fanuc and Haas: 50 mm or 50 µm
     std::int64_t most_blocks_run = mostBlocksRun;           ///< in addition to one run per block; not a user parameter
+    ControlPtr control;  ///< read with this one, which may be in no list, instead; not a user parameter
 };
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*);
+
+/// The control to read a program with; nullptr: from the text.
+ControlPtr controlOf(const ToolpathParameters& parameters);
 
 /// By tool number, as in a tool table.
 using Noses = std::map<int, Nose>;

@@ -4,12 +4,17 @@
 
 namespace lathelier::gcode {
 
+ControlPtr controlOf(const ToolpathParameters& parameters)
+{
+    return parameters.control ? parameters.control : controlNamed(parameters.dialect);
+}
+
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*)
 {
     using P = ToolpathParameters;
     static const std::vector<Field<P>> all{
-        field("dialect", &P::dialect, dialectChoices(),
-              Label{LT_TEXT("Engine", "Control"), LT_TEXT("Engine", "Language of the program.")}),
+        choice("dialect", &P::dialect, controlChoices(),
+               Label{LT_TEXT("Engine", "Control"), LT_TEXT("Engine", "Language of the program.")}),
         field("nose_radius_mm", &P::nose_radius_mm, {0, 100},
               Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of every tool, for G41 and G42."), unit::mm}),
         field("tip", &P::tip, {1, 9},

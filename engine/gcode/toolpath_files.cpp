@@ -62,7 +62,7 @@ Rows diagnosticRows(const std::vector<Diagnostic>& diagnostics)
 Json toJson(const Toolpath& path)
 {
     Json json;
-    json["dialect"] = key(path.parameters.dialect);
+    json["dialect"] = path.parameters.dialect;
     if (!path.has_errors) {
         json["moves"] = Json::array();
         for (const Move& move : path.moves) json["moves"].push_back(moveJson(move));
@@ -119,7 +119,7 @@ report::Section toolpathSummary(const Toolpath& path, const Language& language)
                                                        [kind](const Move& move) { return move.kind == kind; }));
     };
     report::QuantityTable table{LT_TEXT("Engine", "Program"),
-                                {{LT_TEXT("Engine", "Dialect"), std::string(key(path.parameters.dialect)), {}},
+                                {{LT_TEXT("Engine", "Dialect"), path.parameters.dialect, {}},
                                  {LT_TEXT("Engine", "Blocks"), static_cast<std::int64_t>(path.blocks.size()), {}},
                                  {LT_TEXT("Engine", "Words"), path.words, {}},
                                  {LT_TEXT("Engine", "Words understood"), path.words_understood, {}},

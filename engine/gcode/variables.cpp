@@ -4,8 +4,7 @@ namespace lathelier::gcode {
 
 bool Variables::isLocal(long number) const
 {
-    return isFanucLike(dialect_) ? number >= 1 && number <= 33
-                                 : dialect_ == Dialect::LinuxCnc && number >= 1 && number <= 30;
+    return number >= 1 && number <= arithmetic_.last_local;
 }
 
 std::optional<double> Variables::get(long number) const

@@ -93,7 +93,7 @@ void addDeflectionErrors(ShaftModel& shaft, const Shaft& part, const Progress& p
     cam::TurningInputs inputs;
     inputs.post = cam::postNamed("fanuc_a");
     cam::TurningPlan plan = planTurning(part, planned, inputs, {}, progress.part(0, 0.5));
-    gcode::Program program = gcode::readProgram(std::move(plan.setups.front().text), gcode::Dialect::Fanuc);
+    gcode::Program program = gcode::readProgram(std::move(plan.setups.front().text), inputs.post.control);
     gcode::Toolpath path = findToolpath(program);
     deflection::TurningSetup held = setup();
     held.z_zero_mm = planned.stock.face_allowance_mm;

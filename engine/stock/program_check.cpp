@@ -71,7 +71,7 @@ ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& par
 {
     ProgramCheck check;
     check.program =
-        gcode::readProgram(std::move(text), parameters.dialect, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
+        gcode::readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
     check.path = gcode::findToolpath(check.program, parameters, noses,
                                      progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
     const gcode::RapidRates rates =

@@ -13,10 +13,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     using namespace lathelier;
     if (size == 0) return 0;
-    const auto dialect = static_cast<gcode::Dialect>(data[0] % 5);
+    const auto& choices = gcode::controlChoices();
+    const gcode::ControlPtr control = gcode::controlNamed(choices[data[0] % choices.size()].key);
     const std::string text(reinterpret_cast<const char*>(data) + 1, size - 1);
     try {
-        gcode::Program program = gcode::readProgram(text, dialect);
+        gcode::Program program = gcode::readProgram(text, control);
         gcode::ToolpathParameters parameters;
         parameters.most_blocks_run = 100000;  // programs that do not end are frequent here
         if (data[0] >= 128) parameters.nose_radius_mm = 0.8;

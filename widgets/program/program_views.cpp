@@ -156,7 +156,7 @@ void ProgramViews::setOutcome(const std::shared_ptr<const ProgramOutcome>& outco
     if (is_other) pass_.reset();
     if (takesText)
         editor_->setProgram(QByteArray::fromStdString(outcome->text), QString::fromStdString(outcome->file),
-                            outcome->check->program.dialect);
+                            outcome->check->program.control);
     show();
     pointOutLine(editor_->line());
 }

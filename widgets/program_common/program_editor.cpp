@@ -144,10 +144,10 @@ ProgramEditor::ProgramEditor(QWidget* parent) : QsciScintilla(parent)
     restyle();
 }
 
-void ProgramEditor::setProgram(const QByteArray& utf8, const QString& file, gcode::Dialect dialect)
+void ProgramEditor::setProgram(const QByteArray& utf8, const QString& file, gcode::ControlPtr control)
 {
-    const bool same_dialect = dialect == dialect_;
-    dialect_ = dialect;
+    const bool same_control = control == control_;
+    control_ = std::move(control);
     pause_.stop();
     loading_ = true;
     if (file != file_ || length() == 0) {
@@ -175,7 +175,7 @@ void ProgramEditor::setProgram(const QByteArray& utf8, const QString& file, gcod
     }
     loading_ = false;
     fitMargin();
-    if (!same_dialect) send(SCI_STARTSTYLING, 0);
+    if (!same_control) send(SCI_STARTSTYLING, 0);
     styleVisible();
 }
 
@@ -292,7 +292,7 @@ void ProgramEditor::styleLine(long line)
     SendScintilla(SCI_GETTEXTRANGE, begin, begin + size, text.data());
     text.pop_back();
     QByteArray styles(static_cast<int>(size), static_cast<char>(Plain));
-    for (const gcode::Word& word : gcode::wordsOfLine(std::move(text), dialect_))
+    for (const gcode::Word& word : gcode::wordsOfLine(std::move(text), control_))
         for (std::uint32_t i = word.begin; i < word.begin + word.length && i < static_cast<std::uint32_t>(size); ++i)
             styles[static_cast<int>(i)] = static_cast<char>(styleOf(word));
     send(SCI_STARTSTYLING, static_cast<unsigned long>(begin));

@@ -27,7 +27,7 @@ public:
     explicit ProgramEditor(QWidget* parent = nullptr);
 
     /// Shows another text; for the same file only the differing part is replaced.
-    void setProgram(const QByteArray& utf8, const QString& file, gcode::Dialect dialect);
+    void setProgram(const QByteArray& utf8, const QString& file, gcode::ControlPtr control);
     QByteArray program() const;  ///< UTF-8, line ends as they are
 
     void setRemarks(std::vector<LineRemark> remarks);
@@ -65,7 +65,7 @@ private:
     void showRemark(int position, int x, int y);
     long send(unsigned int message, unsigned long w = 0, long l = 0) const { return SendScintilla(message, w, l); }
 
-    gcode::Dialect dialect_ = gcode::Dialect::Fanuc;
+    gcode::ControlPtr control_ = gcode::usualControl();
     QString file_;
     std::vector<LineRemark> remarks_;
     QTimer pause_;

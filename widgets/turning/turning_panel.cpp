@@ -5,6 +5,7 @@
 #include "engine/cad/part_input.h"
 #include "engine/cam/task/job_input.h"
 #include "engine/core/frf_item.h"
+#include "engine/gcode/controls/controls.h"
 #include "engine/gcode/program_input.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/form.h"
@@ -241,10 +242,10 @@ std::vector<PanelExport> TurningPanel::exports() const
     const auto outcome = result();
     if (!outcome) return {};
     const bool two = outcome->plan->setups.size() > 1;
-    std::vector<PanelExport> all{{two ? tr("Programs of both clampings…") : tr("Turning program…"),
-                                  tr("NC program (*.nc *.ngc *.mpf *.tap)"),
-                                  outcome->question.post == "sinumerik" ? "mpf" : "nc",
-                                  [this, outcome](const QString& path) { writePrograms(*outcome, path, window()); }}};
+    std::vector<PanelExport> all{
+        {two ? tr("Programs of both clampings…") : tr("Turning program…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"),
+         QString::fromStdString(gcode::extensionOf(outcome->plan->setups.front().check.program.control)).mid(1),
+         [this, outcome](const QString& path) { writePrograms(*outcome, path, window()); }}};
     for (std::size_t i = 0; i < outcome->plan->setups.size(); ++i)
         all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),
                        tr("Table (*.csv)"), "csv",

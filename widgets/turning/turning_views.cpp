@@ -206,7 +206,7 @@ void TurningViews::showText()
     bar_->setOutcome(*outcome_, clamping_);
     if (takesText_)
         editor_->setProgram(QByteArray::fromStdString(setup.text), QString("clamping %1").arg(clamping_ + 1),
-                            setup.check.program.dialect);
+                            setup.check.program.control);
     std::vector<LineRemark> remarks;
     for (const gcode::Diagnostic& diagnostic : setup.check.path.diagnostics)
         if (diagnostic.error)

@@ -9,10 +9,10 @@
 #include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
-#include "engine/cam/post/post.h"
 #include "engine/cam/tool_library.h"
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
+#include "engine/gcode/detection.h"
 #include "engine/stock/stock_codes.h"
 
 namespace lathelier::cam {
@@ -64,12 +64,13 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
                      const Progress& progress)
 {
     ReadProgram read;
-    if (parameters.program.dialect == gcode::Dialect::Auto &&
-        gcode::detectDialect(text).not_read == "Fanuc (G code system B)") {
-        text = asSystemA(text);
-        notes.push_back({notes::systemBRead, {}});
-    }
-    read.program = gcode::readProgram(std::move(text), parameters.program.dialect, progress.part(0, 0.5));
+    const gcode::ControlPtr control = gcode::controlOf(parameters.program);
+    if (!control)
+        if (const gcode::ControlPtr found = gcode::detectControl(text).control; found->rewritten) {
+            text = found->rewritten(text);
+            notes.push_back({notes::systemBRead, {}});
+        }
+    read.program = gcode::readProgram(std::move(text), control, progress.part(0, 0.5));
     read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
     return read;
 }
@@ -83,11 +84,11 @@ bool hasXWord(const gcode::Program& program, std::int64_t line)
     return std::any_of(first, first + block.word_count, [](const gcode::Word& word) { return word.letter == 'X'; });
 }
 
-/// LinuxCNC starts at (0, 0) before a program has stated both axes. The true start is unknown, so a first rapid move
-/// along Z alone must not be checked as a move along the axis.
+/// To a control that starts at (0, 0), before a program has stated both axes. The true start is unknown, so a first
+/// rapid move along Z alone must not be checked as a move along the axis.
 std::vector<gcode::Move> fromUnknownStart(std::vector<gcode::Move> moves, const gcode::Program& program)
 {
-    if (program.dialect != gcode::Dialect::LinuxCnc || moves.size() < 2) return moves;
+    if (!program.control->start.is_at_origin || moves.size() < 2) return moves;
     gcode::Move& first = moves.front();
     const gcode::Move& next = moves[1];
     if (first.kind == gcode::MoveKind::Rapid && next.kind == gcode::MoveKind::Rapid && first.x_mm == 0 &&
@@ -165,7 +166,10 @@ private:
         if (inputs_.before) {
             CheckParameters first = parameters_;
             first.z_zero_mm = 0;
-            if (inputs_.before_dialect) first.program.dialect = *inputs_.before_dialect;
+            if (inputs_.before_control) {
+                first.program.control = *inputs_.before_control;
+                first.program.dialect = gcode::automaticControl;
+            }
             const ReadProgram read = readText(*inputs_.before, job_, first, result_.notes, progress_.part(0.1, 0.15));
             if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
             stock::StockParameters bodies = stockParameters(job_);

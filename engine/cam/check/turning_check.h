@@ -42,9 +42,9 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*);
 
 /// Further inputs besides program, part and job.
 struct CheckInputs {
-    StatedCorrection correction;                   ///< intended offset of the program; empty: none
-    std::optional<std::string> before;             ///< program of the first clamping, for the second one
-    std::optional<gcode::Dialect> before_dialect;  ///< of `before`; none: that of the program
+    StatedCorrection correction;                      ///< intended offset of the program; empty: none
+    std::optional<std::string> before;                ///< program of the first clamping, for the second one
+    std::optional<gcode::ControlPtr> before_control;  ///< of `before`, nullptr: from its text; none: as the program
 };
 
 enum class CheckKind : std::uint8_t { RapidThroughStock, HolderInStock, InsertBelowDrawing, Chuck, Tailstock };

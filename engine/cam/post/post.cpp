@@ -1,11 +1,11 @@
 #include "engine/cam/post/post.h"
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/post/built_in_posts.h"
+#include "engine/gcode/controls/controls.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_document.h"
 
@@ -121,19 +121,9 @@ private:
 
     void readDialect(const JsonCursor& cursor)
     {
-        const std::string found = cursor.string();
-        if (found == "fanuc_b") {
-            post_.dialect = gcode::Dialect::Fanuc;
-            post_.is_system_b = true;
-            return;
-        }
-        const auto& choices = gcode::dialectChoices();
-        for (std::size_t i = 1; i < choices.size(); ++i)
-            if (choices[i].key == found) {
-                post_.dialect = static_cast<gcode::Dialect>(i);
-                return;
-            }
-        cursor.reject(LT_TEXT("Engine", "a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc"));
+        post_.control = gcode::controlNamed(cursor.string());
+        if (!gcode::readerOf(post_.control))
+            cursor.reject(LT_TEXT("Engine", "a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc"));
     }
 
     static int whole(const JsonCursor& cursor, int least, int most)
@@ -166,7 +156,8 @@ private:
         if (!cycles) return;
         post_.cycles = choice(*cycles, {"none", "g71_g70"}, LT_TEXT("Engine", "none or g71_g70")) == 1;
         if (!post_.cycles || !post_.rough_cycle.empty()) return;
-        if (post_.dialect != gcode::Dialect::Fanuc && post_.dialect != gcode::Dialect::Haas)
+        const gcode::ControlPtr reader = gcode::readerOf(post_.control);
+        if (!reader || !hasWord(*reader, gcode::G::RoughTurn) || !hasWord(*reader, gcode::G::Finish))
             cycles->reject(LT_TEXT("Engine", "none, for a control that has no G71; or the templates of rough_cycle"));
         post_.rough_cycle = {"G71 U{depth} R{retract}", "G71 P{first} Q{last} U{x_allowance} W{z_allowance} F{feed}"};
         post_.finish_cycle = {"G70 P{first} Q{last}"};
@@ -252,7 +243,7 @@ std::string postText(const Post& post)
 {
     Json json;
     json["name"] = post.name;
-    if (post.dialect) json["dialect"] = post.is_system_b ? "fanuc_b" : gcode::key(*post.dialect);
+    if (post.control) json["dialect"] = post.control->key;
     json["program_start"] = post.program_start;
     json["header_comments"] = post.header_comments;
     json["safe_start"] = post.safe_start;
@@ -295,33 +286,6 @@ std::string postText(const Post& post)
     json["comment"]["max_length"] = post.comment_length;
     json["end_of_line"] = post.end_of_line == "\n" ? "lf" : "crlf";
     return json.dump(1) + "\n";
-}
-
-std::string asSystemA(const std::string& text)
-{
-    static constexpr std::pair<const char*, const char*> codes[]{
-        {"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}, {"G33", "G32"}};
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        if (text[at] == '(') {  // comments stay
-            const std::size_t end = std::min(text.find_first_of(")\n", at), text.size() - 1);
-            result += text.substr(at, end + 1 - at);
-            at = end + 1;
-            continue;
-        }
-        const bool is_word = at + 2 < text.size() && text[at] == 'G' &&
-                             (at + 3 >= text.size() || !std::isdigit(static_cast<unsigned char>(text[at + 3])));
-        const auto* code = std::find_if(std::begin(codes), std::end(codes), [&](const auto& pair) {
-            return is_word && text.compare(at, 3, pair.first) == 0;
-        });
-        if (code == std::end(codes)) {
-            result += text[at++];
-        } else {
-            result += code->second;
-            at += 3;
-        }
-    }
-    return result;
 }
 
 std::vector<std::string> postNames()

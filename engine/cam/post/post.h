@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "engine/core/error.h"
-#include "engine/gcode/dialect.h"
+#include "engine/gcode/control.h"
 
 namespace lathelier::cam {
 
@@ -37,16 +37,15 @@ struct BlockNumbers {
 using Templates = std::vector<std::string>;
 
 struct Post {
-    std::string name;                       ///< label and file name
-    std::optional<gcode::Dialect> dialect;  ///< for reading its programs; none: detected from the text
-    bool is_system_b = false;               ///< its programs use Fanuc's G code system B ("dialect": "fanuc_b")
-    Templates program_start;                ///< before everything, without block numbers
-    Templates header_comments;              ///< comments at the top
-    Templates safe_start;                   ///< modes
-    Templates tool_start;                   ///< moves to the change point and calls the tool
-    Templates tool_start_tailstock;         ///< the same with a tailstock; empty: tool_start
-    Templates tool_end;                     ///< after the last operation of a tool
-    Templates spindle_css;                  ///< constant cutting speed, with the speed limit before it
+    std::string name;                ///< label and file name
+    gcode::ControlPtr control;       ///< that its programs are for; nullptr: detected from the text
+    Templates program_start;         ///< before everything, without block numbers
+    Templates header_comments;       ///< comments at the top
+    Templates safe_start;            ///< modes
+    Templates tool_start;            ///< moves to the change point and calls the tool
+    Templates tool_start_tailstock;  ///< the same with a tailstock; empty: tool_start
+    Templates tool_end;              ///< after the last operation of a tool
+    Templates spindle_css;           ///< constant cutting speed, with the speed limit before it
     Templates spindle_rpm;
     Templates speed_change;                               ///< another fixed speed while cutting
     Templates coolant_on;                                 ///< before the first move
@@ -82,11 +81,6 @@ Post readPost(const std::string& json, Notes& notes);
 
 /// The text of a file that readPost() reads to the same value.
 std::string postText(const Post& post);
-
-/// The text with the codes of Fanuc's system B replaced by those of system A, line by line: G90 is left out, G92 S
-/// becomes G50 S, G94 and G95 become G98 and G99, G33 becomes G32. Codes without a counterpart (G91) are unchanged and
-/// read as in system A.
-std::string asSystemA(const std::string& text);
 
 /// Names of the posts that are built in, and one of them. Error postUnknown naming them.
 std::vector<std::string> postNames();

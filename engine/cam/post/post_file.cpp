@@ -1,5 +1,6 @@
 #include "engine/cam/post/post_file.h"
 
+#include "engine/gcode/controls/controls.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_head.h"
 #include "engine/io/text/encoding.h"
@@ -31,8 +32,8 @@ PostFile loadPost(const io::FileToRead& file)
     loaded.facts.path = file.path;
     loaded.facts.format = "post_json";
     set(loaded.facts.details, "name", loaded.post.name);
-    set(loaded.facts.details, "dialect",
-        loaded.post.dialect ? Value(std::string(gcode::key(*loaded.post.dialect))) : Value());
+    const gcode::ControlPtr reader = gcode::readerOf(loaded.post.control);
+    set(loaded.facts.details, "dialect", reader ? Value(reader->key) : Value());
     return loaded;
 }
 

@@ -16,7 +16,8 @@ struct PostFile {
 /// In any encoding. Errors of readPost() and fileEmpty, with the path.
 PostFile loadPost(const io::FileToRead& file);
 
-/// POST.json. facts: format "post_json"; details "name", "dialect" (null where none is stated).
+/// POST.json. facts: format "post_json"; details "name", "dialect" (of the control that reads its programs; null where
+/// none is stated).
 const io::FileKind& postFiles();
 
 }  // namespace lathelier::cam

@@ -60,7 +60,7 @@ struct Sound {
     Job job;
     std::vector<std::string> lines;
     std::vector<gcode::Move> moves;
-    gcode::Dialect dialect;
+    gcode::ControlPtr control;
 
     std::size_t operationOf(std::int64_t line) const
     {
@@ -88,7 +88,7 @@ std::vector<Sound> soundPrograms()
             sound.lines = linesOf(sound.text);
             sound.moves = plan.setups[0].check.path.moves;
             sound.operations = plan.setups[0].operations;
-            sound.dialect = *postNamed(post).dialect;
+            sound.control = postNamed(post).control;
             all.push_back(std::move(sound));
         }
     return all;
@@ -97,7 +97,7 @@ std::vector<Sound> soundPrograms()
 CheckResult checkedAs(const std::string& text, const Sound& sound)
 {
     CheckParameters parameters;
-    parameters.program.dialect = sound.dialect;
+    parameters.program.control = sound.control;
     return checkTurning(text, *sound.job.shaft, sound.job, parameters);
 }
 

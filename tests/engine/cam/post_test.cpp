@@ -119,7 +119,10 @@ TEST(Post, BadFilesAreRefusedWithTheirPlace)
 
 TEST(Post, SystemBIsReadAsSystemA)
 {
-    EXPECT_EQ(asSystemA("N10 G21 G90 G95\nG92 S3000\n(G90)\nG94 G920\n"), "N10 G21  G99\nG50 S3000\n(G90)\nG98 G920\n");
+    const gcode::ReadableText read =
+        gcode::readableText("N10 G21 G90 G95\nG92 S3000\n(G90)\nG94 G920\n", postNamed("fanuc_b").control);
+    EXPECT_EQ(read.text, "N10 G21  G99\nG50 S3000\n(G90)\nG98 G920\n");
+    EXPECT_EQ(read.control, postNamed("fanuc_a").control);
 }
 
 }  // namespace

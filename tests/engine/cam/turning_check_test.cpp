@@ -196,7 +196,7 @@ TEST(TurningCheck, AStatedXZeroIsAPlaceAndAnUnstatedOneIsNot)
     const Job job = jobOf("small");
     const auto found = [&](const std::string& start) {
         CheckParameters parameters;
-        parameters.program.dialect = gcode::Dialect::LinuxCnc;
+        parameters.program.dialect = "linuxcnc";
         const CheckResult result =
             checked("G21 G18 G40 G90 G7 G95\nT1 M6\nG97 S500 M3\n" + start + "\nG0 X60.\nM2\n", job, parameters);
         return result.findings.size();

@@ -30,6 +30,7 @@ struct Sample {
     int count = 3;
     bool flag = false;
     Colour colour = Colour::Red;
+    std::string finish = "turned";
     std::vector<Interval> gaps_mm;
 };
 
@@ -41,6 +42,7 @@ const std::vector<Field<Sample>>& fieldsOf(const Sample*)
         field("count", &Sample::count, Range{1, 9}, Label{{"Count"}, {}}),
         field("flag", &Sample::flag, Label{{"Flag"}, {}}),
         field("colour", &Sample::colour, {{"red", {"Red"}}, {"green", {"Green"}}}, Label{{"Colour"}, {}}),
+        choice("finish", &Sample::finish, {{"turned", {"Turned"}}, {"ground", {"Ground"}}}, Label{{"Finish"}, {}}),
         field("gaps_mm", &Sample::gaps_mm, Range{0, 100}, Label{{"Gaps"}, {}, {"mm"}}),
     };
     return all;
@@ -59,11 +61,13 @@ TEST(Fields, RoundTripThroughValuesAndJson)
     sample.size_mm = 0.1;
     sample.limit_mm = 2;
     sample.colour = Colour::Green;
+    sample.finish = "ground";
     sample.gaps_mm = {{1, 2}, {3, 4.5}};
     const Values values = valuesFromJson(Json::parse(toJson(toValues(sample)).dump()));
     const Sample back = fromValues<Sample>(values);
     EXPECT_EQ(toValues(back), toValues(sample));
     EXPECT_EQ(back.colour, Colour::Green);
+    EXPECT_EQ(back.finish, "ground");
     EXPECT_EQ(back.gaps_mm.size(), 2u);
 }
 
@@ -75,6 +79,7 @@ TEST(Fields, RejectsWhatIsOutOfRangeOrNotUnderstood)
     EXPECT_THROW(parse(info("size_mm"), ""), Error);
     EXPECT_THROW(parse(info("count"), "1.5"), Error);
     EXPECT_THROW(parse(info("colour"), "blue"), Error);
+    EXPECT_THROW(fromValues<Sample>({{"finish", std::string("polished")}}), Error);
     EXPECT_THROW(parse(info("gaps_mm"), "4:3"), Error);
     EXPECT_THROW(fromValues<Sample>({{"size_mm", Value()}}), Error);
     EXPECT_FALSE(fromValues<Sample>({{"limit_mm", Value()}}).limit_mm);

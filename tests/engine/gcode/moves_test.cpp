@@ -55,7 +55,7 @@ TEST(Moves, SpeedsAndFeeds)
     EXPECT_EQ(path.moves[2].feed_mm_min, 100);
     EXPECT_EQ(path.moves[3].speed_rpm, 800);
     EXPECT_TRUE(std::isnan(path.moves[3].cutting_speed_m_min));
-    const Toolpath inch = pathOf("G20 G99\nG96 S500 M3\nG0 X1. Z.1\nG1 Z-1. F.01\n", Dialect::Fanuc);
+    const Toolpath inch = pathOf("G20 G99\nG96 S500 M3\nG0 X1. Z.1\nG1 Z-1. F.01\n", "fanuc");
     EXPECT_NEAR(inch.moves[1].z_mm, -25.4, 1e-12);
     EXPECT_NEAR(inch.moves[1].feed_mm_rev, 0.254, 1e-12);
     EXPECT_NEAR(inch.moves[1].cutting_speed_m_min, 152.4, 1e-12);
@@ -63,15 +63,14 @@ TEST(Moves, SpeedsAndFeeds)
 
 TEST(Moves, IncrementsDiametersAndRadii)
 {
-    const Toolpath fanuc = pathOf("G0 X20. Z1.\nG1 U4. W-2. F.1\n", Dialect::Fanuc);
+    const Toolpath fanuc = pathOf("G0 X20. Z1.\nG1 U4. W-2. F.1\n", "fanuc");
     EXPECT_DOUBLE_EQ(fanuc.moves[1].x_mm, 12);
     EXPECT_DOUBLE_EQ(fanuc.moves[1].z_mm, -1);
-    const Toolpath linux = pathOf("G8 G0 X20 Z1\nG7 X30\nG91 X2 Z-1\n", Dialect::LinuxCnc);
+    const Toolpath linux = pathOf("G8 G0 X20 Z1\nG7 X30\nG91 X2 Z-1\n", "linuxcnc");
     EXPECT_DOUBLE_EQ(linux.moves[0].x_mm, 20);
     EXPECT_DOUBLE_EQ(linux.moves[1].x_mm, 15);
     EXPECT_DOUBLE_EQ(linux.moves[2].x_mm, 16);
-    const Toolpath siemens =
-        pathOf("DIAM90 G90 G0 X20 Z1\nG91 X2\nDIAMON G90 X=IC(2)\nDIAMOF X20\n", Dialect::Sinumerik);
+    const Toolpath siemens = pathOf("DIAM90 G90 G0 X20 Z1\nG91 X2\nDIAMON G90 X=IC(2)\nDIAMOF X20\n", "sinumerik");
     EXPECT_DOUBLE_EQ(siemens.moves[1].x_mm, 12);
     EXPECT_DOUBLE_EQ(siemens.moves[2].x_mm, 13);
     EXPECT_DOUBLE_EQ(siemens.moves[3].x_mm, 20);
@@ -79,7 +78,7 @@ TEST(Moves, IncrementsDiametersAndRadii)
 
 TEST(Moves, ReferencePointsHaveNoCoordinates)
 {
-    const Toolpath path = pathOf("G0 X20. Z1.\nG28 U0. W0.\nG53 G0 X0. Z-250.\n", Dialect::Haas);
+    const Toolpath path = pathOf("G0 X20. Z1.\nG28 U0. W0.\nG53 G0 X0. Z-250.\n", "haas");
     ASSERT_EQ(path.moves.size(), 4u);
     EXPECT_DOUBLE_EQ(path.moves[1].x_mm, 10);
     for (const std::size_t i : {2u, 3u}) {
@@ -90,9 +89,8 @@ TEST(Moves, ReferencePointsHaveNoCoordinates)
 
 TEST(Moves, SingleCyclesAreFourMoves)
 {
-    const Toolpath path =
-        pathOf("G99 F.2\nG0 X40. Z2.\nG90 X36. Z-10.\nX32. R-1.\nG94 X10. Z-1.\nG92 X38. Z-9. F1.5\nG0 X50.\n",
-               Dialect::Fanuc);
+    const Toolpath path = pathOf(
+        "G99 F.2\nG0 X40. Z2.\nG90 X36. Z-10.\nX32. R-1.\nG94 X10. Z-1.\nG92 X38. Z-9. F1.5\nG0 X50.\n", "fanuc");
     ASSERT_EQ(path.moves.size(), 1 + 16 + 1u);
     EXPECT_EQ(path.moves[1].line, 3);
     EXPECT_DOUBLE_EQ(path.moves[2].x_mm, 18);
@@ -107,7 +105,7 @@ TEST(Moves, SingleCyclesAreFourMoves)
 TEST(Moves, ThreadPassesFollowTheRoot)
 {
     const Toolpath path =
-        pathOf("G97 S500\nG0 X24. Z6.\nG76 P010060 Q80 R0.03\nG76 X18.16 Z-18. P920 Q250 F1.5\n", Dialect::Fanuc);
+        pathOf("G97 S500\nG0 X24. Z6.\nG76 P010060 Q80 R0.03\nG76 X18.16 Z-18. P920 Q250 F1.5\n", "fanuc");
     std::vector<double> depths;
     for (const Move& move : path.moves)
         if (move.kind == MoveKind::Thread) depths.push_back(10 - move.x_mm);
@@ -152,7 +150,7 @@ TEST(Moves, PocketsAreRoughedWithoutARapidThroughStock)
     const Toolpath path = pathOf(
         "G0 X40. Z2.\nG71 U2. R.5\nG71 P10 Q20 U0. W0. F.2\nN10 G0 X30. Z2.\nG1 Z-10.\nX20. Z-15.\nZ-25.\nX34. "
         "Z-30.\nN20 Z-40.\nM30\n",
-        Dialect::Fanuc);
+        "fanuc");
     EXPECT_FALSE(path.has_errors);
     double deepest = 100;
     for (const Move& move : path.moves) deepest = std::min(deepest, move.x_mm);
@@ -167,16 +165,15 @@ TEST(Moves, FlowOfAllDialects)
     const Toolpath s = pathOf(keptProgram("flow.mpf"));
     EXPECT_EQ(s.moves.size(), 12u);
     EXPECT_EQ(s.words, s.words_understood);
-    const Toolpath l =
-        pathOf("%_N_A_MPF\nG90 DIAMON G0 X10 Z1\nL5 P2\nM30\n%_N_L5_SPF\nG91 Z-1\nM17\n", Dialect::Sinumerik);
+    const Toolpath l = pathOf("%_N_A_MPF\nG90 DIAMON G0 X10 Z1\nL5 P2\nM30\n%_N_L5_SPF\nG91 Z-1\nM17\n", "sinumerik");
     EXPECT_FALSE(l.has_errors);
     ASSERT_EQ(l.moves.size(), 3u);
     EXPECT_DOUBLE_EQ(l.moves.back().z_mm, -1);
-    EXPECT_TRUE(diagnosticOf(pathOf("G0 X10 Z1\nL7\n", Dialect::Sinumerik), "nc_subprogram_missing"));
+    EXPECT_TRUE(diagnosticOf(pathOf("G0 X10 Z1\nL7\n", "sinumerik"), "nc_subprogram_missing"));
     const Toolpath f = pathOf(
         "O1\n#1=0\nWHILE[#1 LT 3]DO1\n#1=#1+1\nG0 X[10.*#1] Z1.\nEND1\nIF[#1 EQ 3]GOTO 9\nG0 X1.\nN9 M98 P20002\n"
         "G65 P3 A5. B2.\nM30\nO2\nG0 W-1.\nM99\nO3\nG0 X[#1+#2] Z0.\nM99\n",
-        Dialect::Fanuc);
+        "fanuc");
     EXPECT_FALSE(f.has_errors);
     ASSERT_EQ(f.moves.size(), 6u);
     EXPECT_DOUBLE_EQ(f.moves[2].x_mm, 15);
@@ -189,7 +186,7 @@ TEST(Moves, ThreadOfADriveLine)
     // Moves of LinuxCNC's interpreter for its G76.
     const Toolpath path = pathOf(
         "G18 G21 G7 G90 G97 S500 M3\nG0 X24 Z3\nG76 P1.5 Z-20 I-2 J0.2 R1.5 K0.92 Q29.5 H1 E1.5 L2\nG0 X50 Z50\n",
-        Dialect::LinuxCnc);
+        "linuxcnc");
     EXPECT_FALSE(path.has_errors);
     const std::vector<std::pair<double, double>> first{{12, 3},          {12.36, 2.9434},   {10.9, 2.9434},
                                                        {10.9, -18.2963}, {11.36, -19.7963}, {12.36, -19.7963}};
@@ -205,7 +202,7 @@ TEST(Moves, ThreadOfADriveLine)
 
 TEST(Moves, ALoopOverAWrongBlockEndsSoon)
 {
-    const Toolpath path = pathOf("#1=0\no1 while [#1 LT 3]\n#2=[#1 +]\no1 endwhile\n", Dialect::LinuxCnc);
+    const Toolpath path = pathOf("#1=0\no1 while [#1 LT 3]\n#2=[#1 +]\no1 endwhile\n", "linuxcnc");
     EXPECT_TRUE(path.has_errors);
     EXPECT_FALSE(diagnosticOf(path, "nc_loop_limit"));  // stopped before the limit of loops
 }
@@ -215,7 +212,7 @@ TEST(Moves, NoseRadiusCompensation)
     const Noses noses = readToolTable(keptProgram("tools.tbl"));
     ASSERT_EQ(noses.at(1).radius_mm, 0.8);
     ASSERT_EQ(noses.at(1).tip, 3);
-    const Toolpath path = pathOf(keptProgram("compensated.ngc"), Dialect::Auto, {}, noses);
+    const Toolpath path = pathOf(keptProgram("compensated.ngc"), automaticControl, {}, noses);
     EXPECT_FALSE(path.has_errors);
     // Along the cylinder the tip runs on it; the 45° cone is met r·(1 - tan 22.5°) early; fillets lose the radius.
     const double early = 0.8 * (1 - std::tan(std::acos(-1.0) / 8));
@@ -236,7 +233,7 @@ TEST(Moves, NoseRadiusCompensation)
     EXPECT_DOUBLE_EQ(unknown.moves[1].x_mm, 10);
     ToolpathParameters tight;
     tight.nose_radius_mm = 6;
-    EXPECT_TRUE(diagnosticOf(pathOf(keptProgram("compensated.ngc"), Dialect::Auto, tight), "nose_does_not_fit"));
+    EXPECT_TRUE(diagnosticOf(pathOf(keptProgram("compensated.ngc"), automaticControl, tight), "nose_does_not_fit"));
 }
 
 TEST(Moves, LengthsScale)
@@ -244,7 +241,7 @@ TEST(Moves, LengthsScale)
     // The same program in inches: every length by 25.4.
     const std::string words =
         "G0 X20. Z1.\nG1 Z-5. F.2 ,R1.\nX30. ,C.5\nZ-9.\nG3 X34. Z-11. R2.\nG90 X30. Z-20. R-1.\n";
-    const Toolpath mm = pathOf("G21\n" + words, Dialect::Fanuc), inch = pathOf("G20\n" + words, Dialect::Fanuc);
+    const Toolpath mm = pathOf("G21\n" + words, "fanuc"), inch = pathOf("G20\n" + words, "fanuc");
     ASSERT_EQ(mm.moves.size(), inch.moves.size());
     for (std::size_t i = 0; i < mm.moves.size(); ++i) {
         EXPECT_NEAR(inch.moves[i].x_mm, 25.4 * mm.moves[i].x_mm, 1e-9) << i;

@@ -13,7 +13,10 @@ struct Read {
     Program program;
     Toolpath path;
 
-    explicit Read(const std::string& text) : program(readProgram(text, Dialect::Fanuc)), path(findToolpath(program)) {}
+    explicit Read(const std::string& text)
+        : program(readProgram(text, controlNamed("fanuc"))), path(findToolpath(program))
+    {
+    }
 };
 
 TEST(Rewriter, ReplacesAnX)
@@ -37,7 +40,7 @@ TEST(Rewriter, SplitsABlock)
     const RewrittenProgram out = rewriter.write();
     EXPECT_EQ(out.text, "G0 X28. Z2.\nN80 G01 Z0. F0.2 M8 (ROUGH PASS)\nX27.96 Z-140.\nX27.99 Z-280.\nX36.\n");
     EXPECT_EQ(out.blocks_added, 2);
-    const Toolpath moves = pathOf(out.text, Dialect::Fanuc);
+    const Toolpath moves = pathOf(out.text, "fanuc");
     ASSERT_EQ(moves.moves.size(), 5u);
     EXPECT_NEAR(moves.moves[3].x_mm, 13.995, 1e-12);
     EXPECT_EQ(moves.moves[3].feed_mm_rev, 0.2);
@@ -50,7 +53,7 @@ TEST(Rewriter, IncrementsFollow)
     rewriter.setX(0, 14.95);
     const RewrittenProgram out = rewriter.write();
     EXPECT_EQ(out.text, "G0 X29.9 Z2.\nG1 Z-10. F.1\nU4.1 W-5.\nU2.\n");
-    EXPECT_NEAR(pathOf(out.text, Dialect::Fanuc).moves.back().x_mm, 18, 1e-9);
+    EXPECT_NEAR(pathOf(out.text, "fanuc").moves.back().x_mm, 18, 1e-9);
 }
 
 TEST(Rewriter, RefusesWhatItCannotKeep)

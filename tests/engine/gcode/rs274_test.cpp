@@ -132,7 +132,7 @@ private:
 
 void expectSameMoves(const std::string& program, const ScratchFolder& folder)
 {
-    const Toolpath path = pathOf(program, Dialect::LinuxCnc);
+    const Toolpath path = pathOf(program, "linuxcnc");
     ASSERT_FALSE(path.has_errors) << program;
     std::vector<Move> ours = path.moves;
     std::erase_if(ours, [](const Move& move) { return move.kind == MoveKind::Dwell; });

@@ -9,10 +9,10 @@
 
 namespace lathelier::gcode {
 
-inline Toolpath pathOf(const std::string& text, Dialect dialect = Dialect::Auto, ToolpathParameters parameters = {},
-                       const Noses& noses = {})
+inline Toolpath pathOf(const std::string& text, std::string_view control = automaticControl,
+                       ToolpathParameters parameters = {}, const Noses& noses = {})
 {
-    Program program = readProgram(text, dialect);
+    Program program = readProgram(text, controlNamed(control));
     return findToolpath(program, parameters, noses);
 }
 

@@ -47,7 +47,7 @@ inline StockParameters with(const TurningTool& tool)
 inline std::vector<gcode::Move> movesOf(const std::string& blocks)
 {
     gcode::Program program =
-        gcode::readProgram("%\nO1\nG21 G18 G40 G99\n" + blocks + "M30\n%\n", gcode::Dialect::Fanuc);
+        gcode::readProgram("%\nO1\nG21 G18 G40 G99\n" + blocks + "M30\n%\n", gcode::controlNamed("fanuc"));
     return gcode::findToolpath(program, {}, {}).moves;
 }
 

@@ -16,7 +16,8 @@ namespace {
 std::vector<gcode::Move> practice(const std::string& name)
 {
     std::ifstream file(LATHELIER_SOURCE_DIR "/tests/data/turning/" + name, std::ios::binary);
-    gcode::Program program = gcode::readProgram({std::istreambuf_iterator<char>(file), {}}, gcode::Dialect::Fanuc);
+    gcode::Program program =
+        gcode::readProgram({std::istreambuf_iterator<char>(file), {}}, gcode::controlNamed("fanuc"));
     return gcode::findToolpath(program).moves;
 }
 

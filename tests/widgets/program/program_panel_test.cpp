@@ -231,7 +231,7 @@ private slots:
         alone.resize(600, 400);
         alone.show();
         QVERIFY(QTest::qWaitForWindowExposed(&alone));
-        alone.setProgram(text, "big.nc", gcode::Dialect::Fanuc);
+        alone.setProgram(text, "big.nc", gcode::controlNamed("fanuc"));
         QCOMPARE(alone.program(), text);
         alone.goToLine(900000);
         QCOMPARE(alone.line(), std::int64_t{900000});

@@ -1,4 +1,4 @@
-// IF, WHILE, GOTO of Fanuc and Haas.
+// FlowStyle::Macro: IF, WHILE, GOTO.
 #include <algorithm>
 #include <cmath>
 
@@ -8,14 +8,14 @@
 
 namespace lathelier::gcode {
 
-void Interpreter::controlFanuc(const Word& word)
+void Interpreter::runMacro(const Word& word)
 {
-    const Control& at = *controlOf(pc_);
+    const FlowStatement& at = *statementOf(pc_);
     const std::string_view all(program_.text);
     std::string_view rest = all.substr(at.rest, word.begin + word.length - at.rest);
     std::string keyword = at.keyword;
     const auto goTo = [&](std::string_view text) {
-        const Computed number = compute(text, variables_, dialect_);
+        const Computed number = compute(text, variables_);
         const long wanted = std::lround(std::clamp(number.value.value_or(-1), -1.0, 1e9));
         const auto found = findSequence(wanted, pc_);
         if (found)
@@ -25,17 +25,17 @@ void Interpreter::controlFanuc(const Word& word)
             stop();
         }
     };
-    const auto labelOf = [](const Control& control, std::string_view text) {  // of DO and WHILE…DO
+    const auto labelOf = [](const FlowStatement& statement, std::string_view text) {  // of DO and WHILE…DO
         const std::size_t where = capitals(text).rfind("DO");
-        return control.keyword == "END" || where == std::string::npos ? numberIn(text) : numberIn(text.substr(where));
+        return statement.keyword == "END" || where == std::string::npos ? numberIn(text) : numberIn(text.substr(where));
     };
-    const auto textOf = [&](const Control& control) {
-        const Block& block = program_.blocks[control.block];
-        return all.substr(control.rest, block.begin + block.length - control.rest);
+    const auto textOf = [&](const FlowStatement& statement) {
+        const Block& block = program_.blocks[statement.block];
+        return all.substr(statement.rest, block.begin + block.length - statement.rest);
     };
     if (keyword == "GOTO") return goTo(rest);
     if (keyword == "IF") {
-        const Computed condition = compute(rest, variables_, dialect_);
+        const Computed condition = compute(rest, variables_);
         rest = trimmedFront(rest.substr(std::min(condition.end, rest.size())));
         const std::string then = keywordOf(rest);
         if (then != "GOTO" && then != "THEN") {
@@ -54,25 +54,25 @@ void Interpreter::controlFanuc(const Word& word)
         assignment.kind = WordKind::Assignment;
         return assign(assignment);
     }
-    const std::size_t index = controlAt_[pc_];
+    const std::size_t index = statementAt_[pc_];
     const long label = labelOf(at, rest);
     if (keyword == "WHILE" || keyword == "DO") {
         if (keyword == "WHILE") {
-            const Computed condition = compute(rest, variables_, dialect_);
+            const Computed condition = compute(rest, variables_);
             if (condition.value.value_or(0) != 0) return;
         } else {
             return;
         }
-        for (std::size_t i = index + 1; i < controls_.size(); ++i)
-            if (controls_[i].keyword == "END" && numberIn(textOf(controls_[i])) == label) {
-                next_ = controls_[i].block + 1;
+        for (std::size_t i = index + 1; i < statements_.size(); ++i)
+            if (statements_[i].keyword == "END" && numberIn(textOf(statements_[i])) == label) {
+                next_ = statements_[i].block + 1;
                 return;
             }
     } else if (keyword == "END") {
         for (std::size_t i = index; i-- > 0;)
-            if ((controls_[i].keyword == "WHILE" || controls_[i].keyword == "DO") &&
-                labelOf(controls_[i], textOf(controls_[i])) == label)
-                return jump(controls_[i].block);
+            if ((statements_[i].keyword == "WHILE" || statements_[i].keyword == "DO") &&
+                labelOf(statements_[i], textOf(statements_[i])) == label)
+                return jump(statements_[i].block);
     }
     error(errors::ncFlow, &word, {{"found", shownWord(word)}});
     stop();

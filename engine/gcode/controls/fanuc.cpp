@@ -1,0 +1,96 @@
+// Fanuc, G code system A of turning (G90, G92, G94 are cycles; feeds are selected by G98, G99).
+#include "engine/gcode/controls/add_words.h"
+#include "engine/gcode/controls/controls.h"
+
+namespace lathelier::gcode {
+namespace {
+
+Evidence evidenceOfFanuc()
+{
+    Evidence evidence;
+    evidence.texts = {{6, {"*GOTO*IF[*", "*IF[*GOTO*"}}};
+    evidence.blocks = {{.points = 4, .letters = "T", .least_digits = 3},
+                       {.points = 4, .g = {50}, .letters = "S"},
+                       {.points = 3, .one_of = "UW"},
+                       {.points = 2, .g = {99}, .no_g = {81, 83}, .none_of = "XZ"},
+                       {.points = 3, .g = {76}, .letters = "Q"},
+                       {.points = 1, .g = {98}, .none_of = "XZ"},
+                       {.points = 2, .g = {32}},
+                       {.points = 3, .m = {98, 99}}};
+    return evidence;
+}
+
+std::map<int, G> wordsOfFanuc()
+{
+    std::map<int, G> g = commonWords();
+    addWords(g, G::InchAll, {20});
+    addWords(g, G::Metric, {21});
+    addWords(g, G::Home, {28, 30});
+    addWords(g, G::Thread, {32, 33});
+    addWords(g, G::SpeedLimit, {50});
+    addWords(g, G::Shift, {52});
+    addWords(g, G::MachineMove, {53});
+    addWords(g, G::WorkOffset, {54, 54.1, 55, 56, 57, 58, 59});
+    addWords(g, G::MacroCall, {65});
+    addWords(g, G::Finish, {70});
+    addWords(g, G::RoughTurn, {71});
+    addWords(g, G::RoughFace, {72});
+    addWords(g, G::Pattern, {73});
+    addWords(g, G::FacePeck, {74});
+    addWords(g, G::TurnPeck, {75});
+    addWords(g, G::ThreadMulti, {76});
+    addWords(g, G::CycleOff, {80});
+    addWords(g, G::Drill, {81, 82, 83});
+    addWords(g, G::Tap, {84});
+    addWords(g, G::DrillFeedOut, {85});
+    addWords(g, G::DrillAcross, {86, 87, 88, 89});
+    addWords(g, G::TurnCycle, {90});
+    addWords(g, G::ThreadCycle, {92});
+    addWords(g, G::FaceCycle, {94});
+    addWords(g, G::PerMinute, {98});
+    addWords(g, G::PerRevolution, {99});
+    addWords(g, G::NoEffect, {9, 13.1, 22, 23, 25, 26, 27, 43, 44, 49, 61, 62, 63, 64, 67, 69});
+    addWords(g, G::NotModelled,
+             {5, 7, 7.1, 8, 10, 10.2, 11, 12, 12.1, 13, 31, 34, 35, 36, 37, 51, 66, 68, 107, 112, 113});
+    return g;
+}
+
+}  // namespace
+
+Control fanuc()
+{
+    Control control;
+    control.key = "fanuc";
+    control.label = LT_TEXT("Engine", "Fanuc, system A");
+    control.extensions = {".nc", ".tap", ".cnc"};
+    control.evidence = evidenceOfFanuc();
+
+    control.grammar.has_comma_words = true;
+    control.grammar.statements = {"IF", "WHILE", "GOTO", "END", "DO"};
+    control.arithmetic.last_local = 33;
+    control.arithmetic.alarm = 3000;
+
+    control.g = wordsOfFanuc();
+    addWords(control.m, M::End, {2, 30});
+    addWords(control.m, M::CallProgram, {98});
+    addWords(control.m, M::Return, {99});
+    addWords(control.m, M::NoEffect, 0, 299);  // most are assigned by the machine builder
+    addWords(control.letters, Letter::Always, "NOFSTLXZUW");
+    addWords(control.letters, Letter::InBlock, "IKRPQDEAcr");
+    addWords(control.letters, Letter::NotModelled, "YBCVH");
+
+    control.start.assumed_motion = G::Rapid;
+    control.start.assumed_motion_word = LT_TEXT("Engine", "G0");
+    control.increments_are_letters = true;
+    control.integers_count_increments = true;
+    control.tool_holds_offset = true;
+    control.dwell = {{'X', DwellWord::Unit::SecondsOrMilli},
+                     {'U', DwellWord::Unit::SecondsOrMilli},
+                     {'P', DwellWord::Unit::Milliseconds}};
+    control.line_radius_is_rounding = true;
+    control.drill_level_is_increment = true;
+    control.call_holds_repeats = true;
+    return control;
+}
+
+}  // namespace lathelier::gcode

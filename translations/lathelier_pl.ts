@@ -13831,6 +13831,10 @@
         <source>A part of the program cannot be loaded: {file} ({reason}). Is the installation complete?</source>
         <translation>Nie można wczytać części programu: {file} ({reason}). Czy instalacja jest kompletna?</translation>
     </message>
+    <message>
+        <source>{former} is the older name of {key}, and both are stated; keep one of them.</source>
+        <translation>{former} to starsza nazwa klucza {key}, a podano oba; zostaw jeden z nich.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -86,7 +86,7 @@ void runDeflection(const Request& request, io::InputFiles& inputs, const Progres
     try {
         const deflection::TurningJob job =
             deflection::turningJob(std::move(read.program), std::move(read.path), std::move(*machine.stock),
-                                   std::move(machine.setup), std::move(read.noses));
+                                   std::move(machine.setup), std::move(read.tools));
         study = std::make_shared<deflection::TurningStudy>(
             deflection::studyTurning(job, parameters, details, progress.part(0.3, 1)));
     } catch (Error& error) {

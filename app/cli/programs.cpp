@@ -19,7 +19,7 @@ const std::vector<Field<ToolFiles>>& fieldsOf(const ToolFiles*)
     return all;
 }
 
-gcode::Noses nosesOf(const Request& request, io::InputFiles& inputs, const Progress& progress)
+gcode::ToolTable toolsOf(const Request& request, io::InputFiles& inputs, const Progress& progress)
 {
     const std::string path = wordOf(request, "tools");
     if (path.empty()) return {};
@@ -44,14 +44,14 @@ ProgramRead readProgram(const std::string& path, const Request& request, io::Inp
 {
     const auto parameters = fromValues<gcode::ToolpathParameters>(request.parameters);
     ProgramRead read;
-    read.noses = nosesOf(request, inputs, progress);
+    read.tools = toolsOf(request, inputs, progress);
     try {
         read.program = gcode::readProgram(std::string(inputs.open(path, progress)), parameters.dialect,
                                           progress.part(0.1, 0.5, LT_TEXT("Engine", "Reading")));
     } catch (Error& error) {
         throw error.with("path", path);
     }
-    read.path = findToolpath(read.program, parameters, read.noses,
+    read.path = findToolpath(read.program, parameters, read.tools,
                              progress.part(0.5, 1, LT_TEXT("Engine", "Following the program")));
     return read;
 }

@@ -12,7 +12,7 @@ std::vector<Option> programOptions();
 /// A program and its moves; the moves may have errors.
 struct ProgramRead {
     gcode::Program program;
-    gcode::Noses noses;
+    gcode::ToolTable tools;
     gcode::Toolpath path;
 };
 

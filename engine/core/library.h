@@ -6,6 +6,9 @@
 
 namespace lathelier {
 
+/// Key of the choice that takes nothing from a library.
+inline constexpr const char* statedChoice = "stated";
+
 /// One entry of a library.
 template <class T>
 struct LibraryEntry {

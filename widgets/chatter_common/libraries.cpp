@@ -1,5 +1,6 @@
 #include "widgets/chatter_common/libraries.h"
 
+#include "engine/cutting/tool_library.h"
 #include "widgets/core/resources.h"
 
 namespace lathelier::chatter_common {
@@ -61,9 +62,19 @@ Chosen<receptance::SpindleSprings> chosen(MachineChoice choice)
     return chosenOf(library, machineChoices({}), choice);
 }
 
-Chosen<cutting::ToolGeometry> chosen(InsertChoice choice)
+Chosen<Tool> chosen(InsertChoice choice)
 {
-    static const auto library = cutting::readInserts(resourceText(":/library/inserts.json"));
+    // What the forces need; the edge of the check against stock stays assumed, as the panels have it.
+    static const auto library = [] {
+        std::vector<LibraryEntry<Tool>> inserts;
+        for (const auto& [key, tool, source] : cutting::toolLibrary().inserts)
+            inserts.push_back({key,
+                               {.corner_radius_mm = tool.corner_radius_mm,
+                                .entering_angle_deg = tool.entering_angle_deg,
+                                .tip_angle_deg = tool.tip_angle_deg},
+                               source});
+        return inserts;
+    }();
     return chosenOf(library, insertChoices({}), choice);
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "engine/core/fields.h"
-#include "engine/cutting/insert_library.h"
+#include "engine/core/library.h"
+#include "engine/core/tool.h"
 #include "engine/receptance/library.h"
 
 namespace lathelier::chatter_common {
@@ -41,6 +42,6 @@ struct Chosen {
 /// Entries of the libraries, which are read once from the program's resources. Thread-safe.
 Chosen<Material> chosen(MaterialChoice choice);
 Chosen<receptance::SpindleSprings> chosen(MachineChoice choice);
-Chosen<cutting::ToolGeometry> chosen(InsertChoice choice);
+Chosen<Tool> chosen(InsertChoice choice);
 
 }  // namespace lathelier::chatter_common

@@ -10,10 +10,10 @@
 namespace lathelier::gcode {
 
 inline Toolpath pathOf(const std::string& text, Dialect dialect = Dialect::Auto, ToolpathParameters parameters = {},
-                       const Noses& noses = {})
+                       const ToolTable& tools = {})
 {
     Program program = readProgram(text, dialect);
-    return findToolpath(program, parameters, noses);
+    return findToolpath(program, parameters, tools);
 }
 
 inline std::string keptProgram(const std::string& name)

@@ -94,7 +94,7 @@ private slots:
         all(InsertChoice::Stated, insertChoices({}).size());
         const auto inserts = insertChoices({});
         for (std::size_t i = 1; i < inserts.size(); ++i) {  // the angle in the name is that of the entry
-            const double entering_deg = 90 - chosen(static_cast<InsertChoice>(i)).entry->value.lead_angle_deg;
+            const double entering_deg = *chosen(static_cast<InsertChoice>(i)).entry->value.entering_angle_deg;
             QVERIFY(QString(inserts[i].label.english).endsWith(QString(", %1°").arg(entering_deg)));
         }
     }
@@ -142,8 +142,8 @@ private slots:
         QCOMPARE(*deflection::stockParameters(panel_->result()->job->setup).tools.front().tip_angle_deg, 90.0);
         set("changed_corner_radius_mm", 0.4);
         settle();
-        QCOMPARE(panel_->result()->job->setup.tool.corner_radius_mm, 0.4);
-        QCOMPARE(panel_->result()->job->setup.tool.lead_angle_deg, 15.0);
+        QCOMPARE(panel_->result()->job->setup.tool.corner_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(panel_->result()->job->setup.tool.entering_angle_deg, std::optional<double>(75));
     }
 
     void restsAndToolPostAreTriedOnTheSetUp()

@@ -135,6 +135,22 @@ private slots:
         QCOMPARE(plan().post, std::string("fanuc_a"));
     }
 
+    void toolsOfAnOlderProjectAreTheSame()
+    {
+        const auto tools_of = [](const char* name) {
+            const QString path = QString(LATHELIER_SOURCE_DIR "/tests/data/projects/") + name;
+            const project::Project kept = project::readProject(path.toStdString()).project;
+            return fromValues<TurningQuestion>(kept.panels.at("turning").parameters).job.tools;
+        };
+        const auto tools = tools_of("version_4.lathelier");
+        QCOMPARE(tools.size(), std::size_t{4});
+        QVERIFY(tools == tools_of("version_5.lathelier"));
+        QVERIFY(!tools[0].corner_radius_mm);  // that of the library
+        QCOMPARE(tools[1].corner_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(tools[2].reach_mm, std::optional<double>(18));
+        QCOMPARE(tools[3].diameter_mm, std::optional<double>(4));
+    }
+
     void anotherInsertIsAnotherTool()
     {
         cam::Job job = cam::jobWith({cam::row(30, 20, 20), cam::row(20, 30, 30)}, 34, 90, {});

@@ -7236,10 +7236,6 @@
         <translation>Promień naroża</translation>
     </message>
     <message>
-        <source>Of the insert.</source>
-        <translation>Płytki.</translation>
-    </message>
-    <message>
         <source>arc of the corner and straight edge</source>
         <translation>łuk naroża i prosta krawędź</translation>
     </message>
@@ -9120,16 +9116,8 @@
         <translation>wiertło na osi</translation>
     </message>
     <message>
-        <source>Shape</source>
-        <translation>Kształt</translation>
-    </message>
-    <message>
         <source>What cuts.</source>
         <translation>Co skrawa.</translation>
-    </message>
-    <message>
-        <source>Of the corner that cuts.</source>
-        <translation>Skrawającego naroża.</translation>
     </message>
     <message>
         <source>Entering angle</source>
@@ -9150,14 +9138,6 @@
     <message>
         <source>Length of the edge</source>
         <translation>Długość krawędzi</translation>
-    </message>
-    <message>
-        <source>Of an insert; the reach of a blade, the length of a drill.</source>
-        <translation>Płytki; wysięg przecinaka, długość wiertła.</translation>
-    </message>
-    <message>
-        <source>Of a blade; the diameter of a drill.</source>
-        <translation>Przecinaka; średnica wiertła.</translation>
     </message>
     <message>
         <source>Width of the shank</source>
@@ -9346,10 +9326,6 @@
     <message>
         <source>The elastic modulus is that of the project&apos;s shaft, {modulus_MPa} MPa, as in the workspace Chatter; the cutting coefficients stay those of the set-up.</source>
         <translation>Moduł sprężystości pochodzi z wału projektu, {modulus_MPa} MPa, jak w obszarze Drgania; współczynniki skrawania pozostają te z ustawienia.</translation>
-    </message>
-    <message>
-        <source>Between both edges; for the check against the stock.</source>
-        <translation>Między obiema krawędziami; do kontroli z półfabrykatem.</translation>
     </message>
     <message>
         <source>The geometry of the insert {insert} is taken from the library (source: {source}); the cutting coefficients stay those of the set-up.</source>
@@ -10976,16 +10952,8 @@
         <translation>Kierunek jego posuwu.</translation>
     </message>
     <message>
-        <source>Of both corners of a blade.</source>
-        <translation>Obu naroży przecinaka.</translation>
-    </message>
-    <message>
         <source>Reach</source>
         <translation>Wysięg</translation>
-    </message>
-    <message>
-        <source>How deep a blade cuts, on radius.</source>
-        <translation>Jak głęboko wcina się przecinak, na promieniu.</translation>
     </message>
     <message>
         <source>Per revolution; empty: that of the cutting data.</source>
@@ -12720,24 +12688,8 @@
         <translation>Jej zakres.</translation>
     </message>
     <message>
-        <source>On its usual holder.</source>
-        <translation>W typowej oprawce.</translation>
-    </message>
-    <message>
         <source>Largest cutting speed</source>
         <translation>Największa prędkość skrawania</translation>
-    </message>
-    <message>
-        <source>ISO code.</source>
-        <translation>Kod ISO.</translation>
-    </message>
-    <message>
-        <source>Of the main edge.</source>
-        <translation>Głównej krawędzi.</translation>
-    </message>
-    <message>
-        <source>Corners from the tip.</source>
-        <translation>Narożniki liczone od ostrza.</translation>
     </message>
     <message>
         <source>a feed</source>
@@ -13822,6 +13774,38 @@
     <message>
         <source>Okuma OSP</source>
         <translation>Okuma OSP</translation>
+    </message>
+    <message>
+        <source>corner radius</source>
+        <translation>promień naroża</translation>
+    </message>
+    <message>
+        <source>{former} is the older name of {key}, and both are stated; keep one of them.</source>
+        <translation>{former} to starsza nazwa klucza {key}, a podano oba; zostaw jeden z nich.</translation>
+    </message>
+    <message>
+        <source>boring bar</source>
+        <translation>wytaczak</translation>
+    </message>
+    <message>
+        <source>threading insert</source>
+        <translation>płytka do gwintów</translation>
+    </message>
+    <message>
+        <source>Of the corner that cuts; of both corners of a blade.</source>
+        <translation>Naroża, które skrawa; obu naroży przecinaka.</translation>
+    </message>
+    <message>
+        <source>Of a blade.</source>
+        <translation>Przecinaka.</translation>
+    </message>
+    <message>
+        <source>Of a drill.</source>
+        <translation>Wiertła.</translation>
+    </message>
+    <message>
+        <source>How deep a blade cuts, on radius; length of a drill or a boring bar.</source>
+        <translation>Jak głęboko wcina się przecinak, na promieniu; długość wiertła lub wytaczaka.</translation>
     </message>
 </context>
 <context>

@@ -1,10 +1,10 @@
 #include "engine/cam/cutting_data.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "engine/cam/post/built_in_posts.h"
+#include "engine/core/tool.h"
 #include "engine/core/units.h"
 #include "engine/io/json/library_file.h"
 
@@ -14,23 +14,6 @@ namespace {
 constexpr double cutPowerPerKilowatt = 60000;
 
 }  // namespace
-
-const std::string& builtInLibrary(const char* name)
-{
-    const std::vector<BuiltInText>& all = builtInLibraries();
-    return std::find_if(all.begin(), all.end(),
-                        [name](const BuiltInText& text) { return std::string(name) == text.name; })
-        ->text;
-}
-
-std::string plainName(const std::string& name)
-{
-    std::string result;
-    for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)))
-            result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return result;
-}
 
 const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*)
 {
@@ -53,14 +36,14 @@ const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*)
 const std::vector<LibraryEntry<WorkMaterial>>& workMaterials()
 {
     static const std::vector<LibraryEntry<WorkMaterial>> all =
-        io::readLibrary<WorkMaterial>(builtInLibrary("work_materials"), "work_materials");
+        io::readLibrary<WorkMaterial>(builtInMaterials().front().text, "work_materials");
     return all;
 }
 
 const LibraryEntry<WorkMaterial>* workMaterial(const std::string& name)
 {
     for (const LibraryEntry<WorkMaterial>& entry : workMaterials())
-        if (plainName(entry.key) == plainName(name) || plainName(entry.value.name) == plainName(name)) return &entry;
+        if (plainCode(entry.key) == plainCode(name) || plainCode(entry.value.name) == plainCode(name)) return &entry;
     return nullptr;
 }
 
@@ -72,9 +55,9 @@ double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_m
     return material.k_c11_N_mm2 * b * std::pow(h, 1 - material.m_c) * cutting_speed_m_min / cutPowerPerKilowatt;
 }
 
-double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg)
+double idealRz_um(double feed_mm_rev, double corner_radius_mm, double back_angle_deg)
 {
-    const double f = feed_mm_rev, r = nose_radius_mm, back = back_angle_deg * rad_per_deg;
+    const double f = feed_mm_rev, r = corner_radius_mm, back = back_angle_deg * rad_per_deg;
     const bool is_trimmed = back_angle_deg < 90 && f > 2 * r * std::sin(back);
     if (!is_trimmed) {
         if (f >= 2 * r) return notANumber;
@@ -93,9 +76,9 @@ double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_d
     return um_per_mm * (low + high) / 2;
 }
 
-double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev)
+double feedForRz(double Rz_um, double corner_radius_mm, double back_angle_deg, double most_mm_rev)
 {
-    const auto fits = [&](double feed) { return idealRz_um(feed, nose_radius_mm, back_angle_deg) <= Rz_um; };
+    const auto fits = [&](double feed) { return idealRz_um(feed, corner_radius_mm, back_angle_deg) <= Rz_um; };
     if (fits(most_mm_rev)) return most_mm_rev;
     double low = 0, high = most_mm_rev;
     constexpr int bisections = 40;

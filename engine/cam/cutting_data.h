@@ -25,9 +25,6 @@ struct WorkMaterial {
 
 const std::vector<Field<WorkMaterial>>& fieldsOf(const WorkMaterial*);
 
-/// Letters and digits of a name in lower case: "CNMG 120408" and "cnmg_120408" are the same.
-std::string plainName(const std::string& name);
-
 /// The library that is built in.
 const std::vector<LibraryEntry<WorkMaterial>>& workMaterials();
 /// By name or key, ignoring case and hyphens; null: not found.
@@ -39,9 +36,9 @@ double cuttingPower(const WorkMaterial& material, double depth_mm, double feed_m
 
 /// Ideal Rz in µm. `back_angle_deg`: κ' of the insert, without margin; 90: no straight back edge. NaN where f ≥ 2 r and
 /// no straight back edge trims the cusp.
-double idealRz_um(double feed_mm_rev, double nose_radius_mm, double back_angle_deg = 90);
+double idealRz_um(double feed_mm_rev, double corner_radius_mm, double back_angle_deg = 90);
 
 /// The largest feed up to `most_mm_rev` whose ideal Rz is no more than `Rz_um`.
-double feedForRz(double Rz_um, double nose_radius_mm, double back_angle_deg, double most_mm_rev);
+double feedForRz(double Rz_um, double corner_radius_mm, double back_angle_deg, double most_mm_rev);
 
 }  // namespace lathelier::cam

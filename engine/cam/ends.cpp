@@ -87,7 +87,7 @@ Operation partingOff(const WorkFrame& frame, const JobTool& blade)
     MoveList moves(tipOffset(blade));
     moves.rapid({z, frame.safe_x_mm});
     if (frame.stock_radius_mm > slowPartingRadius_mm) moves.line({z, slowPartingRadius_mm}, feed);
-    moves.line({z, -std::max(blade.corner_radius_mm, 0.1)}, feed / 2);
+    moves.line({z, -std::max(blade.radius_mm(), 0.1)}, feed / 2);
     moves.rapidX(frame.safe_x_mm);
     result.moves = moves.taken();
     return result;

@@ -42,16 +42,25 @@ Text nameOf(ToolUse use)
     return useChoices().at(static_cast<std::size_t>(use)).label;
 }
 
+void JobTool::settle()
+{
+    kind = use == ToolUse::CentreDrill ? ToolKind::Drill
+           : use == ToolUse::Thread    ? ToolKind::ThreadingInsert
+           : width_mm                  ? ToolKind::Blade
+                                       : ToolKind::Insert;
+    tip = isThreader() ? 8 : isProfile() && hand == Hand::FromChuck ? 4 : 3;
+}
+
 double JobTool::radius_mm() const
 {
-    return isProfile() ? nose_radius_mm.value_or(0) : isBlade() ? corner_radius_mm : 0;
+    return isProfile() || isBlade() ? corner_radius_mm.value_or(0) : 0;
 }
 
 double JobTool::backAngle_deg() const
 {
     if (!isProfile()) return 90;
-    return 180 - entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) -
-           tip_angle_deg.value_or(stock::assumedTipAngle_deg);
+    return 180 - entering_angle_deg.value_or(assumed::enteringAngle_deg) -
+           tip_angle_deg.value_or(assumed::tipAngle_deg);
 }
 
 const JobTool* Job::tool(int number) const
@@ -138,45 +147,38 @@ const std::vector<Field<JobSetup>>& fieldsOf(const JobSetup*)
 const std::vector<Field<JobTool>>& fieldsOf(const JobTool*)
 {
     using T = JobTool;
-    static const auto all = described<T>(
-        field("number", &T::number, {1, 99999},
-              required(LT_TEXT("Engine", "Tool number"), LT_TEXT("Engine", "As the program calls it."))),
-        field("use", &T::use, useChoices(), required(LT_TEXT("Engine", "Use"), LT_TEXT("Engine", "What it is for."))),
-        field("name", &T::name, Label{LT_TEXT("Engine", "Name"), LT_TEXT("Engine", "Of insert and holder.")}),
-        field("insert", &T::insert,
-              Label{LT_TEXT("Engine", "Insert"), LT_TEXT("Engine", "ISO code from the library, such as CNMG 120408.")}),
-        field("holder_name", &T::holder_name,
-              Label{LT_TEXT("Engine", "Holder's code"),
-                    LT_TEXT("Engine", "ISO code from the library, such as PCLNL 2525M12.")}),
-        field("nose_radius_mm", &T::nose_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Nose radius"), LT_TEXT("Engine", "Of an insert."), unit::mm}),
-        field("entering_angle_deg", &T::entering_angle_deg, {1, 178},
-              Label{LT_TEXT("Engine", "Entering angle"),
-                    LT_TEXT("Engine", "Between main edge and feed: 90° less the lead angle."), unit::deg}),
-        field("tip_angle_deg", &T::tip_angle_deg, {1, 180},
-              Label{LT_TEXT("Engine", "Tip angle"),
-                    LT_TEXT("Engine", "Between both edges: C 80°, D 55°, V 35°; of a drill, its point."), unit::deg}),
-        field("edge_length_mm", &T::edge_length_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Length of the edge"), LT_TEXT("Engine", "Of an insert."), unit::mm}),
-        field("back_margin_deg", &T::back_margin_deg, {0, 45},
-              Label{LT_TEXT("Engine", "Margin of the back angle"),
-                    LT_TEXT("Engine", "What a planned path keeps below the back angle."), unit::deg}),
-        field("hand", &T::hand,
-              {{"toward_chuck", LT_TEXT("Engine", "toward the chuck")},
-               {"from_chuck", LT_TEXT("Engine", "from the chuck")}},
-              Label{LT_TEXT("Engine", "Hand"), LT_TEXT("Engine", "Direction of its feed.")}),
-        field("width_mm", &T::width_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Width"), LT_TEXT("Engine", "Of a blade; the diameter of a drill."), unit::mm}),
-        field("corner_radius_mm", &T::corner_radius_mm, {0, 100},
-              Label{LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of both corners of a blade."), unit::mm}),
-        field("max_depth_mm", &T::max_depth_mm, {0.01, 1000},
-              Label{LT_TEXT("Engine", "Reach"), LT_TEXT("Engine", "How deep a blade cuts, on radius."), unit::mm}),
-        field("feed_mm_rev", &T::feed_mm_rev, {1e-3, 100},
-              Label{LT_TEXT("Engine", "Feed"), LT_TEXT("Engine", "Per revolution; empty: that of the cutting data."),
-                    unit::mm_rev}),
-        rows("holder", &T::holder, {0, 1000},
-             Label{LT_TEXT("Engine", "Holder"),
-                   LT_TEXT("Engine", "Corners from the tip; their convex hull must not meet stock.")}));
+    static const auto all = [] {
+        std::vector<Field<T>> made = lifted<T>(fields<Tool>());
+        std::erase_if(made, [](const Field<T>& field) {
+            return field.info.key == "kind" || field.info.key == "tip" || field.info.key == "shank_width_mm";
+        });
+        const std::pair<std::string, std::string> of_drill{"use", key(ToolUse::CentreDrill)};
+        for (Field<T>& field : made) {
+            FieldInfo& info = field.info;
+            if (info.key == "number") {
+                info.minimum = 1;
+                info.required = true;
+                info.help = LT_TEXT("Engine", "As the program calls it.");
+            }
+            if (info.key == "diameter_mm") info.former.push_back({.key = "width_mm", .where = of_drill});
+            if (info.key == "reach_mm") info.former.push_back({.key = "edge_length_mm", .where = of_drill});
+        }
+        made.insert(made.begin() + 1, field("use", &T::use, useChoices(),
+                                            required(LT_TEXT("Engine", "Use"), LT_TEXT("Engine", "What it is for."))));
+        made.push_back(field("back_margin_deg", &T::back_margin_deg, {0, 45},
+                             Label{LT_TEXT("Engine", "Margin of the back angle"),
+                                   LT_TEXT("Engine", "What a planned path keeps below the back angle."), unit::deg}));
+        made.push_back(
+            field("feed_mm_rev", &T::feed_mm_rev, {1e-3, 100},
+                  Label{LT_TEXT("Engine", "Feed"),
+                        LT_TEXT("Engine", "Per revolution; empty: that of the cutting data."), unit::mm_rev}));
+        for (Field<T>& field : made)
+            field.set = [set = field.set](T& tool, const Value& value) {
+                set(tool, value);
+                tool.settle();
+            };
+        return made;
+    }();
     return all;
 }
 

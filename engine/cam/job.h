@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/fields.h"
+#include "engine/core/tool.h"
 #include "engine/shaft/shaft.h"
-#include "engine/stock/turning_insert.h"
 
 namespace lathelier::cam {
 
@@ -52,36 +51,24 @@ enum class ToolUse : std::uint8_t { Rough, Finish, FinishBack, Groove, PartOff, 
 const char* key(ToolUse use);
 Text nameOf(ToolUse use);
 
-enum class Hand : std::uint8_t { TowardChuck, FromChuck };
-
 inline constexpr double usualBackMargin_deg = 2;  ///< JobTool::back_margin_deg where it is not stated
 
-/// A tool: an insert with a nose and two edges, a blade (`width_mm` is stated), a centre drill, or a threading insert.
-/// Values not stated are taken from the library entries of the named insert and holder (tool_library.h).
-struct JobTool {
-    int number = 0;                                ///< T of the program
+/// A tool and what the job does with it. Values not stated are taken from the library entries of the named insert and
+/// holder (job_library.h). Kind and tip follow from the rest and are not stated in a job: settle().
+struct JobTool : Tool {
     ToolUse use = ToolUse::Rough;                  ///< operation it is used for
-    std::string name;                              ///< label of insert and holder
-    std::string insert;                            ///< ISO code of an insert in the library; empty: none
-    std::string holder_name;                       ///< ISO code of a holder in the library; empty: none
-    std::optional<double> nose_radius_mm;          ///< r of an insert
-    std::optional<double> entering_angle_deg;      ///< κ of an insert, from the direction of its feed
-    std::optional<double> tip_angle_deg;           ///< ε of an insert; the point of a drill
-    std::optional<double> edge_length_mm;          ///< of an insert
     double back_margin_deg = usualBackMargin_deg;  ///< safety margin subtracted from the back angle in plans
-    Hand hand = Hand::TowardChuck;                 ///< direction of its feed
-    std::optional<double> width_mm;                ///< of a blade; diameter of a drill
-    double corner_radius_mm = 0;                   ///< of both corners of a blade
-    std::optional<double> max_depth_mm;            ///< largest radial depth of a blade
     std::optional<double> feed_mm_rev;             ///< none: that of the cutting data
-    std::vector<stock::HolderCorner> holder;       ///< its hull is the holder; empty: the insert alone
     friend bool operator==(const JobTool&, const JobTool&) = default;
 
-    bool isDrill() const { return use == ToolUse::CentreDrill; }
-    bool isThreader() const { return use == ToolUse::Thread; }
-    bool isBlade() const { return width_mm.has_value() && !isDrill() && !isThreader(); }
-    bool isProfile() const { return !isDrill() && !isBlade() && !isThreader(); }
-    double radius_mm() const;      ///< of the nose, or of the corners of a blade
+    /// Sets kind and tip by use, width and hand: a centre drill, a threading insert (tip 8), a blade where a width is
+    /// stated, else an insert (tip 3, from the chuck 4). Reading a job and withLibrary() do it.
+    void settle();
+    bool isDrill() const { return kind == ToolKind::Drill; }
+    bool isThreader() const { return kind == ToolKind::ThreadingInsert; }
+    bool isBlade() const { return kind == ToolKind::Blade; }
+    bool isProfile() const { return kind == ToolKind::Insert; }
+    double radius_mm() const;      ///< of the corners of an insert or a blade
     double backAngle_deg() const;  ///< κ' = 180° - κ - ε of an insert; 90 of a blade
 };
 
@@ -138,6 +125,7 @@ const std::vector<Field<JobStock>>& fieldsOf(const JobStock*);
 const std::vector<Field<KeepOutCorner>>& fieldsOf(const KeepOutCorner*);
 const std::vector<Field<JobTailstock>>& fieldsOf(const JobTailstock*);
 const std::vector<Field<JobSetup>>& fieldsOf(const JobSetup*);
+/// The fields of Tool among them. Former keys of a centre drill: width_mm (diameter_mm), edge_length_mm (reach_mm).
 const std::vector<Field<JobTool>>& fieldsOf(const JobTool*);
 const std::vector<Field<RoughCutting>>& fieldsOf(const RoughCutting*);
 const std::vector<Field<FinishCutting>>& fieldsOf(const FinishCutting*);

@@ -10,8 +10,6 @@ namespace {
 constexpr double leastBeamDiameter_mm = 0.1;  // smallest diameter of the beam model
 
 constexpr double leastGrip_mm = 10;  ///< clamped length of a bar whose length is not stated
-constexpr double assumedThreadNose_mm = 0.05, assumedThreadAngle_deg = 60,
-                 assumedThreadEdge_mm = 5;  ///< of a threading insert
 
 }  // namespace
 
@@ -29,33 +27,18 @@ Shaft stockOf(const Job& job)
     return bar;
 }
 
-stock::TurningTool turningTool(const JobTool& tool, const Job& job)
+Tool turningTool(const JobTool& tool, const Job& job)
 {
-    stock::TurningTool result;
-    result.number = tool.number;
-    result.name = tool.name;
-    result.holder = tool.holder;
-    result.tip = tool.hand == Hand::FromChuck && tool.isProfile() ? 4 : 3;
+    Tool result = tool;
+    const auto assume = [](std::optional<double>& stated, double value) { stated = stated.value_or(value); };
     if (tool.isThreader()) {
-        result.tip = 8;  // perpendicular to the axis
-        result.corner_radius_mm = tool.nose_radius_mm.value_or(assumedThreadNose_mm);
-        result.tip_angle_deg = tool.tip_angle_deg.value_or(assumedThreadAngle_deg);
-        result.edge_length_mm = tool.edge_length_mm.value_or(assumedThreadEdge_mm);
+        assume(result.corner_radius_mm, assumed::threadCorner_mm);
+        assume(result.tip_angle_deg, assumed::threadAngle_deg);
+        assume(result.edge_length_mm, assumed::threadEdge_mm);
     } else if (tool.isDrill()) {
-        result.shape = stock::ToolShape::Drill;
-        result.width_mm = tool.width_mm.value_or(job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : 5);
-        result.tip_angle_deg = tool.tip_angle_deg.value_or(60);
-        result.edge_length_mm = tool.edge_length_mm.value_or(stock::assumedReach_mm);
-    } else if (tool.isBlade()) {
-        result.shape = stock::ToolShape::Blade;
-        result.width_mm = tool.width_mm;
-        result.corner_radius_mm = tool.corner_radius_mm;
-        result.edge_length_mm = tool.max_depth_mm;
-    } else {
-        result.corner_radius_mm = tool.nose_radius_mm;
-        result.entering_angle_deg = tool.entering_angle_deg;
-        result.tip_angle_deg = tool.tip_angle_deg;
-        result.edge_length_mm = tool.edge_length_mm;
+        assume(result.diameter_mm, job.setup.tailstock ? job.setup.tailstock->centre_hole_mm : assumed::centreHole_mm);
+        assume(result.tip_angle_deg, assumed::centreAngle_deg);
+        assume(result.reach_mm, assumed::reach_mm);
     }
     return result;
 }

@@ -14,9 +14,9 @@ double stockEnd_mm(const Job& job);
 /// The bar as input of the stock simulation.
 Shaft stockOf(const Job& job);
 
-/// A tool about its imaginary tip: an insert as Fanuc's tip 3 (from_chuck: 4), a blade about its corner toward the
-/// chuck, with its full reach.
-stock::TurningTool turningTool(const JobTool& tool, const Job& job);
+/// The tool with the sizes that a job assumes: of a threading insert, and of a centre drill, which drills the hole of
+/// the tailstock.
+Tool turningTool(const JobTool& tool, const Job& job);
 
 /// Zero, tools, chuck and tailstock, for a program whose Z0 is the free end of the finished part.
 stock::StockParameters stockParameters(const Job& job);

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/cam/tool_library.h"
+#include "engine/cam/job_library.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/json/json_fields.h"
 #include "engine/io/json/json_head.h"

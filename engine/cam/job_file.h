@@ -11,7 +11,7 @@ namespace lathelier::cam {
 
 /// Corners ("holder", "keep_out") may be lists of two numbers. Errors with line and column: malformed, keyMissing
 /// (stock.diameter_mm, setup.chuck_face_z_mm, tools, cutting.rough, cutting.finish), keyOutOfRange. Notes: unknownKey.
-/// Tools are filled from the library (tool_library.h): toolNotInLibrary. The rules of job_rules.h are not checked here.
+/// Tools are filled from the library (job_library.h): toolNotInLibrary. The rules of job_rules.h are not checked here.
 Job readJob(const std::string& json, Notes& notes);
 
 /// The text of a file that readJob() reads to the same bits.

@@ -99,8 +99,8 @@ void checkTools(const Job& job)
         };
         if (tool.isProfile()) {
             const bool is_blade = tool.use == ToolUse::Groove || tool.use == ToolUse::PartOff;
-            if (is_blade && !tool.nose_radius_mm) demand(tool.width_mm, LT_TEXT("Engine", "width"));
-            demand(tool.nose_radius_mm, LT_TEXT("Engine", "nose radius"));
+            if (is_blade && !tool.corner_radius_mm) demand(tool.width_mm, LT_TEXT("Engine", "width"));
+            demand(tool.corner_radius_mm, LT_TEXT("Engine", "corner radius"));
             demand(tool.entering_angle_deg, LT_TEXT("Engine", "entering angle"));
             demand(tool.tip_angle_deg, LT_TEXT("Engine", "tip angle"));
         }
@@ -119,9 +119,9 @@ void checkUses(const Job& job)
     const JobTool* blade = job.partingBlade();
     if (!blade || !blade->isBlade()) throw Error(errors::toolMissing, {{"use", nameOf(ToolUse::PartOff)}});
     const double needed = job.stock.diameter_mm / 2;
-    if (blade->max_depth_mm && *blade->max_depth_mm < needed)
+    if (blade->reach_mm && *blade->reach_mm < needed)
         throw Error(errors::toolTooShort,
-                    {{"tool", std::int64_t{blade->number}}, {"reach_mm", *blade->max_depth_mm}, {"needed_mm", needed}});
+                    {{"tool", std::int64_t{blade->number}}, {"reach_mm", *blade->reach_mm}, {"needed_mm", needed}});
 }
 
 }  // namespace lathelier::cam

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "engine/cam/cutting_data.h"
+#include "engine/cam/job_library.h"
 #include "engine/cam/speed_words.h"
-#include "engine/cam/tool_library.h"
 #include "engine/core/version.h"
 
 namespace lathelier::cam {
@@ -17,7 +17,7 @@ constexpr std::size_t mostHeadRests = 12;
 std::string toolLine(const JobTool& tool)
 {
     if (tool.isBlade())
-        return fmt::format("T{} {} w{:g} c{:g}", tool.number, tool.name, *tool.width_mm, tool.corner_radius_mm);
+        return fmt::format("T{} {} w{:g} c{:g}", tool.number, tool.name, *tool.width_mm, tool.radius_mm());
     if (tool.isThreader()) return fmt::format("T{} {} thread", tool.number, tool.name);
     if (tool.isDrill()) return fmt::format("T{} {} centre drill", tool.number, tool.name);
     return fmt::format("T{} {} r{:g} {:g} deg", tool.number, tool.name, tool.radius_mm(),

@@ -96,10 +96,12 @@ report::Table toolTable(const TurningPlan& plan)
     table.columns = {LT_TEXT("Engine", "Tool"), LT_TEXT("Engine", "Use"), LT_TEXT("Engine", "Name"),
                      report::Labelled{LT_TEXT("Engine", "Radius"), unit::mm},
                      report::Labelled{LT_TEXT("Engine", "Width"), unit::mm}};
-    for (const JobTool& tool : plan.job.tools)
+    for (const JobTool& tool : plan.job.tools) {
+        const std::optional<double>& across_mm = tool.isDrill() ? tool.diameter_mm : tool.width_mm;
         table.rows.push_back({std::int64_t{tool.number}, nameOf(tool.use), tool.name,
                               tool.isDrill() ? Value() : Value(tool.radius_mm()),
-                              tool.width_mm ? Value(*tool.width_mm) : Value()});
+                              across_mm ? Value(*across_mm) : Value()});
+    }
     return table;
 }
 

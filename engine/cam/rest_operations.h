@@ -22,7 +22,7 @@ std::optional<Operation> backTurning(const WorkFrame& frame, const JobTool& tool
 std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, const ToolReach& reach,
                                   const Unreached& rest, const WorkStock& stock);
 
-/// Radial depth of a groove below the surrounding stock; compared with JobTool::max_depth_mm.
+/// Radial depth of a groove below the surrounding stock; compared with Tool::reach_mm.
 double depthOf(const Operation& grooving, const JobTool& blade, const WorkStock& stock);
 
 /// The intervals of `rest` that the tool would reduce by at least leastGain_mm. Corners at the foot of a shoulder

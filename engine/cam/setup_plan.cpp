@@ -179,8 +179,7 @@ private:
                                                      ? grooving(frame_, tool, reach, interval, result_.after)
                                                      : backTurning(frame_, tool, reach, interval, result_.after);
             if (!operation) continue;
-            if (tool.isBlade() && tool.max_depth_mm &&
-                depthOf(*operation, tool, result_.after) > *tool.max_depth_mm + 1e-6) {
+            if (tool.isBlade() && tool.reach_mm && depthOf(*operation, tool, result_.after) > *tool.reach_mm + 1e-6) {
                 refuse(tool, interval, RestCause::Holder, LT_TEXT("Engine", "the blade does not reach so deep"));
                 continue;
             }

@@ -88,8 +88,7 @@ Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm
 {
     Curve curve;
     if (tool.isBlade()) {
-        curve =
-            bladeCurve(frame.contour, tool.corner_radius_mm, *tool.width_mm - 2 * tool.corner_radius_mm, allowance_mm);
+        curve = bladeCurve(frame.contour, tool.radius_mm(), *tool.width_mm - 2 * tool.radius_mm(), allowance_mm);
     } else if (tool.hand == Hand::TowardChuck) {
         curve = noseCurve(frame.contour, wedgeOf(tool), allowance_mm);
     } else {
@@ -112,8 +111,8 @@ ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_
         if (face.to.y() > 0 && frame.faces_end) reach.curve.insert(reach.curve.begin(), face);
     }
     if (tool.isBlade()) {
-        reach.radius_mm = std::max(tool.corner_radius_mm, 1e-6);
-        reach.span_mm = *tool.width_mm - 2 * tool.corner_radius_mm;
+        reach.radius_mm = std::max(tool.radius_mm(), 1e-6);
+        reach.span_mm = *tool.width_mm - 2 * tool.radius_mm();
     }
     return reach;
 }

@@ -22,7 +22,7 @@ WorkStock::WorkStock(const Shaft& stock, const stock::StockParameters& parameter
 WorkStock::WorkStock(stock::MeridianStock stock, const stock::StockParameters& parameters)
     : columns_(std::move(stock)), parameters_(parameters)
 {
-    for (const stock::TurningTool& tool : parameters.tools) {
+    for (const Tool& tool : parameters.tools) {
         stock::ToolOutline outline = stock::outlineOf(tool);
         tools_.push_back({tool.number, std::move(outline.insert), std::move(outline.holders)});
     }

@@ -18,6 +18,10 @@ inline constexpr ErrorCode valueOutOfRange{
 inline constexpr ErrorCode valueNotUnderstood{"value_not_understood", ErrorKind::WrongUsage,
                                               LT_TEXT("Engine", "{parameter}: found “{found}”, expected {expected}.")};
 
+inline constexpr ErrorCode valueStatedTwice{
+    "value_stated_twice", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "{former} is the older name of {key}, and both are stated; keep one of them.")};
+
 inline constexpr ErrorCode coordinateTooLarge{
     "coordinate_too_large", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The coordinate {found} is out of reach; expected at most {maximum}.")};

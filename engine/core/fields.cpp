@@ -130,6 +130,41 @@ bool isImplied(const FieldInfo& group, const Values& values)
     });
 }
 
+FieldInfo asFormer(const FieldInfo& info, const FormerKey& former)
+{
+    FieldInfo result = info;
+    result.key = former.key;
+    if (former.complement) {
+        result.minimum = *former.complement - info.maximum;
+        result.maximum = *former.complement - info.minimum;
+    }
+    return result;
+}
+
+void takeFormer(const FieldInfo& info, Values& values)
+{
+    const auto at = [&values](const std::string& key) {
+        return std::find_if(values.begin(), values.end(), [&key](const auto& item) { return item.first == key; });
+    };
+    for (const FormerKey& former : info.former) {
+        const Value* word = former.where.first.empty() ? nullptr : find(values, former.where.first);
+        if (!former.where.first.empty() && (!word || !(*word == Value(former.where.second)))) continue;
+        auto stated = at(former.key);
+        if (stated == values.end()) continue;
+        Value value = std::move(stated->second);
+        values.erase(stated);
+        const auto today = at(info.key);
+        const bool is_there = today != values.end() && !std::holds_alternative<std::monostate>(today->second);
+        const bool is_blank =
+            is_there && former.blank && holdsNumber(today->second) && detail::asDouble(today->second) == *former.blank;
+        if (is_blank) today->second = {};
+        if (std::holds_alternative<std::monostate>(value)) continue;
+        if (is_there && !is_blank) throw Error(errors::valueStatedTwice, {{"former", former.key}, {"key", info.key}});
+        if (former.complement && holdsNumber(value)) value = *former.complement - detail::asDouble(value);
+        set(values, info.key, std::move(value));
+    }
+}
+
 void check(const FieldInfo& info, const Value& value)
 {
     if (std::holds_alternative<std::monostate>(value)) {
@@ -222,6 +257,10 @@ FieldInfo within(const FieldInfo& info, const std::string& key, Text heading, co
     result.key = key + "." + info.key;
     if (result.group.empty()) result.group = heading;
     result.group_key = info.group_key.empty() ? group_key : key + "." + info.group_key;
+    for (FormerKey& former : result.former) {
+        former.key = key + "." + former.key;
+        if (!former.where.first.empty()) former.where.first = key + "." + former.where.first;
+    }
     return result;
 }
 

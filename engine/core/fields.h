@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/text.h"
@@ -14,6 +16,15 @@ namespace lathelier {
 struct FieldChoice {
     std::string key;  ///< stable, "revolution"
     Text label;       ///< shown text
+};
+
+/// An older key of a field, under which files may still state it. Read like the key of today, never written.
+struct FormerKey {
+    std::string key;                        ///< "lead_angle_deg"
+    std::optional<double> complement = {};  ///< the value is this less what the former key states; none: the same value
+    std::pair<std::string, std::string> where = {};  ///< only beside this key with this word; empty: always
+    std::optional<double> blank = {};  ///< beside the former key, even of null, this value of the key of today is "not
+                                       ///< stated": older writers put it there
 };
 
 /// What one parameter is, without the struct it lives in.
@@ -40,6 +51,7 @@ struct FieldInfo {
     Text group = {};                   ///< heading over the fields of one group; empty: none
     std::string group_key = {};        ///< key of the Group whose presence this field needs; empty: none
     std::vector<FieldInfo> columns = {};  ///< Rows: the fields of a row
+    std::vector<FormerKey> former = {};   ///< older keys of files
 };
 
 /// One parameter of the struct P. `get` and `set` speak Value; a Choice is its key.
@@ -86,11 +98,22 @@ Values toValues(const P& parameters)
 /// Is a value of the group given while the flag of the group itself is missing?
 bool isImplied(const FieldInfo& group, const Values& values);
 
+/// A field as its former key states it: range and key.
+FieldInfo asFormer(const FieldInfo& info, const FormerKey& former);
+
+/// Puts what stands under former keys under those of today, for one field. Error valueStatedTwice where both state it.
+void takeFormer(const FieldInfo& info, Values& values);
+
 /// Applies the values whose names are known and checks them; others are ignored, missing ones keep P's default. An
-/// optional group is present when its own flag is true or, without the flag, when one of its values is given.
+/// optional group is present when its own flag is true or, without the flag, when one of its values is given. Former
+/// keys are known. Errors valueOutOfRange, valueNotUnderstood, valueStatedTwice.
 template <class P>
-P fromValues(const Values& values, P parameters = {})
+P fromValues(const Values& given, P parameters = {})
 {
+    std::optional<Values> renamed;  // most structs have no former keys
+    for (const Field<P>& field : fields<P>())
+        if (!field.info.former.empty()) takeFormer(field.info, renamed ? *renamed : renamed.emplace(given));
+    const Values& values = renamed ? *renamed : given;
     for (const Field<P>& field : fields<P>()) {
         if (const Value* value = find(values, field.info.key)) {
             check(field.info, *value);

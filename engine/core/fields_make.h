@@ -125,6 +125,25 @@ Field<P> rows(const char* key, std::vector<R> P::*member, Range count, const Lab
             }};
 }
 
+/// A field that older files state under another key.
+template <class P>
+Field<P> formerly(FormerKey former, Field<P> field)
+{
+    field.info.former.push_back(std::move(former));
+    return field;
+}
+
+/// Fields of a base of P as fields of P.
+template <class P, class Base>
+std::vector<Field<P>> lifted(const std::vector<Field<Base>>& fields)
+{
+    static_assert(std::is_base_of_v<Base, P>);
+    std::vector<Field<P>> result;
+    result.reserve(fields.size());
+    for (const Field<Base>& field : fields) result.push_back({field.info, field.get, field.set});
+    return result;
+}
+
 /// The fields of a struct within P, with keys "key.…", under one heading.
 template <class P, class G>
 std::vector<Field<P>> group(const char* key, G P::*member, const Label& label)

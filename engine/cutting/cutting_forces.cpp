@@ -41,22 +41,6 @@ const std::vector<Field<CuttingCoefficients>>& fieldsOf(const CuttingCoefficient
     return all;
 }
 
-const std::vector<Field<ToolGeometry>>& fieldsOf(const ToolGeometry*)
-{
-    using T = ToolGeometry;
-    static const auto all = described<T>(
-        field("lead_angle_deg", &T::lead_angle_deg, {-80, 80},
-              required(LT_TEXT("Engine", "Lead angle"),
-                       LT_TEXT("Engine", "The edge enters at 90° less this: -5° is an entering angle of 95°."),
-                       unit::deg)),
-        field("corner_radius_mm", &T::corner_radius_mm, {0.01, 100},
-              required(LT_TEXT("Engine", "Corner radius"), LT_TEXT("Engine", "Of the insert."), unit::mm)),
-        field("tip_angle_deg", &T::tip_angle_deg, {1, 179},
-              Label{LT_TEXT("Engine", "Tip angle"),
-                    LT_TEXT("Engine", "Between both edges; for the check against the stock."), unit::deg}));
-    return all;
-}
-
 const std::vector<FieldChoice>& contactLengthChoices()
 {
     static const std::vector<FieldChoice> all{{"arc", LT_TEXT("Engine", "arc of the corner and straight edge")},
@@ -70,14 +54,14 @@ double Chip::flowAngle() const
     return std::atan2(across_feed, along_feed);
 }
 
-CuttingEdge::CuttingEdge(const ToolGeometry& tool, double feed_mm_rev, ContactLength contact, double turned_rad)
-    : feed_mm_(feed_mm_rev), radius_mm_(tool.corner_radius_mm), contact_(contact)
+CuttingEdge::CuttingEdge(const Tool& tool, double feed_mm_rev, ContactLength contact, double turned_rad)
+    : feed_mm_(feed_mm_rev), radius_mm_(tool.corner_radius_mm.value_or(0)), contact_(contact)
 {
     if (!(feed_mm_rev > 0) || !std::isfinite(feed_mm_rev))
         throw Error(errors::feedMissing, {{"feed_mm_rev", feed_mm_rev}});
     if (!(feed_mm_rev < 2 * radius_mm_))
         throw Error(errors::feedBeyondCorner, {{"feed_mm_rev", feed_mm_rev}, {"corner_radius_mm", radius_mm_}});
-    const double entering_deg = 90 - tool.lead_angle_deg - turned_rad * deg_per_rad;
+    const double entering_deg = tool.entering_angle_deg.value_or(0) - turned_rad * deg_per_rad;
     if (!(entering_deg >= leastEntering_deg && entering_deg <= largestEntering_deg))
         throw Error(errors::edgeCannotEnter, {{"entering_angle_deg", entering_deg},
                                               {"minimum_deg", leastEntering_deg},
@@ -125,7 +109,7 @@ Chip CuttingEdge::chipAt(double depth_mm) const
     return chip;
 }
 
-CuttingForces cuttingForces(const CuttingCoefficients& coefficients, const ToolGeometry& tool, double feed_mm_rev,
+CuttingForces cuttingForces(const CuttingCoefficients& coefficients, const Tool& tool, double feed_mm_rev,
                             double depth_mm, ContactLength contact)
 {
     return forcesOf(coefficients, CuttingEdge(tool, feed_mm_rev, contact).chipAt(depth_mm));

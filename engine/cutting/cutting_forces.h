@@ -4,7 +4,7 @@
 // edge in cut.
 //
 // Plane of the edge: u along the feed, h outward from the deepest point of the corner, whose centre is at (0, r). The
-// edge leaves the corner at the entering angle κ = 90° - lead angle from the feed, at the height lim = r (1 - cos κ).
+// edge leaves the corner at the entering angle κ from the feed, at the height lim = r (1 - cos κ).
 // With depth a and feed f the edge in cut runs from D, its intersection with the corner of the previous revolution, to
 // A:
 //   D = (-f/2, r - √(r² - f²/4))
@@ -18,10 +18,10 @@
 // F_ap is not monotonic in the depth: beyond the corner the chip flow turns toward the feed.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "engine/core/fields.h"
+#include "engine/core/tool.h"
 
 namespace lathelier::cutting {
 
@@ -35,19 +35,10 @@ struct CuttingCoefficients {
     friend bool operator==(const CuttingCoefficients&, const CuttingCoefficients&) = default;
 };
 
-/// Geometry of the cutting corner of an insert.
-struct ToolGeometry {
-    double lead_angle_deg = 0;                 ///< κ = 90° - lead angle: -5° enters at 95°
-    double corner_radius_mm = 0;               ///< r
-    std::optional<double> tip_angle_deg = {};  ///< ε (ISO 1832): used for its outline, not for forces
-    friend bool operator==(const ToolGeometry&, const ToolGeometry&) = default;
-};
-
 /// Definition of the length of the edge in cut.
 enum class ContactLength { Arc, Chord, Straight };
 
 const std::vector<Field<CuttingCoefficients>>& fieldsOf(const CuttingCoefficients*);
-const std::vector<Field<ToolGeometry>>& fieldsOf(const ToolGeometry*);
 /// The choices of ContactLength, for the structs that have one.
 const std::vector<FieldChoice>& contactLengthChoices();
 
@@ -73,8 +64,9 @@ class CuttingEdge {
 public:
     CuttingEdge() = default;  ///< an edge without forces
     /// `turned_rad`: angle of the feed direction outward from the axis, which reduces κ; depths are then normal to the
-    /// feed. Errors feedMissing, feedBeyondCorner, edgeCannotEnter.
-    CuttingEdge(const ToolGeometry& tool, double feed_mm_rev, ContactLength contact, double turned_rad = 0);
+    /// feed. Of the tool count corner radius and entering angle, which have to be stated. Errors feedMissing,
+    /// feedBeyondCorner, edgeCannotEnter.
+    CuttingEdge(const Tool& tool, double feed_mm_rev, ContactLength contact, double turned_rad = 0);
 
     /// Height of the scallop that the corner leaves, r - √(r² - f²/4): no force at this depth or less.
     double scallop_mm() const { return scallop_mm_; }
@@ -101,7 +93,7 @@ inline CuttingForces forcesOf(const CuttingCoefficients& k, const Chip& chip)
 }
 
 /// One depth and feed. Zero at a depth of the scallop or less. Errors of CuttingEdge.
-CuttingForces cuttingForces(const CuttingCoefficients& coefficients, const ToolGeometry& tool, double feed_mm_rev,
+CuttingForces cuttingForces(const CuttingCoefficients& coefficients, const Tool& tool, double feed_mm_rev,
                             double depth_mm, ContactLength contact = ContactLength::Arc);
 
 }  // namespace lathelier::cutting

@@ -4,7 +4,7 @@
 
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
-#include "engine/cutting/insert_library.h"
+#include "engine/cutting/tool_library.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/influences.h"
 #include "engine/receptance/library.h"
@@ -13,6 +13,7 @@
 namespace lathelier::deflection {
 namespace {
 
+constexpr double rightAngle_deg = 90;
 constexpr double rigid_N_mm = 1e12;  ///< 1 kN causes 1 pm
 
 Field<SetupChanges> change(const char* key, std::optional<double> SetupChanges::*member, Range range,
@@ -153,13 +154,17 @@ void takeFromLibraries(TurningSetup& setup, const SetupChanges& changes, Notes& 
         setup.chuck.tilt_N_mm_rad = entry->value.tilt_N_mm_rad;
         notes.push_back({notes::machineOfLibrary, {{"source", entry->source}}});
     }
-    if (const auto* const entry = entryOf(cutting::inserts(), changes.insert)) {
-        setup.tool = entry->value;
-        notes.push_back(
-            {notes::insertOfLibrary, {{"insert", cutting::nameOfInsert(entry->key)}, {"source", entry->source}}});
+    if (const auto* const entry = entryOf(cutting::toolLibrary().inserts, changes.insert)) {
+        // What the forces need; the edge of the check against stock stays assumed.
+        Tool insert;
+        insert.corner_radius_mm = entry->value.corner_radius_mm;
+        insert.entering_angle_deg = entry->value.entering_angle_deg;
+        insert.tip_angle_deg = entry->value.tip_angle_deg;
+        setup.tool = insert;
+        notes.push_back({notes::insertOfLibrary, {{"insert", entry->value.label}, {"source", entry->source}}});
     }
     if (changes.corner_radius_mm) setup.tool.corner_radius_mm = *changes.corner_radius_mm;
-    if (changes.lead_angle_deg) setup.tool.lead_angle_deg = *changes.lead_angle_deg;
+    if (changes.lead_angle_deg) setup.tool.entering_angle_deg = rightAngle_deg - *changes.lead_angle_deg;
 }
 
 }  // namespace

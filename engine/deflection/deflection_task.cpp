@@ -53,8 +53,8 @@ TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progres
     Stated stated = takeMachine(state, outcome.question.changes, stores, progress.part(0, 0.3), sources);
     gcode::ProgramTaken taken =
         gcode::takeProgram(state, outcome.question.drafts, stores, progress.part(0.3, 0.5), sources);
-    const gcode::Noses noses =
-        task::take<gcode::NosesInput>(state, gcode::toolsRole, stores, progress, sources).value_or(gcode::Noses{});
+    const gcode::ToolTable tools = task::take<gcode::ToolTableInput>(state, gcode::toolsRole, stores, progress, sources)
+                                       .value_or(gcode::ToolTable{});
     outcome.program = taken.item;
     outcome.program_sha256 = io::sha256(taken.text);
     if (!stated.stock && taken.item && taken.item->stock) {
@@ -65,9 +65,9 @@ TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progres
     if (!stated.stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
     gcode::ProgramRun run =
         gcode::runProgram(std::move(taken.text), task::nameOf(state.inputs.at(gcode::programRole)),
-                          outcome.question.reading, noses, progress.part(0.5, 1, LT_TEXT("Engine", "Reading")));
+                          outcome.question.reading, tools, progress.part(0.5, 1, LT_TEXT("Engine", "Reading")));
     return turningJob(std::move(run.program), std::move(run.path), *std::move(stated.stock),
-                      changed(std::move(stated.setup), outcome.question.changes, sources.notes), noses);
+                      changed(std::move(stated.setup), outcome.question.changes, sources.notes), tools);
 }
 
 }  // namespace
@@ -164,7 +164,7 @@ const task::Task& deflectionTask()
         made.title = LT_TEXT("Engine", "Deflection");
         made.summary = "Predict how far slender work bends under the tool, and write the program that allows for it.";
         made.inputs = {gcode::programAsInput(), setupAsInput(true), stockAsInput(), spindleAsInput(),
-                       gcode::nosesAsInput()};
+                       gcode::toolTableAsInput()};
         task::askFor<DeflectionQuestion>(made);
         made.exports = {
             {compensateExport, "Write the corrected program as FILE.", LT_TEXT("Engine", "Corrected program…"),

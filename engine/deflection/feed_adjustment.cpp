@@ -35,7 +35,8 @@ FeedResult feedForTolerance(const WorkPlan& plan, const TurningSetup& setup, con
     result.parameters = parameters;
     const LastPass last = lastPassOf(plan, setup);
     CutPlan cut = plan.cuts[last.cut];
-    const double largest = std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm);
+    const double largest =
+        std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm.value_or(0));
     const double least = std::min(parameters.least_feed_mm_rev, largest);
     std::vector<double> feeds(cut.pieces.size(), 0);
     std::vector<Station> stations;

@@ -11,6 +11,7 @@ const Text N_mm_rad = LT_TEXT("Engine", "N·mm/rad");
 constexpr double longest_mm = 1e5;
 constexpr double stiffest = 1e18;
 constexpr Range stiffness{0, stiffest};
+constexpr double leastCorner_mm = 0.01, leastEntering_deg = 10;  // of a tool whose forces are known
 
 Label required(Text name, Text help, Text unit = {})
 {
@@ -97,6 +98,23 @@ const std::vector<Field<ToolPost>>& fieldsOf(const ToolPost*)
         field("tangential_N_mm", &T::tangential_N_mm, {1, stiffest},
               required(LT_TEXT("Engine", "Tangential stiffness"),
                        LT_TEXT("Engine", "Of tool, turret and slide along the cutting speed."), unit::N_mm)));
+    return all;
+}
+
+const std::vector<Field<SetupTool>>& fieldsOf(const SetupTool*)
+{
+    static const auto all = [] {
+        auto made = lifted<SetupTool>(fields<Tool>());
+        for (Field<SetupTool>& field : made) {
+            FieldInfo& info = field.info;
+            const bool is_corner = info.key == "corner_radius_mm", is_angle = info.key == "entering_angle_deg";
+            info.required = is_corner || is_angle;
+            info.optional = info.optional && !info.required;
+            if (is_corner) info.minimum = leastCorner_mm;
+            if (is_angle) info.minimum = leastEntering_deg, info.maximum = 180 - leastEntering_deg;
+        }
+        return made;
+    }();
     return all;
 }
 

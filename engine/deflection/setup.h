@@ -53,12 +53,20 @@ struct ToolPost {
 /// Depth and entering angle used for the forces on a sloping contour. Identical on a cylinder.
 enum class SlopeModel { Radial, Normal };
 
+/// The tool of a set-up. Its corner radius and entering angle have to be stated; the rest is for the check against
+/// stock.
+struct SetupTool : Tool {
+    SetupTool() = default;
+    SetupTool(const Tool& tool) : Tool(tool) {}
+    friend bool operator==(const SetupTool&, const SetupTool&) = default;
+};
+
 /// SETUP.json. Required values have no meaningful default.
 struct TurningSetup {
     std::string stock;     ///< path, relative to the file; may be empty
     double z_zero_mm = 0;  ///< z of the program's Z0: z = z_zero_mm - Z
     WorkMaterial material;
-    cutting::ToolGeometry tool;
+    SetupTool tool;
     HoldingSprings chuck;                     ///< at z = length
     std::optional<HoldingSprings> tailstock;  ///< at z = 0; none: free end
     std::vector<SteadyRest> steady_rests;
@@ -77,6 +85,7 @@ const std::vector<Field<HoldingSprings>>& fieldsOf(const HoldingSprings*);
 const std::vector<Field<SteadyRest>>& fieldsOf(const SteadyRest*);
 const std::vector<Field<FollowerRest>>& fieldsOf(const FollowerRest*);
 const std::vector<Field<ToolPost>>& fieldsOf(const ToolPost*);
+const std::vector<Field<SetupTool>>& fieldsOf(const SetupTool*);
 const std::vector<Field<TurningSetup>>& fieldsOf(const TurningSetup*);
 
 }  // namespace lathelier::deflection

@@ -63,13 +63,13 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
     outcome.sha256 = taken.sha256;
     outcome.file_text = gcode::toUtf8(taken.original);
     outcome.text = outcome.isDraft() ? outcome.question.drafts.front().text : outcome.file_text;
-    const gcode::Noses noses =
-        task::take<gcode::NosesInput>(state, gcode::toolsRole, stores, reading, sources).value_or(gcode::Noses{});
+    const gcode::ToolTable tools = task::take<gcode::ToolTableInput>(state, gcode::toolsRole, stores, reading, sources)
+                                       .value_or(gcode::ToolTable{});
     const std::optional<stock::CheckedStock> stock =
         takeCheckedStock(state, stores, reading.part(0.5, 1), taken, sources, outcome);
     try {
         outcome.check = std::make_shared<const stock::ProgramCheck>(
-            stock::checkProgram(std::move(taken.text), outcome.question.reading, stock, noses, progress.part(0.2, 1)));
+            stock::checkProgram(std::move(taken.text), outcome.question.reading, stock, tools, progress.part(0.2, 1)));
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
     }
@@ -125,7 +125,7 @@ const task::Task& toolpathTask()
         made.key = "toolpath";
         made.title = LT_TEXT("Engine", "Program");
         made.summary = "Read an NC program and give its moves; with its set-up, what the tool meets.";
-        made.inputs = {gcode::programAsInput(), setupAsInput(false), stockAsInput(), gcode::nosesAsInput()};
+        made.inputs = {gcode::programAsInput(), setupAsInput(false), stockAsInput(), gcode::toolTableAsInput()};
         task::askFor<ToolpathQuestion>(made);
         made.exports = {{movesExport, "Write the moves as FILE.csv.", LT_TEXT("Engine", "Moves of the tool (CSV)…"),
                          LT_TEXT("Engine", "Table (*.csv)"), "csv"},

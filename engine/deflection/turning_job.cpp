@@ -261,10 +261,11 @@ std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup&
     return maker.take();
 }
 
-TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup, gcode::Noses noses)
+TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
+                      gcode::ToolTable tools)
 {
     TurningJob job{
-        std::move(program), std::move(path), std::move(stock), std::move(setup), std::move(noses), {}, {}, {}};
+        std::move(program), std::move(path), std::move(stock), std::move(setup), std::move(tools), {}, {}, {}};
     job.runs = turningRuns(job.path, job.setup, job.notes);
     noteOtherMaterial(job.stock, job.setup, job.notes);
     job.plan = workPlan(job.stock, job.runs, job.setup);
@@ -308,7 +309,7 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
     gcode::Program again = gcode::readProgram(corrected.text, job.program.control, progress.part(0.6, 0.7));
     gcode::ToolpathParameters reading = job.path.parameters;
     reading.dialect = job.program.control->key;
-    gcode::Toolpath path = findToolpath(again, reading, job.noses, progress.part(0.7, 0.8));
+    gcode::Toolpath path = findToolpath(again, reading, job.tools, progress.part(0.7, 0.8));
     Notes known;
     const std::vector<ToolRun> runs = turningRuns(path, job.setup, known);
     evaluateWritten(job.stock, job.runs, runs, result);

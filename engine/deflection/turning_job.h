@@ -21,7 +21,7 @@ struct TurningJob {
     gcode::Toolpath path;       ///< its moves; free of errors
     Shaft stock;                ///< before the first cut
     TurningSetup setup;         ///< machine, tool, material
-    gcode::Noses noses;         ///< nose radii used for the moves
+    gcode::ToolTable tools;     ///< corner radii and tips used for the moves
     std::vector<ToolRun> runs;  ///< of the moves, filled in by turningJob()
     WorkPlan plan;              ///< stock and runs on one row of nodes, filled in by turningJob()
     Notes notes;                ///< threads, several tools, feeds per minute without a speed, another material
@@ -34,7 +34,7 @@ std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup&
 
 /// Errors: those of workPlan(). Precondition: `path` has no errors.
 TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
-                      gcode::Noses noses = {});
+                      gcode::ToolTable tools = {});
 
 /// predictDeflection() with the notes of the job.
 DeflectionResult predictJob(const TurningJob& job, const Progress& progress = {});

@@ -82,11 +82,7 @@ stock::StockParameters stockParameters(const TurningSetup& setup)
 {
     stock::StockParameters parameters;
     parameters.z_zero_mm = setup.z_zero_mm;
-    stock::TurningTool tool;
-    tool.corner_radius_mm = setup.tool.corner_radius_mm;
-    tool.entering_angle_deg = 90 - setup.tool.lead_angle_deg;
-    tool.tip_angle_deg = setup.tool.tip_angle_deg;
-    parameters.tools = {tool};
+    parameters.tools = {setup.tool};
     parameters.chuck.emplace();
     if (setup.tailstock) parameters.tailstock.emplace();
     return parameters;

@@ -115,7 +115,8 @@ DeflectionMap deflectionMap(const WorkPlan& plan, const TurningSetup& setup, con
     DeflectionMap map;
     map.parameters = parameters;
     map.depth_mm = spread(parameters.least_depth_mm, parameters.largest_depth_mm, parameters.depths);
-    const double largest = std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm);
+    const double largest =
+        std::min(parameters.largest_feed_mm_rev, largestFeedShare * setup.tool.corner_radius_mm.value_or(0));
     map.feed_mm_rev = spread(std::min(parameters.least_feed_mm_rev, largest), largest, parameters.feeds);
     const WorkPlan alone = lastPassAlone(plan, setup);
     const std::size_t columns = map.depth_mm.size();
@@ -162,7 +163,7 @@ std::vector<Sensitivity> sensitivities(const WorkPlan& plan, const TurningSetup&
         summaryOf(finalContour(withFeed(plan, 1 + tornado), setup)));
     const auto with_corner = [&](double factor) {
         TurningSetup other = setup;
-        other.tool.corner_radius_mm *= factor;
+        other.tool.corner_radius_mm = other.tool.corner_radius_mm.value_or(0) * factor;
         return summaryOf(finalContour(plan, other));
     };
     add("corner_radius", LT_TEXT("Engine", "Corner radius"), with_corner(1 - tornado), with_corner(1 + tornado));

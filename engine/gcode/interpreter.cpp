@@ -9,11 +9,11 @@
 
 namespace lathelier::gcode {
 
-Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters, const Noses& noses,
+Interpreter::Interpreter(Program& program, const ToolpathParameters& parameters, const ToolTable& tools,
                          const Progress& progress)
     : program_(program),
       parameters_(parameters),
-      noses_(noses),
+      tools_(tools),
       progress_(progress),
       control_(*program.control),
       diagnostics_(program.diagnostics),
@@ -335,10 +335,10 @@ void Interpreter::execute(std::size_t block)
     state.end = modal_.at;
 }
 
-Toolpath findToolpath(Program& program, const ToolpathParameters& parameters, const Noses& noses,
+Toolpath findToolpath(Program& program, const ToolpathParameters& parameters, const ToolTable& tools,
                       const Progress& progress)
 {
-    return Interpreter(program, parameters, noses, progress).run();
+    return Interpreter(program, parameters, tools, progress).run();
 }
 
 }  // namespace lathelier::gcode

@@ -89,7 +89,8 @@ inline std::string named(char letter, long number)
 
 class Interpreter {
 public:
-    Interpreter(Program& program, const ToolpathParameters& parameters, const Noses& noses, const Progress& progress);
+    Interpreter(Program& program, const ToolpathParameters& parameters, const ToolTable& tools,
+                const Progress& progress);
     Toolpath run();
 
 private:
@@ -181,7 +182,7 @@ private:
 
     Program& program_;
     const ToolpathParameters& parameters_;
-    const Noses& noses_;
+    const ToolTable& tools_;
     const Progress& progress_;
     const Control& control_;
     Toolpath result_;

@@ -163,21 +163,26 @@ void Interpreter::emitCycle(const CycleMoves& moves, double lead)
 void Interpreter::updateNose()
 {
     if (modal_.side == NoseSide::Off || inContour_) {
-        path_.setNose(NoseSide::Off, {});
+        path_.setNose(NoseSide::Off, 0, 3);
         return;
     }
-    Nose nose;
+    double radius_mm = 0;
+    int tip = 3;
+    const auto take = [&](const Tool& tool) {
+        radius_mm = tool.corner_radius_mm.value_or(0);
+        tip = tool.tip;
+    };
     if (parameters_.nose_radius_mm)
-        nose = {*parameters_.nose_radius_mm, parameters_.tip};
+        take({.tip = parameters_.tip, .corner_radius_mm = parameters_.nose_radius_mm});
     else if (isKnown(modal_.nose_radius_mm))
-        nose = {modal_.nose_radius_mm, modal_.nose_tip};
-    else if (const auto found = noses_.find(modal_.offset); found != noses_.end())
-        nose = found->second;
-    else if (const auto tool = noses_.find(modal_.tool); tool != noses_.end())
-        nose = tool->second;
+        take({.tip = modal_.nose_tip, .corner_radius_mm = modal_.nose_radius_mm});
+    else if (const auto found = tools_.find(modal_.offset); found != tools_.end())
+        take(found->second);
+    else if (const auto tool = tools_.find(modal_.tool); tool != tools_.end())
+        take(tool->second);
     else
         warn(notes::noseRadiusUnknown);
-    path_.setNose(modal_.side, nose);
+    path_.setNose(modal_.side, radius_mm, tip);
 }
 
 Corner Interpreter::cornerOf(BlockWords& words)

@@ -43,10 +43,9 @@ bool isWithin(const Piece& piece, const Point& point)
     return distance_mm(piece.from, point) <= length + 1e-6 && distance_mm(point, piece.to) <= length + 1e-6;
 }
 
-Point tipOf(const Nose& nose)
+Point tipFromCentre(double r, int tip)
 {
-    const double r = nose.radius_mm;
-    switch (nose.tip) {
+    switch (tip) {
         case 1: return {r, r};
         case 2: return {r, -r};
         case 3: return {-r, -r};
@@ -75,7 +74,7 @@ const char* key(MoveKind kind)
 
 void PathBuilder::add(const Move& move, const Point& from, const Corner& corner)
 {
-    if (!waiting_ && corner.kind == CornerKind::None && (side_ == NoseSide::Off || !(nose_.radius_mm > 0))) {
+    if (!waiting_ && corner.kind == CornerKind::None && (side_ == NoseSide::Off || !(radius_mm_ > 0))) {
         out_->push_back(move);
         return;
     }
@@ -137,9 +136,9 @@ void PathBuilder::join(Waiting& next)
     next.programmed.from = between->to;
 }
 
-void PathBuilder::setNose(NoseSide side, const Nose& nose)
+void PathBuilder::setNose(NoseSide side, double radius_mm, int tip)
 {
-    if (side == side_ && nose.radius_mm == nose_.radius_mm && nose.tip == nose_.tip) return;
+    if (side == side_ && radius_mm == radius_mm_ && tip == tip_) return;
     if (waiting_) {
         const Waiting first = *waiting_;
         waiting_.reset();
@@ -148,13 +147,14 @@ void PathBuilder::setNose(NoseSide side, const Nose& nose)
     }
     flushNose();
     side_ = side;
-    nose_ = nose;
+    radius_mm_ = radius_mm;
+    tip_ = tip;
     isStarted_ = false;
 }
 
 void PathBuilder::hand(const Move& move, const Piece& piece)
 {
-    if (side_ == NoseSide::Off || !(nose_.radius_mm > 0)) {
+    if (side_ == NoseSide::Off || !(radius_mm_ > 0)) {
         out_->push_back(move);
         return;
     }
@@ -177,8 +177,8 @@ void PathBuilder::hand(const Move& move, const Piece& piece)
         return;
     }
     Compensated next{move, piece, {}, false, false, {}};
-    const auto tip = shifted(piece, side_ == NoseSide::Left ? nose_.radius_mm : -nose_.radius_mm);
-    if (!tip) problems.push_back({move.line, &errors::ncNoseFit, nose_.radius_mm});
+    const auto tip = shifted(piece, side_ == NoseSide::Left ? radius_mm_ : -radius_mm_);
+    if (!tip) problems.push_back({move.line, &errors::ncNoseFit, radius_mm_});
     next.tip = tip.value_or(piece);
     if (last_) connect(*last_, next);
     flushNose();
@@ -191,7 +191,7 @@ void PathBuilder::startUp(const Move& move, const Piece& piece)
     Compensated first{move, piece, piece, false, true, {}};
     first.ends_by_next = !isKnown(piece.from);
     if (!first.ends_by_next) {
-        const auto tip = shifted(piece, side_ == NoseSide::Left ? nose_.radius_mm : -nose_.radius_mm);
+        const auto tip = shifted(piece, side_ == NoseSide::Left ? radius_mm_ : -radius_mm_);
         if (tip) first.tip = *tip;
         first.tip.from = piece.from;
     }
@@ -230,7 +230,7 @@ void PathBuilder::connect(Compensated& last, Compensated& next)
                                          : last.tip;
     const auto met = meeting(along, next.tip, last.tip.to);
     if (!met) {
-        problems.push_back({next.move.line, &errors::ncNoseFit, nose_.radius_mm});
+        problems.push_back({next.move.line, &errors::ncNoseFit, radius_mm_});
         return;
     }
     last.tip.to = *met;
@@ -247,9 +247,9 @@ void PathBuilder::put(const Compensated& done)
 {
     if (!done.is_start_up && !done.tip.isArc() && distance_mm(done.tip.from, done.tip.to) > 1e-6 &&
         std::abs(turnAngle(directionAtEnd(done.programmed), directionAtEnd(done.tip))) > 1.57)
-        problems.push_back({done.move.line, &errors::ncNoseFit, nose_.radius_mm});
+        problems.push_back({done.move.line, &errors::ncNoseFit, radius_mm_});
     Piece tip = done.tip;
-    const Point shift = tipOf(nose_);
+    const Point shift = tipFromCentre(radius_mm_, tip_);
     for (Point* point : {&tip.to, &tip.centre}) {
         point->x_mm += shift.x_mm;
         point->z_mm += shift.z_mm;

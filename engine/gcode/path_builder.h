@@ -41,8 +41,8 @@ public:
 
     /// A move from the programmed point `from` (coordinates may be unknown).
     void add(const Move& move, const Point& from, const Corner& corner = {});
-    /// Takes effect with the next move. A radius of 0 leaves the path as programmed.
-    void setNose(NoseSide side, const Nose& nose);
+    /// Takes effect with the next move. A radius of 0 leaves the path as programmed. `tip`: Fanuc's number.
+    void setNose(NoseSide side, double radius_mm, int tip);
     /// Emits the pending moves.
     void finish();
 
@@ -73,7 +73,8 @@ private:
     std::vector<Move>* out_;
     std::optional<Waiting> waiting_;
     NoseSide side_ = NoseSide::Off;
-    Nose nose_;
+    double radius_mm_ = 0;
+    int tip_ = 3;
     bool isStarted_ = false;
     std::optional<Compensated> last_;
 };

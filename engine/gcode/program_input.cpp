@@ -37,10 +37,10 @@ ProgramFacts::File ProgramFacts::read(const io::FileToRead& file)
     return read;
 }
 
-NosesFile NosesInput::read(const io::FileToRead& file)
+ToolTableFile ToolTableInput::read(const io::FileToRead& file)
 {
-    NosesFile read;
-    read.noses = readToolTable(file.bytes);
+    ToolTableFile read;
+    read.tools = readToolTable(file.bytes);
     return read;
 }
 
@@ -50,10 +50,11 @@ task::Input programAsInput()
                                      LT_TEXT("Engine", "The NC program that turns the work."));
 }
 
-task::Input nosesAsInput()
+task::Input toolTableAsInput()
 {
-    return task::optionalInput<NosesInput>(toolsRole, toolsRole, LT_TEXT("Engine", "Tools"),
-                                           LT_TEXT("Engine", "Nose radii from FILE, a tool table of LinuxCNC in mm."));
+    return task::optionalInput<ToolTableInput>(
+        toolsRole, toolsRole, LT_TEXT("Engine", "Tools"),
+        LT_TEXT("Engine", "Nose radii from FILE, a tool table of LinuxCNC in mm."));
 }
 
 ProgramTaken takeProgram(const project::PanelState& state, std::vector<ProgramDraft>& drafts, Stores& stores,
@@ -73,12 +74,12 @@ ProgramTaken takeProgram(const project::PanelState& state, std::vector<ProgramDr
 }
 
 ProgramRun runProgram(std::string text, const std::string& name, const ToolpathParameters& parameters,
-                      const Noses& noses, const Progress& progress)
+                      const ToolTable& tools, const Progress& progress)
 {
     try {
         ProgramRun run;
         run.program = readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.5));
-        run.path = findToolpath(run.program, parameters, noses,
+        run.path = findToolpath(run.program, parameters, tools,
                                 progress.part(0.5, 1, LT_TEXT("Engine", "Following the program")));
         if (const std::optional<Error> error = firstError(run.path)) throw Error(*error);
         return run;

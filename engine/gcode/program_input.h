@@ -48,18 +48,18 @@ struct ProgramFacts {
 };
 
 /// A table of tools of LinuxCNC (tool_table.h).
-struct NosesFile {
-    Noses noses;
+struct ToolTableFile {
+    ToolTable tools;
     Notes notes;  ///< none
 };
 
-struct NosesInput {
-    using File = NosesFile;
-    using Value = Noses;
+struct ToolTableInput {
+    using File = ToolTableFile;
+    using Value = ToolTable;
     static constexpr const char* item = "";
 
     static File read(const io::FileToRead& file);
-    static Value valueOf(const File& file) { return file.noses; }
+    static Value valueOf(const File& file) { return file.tools; }
     static io::FileKinds kinds() { return {}; }
 };
 
@@ -68,7 +68,7 @@ inline constexpr const char* toolsRole = "tools";
 
 /// Inputs of a task by these roles.
 task::Input programAsInput();
-task::Input nosesAsInput();
+task::Input toolTableAsInput();
 
 /// A program as it stands: original, or changed by hand.
 struct ProgramTaken {
@@ -84,13 +84,13 @@ struct ProgramTaken {
 ProgramTaken takeProgram(const project::PanelState& state, std::vector<ProgramDraft>& drafts, Stores& stores,
                          const Progress& progress, task::Sources& sources);
 
-/// Reads the moves; an error of the program is thrown, with its path. `noses`: nose radii by tool.
+/// Reads the moves; an error of the program is thrown, with its path. `tools`: nose radii by tool.
 struct ProgramRun {
     Program program;
     Toolpath path;  ///< free of errors
 };
 ProgramRun runProgram(std::string text, const std::string& name, const ToolpathParameters& parameters,
-                      const Noses& noses, const Progress& progress);
+                      const ToolTable& tools, const Progress& progress);
 
 /// The first error among the diagnostics; none: the moves are to be trusted.
 std::optional<Error> firstError(const Toolpath& toolpath);

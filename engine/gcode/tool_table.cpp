@@ -11,9 +11,9 @@
 
 namespace lathelier::gcode {
 
-Noses readToolTable(std::string_view text)
+ToolTable readToolTable(std::string_view text)
 {
-    Noses noses;
+    ToolTable tools;
     const io::DecodedText decoded = io::decodeText(text, io::Encoding::Auto);
     std::vector<std::string_view> words;
     bool isEmpty = true;
@@ -47,10 +47,10 @@ Noses readToolTable(std::string_view text)
                                                      {"column", std::int64_t{1}},
                                                      {"found", io::excerpt(line)},
                                                      {"expected", LT_TEXT("Engine", "a tool number T")}});
-        if (diameter_mm > 0) noses[number] = {diameter_mm / 2, tip};
+        if (diameter_mm > 0) tools[number] = {.number = number, .tip = tip, .corner_radius_mm = diameter_mm / 2};
     }
     if (isEmpty) throw Error(errors::fileEmpty, {});
-    return noses;
+    return tools;
 }
 
 }  // namespace lathelier::gcode

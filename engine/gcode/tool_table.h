@@ -1,4 +1,4 @@
-// LinuxCNC's tool table: one tool a line, "T1 P1 D1.6 Q2 ;remark". D is the diameter of the nose in mm, Q the
+// LinuxCNC's tool table: one tool a line, "T1 P1 D1.6 Q2 ;remark". D is twice the corner radius in mm, Q the
 // orientation as LinuxCNC counts it (2 is Fanuc's tip 3, for its X points the other way).
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace lathelier::gcode {
 
-/// Errors toolTableMalformed (line, column), fileEmpty. Tools without D have no nose and are omitted.
-Noses readToolTable(std::string_view text);
+/// Errors toolTableMalformed (line, column), fileEmpty. Tools without D have no corner and are omitted.
+ToolTable readToolTable(std::string_view text);
 
 }  // namespace lathelier::gcode

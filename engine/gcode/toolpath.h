@@ -9,19 +9,13 @@
 
 #include "engine/core/fields.h"
 #include "engine/core/progress.h"
+#include "engine/core/tool.h"
 #include "engine/gcode/move.h"
 #include "engine/gcode/program.h"
 
 namespace lathelier::gcode {
 
-/// Nose radius of a tool and orientation of the imaginary tip that a program moves.
-struct Nose {
-    double radius_mm = 0;  ///< of the nose
-    int tip =
-        3;  ///< Fanuc's number: 3 towards -X -Z, 2 +X -Z, 1 +X +Z, 4 -X +Z, 5 +Z, 6 +X, 7 -Z, 8 -X, 9 and 0 centre
-};
-
-/// Nose::tip by the orientation of a tool as tool tables and G41.1 L of LinuxCNC count it, 0 to 9.
+/// Tool::tip by the orientation of a tool as tool tables and G41.1 L of LinuxCNC count it, 0 to 9.
 inline constexpr std::array tipOfOrientation{9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
 
 /// Limits of interpretation; exceeding one gives an error diagnostic at the block.
@@ -46,8 +40,8 @@ const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*
 /// The control to read a program with; nullptr: from the text.
 ControlPtr controlOf(const ToolpathParameters& parameters);
 
-/// By tool number, as in a tool table.
-using Noses = std::map<int, Nose>;
+/// By tool number. Compensation reads corner_radius_mm and tip.
+using ToolTable = std::map<int, Tool>;
 
 /// Modal state when a block was executed, for changes of the program.
 struct BlockState {
@@ -75,7 +69,7 @@ struct Toolpath {
 
 /// Interprets the program. Unsupported or impossible blocks are reported as diagnostics, not as exceptions. Clears
 /// is_understood of words found to be unsupported. Throws Cancelled. Cost: about 0.5 µs a block.
-Toolpath findToolpath(Program& program, const ToolpathParameters& parameters = {}, const Noses& noses = {},
+Toolpath findToolpath(Program& program, const ToolpathParameters& parameters = {}, const ToolTable& tools = {},
                       const Progress& progress = {});
 
 }  // namespace lathelier::gcode

@@ -8,7 +8,9 @@ const std::vector<MigrationStep>& migrationSteps()
 {
     static const std::vector<MigrationStep> steps{[](Json& json) { json["items"] = Json::object(); },
                                                   [](Json& json) { json["views"] = Json::object(); },
-                                                  [](Json& json) { json["title_block"] = Json::object(); }};
+                                                  [](Json& json) { json["title_block"] = Json::object(); },
+                                                  // Former keys of tools are read by their description.
+                                                  [](Json&) {}};
     return steps;
 }
 

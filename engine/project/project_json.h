@@ -1,5 +1,5 @@
-// A project as JSON text. Format version 4:
-//   {"format": "lathelier-project", "version": 4, "title", "workspace",
+// A project as JSON text. Format version 5:
+//   {"format": "lathelier-project", "version": 5, "title", "workspace",
 //    "panels": {id: {"inputs": {role: {"path" | "item", "import": {…}, "sha256", "synthetic"}}, "parameters": {…}}},
 //    "items": {name: {"kind", "values": {…}, "origin": {…}}}, "views": {id: {…}}, "title_block": {…}, "recipe": true,
 //    "report": [id…]}

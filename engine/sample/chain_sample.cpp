@@ -36,14 +36,14 @@ Shaft drawing()
     return shaft;
 }
 
-cam::JobTool insert(int number, cam::ToolUse use, const char* name, double nose_radius_mm, double tip_angle_deg,
+cam::JobTool insert(int number, cam::ToolUse use, const char* name, double corner_radius_mm, double tip_angle_deg,
                     double edge_length_mm)
 {
     cam::JobTool tool;
     tool.number = number;
     tool.use = use;
     tool.name = name;
-    tool.nose_radius_mm = nose_radius_mm;
+    tool.corner_radius_mm = corner_radius_mm;
     tool.entering_angle_deg = 93;
     tool.tip_angle_deg = tip_angle_deg;
     tool.edge_length_mm = edge_length_mm;
@@ -60,7 +60,7 @@ cam::Job job()
     made.tools = {insert(5, cam::ToolUse::Rough, "DNMG 150608 / PDJNL", 0.8, 55, 15),
                   insert(4, cam::ToolUse::Finish, "VBMT 160404 / SVJBL", 0.4, 35, 16),
                   insert(6, cam::ToolUse::FinishBack, "VBMT 160404 / SVJBR", 0.4, 35, 16)};
-    made.tools.back().hand = cam::Hand::FromChuck;
+    made.tools.back().hand = Hand::FromChuck;
     cam::JobTool blade;
     blade.number = 8;
     blade.use = cam::ToolUse::Groove;
@@ -68,7 +68,7 @@ cam::Job job()
     blade.width_mm = 3;
     blade.corner_radius_mm = 0.2;
     blade.feed_mm_rev = 0.06;
-    blade.max_depth_mm = 22;
+    blade.reach_mm = 22;
     made.tools.push_back(blade);
     made.cutting.material = "C45";
     made.cutting.rough = {2, 0.25, 190, 0.3};
@@ -81,7 +81,8 @@ deflection::TurningSetup setup()
 {
     deflection::TurningSetup made;
     made.material.cutting = {1748, 99, 600, 80};
-    made.tool = {-3, 0.4};
+    made.tool.corner_radius_mm = 0.4;
+    made.tool.entering_angle_deg = 93;
     made.chuck = {14850, 0, 198.3e6, 0};  // the springs of spindle.json: one machine
     return made;
 }

@@ -56,7 +56,8 @@ std::string steppedSetup()
     setup.material.elastic.elastic_modulus_MPa = 210000;
     setup.material.elastic.poisson_ratio = 0.3;
     setup.material.cutting = {1800, 70, 750, 80};
-    setup.tool = {-5, 0.8};
+    setup.tool.corner_radius_mm = 0.8;
+    setup.tool.entering_angle_deg = 95;
     setup.chuck = {45000, 0, 9e7, 0};
     setup.tailstock = deflection::HoldingSprings{9000, 0, 0, 0};
     return deflection::setupText(setup);

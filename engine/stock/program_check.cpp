@@ -67,12 +67,13 @@ void showCuts(report::Plot& plot, const ProgramCheck& check)
 }  // namespace
 
 ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
-                          const std::optional<CheckedStock>& stock, const gcode::Noses& noses, const Progress& progress)
+                          const std::optional<CheckedStock>& stock, const gcode::ToolTable& tools,
+                          const Progress& progress)
 {
     ProgramCheck check;
     check.program =
         gcode::readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
-    check.path = gcode::findToolpath(check.program, parameters, noses,
+    check.path = gcode::findToolpath(check.program, parameters, tools,
                                      progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
     const gcode::RapidRates rates =
         stock ? gcode::RapidRates{stock->parameters.rapid_x_m_min, stock->parameters.rapid_z_m_min}

@@ -29,10 +29,10 @@ struct ProgramCheck {
     Notes notes;                       ///< of the stock; programTimeIncomplete
 };
 
-/// `noses`: nose radii by tool. Errors in the program are part of the result, not exceptions. Errors: those of
+/// `tools`: nose radii by tool. Errors in the program are part of the result, not exceptions. Errors: those of
 /// gcode::readProgram() and simulateStock(). Throws Cancelled.
 ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& parameters,
-                          const std::optional<CheckedStock>& stock = {}, const gcode::Noses& noses = {},
+                          const std::optional<CheckedStock>& stock = {}, const gcode::ToolTable& tools = {},
                           const Progress& progress = {});
 
 /// Machining time; fail if the program has errors or a tool collides, pass if it was checked against stock. Findings

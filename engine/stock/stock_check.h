@@ -1,7 +1,7 @@
 // Simulation of stock removal in the meridian plane: material removed by each pass, and collisions of the tool.
 //
 // Moves are those of engine/gcode: end points of the imaginary tip in program coordinates; here z = z_zero - Z. The
-// tool is its insert (turning_insert.h) and, where stated, its holder; stock is a set of columns (meridian_stock.h);
+// tool is its insert (tool_outline.h) and, where stated, its holder; stock is a set of columns (meridian_stock.h);
 // chuck and tailstock are convex regions (machine_limits.h). Everything a convex outline covers on a straight move is
 // the hull of its two placements; arcs become chords within 5 µm.
 //
@@ -31,15 +31,15 @@
 #include "engine/stock/machine_limits.h"
 #include "engine/stock/meridian_stock.h"
 #include "engine/stock/stock_outline.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 
 namespace lathelier::stock {
 
 inline constexpr std::size_t mostOutlines = 400;  ///< stored outlines; with more passes, every second or third…
 
 struct StockParameters {
-    double z_zero_mm = 0;            ///< z of the program's Z0: z = z_zero_mm - Z
-    std::vector<TurningTool> tools;  ///< by number; a tool that is missing is one of number 0, or assumed
+    double z_zero_mm = 0;     ///< z of the program's Z0: z = z_zero_mm - Z
+    std::vector<Tool> tools;  ///< by number; a tool that is missing is one of number 0, or assumed
     std::optional<ChuckBody> chuck;
     std::optional<TailstockBody> tailstock;
     std::size_t tailstock_from_move =

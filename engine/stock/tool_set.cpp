@@ -21,17 +21,17 @@ MountedTool mount(const ToolOutline& outline, bool is_stated, double clearance_m
     return mounted;
 }
 
-const TurningTool* findTool(const std::vector<TurningTool>& stated, int number)
+const Tool* findTool(const std::vector<Tool>& stated, int number)
 {
-    const TurningTool* any = nullptr;
-    for (const TurningTool& tool : stated) {
+    const Tool* any = nullptr;
+    for (const Tool& tool : stated) {
         if (tool.number == number) return &tool;
         if (tool.number == 0) any = &tool;
     }
     return any;
 }
 
-void noteTool(const TurningTool& tool, const ToolOutline& outline, int number, Notes& notes)
+void noteTool(const Tool& tool, const ToolOutline& outline, int number, Notes& notes)
 {
     if (outline.is_assumed)
         notes.push_back({notes::toolAssumed,
@@ -39,21 +39,20 @@ void noteTool(const TurningTool& tool, const ToolOutline& outline, int number, N
                           {"corner_radius_mm", outline.corner_radius_mm},
                           {"entering_angle_deg", outline.entering_angle_deg},
                           {"tip_angle_deg", outline.tip_angle_deg},
-                          {"reach_mm", outline.edge_length_mm}}});
-    if (outline.holders.empty() && tool.shape != ToolShape::Drill)
+                          {"reach_mm", outline.reach_mm}}});
+    if (outline.holders.empty() && tool.kind != ToolKind::Drill)
         notes.push_back({notes::toolWithoutHolder, {{"tool", std::int64_t{number}}}});
 }
 
 }  // namespace
 
-ToolSet::ToolSet(std::span<const gcode::Move> moves, const std::vector<TurningTool>& stated, double clearance_mm,
-                 Notes& notes)
+ToolSet::ToolSet(std::span<const gcode::Move> moves, const std::vector<Tool>& stated, double clearance_mm, Notes& notes)
 {
-    const TurningTool assumed;
+    const Tool unlisted;
     for (const gcode::Move& move : moves) {
         if (move.kind == gcode::MoveKind::Dwell || mounted_.contains(move.tool)) continue;
-        const TurningTool* found = findTool(stated, move.tool);
-        const TurningTool& tool = found ? *found : assumed;
+        const Tool* found = findTool(stated, move.tool);
+        const Tool& tool = found ? *found : unlisted;
         const ToolOutline outline = outlineOf(tool);
         noteTool(tool, outline, move.tool, notes);
         mounted_[move.tool] = mount(outline, found != nullptr, clearance_mm);

@@ -7,7 +7,7 @@
 
 #include "engine/core/error.h"
 #include "engine/gcode/move.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 
 namespace lathelier::stock {
 
@@ -28,8 +28,7 @@ struct MountedTool {
 class ToolSet {
 public:
     /// Notes: toolAssumed, toolWithoutHolder. Errors toolImpossible.
-    ToolSet(std::span<const gcode::Move> moves, const std::vector<TurningTool>& stated, double clearance_mm,
-            Notes& notes);
+    ToolSet(std::span<const gcode::Move> moves, const std::vector<Tool>& stated, double clearance_mm, Notes& notes);
 
     /// Precondition: a move of the program has this number.
     const MountedTool& at(int number) const { return mounted_.at(number); }

@@ -42,7 +42,7 @@ std::vector<gcode::Move> roughing(int passes, double length_mm, double radius_mm
 
 StockParameters parametersOf(double step_mm, bool has_holder)
 {
-    TurningTool tool;
+    Tool tool;
     tool.corner_radius_mm = 0.8;
     tool.entering_angle_deg = 95;
     tool.tip_angle_deg = 80;

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "engine/core/units.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 #include "widgets/program_common/program_editor.h"
@@ -36,10 +36,10 @@ report::Table remarkTable(const std::vector<stock::Remark>& remarks)
 }
 
 /// The tool of this number in the check.
-stock::TurningTool toolOf(const stock::StockParameters& parameters, int number)
+Tool toolOf(const stock::StockParameters& parameters, int number)
 {
     for (const int wanted : {number, 0})
-        for (const stock::TurningTool& tool : parameters.tools)
+        for (const Tool& tool : parameters.tools)
             if (tool.number == wanted) return tool;
     return {};
 }

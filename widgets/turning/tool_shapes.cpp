@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 
 namespace lathelier::turning_panel {
 
@@ -11,8 +11,8 @@ std::vector<QPolygonF> toolShapes(const ClampingOutcome& clamping, const QPointF
     std::vector<QPolygonF> shapes;
     if (!clamping.bare) return shapes;
     const auto& tools = clamping.bare->parameters.tools;
-    const auto tool = std::find_if(tools.begin(), tools.end(),
-                                   [number](const stock::TurningTool& each) { return each.number == number; });
+    const auto tool =
+        std::find_if(tools.begin(), tools.end(), [number](const Tool& each) { return each.number == number; });
     if (tool == tools.end()) return shapes;
     const stock::ToolOutline outline = stock::outlineOf(*tool);  // the plan has checked it
     std::vector<stock::ConvexPolygon> bodies = outline.holders;

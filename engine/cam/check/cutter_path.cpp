@@ -137,7 +137,7 @@ private:
     void addBlade(const CutterStroke& stroke, const JobTool& tool)
     {
         const double c = stroke.radius_mm, width = *tool.width_mm;
-        const double top = std::max(tool.max_depth_mm.value_or(stock::assumedReach_mm), 2 * c);
+        const double top = std::max(tool.reach_mm.value_or(assumed::reach_mm), 2 * c);
         const double near_mm = -c * towardChuck(), far_mm = (c - width) * towardChuck();
         const auto box = [&](const Corner& tip) {
             return std::vector<Corner>{tip + Corner{near_mm, c}, tip + Corner{far_mm, c}, tip + Corner{near_mm, top},

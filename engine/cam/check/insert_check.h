@@ -2,7 +2,7 @@
 //
 // Each feed move sweeps the outline of the insert; a point of the drawing within it lies below the drawing's surface as
 // seen from the tool. Its depth is the shortest distance to the boundary of the swept outline. Outlines stay within the
-// true insert by 2 µm (turning_insert.h), arcs are chords within 5 µm.
+// true insert by 2 µm (stock/tool_outline.h), arcs are chords within 5 µm.
 #pragma once
 
 #include <cstdint>

@@ -42,7 +42,7 @@ RestCause hindranceAt(const Corner& place, const Corner& normal, const DrawnCont
 {
     const double r = tool.radius_mm();
     const Corner centre = place + r * normal;
-    const double kappa = tool.entering_angle_deg.value_or(stock::assumedEnteringAngle_deg) * rad_per_deg;
+    const double kappa = tool.entering_angle_deg.value_or(assumed::enteringAngle_deg) * rad_per_deg;
     const double back = std::max(0.0, tool.backAngle_deg() - tool.back_margin_deg) * rad_per_deg;
     const bool leads = kappa < 90 * rad_per_deg;
     const Corner of_main{feed * std::sin(kappa), -std::cos(kappa)}, of_back{-feed * std::sin(back), -std::cos(back)};

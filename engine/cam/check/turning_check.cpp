@@ -8,8 +8,9 @@
 #include "engine/cam/check/insert_check.h"
 #include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
+#include "engine/cam/job_library.h"
 #include "engine/cam/job_rules.h"
-#include "engine/cam/tool_library.h"
+#include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
 #include "engine/gcode/detection.h"
@@ -46,12 +47,12 @@ CheckKind kindOf(stock::FindingKind kind)
     return CheckKind::RapidThroughStock;
 }
 
-gcode::Noses nosesOf(const Job& job)
+gcode::ToolTable toolTableOf(const Job& job)
 {
-    gcode::Noses noses;
+    gcode::ToolTable tools;
     for (const JobTool& tool : job.tools)
-        if (tool.isProfile()) noses[tool.number] = {tool.radius_mm(), tool.hand == Hand::FromChuck ? 4 : 3};
-    return noses;
+        if (tool.isProfile()) tools[tool.number] = tool;
+    return tools;
 }
 
 /// A program of one clamping with its moves.
@@ -71,7 +72,7 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
             notes.push_back({notes::systemBRead, {}});
         }
     read.program = gcode::readProgram(std::move(text), control, progress.part(0, 0.5));
-    read.path = gcode::findToolpath(read.program, parameters.program, nosesOf(job), progress.part(0.5, 1));
+    read.path = gcode::findToolpath(read.program, parameters.program, toolTableOf(job), progress.part(0.5, 1));
     return read;
 }
 

@@ -26,7 +26,7 @@ namespace lathelier::cam {
 
 /// User parameters of the check.
 struct CheckParameters {
-    gcode::ToolpathParameters program;  ///< dialect and integer words; noses are those of the job
+    gcode::ToolpathParameters program;  ///< dialect and integer words; corners and tips are those of the job
     int setup = 1;                      ///< 1, or 2: the part is turned round, z counts from its other end
     double z_zero_mm = 0;               ///< z of the program's Z0 in its clamping: z = z_zero_mm - Z
     std::optional<double>

@@ -1,7 +1,6 @@
 // Files of resources/ embedded in the engine, so that the command line needs no data files.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "engine/core/built_in_text.h"
@@ -9,9 +8,6 @@
 namespace lathelier::cam {
 
 const std::vector<BuiltInText>& builtInPosts();      ///< resources/posts, by name
-const std::vector<BuiltInText>& builtInLibraries();  ///< resources/library
-
-/// A library by its file's name without extension. Precondition: there is one.
-const std::string& builtInLibrary(const char* name);
+const std::vector<BuiltInText>& builtInMaterials();  ///< resources/library/work_materials.json
 
 }  // namespace lathelier::cam

@@ -64,6 +64,7 @@ public:
     Post run(Notes& notes)
     {
         post_.name = root_.at("name", textExpected).string();
+        if (const auto label = root_.member("label")) post_.label = label->string();
         if (const auto dialect = root_.member("dialect")) readDialect(*dialect);
         static const std::pair<const char*, Templates Post::*> demanded[]{
             {"program_start", &Post::program_start}, {"header_comments", &Post::header_comments},
@@ -187,6 +188,7 @@ private:
     void noteUnknown(Notes& notes) const
     {
         static constexpr const char* known[]{"name",
+                                             "label",
                                              "dialect",
                                              "program_start",
                                              "header_comments",
@@ -243,6 +245,7 @@ std::string postText(const Post& post)
 {
     Json json;
     json["name"] = post.name;
+    if (!post.label.empty()) json["label"] = post.label;
     if (post.control) json["dialect"] = post.control->key;
     json["program_start"] = post.program_start;
     json["header_comments"] = post.header_comments;

@@ -1,7 +1,7 @@
 // A control as data: templates and rules that convert moves to program text. The writer contains no code for single
 // controls; a further control is a further JSON file.
 //
-// {"name", "dialect"?, "program_start": [...], "header_comments", "safe_start", "tool_start", "tool_end",
+// {"name", "label"?, "dialect"?, "program_start": [...], "header_comments", "safe_start", "tool_start", "tool_end",
 // "spindle_css",
 //  "spindle_rpm", "speed_change", "coolant_on", "stop", "program_end": lists of templates,
 //  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those with a tailstock,
@@ -38,6 +38,7 @@ using Templates = std::vector<std::string>;
 
 struct Post {
     std::string name;                ///< label and file name
+    std::string label;                      ///< of the control, as it is shown; empty: the name
     gcode::ControlPtr control;       ///< that its programs are for; nullptr: detected from the text
     Templates program_start;         ///< before everything, without block numbers
     Templates header_comments;       ///< comments at the top

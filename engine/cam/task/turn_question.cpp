@@ -1,8 +1,9 @@
 #include "engine/cam/task/turn_question.h"
 
 #include <algorithm>
+#include <map>
 
-#include "engine/cam/post/built_in_posts.h"
+#include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
 
 namespace lathelier::cam {
@@ -17,7 +18,7 @@ constexpr double finishFeed_mm_rev = 0.1, finishSpeed_m_min = 200;
 std::vector<FieldChoice> postChoices()
 {
     std::vector<FieldChoice> choices;
-    for (const BuiltInText& post : builtInPosts()) choices.push_back({post.name, labelOfPost(post.name)});
+    for (const std::string& name : postNames()) choices.push_back({name, labelOfPost(name)});
     return choices;
 }
 
@@ -59,17 +60,16 @@ std::vector<Field<TurningQuestion>> turningFields()
 
 Text labelOfPost(const std::string& post)
 {
-    static const std::vector<FieldChoice> known{{"fanuc_a", LT_TEXT("Engine", "Fanuc, system A")},
-                                                {"fanuc_b", LT_TEXT("Engine", "Fanuc, system B")},
-                                                {"haas", LT_TEXT("Engine", "Haas")},
-                                                {"sinumerik", LT_TEXT("Engine", "Sinumerik")},
-                                                {"linuxcnc", LT_TEXT("Engine", "LinuxCNC")},
-                                                {"grbl", LT_TEXT("Engine", "GRBL")}};
-    for (const FieldChoice& choice : known)
-        if (choice.key == post) return choice.label;
-    for (const BuiltInText& built_in : builtInPosts())
-        if (built_in.name == post) return Text{built_in.name};
-    return {};
+    static const std::map<std::string, std::string> labels = [] {  // as long as the program: a Text points to them
+        std::map<std::string, std::string> all;
+        for (const std::string& name : postNames()) {
+            const std::string label = postNamed(name).label;
+            all.emplace(name, label.empty() ? name : label);
+        }
+        return all;
+    }();
+    const auto found = labels.find(post);
+    return found == labels.end() ? Text{} : Text{found->second.c_str()};
 }
 
 TurningQuestion::TurningQuestion()

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
@@ -19,6 +21,7 @@ public:
     Values read(const JsonCursor& object, const std::vector<std::string>& others)
     {
         readMembers(object, "", others);
+        for (const FieldInfo& info : fields_) moveFormer(info);
         for (const FieldInfo& info : fields_)
             if (info.required && !find(values_, info.key) && isGroupThere(info)) missing(object, info);
         return std::move(values_);
@@ -57,6 +60,8 @@ private:
     {
         object.members(mostJsonMembers, [&](const std::string& name, const JsonCursor& member) {
             const std::string key = prefix + name;
+            const std::optional<FieldInfo> former = formerField(key);
+            if (former) stated_.emplace_back(key, member);
             const auto info =
                 std::find_if(fields_.begin(), fields_.end(), [&key](const FieldInfo& one) { return one.key == key; });
             const bool is_group = std::any_of(fields_.begin(), fields_.end(),
@@ -67,11 +72,36 @@ private:
                 if (!(optional && member.isNull())) readMembers(member, key + ".", {});
             } else if (info != fields_.end()) {
                 set(values_, key, valueOf(member, *info));
+            } else if (former) {
+                set(values_, key, valueOf(member, *former));
             } else if (std::find(others.begin(), others.end(), key) == others.end()) {
                 const JsonPlace here = member.place();
                 notes_.push_back({notes::unknownKey, {{"key", key}, {"line", here.line}, {"column", here.column}}});
             }
         });
+    }
+
+    std::optional<FieldInfo> formerField(const std::string& key) const
+    {
+        for (const FieldInfo& info : fields_)
+            for (const FormerKey& former : info.former)
+                if (former.key == key) return asFormer(info, former);
+        return {};
+    }
+
+    void moveFormer(const FieldInfo& info)
+    {
+        try {
+            takeFormer(info, values_);
+        } catch (Error& error) {
+            const Value* former = find(error.values(), "former");
+            for (const auto& [key, member] : stated_) {
+                if (!former || !(*former == Value(key))) continue;
+                const JsonPlace here = member.place();
+                error.with("line", here.line).with("column", here.column);
+            }
+            throw;
+        }
     }
 
     Value valueOf(const JsonCursor& member, const FieldInfo& info)
@@ -121,6 +151,7 @@ private:
     const std::vector<FieldInfo>& fields_;
     Notes& notes_;
     Values values_;
+    std::vector<std::pair<std::string, JsonCursor>> stated_;  ///< members with former keys
 };
 
 Json valueAsJson(const FieldInfo& info, const Value& value)

@@ -11,8 +11,9 @@
 namespace lathelier::io {
 
 /// The members of `object` that `fields` describe, by their flat keys ("chuck.radial_N_mm"). A member that is neither
-/// described nor in `others` gives the note unknownKey with its location. Errors, with line and column: malformed
-/// (wrong type, no such choice), keyMissing (a required field), keyOutOfRange.
+/// described nor in `others` gives the note unknownKey with its location. What stands under a former key is given under
+/// that of today. Errors, with line and column: malformed (wrong type, no such choice), keyMissing (a required field),
+/// keyOutOfRange, valueStatedTwice (under a former key and that of today).
 Values valuesOf(const JsonCursor& object, const std::vector<FieldInfo>& fields, Notes& notes,
                 const std::vector<std::string>& others = {});
 

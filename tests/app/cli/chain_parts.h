@@ -91,7 +91,7 @@ inline cam::Job jobOf(const Part& part)
     job.stock.face_allowance_mm = 0.8;
     job.setup.chuck_face_z_mm = part.chuck_mm;
     job.tools = {cam::roughD55(), cam::finishD55(),
-                 cam::insert(6, cam::ToolUse::FinishBack, 0.4, 93, 35, cam::Hand::FromChuck),
+                 cam::insert(6, cam::ToolUse::FinishBack, 0.4, 93, 35, Hand::FromChuck),
                  cam::blade(8, cam::ToolUse::Groove, 3, 0.2, 20)};
     job.tools.back().feed_mm_rev = 0.06;
     job.cutting.rough = {1.5, 0.2, 180, 0.3};
@@ -104,7 +104,8 @@ inline deflection::TurningSetup setupOf(const Part& part)
 {
     deflection::TurningSetup setup;
     setup.material.cutting = {1750, 95, 600, 80};
-    setup.tool = {-3, 0.4};
+    setup.tool.corner_radius_mm = 0.4;
+    setup.tool.entering_angle_deg = 93;
     setup.chuck = {part.springs.radial_N_mm, 0, part.springs.tilt_N_mm_rad, 0};
     return setup;
 }

@@ -5,6 +5,7 @@
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_rules.h"
+#include "engine/core/core_codes.h"
 #include "engine/io/io_codes.h"
 #include "engine/stock/stock_codes.h"
 
@@ -83,7 +84,7 @@ TEST(Job, CornersMayBeListsOfTwoNumbers)
     ASSERT_EQ(job.setup.tailstock->keep_out.size(), 2U);
     EXPECT_EQ(job.setup.tailstock->keep_out[1], (KeepOutCorner{-20, 13}));
     ASSERT_EQ(job.tools[0].holder.size(), 3U);
-    EXPECT_EQ(job.tools[0].holder[1], (stock::HolderCorner{-20, 12}));
+    EXPECT_EQ(job.tools[0].holder[1], (HolderCorner{-20, 12}));
     const auto error = errorOf([&] { read(replaced(text, "[0, 1.5]", "[0]")); });
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code(), errors::malformed);
@@ -109,6 +110,48 @@ TEST(Job, MissingAndWrongKeysAreNamedWithTheirPlace)
     Notes notes;
     readJob(replaced(text, R"("title")", R"("titel")"), notes);
     EXPECT_TRUE(contains(notes, notes::unknownKey));
+}
+
+TEST(Job, FormerKeysOfToolsGiveTheSameTools)
+{
+    const auto job_with = [](const std::string& tools) {
+        return read(R"({"stock": {"diameter_mm": 34}, "setup": {"chuck_face_z_mm": 60}, "tools": [)" + tools +
+                    R"(], "cutting": {"rough": {"depth_mm": 2, "feed_mm_rev": 0.2, "cutting_speed_m_min": 190},
+                        "finish": {"feed_mm_rev": 0.1, "cutting_speed_m_min": 190}}})");
+    };
+    const std::vector<std::pair<std::string, std::string>> pairs{
+        {R"({"number": 1, "use": "rough", "nose_radius_mm": 0.8, "lead_angle_deg": -5, "tip_angle_deg": 80})",
+         R"({"number": 1, "use": "rough", "corner_radius_mm": 0.8, "entering_angle_deg": 95, "tip_angle_deg": 80})"},
+        {R"({"number": 8, "use": "groove", "width_mm": 3, "corner_radius_mm": 0.2, "max_depth_mm": 18})",
+         R"({"number": 8, "use": "groove", "width_mm": 3, "corner_radius_mm": 0.2, "reach_mm": 18})"},
+        {R"({"number": 9, "width_mm": 4, "edge_length_mm": 40, "use": "centre_drill"})",
+         R"({"number": 9, "use": "centre_drill", "diameter_mm": 4, "reach_mm": 40})"},
+        // As jobText() wrote them: every key, null or 0 where the tool has none.
+        {R"({"number": 1, "use": "rough", "insert": "CNMG 120408", "nose_radius_mm": null, "corner_radius_mm": 0.0,
+             "width_mm": null, "max_depth_mm": null})",
+         R"({"number": 1, "use": "rough", "insert": "CNMG 120408"})"},
+        {R"({"number": 1, "use": "finish", "nose_radius_mm": 0.4, "corner_radius_mm": 0.0, "hand": "from_chuck"})",
+         R"({"number": 1, "use": "finish", "corner_radius_mm": 0.4, "hand": "from_chuck"})"}};
+    for (const auto& [former, today] : pairs) EXPECT_EQ(job_with(former), job_with(today)) << today;
+    const auto kind_of = [&](std::size_t pair) { return job_with(pairs[pair].first).tools[0].kind; };
+    EXPECT_EQ(kind_of(0), ToolKind::Insert);
+    EXPECT_EQ(kind_of(1), ToolKind::Blade);
+    EXPECT_EQ(kind_of(2), ToolKind::Drill);
+    EXPECT_EQ(job_with(pairs[2].first).tools[0].diameter_mm, 4);
+    EXPECT_EQ(job_with(pairs[4].first).tools[0].tip, 4);
+    for (const char* twice : {R"({"number": 1, "use": "rough", "corner_radius_mm": 0.4,
+  "nose_radius_mm": 0.8})",
+                              R"({"number": 8, "use": "groove", "reach_mm": 18,
+  "max_depth_mm": 18})",
+                              R"({"number": 9, "use": "centre_drill", "diameter_mm": 4,
+  "width_mm": 4})"}) {
+        const auto error = errorOf([&] { job_with(twice); });
+        ASSERT_TRUE(error) << twice;
+        EXPECT_EQ(error->code(), errors::valueStatedTwice);
+        EXPECT_TRUE(find(error->values(), "former") && find(error->values(), "key"));
+        EXPECT_EQ(numberOf(*error, "line"), 2);
+        EXPECT_GT(numberOf(*error, "column"), 2);
+    }
 }
 
 TEST(Job, PartMustFitIntoItsStock)
@@ -158,7 +201,7 @@ TEST(Job, ToolsMustBePossible)
     job.tools[1].number = 1;
     EXPECT_EQ(errorOf([&] { checkTools(job); })->code(), errors::toolNumberTwice);
     job = sound;
-    job.tools[1].nose_radius_mm.reset();
+    job.tools[1].corner_radius_mm.reset();
     EXPECT_EQ(errorOf([&] { checkTools(job); })->code(), errors::toolIncomplete);
     job = sound;
     job.tools.pop_back();
@@ -168,7 +211,7 @@ TEST(Job, ToolsMustBePossible)
     EXPECT_EQ(errorOf([&] { checkUses(job); })->code(), errors::toolMissing);
     job = jobOf("neck_all");
     EXPECT_FALSE(errorOf([&] { checkUses(job); }));
-    job.tools.back().max_depth_mm = 15.9;
+    job.tools.back().reach_mm = 15.9;
     EXPECT_EQ(errorOf([&] { checkUses(job); })->code(), errors::toolTooShort);
 }
 

@@ -26,7 +26,7 @@ inline JobTool insert(int number, ToolUse use, double radius, double entering, d
     JobTool tool;
     tool.number = number;
     tool.use = use;
-    tool.nose_radius_mm = radius;
+    tool.corner_radius_mm = radius;
     tool.entering_angle_deg = entering;
     tool.tip_angle_deg = tip;
     tool.edge_length_mm = 12;
@@ -41,7 +41,7 @@ inline JobTool blade(int number, ToolUse use, double width, double corner, doubl
     tool.use = use;
     tool.width_mm = width;
     tool.corner_radius_mm = corner;
-    tool.max_depth_mm = depth;
+    tool.reach_mm = depth;
     return tool;
 }
 

@@ -263,7 +263,7 @@ TEST(PlantedFaults, NoseAndInsertThatAreNotTheJobs)
     for (const Sound& sound : soundPrograms()) {
         Sound other = sound;
         for (JobTool& tool : other.job.tools)
-            if (tool.use == ToolUse::Finish) tool.nose_radius_mm = 0.8;
+            if (tool.use == ToolUse::Finish) tool.corner_radius_mm = 0.8;
         const CheckResult nose = checkedAs(sound.text, other);
         const CheckResult right = checkedAs(sound.text, sound);
         // Either 0.05 mm more residual material, or a gouge.

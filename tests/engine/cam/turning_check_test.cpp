@@ -124,7 +124,7 @@ TEST(TurningCheck, DepthOfAFaultIsThatOfTheFault)
 TEST(TurningCheck, AnotherNoseAndAnotherInsertAreFound)
 {
     Job job = jobOf("small");
-    job.tools[1].nose_radius_mm = 0.8;
+    job.tools[1].corner_radius_mm = 0.8;
     const CheckResult nose = checked(textOf("small.nc"), job);
     EXPECT_FALSE(nose.findings.empty() && nose.rest.empty());
     EXPECT_GT(nose.gouge_um + 1000 * nose.left_max_mm, 100);

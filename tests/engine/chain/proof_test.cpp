@@ -177,7 +177,8 @@ struct FitFixture {
         const HeldBar held = firstBar(job);
         bar = held.bar;
         setup.material.cutting = {1748, 99, 600, 80};
-        setup.tool = {-3, 0.4};
+        setup.tool.corner_radius_mm = 0.4;
+        setup.tool.entering_angle_deg = 93;
         setup.chuck = {45000, 0, 198e6, 0};
         setup = setupFor(setup, held, "bar.json");
         const auto write = [&](const std::string& name, const std::string& text) {

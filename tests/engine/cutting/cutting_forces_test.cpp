@@ -14,7 +14,12 @@ namespace lathelier::cutting {
 namespace {
 
 constexpr CuttingCoefficients steel{1748.5, 99.2, 703, 92.5};
-constexpr ToolGeometry tool{-5, 0.8};
+Tool insertAt(double entering_deg, double radius_mm = 0.8)
+{
+    return {.corner_radius_mm = radius_mm, .entering_angle_deg = entering_deg};
+}
+
+const Tool tool = insertAt(95);
 
 TEST(CuttingForces, TableAtTheEnteringAngleOf95)
 {
@@ -35,13 +40,13 @@ TEST(CuttingForces, TableAtTheEnteringAngleOf95)
 
 TEST(CuttingForces, ChipAreaIsThatBetweenTwoRevolutions)
 {
-    const ToolGeometry leading{20, 0.8};  // enters at 70°
+    const Tool leading = insertAt(70);
     for (const double feed : {0.05, 0.2, 0.6})
         for (const double depth : {0.2, 0.5, 1.5}) {
             const CuttingEdge edge(leading, feed, ContactLength::Arc);
             double area = 0;
             // By slices along h: each is as wide as the feed above the scallop, as the corner below it.
-            const double r = leading.corner_radius_mm;
+            const double r = *leading.corner_radius_mm;
             const int slices = 200000;
             for (int i = 0; i < slices; ++i) {
                 const double h = depth * (i + 0.5) / slices;
@@ -54,11 +59,11 @@ TEST(CuttingForces, ChipAreaIsThatBetweenTwoRevolutions)
 
 TEST(CuttingForces, ContactIsContinuousWhereTheCornerEnds)
 {
-    for (const double lead : {-5.0, 0.0, 30.0})
+    for (const double entering_deg : {95.0, 90.0, 60.0})
         for (const ContactLength contact : {ContactLength::Arc, ContactLength::Chord, ContactLength::Straight}) {
-            const ToolGeometry one{lead, 0.8};
+            const Tool one = insertAt(entering_deg);
             const CuttingEdge edge(one, 0.2, contact);
-            const double corner = 0.8 * (1 - std::cos((90 - lead) / deg_per_rad));
+            const double corner = 0.8 * (1 - std::cos(entering_deg / deg_per_rad));
             const Chip below = edge.chipAt(corner - 1e-9), above = edge.chipAt(corner + 1e-9);
             EXPECT_NEAR(below.contact_mm, above.contact_mm, 1e-7);
             EXPECT_NEAR(below.across_feed, above.across_feed, 1e-7);
@@ -110,7 +115,7 @@ TEST(CuttingForces, LengthsAndForcesScale)
             for (const double depth : {0.3, 2.0}) {
                 const CuttingForces one = cuttingForces(steel, tool, 0.2, depth, contact);
                 const CuttingForces other =
-                    cuttingForces(scaled, {-5, 0.8 * lengths}, 0.2 * lengths, depth * lengths, contact);
+                    cuttingForces(scaled, insertAt(95, 0.8 * lengths), 0.2 * lengths, depth * lengths, contact);
                 EXPECT_NEAR(other.F_t_N, forces * one.F_t_N, 1e-9 * one.F_t_N * forces);
                 EXPECT_NEAR(other.F_f_N, forces * one.F_f_N, 1e-9 * one.F_t_N * forces);
                 EXPECT_NEAR(other.F_ap_N, forces * one.F_ap_N, 1e-9 * one.F_t_N * forces);
@@ -129,7 +134,7 @@ TEST(CuttingForces, Refusals)
 TEST(CuttingForces, ATurnedFeedOpensTheEntering)
 {
     const Chip turned = CuttingEdge(tool, 0.2, ContactLength::Arc, 10 / deg_per_rad).chipAt(2);
-    const Chip other = CuttingEdge({5, 0.8}, 0.2, ContactLength::Arc).chipAt(2);
+    const Chip other = CuttingEdge(insertAt(85), 0.2, ContactLength::Arc).chipAt(2);
     EXPECT_NEAR(turned.contact_mm, other.contact_mm, 1e-12);
     EXPECT_NEAR(turned.across_feed, other.across_feed, 1e-12);
 }

@@ -77,7 +77,7 @@ TEST(Deflection, DimensionScaling)
     cutting::CuttingCoefficients& k = scaled.material.cutting;
     k = {k.K_tc_N_mm2 * force / (length * length), k.K_te_N_mm * force / length,
          k.K_rfc_N_mm2 * force / (length * length), k.K_rfe_N_mm * force / length};
-    scaled.tool.corner_radius_mm *= length;
+    *scaled.tool.corner_radius_mm *= length;
     scaled.chuck.radial_N_mm *= force / length;
     scaled.chuck.tilt_N_mm_rad *= force * length;
     scaled.tailstock->radial_N_mm *= force / length;

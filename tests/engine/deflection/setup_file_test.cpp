@@ -5,6 +5,7 @@
 
 #include "../core/code_of_error.h"
 #include "case_a.h"
+#include "engine/core/core_codes.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/io/io_codes.h"
 
@@ -78,6 +79,31 @@ TEST(SetupFile, RefusalsNameTheirPlace)
     refusal(replaced(caseAText, R"("tool": {"lead_angle_deg": -5, "corner_radius_mm": 0.8},)", ""), errors::keyMissing);
     refusal("[1]", errors::malformed);
     refusal("{", errors::malformed);
+}
+
+TEST(SetupFile, TheEnteringAngleMayBeStatedAsALeadAngle)
+{
+    Notes notes;
+    const TurningSetup former = readSetup(caseAText, notes);
+    EXPECT_EQ(former.tool.entering_angle_deg, 95);
+    const std::string today = replaced(caseAText, R"("lead_angle_deg": -5)", R"("entering_angle_deg": 95)");
+    EXPECT_EQ(readSetup(today, notes), former);
+    EXPECT_FALSE(contains(notes, notes::unknownKey));
+    EXPECT_EQ(setupText(former).find("lead_angle"), std::string::npos);
+    // Stated twice: both keys, and the place of the former one.
+    const Values twice =
+        refusal(replaced(caseAText, R"("lead_angle_deg": -5)", R"("entering_angle_deg": 95, "lead_angle_deg": -5)"),
+                errors::valueStatedTwice);
+    EXPECT_EQ(*find(twice, "former"), Value(std::string("tool.lead_angle_deg")));
+    EXPECT_EQ(*find(twice, "key"), Value(std::string("tool.entering_angle_deg")));
+    EXPECT_EQ(*find(twice, "line"), Value(std::int64_t{4}));
+    EXPECT_EQ(*find(twice, "column"), Value(std::int64_t{55}));
+    // The range is that of the key that is stated.
+    const Values far =
+        refusal(replaced(caseAText, R"("lead_angle_deg": -5)", R"("lead_angle_deg": 85)"), errors::keyOutOfRange);
+    EXPECT_EQ(*find(far, "key"), Value(std::string("tool.lead_angle_deg")));
+    EXPECT_EQ(*find(far, "maximum"), Value(80.0));
+    refusal(replaced(caseAText, R"("lead_angle_deg": -5, )", ""), errors::keyMissing);
 }
 
 TEST(SetupFile, AKindOfFile)

@@ -209,10 +209,10 @@ TEST(Moves, ALoopOverAWrongBlockEndsSoon)
 
 TEST(Moves, NoseRadiusCompensation)
 {
-    const Noses noses = readToolTable(keptProgram("tools.tbl"));
-    ASSERT_EQ(noses.at(1).radius_mm, 0.8);
-    ASSERT_EQ(noses.at(1).tip, 3);
-    const Toolpath path = pathOf(keptProgram("compensated.ngc"), automaticControl, {}, noses);
+    const ToolTable tools = readToolTable(keptProgram("tools.tbl"));
+    ASSERT_EQ(tools.at(1).corner_radius_mm, 0.8);
+    ASSERT_EQ(tools.at(1).tip, 3);
+    const Toolpath path = pathOf(keptProgram("compensated.ngc"), automaticControl, {}, tools);
     EXPECT_FALSE(path.has_errors);
     // Along the cylinder the tip runs on it; the 45° cone is met r·(1 - tan 22.5°) early; fillets lose the radius.
     const double early = 0.8 * (1 - std::tan(std::acos(-1.0) / 8));

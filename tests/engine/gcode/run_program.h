@@ -10,10 +10,10 @@
 namespace lathelier::gcode {
 
 inline Toolpath pathOf(const std::string& text, std::string_view control = automaticControl,
-                       ToolpathParameters parameters = {}, const Noses& noses = {})
+                       ToolpathParameters parameters = {}, const ToolTable& tools = {})
 {
     Program program = readProgram(text, controlNamed(control));
-    return findToolpath(program, parameters, noses);
+    return findToolpath(program, parameters, tools);
 }
 
 inline std::string keptProgram(const std::string& name)

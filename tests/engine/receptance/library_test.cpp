@@ -7,10 +7,11 @@
 #include <set>
 
 #include "../core/code_of_error.h"
-#include "engine/cutting/insert_library.h"
+#include "engine/cutting/cutting_forces.h"
+#include "engine/cutting/tool_library.h"
 #include "engine/io/io_codes.h"
 #include "engine/receptance/library.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -50,22 +51,23 @@ TEST(Library, OfMachinesIsWhole)
 
 TEST(Library, OfInsertsIsWholeAndCanCut)
 {
-    const auto library = cutting::readInserts(resource("inserts.json"));
+    const auto library = cutting::readToolLibrary(resource("inserts.json"), resource("holders.json")).inserts;
     ASSERT_EQ(library.size(), 16U);
     for (const auto& entry : library) {
         EXPECT_NE(entry.source.find("ISO 1832"), std::string::npos) << entry.key;
         ASSERT_TRUE(entry.value.tip_angle_deg) << entry.key;
-        EXPECT_EQ(entry.value.tip_angle_deg, stock::tipAngleOfCode_deg(entry.source.substr(10))) << entry.key;
-        stock::TurningTool tool;
-        tool.corner_radius_mm = entry.value.corner_radius_mm;
-        tool.entering_angle_deg = 90 - entry.value.lead_angle_deg;
-        tool.tip_angle_deg = entry.value.tip_angle_deg;
-        EXPECT_FALSE(stock::outlineOf(tool).insert.empty()) << entry.key;
+        EXPECT_EQ(entry.value.tip_angle_deg, tipAngleOfCode_deg(entry.source.substr(10))) << entry.key;
+        EXPECT_FALSE(stock::outlineOf(entry.value).insert.empty()) << entry.key;
         const cutting::CuttingForces forces = cutting::cuttingForces({2000, 0, 1000, 0}, entry.value, 0.2, 1);
         EXPECT_GT(forces.F_ap_N, 0) << entry.key;
     }
-    EXPECT_EQ(entryOf(library, "cnmg_120408")->value, (cutting::ToolGeometry{-5, 0.8, 80}));
-    EXPECT_EQ(codeOfError([] { cutting::readInserts(R"({"inserts": [{"key": "a", "lead_angle_deg": 0}]})"); }),
+    const cutting::LibraryTool& insert = entryOf(library, "cnmg_120408")->value;
+    EXPECT_EQ(insert.entering_angle_deg, 95);
+    EXPECT_EQ(insert.corner_radius_mm, 0.8);
+    EXPECT_EQ(insert.tip_angle_deg, 80);
+    EXPECT_EQ(codeOfError([] {
+                  cutting::readToolLibrary(R"({"inserts": [{"key": "a", "lead_angle_deg": 0}]})", R"({"holders": []})");
+              }),
               errors::keyMissing);
 }
 

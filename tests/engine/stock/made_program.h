@@ -16,9 +16,9 @@ inline Shaft bar(double length_mm, double diameter_mm, double bore_mm = 0)
 }
 
 /// CNMG 120408 in a PCLNL: κ 95°, ε 80°.
-inline TurningTool insertC(double radius_mm = 0.8)
+inline Tool insertC(double radius_mm = 0.8)
 {
-    TurningTool tool;
+    Tool tool;
     tool.corner_radius_mm = radius_mm;
     tool.entering_angle_deg = 95;
     tool.tip_angle_deg = 80;
@@ -27,16 +27,16 @@ inline TurningTool insertC(double radius_mm = 0.8)
 }
 
 /// A blade whose sides are square to the axis: what it leaves is exact.
-inline TurningTool blade(double width_mm, double reach_mm = 30)
+inline Tool blade(double width_mm, double reach_mm = 30)
 {
-    TurningTool tool;
-    tool.shape = ToolShape::Blade;
+    Tool tool;
+    tool.kind = ToolKind::Blade;
     tool.width_mm = width_mm;
-    tool.edge_length_mm = reach_mm;
+    tool.reach_mm = reach_mm;
     return tool;
 }
 
-inline StockParameters with(const TurningTool& tool)
+inline StockParameters with(const Tool& tool)
 {
     StockParameters parameters;
     parameters.tools = {tool};

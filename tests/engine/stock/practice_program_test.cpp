@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "engine/gcode/toolpath.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 #include "made_program.h"
 
 namespace lathelier::stock {
@@ -21,9 +21,9 @@ std::vector<gcode::Move> practice(const std::string& name)
     return gcode::findToolpath(program).moves;
 }
 
-TurningTool insert(int number, double radius_mm, double entering_deg, double tip_deg, double edge_mm, int tip = 3)
+Tool insert(int number, double radius_mm, double entering_deg, double tip_deg, double edge_mm, int tip = 3)
 {
-    TurningTool tool;
+    Tool tool;
     tool.number = number;
     tool.tip = tip;
     tool.corner_radius_mm = radius_mm;
@@ -36,7 +36,7 @@ TurningTool insert(int number, double radius_mm, double entering_deg, double tip
 /// The tools of all programs, as their jobs state them; the stock stands 1 mm before Z0.
 StockParameters job(double chuck_face_z_mm)
 {
-    TurningTool groove = blade(2, 18);
+    Tool groove = blade(2, 18);
     groove.number = 8;
     groove.corner_radius_mm = 0.2;
     StockParameters parameters;
@@ -101,9 +101,9 @@ TEST(TurningInsert, StandsAtItsImaginaryTip)
     for (const int tip : {1, 4, 5}) EXPECT_NEAR(boxOfTip(tip).low.z_mm, 0, 1e-12);
     EXPECT_NEAR(boxOfTip(0).low.x_mm, -0.8, 1e-12);
     EXPECT_NEAR(boxOfTip(8).low.z_mm, -boxOfTip(8).high.z_mm, 1e-9);
-    EXPECT_TRUE(outlineOf(TurningTool()).is_assumed);
+    EXPECT_TRUE(outlineOf(Tool()).is_assumed);
     EXPECT_FALSE(outlineOf(insert(1, 0.8, 95, 80, 12)).is_assumed);
-    TurningTool named;
+    Tool named;
     named.name = "DNMG 150608 / PDJNL";
     EXPECT_EQ(outlineOf(named).tip_angle_deg, 55);
     EXPECT_FALSE(tipAngleOfCode_deg("PDJNL 2525"));

@@ -128,14 +128,14 @@ TEST(StockCheck, TheDogLegFindsWhatTheStraightPathMisses)
 
 TEST(StockCheck, TheHolderTrailsTheCut)
 {
-    TurningTool tool = insertC();
+    Tool tool = insertC();
     tool.holder = {{-20, 1}, {-3, 1}, {-3, 40}, {-20, 40}};
     EXPECT_TRUE(run(bar(60, 40), onePass, with(tool)).findings.empty());
 }
 
 TEST(StockCheck, AHolderThatMeetsStockIsFoundAfterTheCut)
 {
-    TurningTool tool = blade(3, 10);
+    Tool tool = blade(3, 10);
     tool.holder = {{-20, 4}, {-1, 4}, {-1, 40}, {-20, 40}};
     const StockResult result = run(bar(100, 40), "G0 X60. Z-50.\nG1 X33. F0.1\nX28.\nX60.\n", with(tool));
     ASSERT_EQ(result.findings.size(), 1U);
@@ -202,9 +202,10 @@ TEST(StockCheck, AirCutsThreadsAndDrillingAreNoted)
     EXPECT_TRUE(air.findings.empty());
     EXPECT_EQ(noteOf(run(bar(60, 40), onePass, with(insertC())), notes::aboveStockFeed), nullptr);
 
-    TurningTool threading = insertC(0.1);
+    Tool threading = insertC(0.1);
     threading.tip_angle_deg = 60;
     threading.tip = 8;
+    threading.kind = ToolKind::ThreadingInsert;
     const StockResult thread = run(bar(60, 40), "G0 X44. Z3.\nX38.\nG32 Z-20. F1.5\nG0 X44.\nZ3.\n", with(threading));
     EXPECT_NE(noteOf(thread, notes::threadAsRoot), nullptr);
     EXPECT_TRUE(thread.findings.empty());
@@ -215,11 +216,11 @@ TEST(StockCheck, AirCutsThreadsAndDrillingAreNoted)
     EXPECT_NE(noteOf(unknown, notes::drillingNotModelled), nullptr);
     EXPECT_NE(noteOf(unknown, notes::toolAssumed), nullptr);
     EXPECT_TRUE(unknown.passes.empty());
-    TurningTool drill;
-    drill.shape = ToolShape::Drill;
-    drill.width_mm = 10;
+    Tool drill;
+    drill.kind = ToolKind::Drill;
+    drill.diameter_mm = 10;
     drill.tip_angle_deg = 118;
-    drill.edge_length_mm = 60;
+    drill.reach_mm = 60;
     const StockResult drilled = run(bar(60, 40), drilling, with(drill));
     EXPECT_TRUE(drilled.findings.empty());
     const double cone_mm = 5 / std::tan(59 * pi / 180);
@@ -229,8 +230,9 @@ TEST(StockCheck, AirCutsThreadsAndDrillingAreNoted)
 
 TEST(StockCheck, ABoredTubeIsTurnedFromInside)
 {
-    TurningTool boring = insertC(0.4);
+    Tool boring = insertC(0.4);
     boring.tip = 2;
+    boring.kind = ToolKind::BoringBar;
     boring.edge_length_mm = 6;
     const StockResult result =
         run(bar(60, 40, 20), "G0 X18. Z3.\nX24.\nG1 Z-30. F0.1\nX22. Z-29.\nG0 Z3.\n", with(boring));
@@ -252,7 +254,7 @@ TEST(StockCheck, GroovesInAnyOrderLeaveTheSame)
 TEST(StockCheck, DimensionScaling)
 {
     const auto scaled = [](double k) {
-        TurningTool tool = insertC(0.8 * k);
+        Tool tool = insertC(0.8 * k);
         tool.edge_length_mm = 12 * k;
         StockParameters parameters = with(tool);
         parameters.step_mm *= k;
@@ -321,11 +323,11 @@ RC_GTEST_PROP(StockCheckProperty, NoMovesAreTooWild, (unsigned seed))
         move.tool = pick(4);
         moves.push_back(move);
     }
-    TurningTool back = insertC(0.4);
+    Tool back = insertC(0.4);
     back.number = 1;
     back.tip = pick(10);
     back.shank_width_mm = 20;
-    TurningTool groove = blade(2);
+    Tool groove = blade(2);
     groove.number = 2;
     groove.holder = {{-20, 4}, {-1, 4}, {-1, 40}, {-20, 40}};
     StockParameters parameters;

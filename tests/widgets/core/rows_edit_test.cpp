@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "engine/core/tool.h"
 #include "engine/shaft/shaft.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/language.h"
@@ -92,6 +93,22 @@ private slots:
         type(0, 1, "33");
         QVERIFY(table()->item(0, 1)->icon().isNull());
         QCOMPARE(shaft().segments[0].start_diameter_mm, 33.0);
+    }
+
+    void aRowOfAnOlderFileShowsItsValues()
+    {
+        FieldInfo info;
+        info.kind = FieldInfo::Kind::Rows;
+        info.maximum = 10;
+        info.columns = infos<Tool>();
+        for (FieldInfo& column : info.columns) column.advanced = column.kind == FieldInfo::Kind::Rows;
+        RowsEdit edit(info);
+        edit.setRows({{Row{{{"nose_radius_mm", 0.8}, {"corner_radius_mm", 0.0}, {"lead_angle_deg", -5.0}}}}});
+        const Rows shown = edit.rows();
+        QCOMPARE(shown.rows.size(), std::size_t{1});
+        QVERIFY(*lathelier::find(shown.rows[0].cells, "corner_radius_mm") == Value(0.8));
+        QVERIFY(*lathelier::find(shown.rows[0].cells, "entering_angle_deg") == Value(95.0));
+        QVERIFY(!lathelier::find(shown.rows[0].cells, "lead_angle_deg"));
     }
 
     void rowsAreAddedAndRemoved()

@@ -4,7 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "engine/cutting/insert_library.h"
+#include "engine/cutting/tool_library.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/receptance/library.h"
@@ -107,7 +107,7 @@ private slots:
             QVERIFY((choice.key == statedChoice) == !entryOf(receptance::machines(), choice.key));
         for (const FieldChoice& choice : cutting::insertChoices({})) {  // the angle in the name is that of the entry
             if (choice.key == statedChoice) continue;
-            const double entering_deg = 90 - entryOf(cutting::inserts(), choice.key)->value.lead_angle_deg;
+            const double entering_deg = *entryOf(cutting::toolLibrary().inserts, choice.key)->value.entering_angle_deg;
             QVERIFY(QString(choice.label.english).endsWith(QString(", %1°").arg(entering_deg)));
         }
     }
@@ -155,8 +155,8 @@ private slots:
         QCOMPARE(*deflection::stockParameters(panel_->result()->job->setup).tools.front().tip_angle_deg, 90.0);
         set("changed_corner_radius_mm", 0.4);
         settle();
-        QCOMPARE(panel_->result()->job->setup.tool.corner_radius_mm, 0.4);
-        QCOMPARE(panel_->result()->job->setup.tool.lead_angle_deg, 15.0);
+        QCOMPARE(panel_->result()->job->setup.tool.corner_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(panel_->result()->job->setup.tool.entering_angle_deg, std::optional<double>(75));
     }
 
     void restsAndToolPostAreTriedOnTheSetUp()

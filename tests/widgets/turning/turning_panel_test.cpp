@@ -136,6 +136,22 @@ private slots:
         QCOMPARE(plan().post, std::string("fanuc_a"));
     }
 
+    void toolsOfAnOlderProjectAreTheSame()
+    {
+        const auto tools_of = [](const char* name) {
+            const QString path = QString(LATHELIER_SOURCE_DIR "/tests/data/projects/") + name;
+            const project::Project kept = project::readProject(path.toStdString()).project;
+            return fromValues<TurningQuestion>(kept.panels.at("turning").parameters).job.tools;
+        };
+        const auto tools = tools_of("version_4.lathelier");
+        QCOMPARE(tools.size(), std::size_t{4});
+        QVERIFY(tools == tools_of("version_5.lathelier"));
+        QVERIFY(!tools[0].corner_radius_mm);  // that of the library
+        QCOMPARE(tools[1].corner_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(tools[2].reach_mm, std::optional<double>(18));
+        QCOMPARE(tools[3].diameter_mm, std::optional<double>(4));
+    }
+
     void anotherInsertIsAnotherTool()
     {
         cam::Job job = cam::jobWith({cam::row(30, 20, 20), cam::row(20, 30, 30)}, 34, 90, {});
@@ -147,7 +163,7 @@ private slots:
             tool.holder_name = "PCLNL 2525M12";
         }
         open(write("library.json", job));
-        QCOMPARE(plan().job.tools[1].nose_radius_mm, std::optional<double>(0.8));
+        QCOMPARE(plan().job.tools[1].corner_radius_mm, std::optional<double>(0.8));
         const auto edit = [&](const char* key, const std::string& code) {
             // As the form does it: the table of tools with one cell changed.
             Values values = toValues(plan().stated);
@@ -160,10 +176,10 @@ private slots:
         edit("insert", "DNMG 150604");
         edit("holder_name", "PDJNL 2525M15");
         QVERIFY(panel_->result()->is_changed);
-        QCOMPARE(plan().job.tools[1].nose_radius_mm, std::optional<double>(0.4));
+        QCOMPARE(plan().job.tools[1].corner_radius_mm, std::optional<double>(0.4));
         QCOMPARE(plan().job.tools[1].tip_angle_deg, std::optional<double>(55));
         QCOMPARE(plan().job.tools[1].entering_angle_deg, std::optional<double>(93));
-        QVERIFY(!plan().stated.tools[1].nose_radius_mm);
+        QVERIFY(!plan().stated.tools[1].corner_radius_mm);
         QVERIFY(!says("insert_not_of_holder"));
     }
 
@@ -238,7 +254,7 @@ private slots:
         cam::Job job =
             cam::jobWith({cam::row(30, 20, 20), cam::row(20, 30, 30)}, 32, 90, {cam::roughC80(), cam::finishC80()});
         job.tools[1].holder = {{-20, -1}, {-20, 40}, {-12, 40}, {-12, -1}};
-        for (stock::HolderCorner& corner : job.tools[1].holder) corner.dz_mm = -corner.dz_mm;
+        for (HolderCorner& corner : job.tools[1].holder) corner.dz_mm = -corner.dz_mm;
         open(write("holder.json", job));
         QVERIFY(plan().is_refused);
         const auto& found = plan().setups[0].check.findings;

@@ -30,6 +30,22 @@ constexpr int shownRole = Qt::UserRole, exactRole = Qt::UserRole + 1;
 /// Item data of the first cell of a row: the original row, for its hidden columns.
 constexpr int foldedRole = Qt::UserRole + 2;
 
+/// Rows of older files under the keys of today. Rows that state a value twice are left to the panel, which refuses
+/// them.
+Rows underTodaysKeys(Rows rows, const std::vector<FieldInfo>& columns)
+{
+    for (Row& row : rows.rows) {
+        Values cells = row.cells;
+        try {
+            for (const FieldInfo& column : columns) takeFormer(column, cells);
+            row.cells = std::move(cells);
+        } catch (const Error&) {
+            continue;
+        }
+    }
+    return rows;
+}
+
 /// Text for editing: numbers in the user's locale without binary rounding noise, choices by their label.
 QString typedCellText(const FieldInfo& column, const Value& value)
 {
@@ -110,8 +126,9 @@ RowsEdit::RowsEdit(const FieldInfo& info, QWidget* parent)
     retranslate();
 }
 
-void RowsEdit::setRows(const Rows& rows)
+void RowsEdit::setRows(const Rows& stated)
 {
+    const Rows rows = underTodaysKeys(stated, info_.columns);
     if (rows == announced_ && sound_ && table_->rowCount() == static_cast<int>(rows.rows.size())) return;
     announced_ = rows;
     fill();

@@ -1,5 +1,5 @@
 // Inserts and holders of the library in a job.
-#include "engine/cam/tool_library.h"
+#include "engine/cam/job_library.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/plan_codes.h"
-#include "engine/stock/turning_insert.h"
+#include "engine/stock/tool_outline.h"
 #include "tests/engine/cam/plan_checks.h"
 
 namespace lathelier::cam {
@@ -17,19 +17,20 @@ namespace {
 
 TEST(ToolLibrary, EntriesAreWholeAndSayWhereTheyComeFrom)
 {
-    ASSERT_GE(libraryInserts().size(), 10U);
-    for (const auto& entry : libraryInserts()) {
+    ASSERT_GE(cutting::toolLibrary().inserts.size(), 10U);
+    for (const auto& entry : cutting::toolLibrary().inserts) {
         EXPECT_FALSE(entry.source.empty()) << entry.key;
         EXPECT_EQ(entry.value.standing, "assumed") << entry.key;
-        ASSERT_TRUE(entry.value.edge_length_mm && entry.value.feed_high_mm_rev && entry.value.depth_high_mm);
-        EXPECT_LE(*entry.value.feed_high_mm_rev, 0.8 * entry.value.corner_radius_mm + 1e-9) << entry.key;
-        EXPECT_LE(*entry.value.depth_high_mm, 2 * *entry.value.edge_length_mm / 3 + 0.05) << entry.key;
-        EXPECT_LT(*entry.value.feed_low_mm_rev, *entry.value.feed_high_mm_rev) << entry.key;
+        ASSERT_TRUE(entry.value.edge_length_mm && entry.value.ranges.feed_high_mm_rev &&
+                    entry.value.ranges.depth_high_mm);
+        EXPECT_LE(*entry.value.ranges.feed_high_mm_rev, 0.8 * *entry.value.corner_radius_mm + 1e-9) << entry.key;
+        EXPECT_LE(*entry.value.ranges.depth_high_mm, 2 * *entry.value.edge_length_mm / 3 + 0.05) << entry.key;
+        EXPECT_LT(*entry.value.ranges.feed_low_mm_rev, *entry.value.ranges.feed_high_mm_rev) << entry.key;
     }
-    for (const auto& entry : libraryHolders()) {
+    for (const auto& entry : cutting::toolLibrary().holders) {
         EXPECT_FALSE(entry.source.empty()) << entry.key;
         EXPECT_GE(entry.value.holder.size(), 4U) << entry.key;
-        for (const stock::HolderCorner& corner : entry.value.holder)
+        for (const HolderCorner& corner : entry.value.holder)
             EXPECT_LE(entry.value.hand == Hand::TowardChuck ? corner.dz_mm : -corner.dz_mm, 0) << entry.key;
     }
 }
@@ -44,14 +45,14 @@ TEST(ToolLibrary, NamedToolsAreFilledAndTypedValuesRule)
     job.tools[1].number = 2;
     job.tools[1].use = ToolUse::Finish;
     job.tools[1].insert = "DCMT 11T3 02";  // not listed: read from its code
-    job.tools[1].nose_radius_mm = 0.25;
+    job.tools[1].corner_radius_mm = 0.25;
     job.tools[1].entering_angle_deg = 93;
     const Job filled = withLibrary(job);
-    EXPECT_EQ(filled.tools[0].nose_radius_mm, 0.8);
+    EXPECT_EQ(filled.tools[0].corner_radius_mm, 0.8);
     EXPECT_EQ(filled.tools[0].tip_angle_deg, 80.0);
     EXPECT_EQ(filled.tools[0].entering_angle_deg, 95.0);
     EXPECT_FALSE(filled.tools[0].holder.empty());
-    EXPECT_EQ(filled.tools[1].nose_radius_mm, 0.25);
+    EXPECT_EQ(filled.tools[1].corner_radius_mm, 0.25);
     EXPECT_EQ(filled.tools[1].tip_angle_deg, 55.0);
     EXPECT_EQ(withLibrary(filled), filled);
     job.tools[0].insert = "XXXX";
@@ -61,6 +62,25 @@ TEST(ToolLibrary, NamedToolsAreFilledAndTypedValuesRule)
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::toolNotInLibrary);
     }
+}
+
+TEST(ToolLibrary, AnEntryMoreIsThereForJobsAndForDeflection)
+{
+    // What a school adds to resources/library/inserts.json.
+    const std::string added = R"({"inserts": [{"key": "rnmg_school", "entering_angle_deg": 60, "corner_radius_mm": 1.6,
+        "tip_angle_deg": 70, "edge_length_mm": 14, "feed_high_mm_rev": 0.2, "standing": "given", "source": "ours"}]})";
+    const cutting::ToolLibrary library = cutting::readToolLibrary(added, cutting::builtInHolders().front().text);
+    Job job;
+    job.tools.resize(1);
+    job.tools[0].insert = "RNMG School";
+    job.tools[0].holder_name = "PCLNL 2525M12";
+    EXPECT_EQ(withLibrary(job, library).tools[0].corner_radius_mm, 1.6);
+    EXPECT_EQ(withLibrary(job, library).tools[0].edge_length_mm, 14);
+    EXPECT_THROW(withLibrary(job), Error);
+    const std::vector<FieldChoice> choices = cutting::insertChoices({}, library);
+    ASSERT_EQ(choices.size(), 2U);
+    EXPECT_EQ(choices[1].key, "rnmg_school");
+    EXPECT_EQ(choices[1].label, Text{"RNMG SCHOOL, 60°"});
 }
 
 TEST(ToolLibrary, WhatWasStatedStaysApartFromWhatIsFilledIn)
@@ -79,26 +99,26 @@ TEST(ToolLibrary, WhatWasStatedStaysApartFromWhatIsFilledIn)
     EXPECT_EQ(readJob(jobText(job), notes), job);
     const TurningPlan plan = planned(job, "fanuc_a");
     EXPECT_EQ(plan.stated, job);
-    EXPECT_EQ(plan.job.tools[1].nose_radius_mm, 0.8);
+    EXPECT_EQ(plan.job.tools[1].corner_radius_mm, 0.8);
     // Another insert in what was stated is another tool.
     Job other = plan.stated;
     other.tools[1].insert = "DNMG 150604";
     other.tools[1].holder_name = "PDJNL 2525M15";
     const TurningPlan changed = planned(other, "fanuc_a");
-    EXPECT_EQ(changed.job.tools[1].nose_radius_mm, 0.4);
+    EXPECT_EQ(changed.job.tools[1].corner_radius_mm, 0.4);
     EXPECT_EQ(changed.job.tools[1].tip_angle_deg, 55.0);
     EXPECT_EQ(changed.job.tools[1].entering_angle_deg, 93.0);
 }
 
 TEST(ToolLibrary, AnInsertThatDoesNotFitItsHolderIsNoted)
 {
-    EXPECT_TRUE(fitsHolder("CNMG 120408", "PCLNL 2525M12"));
-    EXPECT_TRUE(fitsHolder("CCMT 09T304", "SCLCL2020K09"));
-    EXPECT_FALSE(fitsHolder("CNMG 120408", "PDJNL 2525M15"));  // shape
-    EXPECT_FALSE(fitsHolder("CNMG 160612", "PCLNL 2525M12"));  // size
-    EXPECT_FALSE(fitsHolder("CCMT 120408", "PCLNL 2525M12"));  // clearance
-    EXPECT_TRUE(fitsHolder("CNMG 120408", "my holder"));
-    EXPECT_TRUE(fitsHolder("", ""));
+    EXPECT_TRUE(cutting::fitsHolder("CNMG 120408", "PCLNL 2525M12"));
+    EXPECT_TRUE(cutting::fitsHolder("CCMT 09T304", "SCLCL2020K09"));
+    EXPECT_FALSE(cutting::fitsHolder("CNMG 120408", "PDJNL 2525M15"));  // shape
+    EXPECT_FALSE(cutting::fitsHolder("CNMG 160612", "PCLNL 2525M12"));  // size
+    EXPECT_FALSE(cutting::fitsHolder("CCMT 120408", "PCLNL 2525M12"));  // clearance
+    EXPECT_TRUE(cutting::fitsHolder("CNMG 120408", "my holder"));
+    EXPECT_TRUE(cutting::fitsHolder("", ""));
     Job job = jobWith({row(30, 20, 20), row(20, 30, 30)}, 34, 90, {roughC80(), finishC80()});
     EXPECT_FALSE(contains(planned(job).notes, notes::insertNotOfHolder));
     job.tools[1].insert = "CNMG 120404";
@@ -125,7 +145,7 @@ TEST(ToolLibrary, PlansWithHoldersOfTheLibrary)
                             [](const Note& note) { return note.code == notes::toolFromLibrary; }),
               4);
     EXPECT_NE(plan.setups[0].text.find("ASSUMED: T1 OUTLINE OF PCLNL 2525M12"), std::string::npos);
-    EXPECT_EQ(plan.job.tools[1].nose_radius_mm, 0.4);
+    EXPECT_EQ(plan.job.tools[1].corner_radius_mm, 0.4);
     job.cutting.finish.feed_mm_rev = 0.5;
     EXPECT_TRUE(contains(planned(job, "fanuc_a").notes, notes::outsideRange));
     // An allowance that is less than the insert's least depth.

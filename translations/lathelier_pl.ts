@@ -12444,14 +12444,6 @@
         <translation>Upuść tu zadanie (JOB.json) i wałek: powstanie jego program toczenia, odczytany ponownie i sprawdzony.</translation>
     </message>
     <message>
-        <source>Fanuc, system B</source>
-        <translation>Fanuc, system B</translation>
-    </message>
-    <message>
-        <source>GRBL</source>
-        <translation>GRBL</translation>
-    </message>
-    <message>
         <source>Job changed from</source>
         <translation>Zadanie zmienione względem</translation>
     </message>

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/core/parallel.h"
+
 namespace lathelier::io {
 namespace {
 
@@ -47,7 +49,7 @@ std::string_view InputFiles::open(const std::string& path, const Progress& progr
         return io::sha256(held->view(), stop, [&passed](std::size_t count) { passed.tell(count); });
     };
     std::shared_future<std::string> sha256;
-    if (beside_) {
+    if (beside_ && threadsAllowed() > 1) {
         try {
             sha256 = std::async(std::launch::async, digest).share();
         } catch (const std::system_error&) {  // no further thread available: the digest is deferred

@@ -252,9 +252,11 @@ private slots:
     {
         dropBoth();
         setTolerance(0.04);
-        const QString text = part<compare_panel::ZoneTable>("zones")->text(false);
-        QVERIFY2(text.contains("✗ out"), qPrintable(text));  // the collar of the sample copy is 50 µm too large
-        QVERIFY(text.contains("✓ within"));
+        const auto text = [&] { return part<compare_panel::ZoneTable>("zones")->text(false); };
+        QVERIFY2(text().contains("✗ out"), qPrintable(text()));  // the collar of the sample copy is 50 µm too large
+        QVERIFY2(text().contains("? undecided"), qPrintable(text()));  // 70 points do not show a plateau of 40 µm
+        setTolerance(0.08);
+        QVERIFY2(text().contains("✓ within") && !text().contains("✗ out"), qPrintable(text()));
     }
 
     void scaleAndMagnificationAreEdited()

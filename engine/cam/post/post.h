@@ -38,7 +38,7 @@ using Templates = std::vector<std::string>;
 
 struct Post {
     std::string name;                ///< label and file name
-    std::string label;                      ///< of the control, as it is shown; empty: the name
+    std::string label;               ///< of the control, as it is shown; empty: the name
     gcode::ControlPtr control;       ///< that its programs are for; nullptr: detected from the text
     Templates program_start;         ///< before everything, without block numbers
     Templates header_comments;       ///< comments at the top

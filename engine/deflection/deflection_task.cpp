@@ -122,7 +122,7 @@ DeflectionOutcome answerDeflection(const project::PanelState& state, StudyKind k
     return outcome;
 }
 
-task::Outcome outcomeOf(std::shared_ptr<const DeflectionOutcome> outcome)
+task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
 {
     task::Outcome all;
     all.result = outcome;

@@ -46,7 +46,7 @@ DeflectionOutcome answerDeflection(const project::PanelState& state, StudyKind k
                                    task::Sources& sources, const Progress& progress);
 
 /// For callers that work with every task.
-task::Outcome outcomeOf(std::shared_ptr<const DeflectionOutcome> outcome);
+task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome);
 
 /// Exports of the outcome by option: with a correction "compensate" and "correction-csv".
 inline constexpr const char* compensateExport = "compensate";

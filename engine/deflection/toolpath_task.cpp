@@ -81,7 +81,7 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
     return outcome;
 }
 
-task::Outcome outcomeOf(std::shared_ptr<const ToolpathOutcome> outcome)
+task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome)
 {
     task::Outcome all;
     all.result = outcome;

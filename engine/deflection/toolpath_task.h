@@ -46,7 +46,7 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
                                const Progress& progress);
 
 /// For callers that work with every task; errors: the first one of the program.
-task::Outcome outcomeOf(std::shared_ptr<const ToolpathOutcome> outcome);
+task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome);
 
 inline constexpr const char* movesExport = "csv";
 inline constexpr const char* rewriteExport = "rewrite";

@@ -18,16 +18,16 @@ ProgramFile ProgramInput::read(const io::FileToRead& file)
 
 std::optional<ProgramText> ProgramInput::ofItem(const Values& values)
 {
-    std::optional<ProgramItem> item = programOf(values);
-    if (!item) return std::nullopt;
-    std::string text = item->text;
-    return ProgramText{std::move(text), std::move(item)};
+    std::optional<ProgramItem> program = programOf(values);
+    if (!program) return std::nullopt;
+    std::string text = program->text;
+    return ProgramText{std::move(text), std::move(program)};
 }
 
 std::string ProgramInput::contentOf(const Values& values)
 {
-    const std::optional<ProgramItem> item = programOf(values);
-    return item ? item->text : std::string();
+    const std::optional<ProgramItem> program = programOf(values);
+    return program ? program->text : std::string();
 }
 
 ProgramFacts::File ProgramFacts::read(const io::FileToRead& file)

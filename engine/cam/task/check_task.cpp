@@ -49,7 +49,7 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     return outcome;
 }
 
-task::Outcome outcomeOf(std::shared_ptr<const CheckOutcome> outcome)
+task::Outcome outcomeOf(const std::shared_ptr<const CheckOutcome>& outcome)
 {
     task::Outcome all;
     all.result = outcome;

@@ -22,7 +22,7 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
                          const Progress& progress);
 
 /// For callers that work with every task; errors: the first one of the program.
-task::Outcome outcomeOf(std::shared_ptr<const CheckOutcome> outcome);
+task::Outcome outcomeOf(const std::shared_ptr<const CheckOutcome>& outcome);
 
 const task::Task& checkTask();
 

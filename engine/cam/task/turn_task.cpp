@@ -180,7 +180,7 @@ report::Answer answer(const TurnOutcome& outcome, const Language& language)
     return answer;
 }
 
-task::Outcome outcomeOf(std::shared_ptr<const TurnOutcome> outcome)
+task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
 {
     task::Outcome all;
     all.result = outcome;

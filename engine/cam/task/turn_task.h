@@ -37,7 +37,7 @@ TurnOutcome answerTurn(const project::PanelState& state, bool keeps_outlines, St
 report::Answer answer(const TurnOutcome& outcome, const Language& language = {});
 
 /// For callers that work with every task. Of a refused plan the error programRefused.
-task::Outcome outcomeOf(std::shared_ptr<const TurnOutcome> outcome);
+task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome);
 
 /// Errors of programs that must not be written: checkVoid, cutsNotChecked, programRefused.
 void requireWritable(const TurnOutcome& outcome);

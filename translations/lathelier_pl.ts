@@ -13799,6 +13799,14 @@
         <source>How deep a blade cuts, on radius; length of a drill or a boring bar.</source>
         <translation>Jak głęboko wcina się przecinak, na promieniu; długość wiertła lub wytaczaka.</translation>
     </message>
+    <message>
+        <source>Control of your own</source>
+        <translation>Własne sterowanie</translation>
+    </message>
+    <message>
+        <source>Program in place of the planned one</source>
+        <translation>Program w miejsce zaplanowanego</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

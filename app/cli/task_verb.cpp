@@ -73,7 +73,7 @@ Verb verbOf(const task::Task& task)
     Verb verb;
     verb.name = task.key;
     verb.summary = task.summary;
-    verb.has_report = task.has_report;
+    verb.has_report = true;
     for (const task::Input& input : task.inputs) {
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())

@@ -114,11 +114,8 @@ DeflectionOutcome answerDeflection(const project::PanelState& state, StudyKind k
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
     }
-    outcome.asked = state;
+    outcome.record(state, sources, outcome.study->notes);
     set(outcome.asked.parameters, gcode::draftsKey, *find(toValues(outcome.question), gcode::draftsKey));
-    outcome.sources = sources;
-    outcome.notes = sources.notes;
-    outcome.notes.insert(outcome.notes.end(), outcome.study->notes.begin(), outcome.study->notes.end());
     return outcome;
 }
 

@@ -29,16 +29,13 @@ task::Input spindleAsInput();
 /// The computation: prediction, or prediction with correction.
 enum class StudyKind { Prediction, Correction };
 
-struct DeflectionOutcome {
-    project::PanelState asked;                  ///< inputs and parameters; of the drafts the used one
+struct DeflectionOutcome : task::Answered {
     DeflectionQuestion question;                ///< the parameters as a value
     std::shared_ptr<const TurningJob> job;      ///< never null
     std::shared_ptr<const TurningStudy> study;  ///< never null
     std::optional<gcode::ProgramItem> program;  ///< item of the program; none: a file
     std::string program_sha256;                 ///< digest of the text read
     stock::DrawnPath drawn;                     ///< path of the program, with the stock for a prediction
-    task::Sources sources;                      ///< what was read
-    Notes notes;                                ///< of the files and of the result
 };
 
 /// Errors: those of the readers and of studyTurning(); stockMissing; the first error of the program. Throws Cancelled.

@@ -73,11 +73,8 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
     }
-    outcome.asked = state;
+    outcome.record(state, sources, outcome.check->notes);
     set(outcome.asked.parameters, gcode::draftsKey, *find(toValues(outcome.question), gcode::draftsKey));
-    outcome.sources = sources;
-    outcome.notes = sources.notes;
-    outcome.notes.insert(outcome.notes.end(), outcome.check->notes.begin(), outcome.check->notes.end());
     return outcome;
 }
 

@@ -24,8 +24,7 @@ struct ToolpathQuestion {
 
 const std::vector<Field<ToolpathQuestion>>& fieldsOf(const ToolpathQuestion*);
 
-struct ToolpathOutcome {
-    project::PanelState asked;                         ///< inputs and parameters; of the drafts the used one
+struct ToolpathOutcome : task::Answered {
     ToolpathQuestion question;                         ///< the parameters as a value
     std::shared_ptr<const stock::ProgramCheck> check;  ///< never null
     std::string file;                                  ///< path of the program, or name and digest of its item
@@ -34,8 +33,6 @@ struct ToolpathOutcome {
     std::string file_text;                             ///< text of the file, UTF-8
     std::string text;                                  ///< checked text, UTF-8: draft or file
     stock::StockParameters parameters;                 ///< of the check against stock; tools for drawing
-    task::Sources sources;                             ///< what was read
-    Notes notes;                                       ///< of the files and of the result
 
     bool isDraft() const { return !question.drafts.empty(); }
 };

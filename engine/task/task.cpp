@@ -8,6 +8,14 @@
 
 namespace lathelier::task {
 
+void Answered::record(const project::PanelState& state, const Sources& read, const Notes& of_result)
+{
+    asked = state;
+    sources = read;
+    notes = read.notes;
+    notes.insert(notes.end(), of_result.begin(), of_result.end());
+}
+
 bool Wanted::has(const std::string& option) const
 {
     return std::find(exports.begin(), exports.end(), option) != exports.end();

@@ -45,6 +45,16 @@ struct Outcome {
     std::map<std::string, WriteExport> writers;               ///< by Export::option: those possible
 };
 
+/// What the typed outcome of every task holds.
+struct Answered {
+    project::PanelState asked;  ///< inputs and parameters
+    Sources sources;            ///< what was read
+    Notes notes;                ///< of the readers and of the result
+
+    /// `of_result`: notes of the result, behind those of the sources.
+    void record(const project::PanelState& state, const Sources& read, const Notes& of_result);
+};
+
 /// What a run is asked for besides the state of its panel.
 struct Wanted {
     std::vector<std::string> exports;  ///< by Export::option: to be written after the run
@@ -60,7 +70,6 @@ struct Task {
     std::vector<FieldInfo> fields;  ///< of its question
     Values defaults;                ///< of the fields
     std::vector<Export> exports;
-    bool has_report = true;
     /// Reads what `state` names and computes. `sources` receives what was read, also where an error ends the run.
     /// Errors of the readers and of the computation. Throws Cancelled. Thread-safe.
     std::function<Outcome(const project::PanelState& state, const Wanted& wanted, Stores& stores, Sources& sources,

@@ -4,13 +4,8 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
-#include "engine/io/file.h"
 #include "engine/io/io_codes.h"
-#include "engine/project/project_codes.h"
 #include "engine/receptance/frf_checks.h"
-#include "engine/receptance/spindle_item.h"
-#include "engine/shaft/shaft_contour.h"
-#include "engine/shaft/shaft_item.h"
 #include "engine/stability/stability_codes.h"
 #include "widgets/chatter_common/frf_files.h"
 #include "widgets/chatter_common/shaft_files.h"
@@ -18,60 +13,34 @@
 namespace lathelier::chatter_common {
 namespace {
 
-/// `restored` converts the values of an item of this kind; none when they are invalid.
-template <class T, class Restored>
-InputValue<T> itemValue(const project::PanelState& state, const char* role, const char* kind, Restored restored)
+/// Of the only source that was read.
+template <class T>
+InputValue<T> inputValue(T value, task::Sources sources)
 {
-    const project::Source& source = state.inputs.at(role);
-    const auto item = state.items.find(role);
-    std::optional<T> value;
-    if (item != state.items.end() && item->second.kind == kind) value = restored(item->second.values);
-    if (!value) throw Error(errors::itemNotThere, {{"item", source.item}, {"kind", std::string(kind)}});
-    const std::string content = toJson(item->second.values).dump();
-    const InputFile input{source.item, static_cast<std::int64_t>(content.size()), io::sha256(content)};
-    return {*std::move(value), input, {}, source.synthetic};
+    return {std::move(value), std::move(sources.inputs.front()), std::move(sources.notes), sources.synthetic};
 }
 
-/// `part` selects the value in a loaded file.
-template <class Store, class T, class Part>
-InputValue<T> fileValue(const project::Source& source, Stores& stores, const Progress& progress, Part part)
+template <class K>
+std::optional<InputValue<typename K::Value>> takeInput(const project::PanelState& state, const char* role,
+                                                       Stores& stores, const Progress& progress)
 {
-    const auto loaded = stores.of<Store>()->load(source, progress);
-    return {loaded->file.*part, loaded->inputs.front(), loaded->file.notes,
-            source.synthetic || contains(loaded->file.notes, notes::syntheticData)};
+    task::Sources sources;
+    auto value = task::take<K>(state, role, stores, progress, sources);
+    if (!value) return std::nullopt;
+    return inputValue(*std::move(value), std::move(sources));
 }
 
 }  // namespace
 
-const project::Source* sourceOf(const project::PanelState& state, const char* role)
-{
-    const auto source = state.inputs.find(role);
-    return source == state.inputs.end() ? nullptr : &source->second;
-}
-
 std::optional<InputValue<Shaft>> takeShaft(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    const project::Source* const source = sourceOf(state, shaftRole);
-    if (!source) return std::nullopt;
-    if (!source->item.empty()) {
-        const auto asBeam = [](const Values& values) -> std::optional<Shaft> {
-            const std::optional<Shaft> shaft = shaftOf(values);
-            return shaft ? std::optional(beamView(*shaft)) : std::nullopt;
-        };
-        return itemValue<Shaft>(state, shaftRole, shaftItem, asBeam);
-    }
-    return fileValue<ShaftStore, Shaft>(*source, stores, progress, &io::ShaftFile::shaft);
+    return takeInput<io::ShaftInput>(state, shaftRole, stores, progress);
 }
 
 std::optional<InputValue<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,
                                                                      const Progress& progress)
 {
-    using receptance::SpindleReceptance;
-    const project::Source* const source = sourceOf(state, spindleRole);
-    if (!source) return std::nullopt;
-    if (!source->item.empty())
-        return itemValue<SpindleReceptance>(state, spindleRole, receptance::spindleItem, receptance::spindleOf);
-    return fileValue<SpindleStore, SpindleReceptance>(*source, stores, progress, &receptance::SpindleFile::spindle);
+    return takeInput<receptance::SpindleInput>(state, spindleRole, stores, progress);
 }
 
 receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters asked,
@@ -86,14 +55,19 @@ receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters as
 
 std::optional<InputValue<Frf>> takeResponseItem(const project::PanelState& state)
 {
-    const project::Source* const source = sourceOf(state, frfRole);
+    const project::Source* const source = task::sourceOf(state, frfRole);
     if (!source || source->item.empty()) return std::nullopt;
-    return itemValue<Frf>(state, frfRole, frfItem, frfOf);
+    const Values& values = task::itemValues(state, frfRole, frfItem);
+    std::optional<Frf> frf = frfOf(values);
+    if (!frf) task::throwItemNotThere(source->item, frfItem);
+    task::Sources sources;
+    sources.add({task::itemAsInput(source->item, task::contentOf(values))}, {}, source->synthetic);
+    return inputValue(*std::move(frf), std::move(sources));
 }
 
 std::optional<ResponseInput> takeResponse(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    const project::Source* const source = sourceOf(state, frfRole);
+    const project::Source* const source = task::sourceOf(state, frfRole);
     if (!source) return std::nullopt;
     if (auto item = takeResponseItem(state)) {
         std::string basis = item->input.sha256;

@@ -11,7 +11,7 @@
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/receptance/spindle_receptance.h"
 #include "engine/shaft/shaft.h"
-#include "engine/task/stores.h"
+#include "engine/task/inputs.h"
 
 namespace lathelier::chatter_common {
 
@@ -37,9 +37,6 @@ T recordInput(Outcome& outcome, InputValue<T> taken)
     outcome.synthetic |= taken.synthetic;
     return std::move(taken.value);
 }
-
-/// The source of an input; nullptr: not given.
-const project::Source* sourceOf(const project::PanelState& state, const char* role);
 
 /// Nothing when the input is not given. Errors: loadShaft(), loadSpindle(); itemNotThere. Thread-safe.
 std::optional<InputValue<Shaft>> takeShaft(const project::PanelState& state, Stores& stores, const Progress& progress);

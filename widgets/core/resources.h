@@ -1,4 +1,4 @@
-// Embedded resources: icons, translations and libraries.
+// Embedded resources: icons, translations, pages of the manual and lessons.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace lathelier {
 /// Makes ":/icons" and ":/translations" readable. Resources of a static library must be initialised explicitly.
 void useResources();
 
-/// The content of ":/library/…"; empty when there is no such resource. Thread-safe.
+/// The content of ":/training/…"; empty when there is no such resource. Thread-safe.
 std::string resourceText(const char* path);
 
 }  // namespace lathelier

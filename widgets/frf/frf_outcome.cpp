@@ -35,7 +35,7 @@ void append(Notes& all, const Notes& more)
 std::string takeMeasured(FrfOutcome& outcome, const project::PanelState& state, Stores& stores,
                          const Progress& progress)
 {
-    const project::Source* const found = chatter_common::sourceOf(state, frfRole);
+    const project::Source* const found = task::sourceOf(state, frfRole);
     if (!found) return {};
     const project::Source& source = *found;
     if (const auto item = chatter_common::takeResponseItem(state)) {

@@ -29,7 +29,7 @@ stability::OperatingPoint pointOf(const LobesQuestion& question, const stability
 /// Chatter marks from the panel Surface. Error itemNotThere.
 void takeMarks(const project::PanelState& state, LobesOutcome& outcome)
 {
-    const project::Source* const source = chatter_common::sourceOf(state, marksRole);
+    const project::Source* const source = task::sourceOf(state, marksRole);
     if (!source) return;
     const auto item = state.items.find(marksRole);
     if (item != state.items.end() && item->second.kind == stability::marksItem)

@@ -61,7 +61,7 @@ std::vector<surface::NamedImage> readImages(const project::PanelState& state, Su
 {
     std::vector<surface::NamedImage> images;
     for (const char* role : {beforeRole, afterRole}) {
-        const project::Source* const source = chatter_common::sourceOf(state, role);
+        const project::Source* const source = task::sourceOf(state, role);
         if (!source) continue;
         const auto loaded = stores.of<ImageStore>()->load(*source, progress);
         images.emplace_back(source->path, std::shared_ptr<const io::Image>(loaded, &loaded->file));

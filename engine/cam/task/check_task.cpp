@@ -22,7 +22,6 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
 {
     const Progress reading = progress.part(0, 0.08, LT_TEXT("Engine", "Reading"));
     CheckOutcome outcome;
-    outcome.asked = state;
     const Job job = *task::take<JobInput>(state, jobRole, stores, reading, sources);
     if (auto part = task::take<cad::PartInput>(state, partRole, stores, reading, sources))
         outcome.part = *std::move(part);
@@ -43,9 +42,7 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(programRole)));
     }
-    outcome.sources = sources;
-    outcome.notes = sources.notes;
-    outcome.notes.insert(outcome.notes.end(), outcome.result->notes.begin(), outcome.result->notes.end());
+    outcome.record(state, sources, outcome.result->notes);
     return outcome;
 }
 

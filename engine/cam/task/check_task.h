@@ -8,12 +8,9 @@
 
 namespace lathelier::cam {
 
-struct CheckOutcome {
-    project::PanelState asked;
+struct CheckOutcome : task::Answered {
     Shaft part;                                 ///< as drawn
     std::shared_ptr<const CheckResult> result;  ///< never null
-    task::Sources sources;                      ///< what was read
-    Notes notes;                                ///< of the files and of the result
 };
 
 /// Errors: those of the readers and of checkTurning(); jobWithoutShaft. An error of the program is part of the result.

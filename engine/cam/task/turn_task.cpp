@@ -104,7 +104,6 @@ TurnOutcome answerTurn(const project::PanelState& stated, bool keeps_outlines, S
 {
     const project::PanelState state = withJob(stated);
     TurnOutcome outcome;
-    outcome.asked = stated;
     outcome.question = fromValues<TurningQuestion>(state.parameters);
     const Progress reading = progress.part(0, 0.1, LT_TEXT("Engine", "Reading"));
     const Job job = takeJob(outcome, state, stores, sources, reading.part(0, 0.2));
@@ -118,9 +117,7 @@ TurnOutcome answerTurn(const project::PanelState& stated, bool keeps_outlines, S
     const std::vector<GivenProgram> given = chooseProgram(outcome, planned, state, stores, sources, reading);
     outcome.plan =
         std::make_shared<TurningPlan>(withPrograms(std::move(planned), given, inputs, progress.part(0.8, 1)));
-    outcome.sources = sources;
-    outcome.notes = sources.notes;
-    outcome.notes.insert(outcome.notes.end(), outcome.plan->notes.begin(), outcome.plan->notes.end());
+    outcome.record(stated, sources, outcome.plan->notes);
     return outcome;
 }
 
@@ -194,7 +191,6 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
         document.sections.front().blocks.front() = answer(*outcome, language);
         return document;
     };
-    all.writers[programExport] = [outcome](const std::string& path, const Progress&) { writeAll(*outcome, path); };
     try {
         throwIfRefused(*outcome->plan);
     } catch (const Error& error) {
@@ -203,6 +199,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
     }
     all.json = [outcome] { return toJson(*outcome->plan); };
     all.summary = [outcome](const Language& language) { return planSummary(*outcome->plan, language); };
+    all.writers[programExport] = [outcome](const std::string& path, const Progress&) { writeAll(*outcome, path); };
     return all;
 }
 
@@ -226,10 +223,10 @@ const task::Task& turnTask()
             task::optionalInput<receptance::SpindleInput>(
                 spindleRole, spindleRole, LT_TEXT("Engine", "Spindle"),
                 LT_TEXT("Engine", "Machine at the chuck face, from SPINDLE.json: speeds follow its dynamics.")),
-            task::optionalInput<PostInput>(postRole, "post-file", LT_TEXT("Engine", "Post"),
+            task::optionalInput<PostInput>(postRole, postRole, LT_TEXT("Engine", "Control of your own"),
                                            LT_TEXT("Engine", "POST.json, in place of a control that is built in.")),
             task::optionalInput<gcode::ProgramInput>(
-                programRole, programRole, LT_TEXT("Engine", "Program"),
+                programRole, programRole, LT_TEXT("Engine", "Program in place of the planned one"),
                 LT_TEXT("Engine", "In place of the planned program of the first clamping; it is checked like it."))};
         made.inputs.front().operand = "SHAFT|JOB";
         made.inputs.back().item_kind = gcode::correctedItem;

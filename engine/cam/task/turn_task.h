@@ -15,15 +15,12 @@
 
 namespace lathelier::cam {
 
-struct TurnOutcome {
-    project::PanelState asked;           ///< inputs and parameters
+struct TurnOutcome : task::Answered {
     TurningQuestion question;            ///< the parameters as a value
     bool is_changed = false;             ///< the form has precedence over the file
     bool has_own_post = false;           ///< of a file, not built in
     std::shared_ptr<TurningPlan> plan;   ///< with the programs as they stand here; never null
     std::vector<ShownProgram> programs;  ///< one for each set-up of the plan
-    task::Sources sources;               ///< what was read
-    Notes notes;                         ///< of the files and of the plan
 
     bool isVoid() const;  ///< a program was changed after its check
 };

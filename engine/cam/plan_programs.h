@@ -13,9 +13,9 @@ namespace lathelier::cam {
 struct GivenProgram {
     std::size_t setup = 0;  ///< index of the clamping
     std::string text;
-    StatedCorrection correction;  ///< intended offset from the drawing; z of its clamping
-    bool is_checked = true;       ///< false: parsed only
-    bool is_of_post = true;       ///< in the dialect of the post; false: dialect is detected
+    gcode::StatedCorrection correction;  ///< intended offset from the drawing; z of its clamping
+    bool is_checked = true;              ///< false: parsed only
+    bool is_of_post = true;              ///< in the dialect of the post; false: dialect is detected
 };
 
 /// The plan with these programs. All programs from the first replaced one on are checked again, as later clampings

@@ -1,11 +1,13 @@
 #include "engine/deflection/deflection_task.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_plots.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/gcode/program_input.h"
+#include "engine/gcode/program_item.h"
 #include "engine/gcode/program_item_codes.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_input.h"
@@ -81,6 +83,34 @@ task::Input setupAsInput(bool required)
     return input;
 }
 
+/// The corrected text with its intended offset from the programmed contour.
+gcode::ProgramItem correctedProgram(const DeflectionOutcome& outcome)
+{
+    const CorrectedProgram& corrected = *outcome.study->corrected;
+    gcode::ProgramItem item;
+    item.text = gcode::toUtf8(corrected.text);
+    if (outcome.program) item.clamping = outcome.program->clamping;
+    item.corrected_from = outcome.program_sha256;
+    item.z_zero_mm = outcome.job->setup.z_zero_mm;
+    std::vector<gcode::CorrectedCorner> corners;
+    for (const CorrectedRun& run : corrected.compensation.runs)
+        for (const CorrectedNode& node : run.nodes)
+            corners.push_back({node.z_mm - item.z_zero_mm, node.x_mm - node.programmed_mm});
+    item.correction = gcode::correctionOf(corners);
+    return item;
+}
+
+/// Named after the original program.
+task::Product correctedProduct(const std::shared_ptr<const DeflectionOutcome>& outcome, const Language& language)
+{
+    const project::Source& source = outcome->asked.inputs.at(gcode::programRole);
+    const std::string of = source.item.empty() ? std::filesystem::path(source.path).stem().string() : source.item;
+    return {gcode::correctedItem,
+            {},
+            fill(text(LT_TEXT("Engine", "{program}, corrected"), language), {{"program", of}}),
+            [outcome] { return gcode::toValues(correctedProgram(*outcome)); }};
+}
+
 task::Input stockAsInput()
 {
     return task::optionalInput<io::ShaftInput>(
@@ -146,6 +176,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
     all.writers[compensateExport] = [study](const std::string& path, const Progress&) {
         io::writeFile(path, study->corrected->text);
     };
+    all.products = [outcome](const Language& language) { return std::vector{correctedProduct(outcome, language)}; };
     all.writers[correctionExport] = [study](const std::string& path, const Progress&) {
         io::writeFile(path, report::toCsv(correctionPlot(study->corrected->compensation)));
     };
@@ -160,6 +191,8 @@ const task::Task& deflectionTask()
         made.key = "deflection";
         made.title = LT_TEXT("Engine", "Deflection");
         made.summary = "Predict how far slender work bends under the tool, and write the program that allows for it.";
+        made.workspace = "deflection";
+        made.products = {gcode::correctedItem};
         made.inputs = {gcode::programAsInput(), setupAsInput(true), stockAsInput(), spindleAsInput(),
                        gcode::toolTableAsInput()};
         task::askFor<DeflectionQuestion>(made);

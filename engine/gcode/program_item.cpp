@@ -41,8 +41,9 @@ Values toValues(const ProgramItem& program)
     set(values, zeroKey, program.z_zero_mm);
     if (program.corrected_from.empty()) return values;
     set(values, fromKey, program.corrected_from);
-    set(values, placesKey, program.correction_z_mm);
-    set(values, radiiKey, program.correction_radius_mm);
+    requireKeepable(program.correction.z_mm.size());
+    set(values, placesKey, program.correction.z_mm);
+    set(values, radiiKey, program.correction.radius_mm);
     return values;
 }
 
@@ -60,8 +61,8 @@ std::optional<ProgramItem> programOf(const Values& values)
     const auto z_mm = numbersIn(values, placesKey), radius_mm = numbersIn(values, radiiKey);
     if (!z_mm || !radius_mm || z_mm->size() != radius_mm->size() || !std::is_sorted(z_mm->begin(), z_mm->end()))
         return std::nullopt;
-    program.correction_z_mm = *z_mm;
-    program.correction_radius_mm = *radius_mm;
+    program.correction.z_mm = *z_mm;
+    program.correction.radius_mm = *radius_mm;
     return program;
 }
 

@@ -29,6 +29,14 @@ struct Export {
     std::string suffix;  ///< usual suffix, "csv"
 };
 
+/// What a project keeps of an outcome, as an input of further tasks.
+struct Product {
+    std::string kind;                ///< of the item, "program"
+    std::string part;                ///< which part of the outcome where there are several: "2" for the second clamping
+    std::string name;                ///< in the project
+    std::function<Values()> values;  ///< Error linesTooMany where the project cannot keep it
+};
+
 /// Bytes of an export, or writing by itself where it is more than one file.
 using WriteExport = std::function<void(const std::string& path, const Progress& progress)>;
 
@@ -41,8 +49,9 @@ struct Outcome {
     std::function<Json()> json;          ///< keys of the result, without head and notes
     std::function<report::Answer(const Language&)> answer;
     std::function<report::Section(const Language&)> summary;
-    std::function<report::Document(const Language&)> report;  ///< without inputs; `results` empty
-    std::map<std::string, WriteExport> writers;               ///< by Export::option: those possible
+    std::function<report::Document(const Language&)> report;        ///< without inputs; `results` empty
+    std::map<std::string, WriteExport> writers;                     ///< by Export::option: those possible
+    std::function<std::vector<Product>(const Language&)> products;  ///< those possible; none: nothing is kept
 };
 
 /// What the typed outcome of every task holds.
@@ -63,13 +72,15 @@ struct Wanted {
 };
 
 struct Task {
-    std::string key;      ///< of the verb and in JSON: "deflection"
-    Text title;           ///< of its panel
-    std::string summary;  ///< of the help page, English
+    std::string key;        ///< of the verb and in JSON: "deflection"
+    Text title;             ///< of its panel
+    std::string summary;    ///< of the help page, English
+    std::string workspace;  ///< where its panels stand: "chatter"
     std::vector<Input> inputs;
     std::vector<FieldInfo> fields;  ///< of its question
     Values defaults;                ///< of the fields
     std::vector<Export> exports;
+    std::vector<std::string> products;  ///< kinds of items that it makes
     /// Reads what `state` names and computes. `sources` receives what was read, also where an error ends the run.
     /// Errors of the readers and of the computation. Throws Cancelled. Thread-safe.
     std::function<Outcome(const project::PanelState& state, const Wanted& wanted, Stores& stores, Sources& sources,

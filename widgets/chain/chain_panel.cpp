@@ -59,11 +59,6 @@ const char* roleFor(const project::PanelState& state, const io::FileKind* kind)
 
 }  // namespace
 
-Workspace workspace()
-{
-    return {"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50};
-}
-
 std::vector<std::string> panelsOfSteps()
 {
     std::vector<std::string> ids;
@@ -77,7 +72,7 @@ PanelFacts chainPanelFacts()
     facts.id = chainKey;
     facts.title = LT_TEXT("Engine", "Proof of the copy");
     facts.icon = "chain";
-    facts.workspaces = {workspace()};
+    facts.workspaces = {workspaceOf("copy")};
     facts.roles = panelInputs().roles;
     facts.kinds = kindsOf(facts.roles);
     facts.kinds.push_back(&chain::dossierFiles());
@@ -96,7 +91,7 @@ PanelFacts chainPanelFacts()
 
 StripFacts chainStrip(chain::AskVerb ask)
 {
-    return {workspace().id,
+    return {"copy",
             [ask = std::move(ask)](Session& session) -> WorkspaceStrip* { return new ChainStrip(session, ask); }};
 }
 

@@ -11,9 +11,6 @@ namespace lathelier::chain_panel {
 
 class ChainViews;
 
-/// Workspace of the strip.
-Workspace workspace();
-
 /// Ids of the panels opened by its steps.
 std::vector<std::string> panelsOfSteps();
 

@@ -82,7 +82,7 @@ PanelFacts comparePanelFacts()
     facts.id = "compare";
     facts.title = LT_TEXT("Engine", "Compare");
     facts.icon = "compare";
-    facts.workspaces = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10}};
+    facts.workspaces = {workspaceOf("inspection")};
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {"copy", copiesRole};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };

@@ -33,26 +33,6 @@ PanelInputs panelInputs()
         LT_TEXT("Engine", "Drop an NC program and a set-up (SETUP.json) here: the corrected program follows."));
 }
 
-/// The corrected text with its intended offset from the programmed contour; z from the free end of its clamping.
-gcode::ProgramItem correctedProgram(const DeflectionOutcome& outcome)
-{
-    const deflection::CorrectedProgram& corrected = *outcome.study->corrected;
-    gcode::ProgramItem item;
-    item.text = gcode::toUtf8(corrected.text);
-    if (outcome.program) item.clamping = outcome.program->clamping;
-    item.corrected_from = outcome.program_sha256;
-    item.z_zero_mm = outcome.job->setup.z_zero_mm;
-    std::vector<cam::CorrectedCorner> corners;
-    for (const deflection::CorrectedRun& run : corrected.compensation.runs)
-        for (const deflection::CorrectedNode& node : run.nodes)
-            corners.push_back({node.z_mm - item.z_zero_mm, node.x_mm - node.programmed_mm});
-    const cam::StatedCorrection all = cam::correctionOf(corners);
-    requireKeepable(all.z_mm.size());
-    item.correction_z_mm = all.z_mm;
-    item.correction_radius_mm = all.radius_mm;
-    return item;
-}
-
 }  // namespace
 
 PanelFacts correctionPanelFacts()
@@ -71,7 +51,7 @@ CorrectionPanel::CorrectionPanel(Session& owner, QWidget* parent)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &CorrectionViews::taken, this, &CorrectionPanel::take);
-    connect(views_, &CorrectionViews::checkRequested, this, &CorrectionPanel::offerCorrected);
+    connect(views_, &CorrectionViews::checkRequested, this, [this] { offer(gcode::correctedItem); });
     connect(views_, &CorrectionViews::notWritten, this, &CorrectionPanel::reportWriteFailure);
 }
 
@@ -99,21 +79,6 @@ void CorrectionPanel::take(qlonglong line, bool isTaken)
                   if (!isTaken) kept.push_back({number, number});
                   lathelier::set(state.parameters, deflection::keptLinesKey, Value(kept));
               });
-}
-
-/// Named after the original program.
-void CorrectionPanel::offerCorrected()
-{
-    const auto outcome = result();
-    if (!outcome || !outcome->study->corrected) return;
-    const project::Source& source = state().inputs.at(gcode::programRole);
-    const std::string of = source.item.empty() ? std::filesystem::path(source.path).stem().string() : source.item;
-    try {
-        offerItem(tr("%1, corrected").arg(QString::fromStdString(of)).toStdString(), gcode::correctedItem,
-                  gcode::toValues(correctedProgram(*outcome)), outcome->sources.synthetic);
-    } catch (const Error& error) {
-        emit messageRaised({error, facts().title});
-    }
 }
 
 void CorrectionPanel::retranslate()

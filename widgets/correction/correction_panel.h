@@ -24,7 +24,6 @@ protected:
 
 private:
     void take(qlonglong line, bool isTaken);
-    void offerCorrected();
 
     CorrectionViews* views_;
 };

@@ -54,7 +54,7 @@ PanelFacts cylindricityPanelFacts()
     facts.id = "cylindricity";
     facts.title = LT_TEXT("Engine", "Cylindricity");
     facts.icon = "cylindricity";
-    facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
+    facts.workspaces = {workspaceOf("roundness")};
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {"points"};
     facts.make = [](Session& session) -> PanelBase* { return new CylindricityPanel(session); };

@@ -20,7 +20,6 @@ using FactsOfPrograms = task::CacheOf<gcode::ProgramFacts>;
 PanelFacts turningFacts(PanelFacts facts)
 {
     facts.state = "deflection";
-    facts.workspaces = {{"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 40}};
     facts.kinds = {&gcode::programFiles(), &deflection::setupFiles()};
     facts.part_inputs = {gcode::programRole};
     facts.item_inputs = {{gcode::programItem, gcode::programRole}};

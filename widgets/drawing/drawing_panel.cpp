@@ -52,7 +52,7 @@ PanelFacts drawingPanelFacts()
     facts.id = "drawing";
     facts.title = LT_TEXT("Engine", "Drawing");
     facts.icon = "drawing";
-    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
+    facts.workspaces = {workspaceOf("copy")};
     facts.kinds = {&io::shaftFiles(), &cad::stepFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {shaftRole};

@@ -67,7 +67,7 @@ PanelFacts frfPanelFacts()
     facts.id = "frf";
     facts.title = LT_TEXT("Engine", "FRF");
     facts.icon = "frf";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {frfRole};

@@ -69,7 +69,7 @@ PanelFacts lobesPanelFacts()
     facts.id = "lobes";
     facts.title = LT_TEXT("Engine", "Lobes");
     facts.icon = "chatter";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {frfRole, marksRole};

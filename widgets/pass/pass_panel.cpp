@@ -56,7 +56,7 @@ PanelFacts passPanelFacts()
     facts.id = "pass";
     facts.title = LT_TEXT("Engine", "Pass");
     facts.icon = "pass";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&io::shaftFiles(), &receptance::spindleFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new PassPanel(session); };

@@ -70,7 +70,7 @@ PanelFacts recognisePanelFacts()
     facts.id = "recognise";
     facts.title = LT_TEXT("Engine", "Recognise");
     facts.icon = "recognise";
-    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
+    facts.workspaces = {workspaceOf("copy")};
     facts.kinds = {&io::scanFiles()};
     facts.part_inputs = {scanRole};
     facts.make = [](Session& session) -> PanelBase* { return new RecognisePanel(session); };

@@ -88,7 +88,7 @@ PanelFacts shaftPanelFacts()
     facts.id = "shaft";
     facts.title = LT_TEXT("Engine", "Shaft");
     facts.icon = "shaft";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&io::shaftFiles(), &receptance::spindleFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {shaftRole};

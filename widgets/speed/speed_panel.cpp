@@ -40,7 +40,7 @@ PanelFacts speedPanelFacts()
     facts.id = "speed";
     facts.title = LT_TEXT("Engine", "Speed");
     facts.icon = "speed";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&receptance::spindleFiles(), &io::shaftFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new SpeedPanel(session); };

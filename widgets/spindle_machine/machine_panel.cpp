@@ -54,7 +54,7 @@ PanelFacts machinePanelFacts()
     facts.id = "spindle";
     facts.title = LT_TEXT("Engine", "Spindle");
     facts.icon = "spindle";
-    facts.workspaces = {{"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30}};
+    facts.workspaces = {workspaceOf("chatter")};
     facts.kinds = {&receptance::measurementFiles()};
     facts.roles = panelInputs().roles;
     facts.make = [](Session& session) -> PanelBase* { return new MachinePanel(session); };

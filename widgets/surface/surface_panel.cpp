@@ -58,8 +58,7 @@ PanelFacts surfacePanelFacts()
     facts.id = "surface";
     facts.title = LT_TEXT("Engine", "Surface");
     facts.icon = "surface";
-    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50},
-                        {"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    facts.workspaces = {workspaceOf("copy"), workspaceOf("training")};
     facts.kinds = {&io::imageFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {beforeRole, afterRole};

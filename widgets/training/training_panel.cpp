@@ -49,7 +49,7 @@ PanelFacts trainingPanelFacts()
     facts.id = "training";
     facts.title = LT_TEXT("Engine", "Training");
     facts.icon = "training";
-    facts.workspaces = {{"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    facts.workspaces = {workspaceOf("training")};
     facts.kinds = {&io::frfFiles()};
     facts.roles = panelInputs().roles;
     facts.item_inputs = {{frfItem, frfRole}};

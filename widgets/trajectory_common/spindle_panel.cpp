@@ -45,7 +45,7 @@ PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, 
     facts.id = id;
     facts.title = title;
     facts.icon = icon;
-    facts.workspaces = {{"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20}};
+    facts.workspaces = {workspaceOf("roundness")};
     facts.state = spindleState;
     const bool roundness = studyKind == SpindleStudyKind::Roundness;
     facts.kinds = {&io::probeRecordFiles()};

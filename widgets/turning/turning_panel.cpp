@@ -48,7 +48,6 @@ PanelInputs panelInputs()
 PanelFacts turningPanelFacts()
 {
     PanelFacts facts = factsOf(cam::turnTask(), "turning", "turning", roles, {});
-    facts.workspaces = {{"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50}};
     facts.kinds = {&cam::jobFiles()};
     facts.roles = panelInputs().roles;
     facts.part_inputs = {cam::partRole, cam::programRole};
@@ -80,8 +79,8 @@ TurningPanel::TurningPanel(Session& owner, QWidget* parent)
     connect(views_, &TurningViews::takeBackRequested, this,
             [this](int clamping) { keepDraft(clamping, std::nullopt); });
     connect(views_, &TurningViews::checkRequested, this, &TurningPanel::checkAgain);
-    connect(views_, &TurningViews::useRequested, this, &TurningPanel::offerProgram);
-    connect(views_, &TurningViews::lobesRequested, this, &TurningPanel::offerLobes);
+    connect(views_, &TurningViews::useRequested, this, [this](int clamping) { offer(gcode::programItem, clamping); });
+    connect(views_, &TurningViews::lobesRequested, this, [this](int section) { offer(frfItem, section); });
     connect(views_, &TurningViews::notWritten, this, &TurningPanel::reportWriteFailure);
     connect(&inputColumn(), &InputColumn::parameterEdited, this, &TurningPanel::followForm);
 }
@@ -152,34 +151,6 @@ void TurningPanel::checkAgain(int clamping)
     if (!outcome || clamping >= static_cast<int>(outcome->programs.size())) return;
     change(tr("Check the program again"),
            [&](project::PanelState& state) { askForCheck(state, *outcome, static_cast<std::size_t>(clamping)); });
-}
-
-/// Under the part's name, so that the next one takes its place.
-void TurningPanel::offerProgram(int clamping)
-{
-    const auto outcome = result();
-    const auto index = static_cast<std::size_t>(clamping);
-    if (!outcome || index >= outcome->programs.size() || !isSound(*outcome, index)) return;
-    QString name = QString::fromStdString(cam::nameOf(*outcome));
-    if (name.isEmpty()) name = tr("turning program");
-    if (outcome->programs.size() > 1) name = tr("%1, clamping %2").arg(name).arg(clamping + 1);
-    offerItem(name.toStdString(), gcode::programItem, gcode::toValues(itemOf(*outcome, index)),
-              outcome->sources.synthetic);
-}
-
-void TurningPanel::offerLobes(int section)
-{
-    const auto outcome = result();
-    if (!outcome || section < 0 || section >= static_cast<int>(outcome->plan->sections.size())) return;
-    const cam::SectionSpeed& speed = outcome->plan->sections[static_cast<std::size_t>(section)];
-    if (!speed.receptance) return;
-    const std::string name =
-        tr("part at z %1-%2 mm").arg(screenNumber(speed.z_start_mm, 1), screenNumber(speed.z_end_mm, 1)).toStdString();
-    try {
-        offerItem(name, frfItem, toValues(*speed.receptance), outcome->sources.synthetic);
-    } catch (const Error& error) {
-        emit messageRaised({error, facts().title});
-    }
 }
 
 void TurningPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const

@@ -40,8 +40,6 @@ private:
     void setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order);
     void keepDraft(int clamping, const std::optional<std::string>& utf8);
     void checkAgain(int clamping);
-    void offerProgram(int clamping);
-    void offerLobes(int section);
 
     TurningViews* views_;
 };

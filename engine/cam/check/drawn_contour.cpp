@@ -29,18 +29,8 @@ Corner plainAt(const ContourPiece& piece, double t)
 
 }  // namespace
 
-double StatedCorrection::at_mm(double z) const
-{
-    if (z_mm.empty()) return 0;
-    const auto after = std::upper_bound(z_mm.begin(), z_mm.end(), z);
-    if (after == z_mm.begin()) return radius_mm.front();
-    if (after == z_mm.end()) return radius_mm.back();
-    const auto i = static_cast<std::size_t>(after - z_mm.begin());
-    const double share = (z - z_mm[i - 1]) / (z_mm[i] - z_mm[i - 1]);
-    return radius_mm[i - 1] + share * (radius_mm[i] - radius_mm[i - 1]);
-}
-
-DrawnContour::DrawnContour(const Shaft& part, StatedCorrection correction, double spacing_mm, double hole_radius_mm)
+DrawnContour::DrawnContour(const Shaft& part, gcode::StatedCorrection correction, double spacing_mm,
+                           double hole_radius_mm)
     : pieces_(piecesOf(part, hole_radius_mm)), correction_(std::move(correction))
 {
     double length = 0;

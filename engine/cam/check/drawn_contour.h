@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/gcode/stated_correction.h"
 #include "engine/shaft/shaft.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/stock/convex_polygon.h"
@@ -13,16 +14,6 @@
 namespace lathelier::cam {
 
 using stock::Corner;
-
-/// Intended radial offset of a program from the drawing along the axis: linear between nodes, constant beyond the first
-/// and last.
-struct StatedCorrection {
-    std::vector<double> z_mm;       ///< ascending
-    std::vector<double> radius_mm;  ///< added to the nominal radius
-    bool isAny() const { return !z_mm.empty(); }
-    double at_mm(double z_mm) const;  ///< 0 without places
-    friend bool operator==(const StatedCorrection&, const StatedCorrection&) = default;
-};
 
 /// A sample of the nominal contour.
 struct DrawnPoint {
@@ -40,8 +31,8 @@ inline constexpr std::size_t mostDrawnPoints = 200000;
 class DrawnContour {
 public:
     /// Precondition: checkPart() holds. The end face within a centre hole of this radius is excluded.
-    explicit DrawnContour(const Shaft& part, StatedCorrection correction = {}, double spacing_mm = usualSpacing_mm,
-                          double hole_radius_mm = 0);
+    explicit DrawnContour(const Shaft& part, gcode::StatedCorrection correction = {},
+                          double spacing_mm = usualSpacing_mm, double hole_radius_mm = 0);
 
     const std::vector<DrawnPoint>& points() const { return points_; }
     const Contour& pieces() const { return pieces_; }
@@ -53,7 +44,7 @@ public:
 
 private:
     Contour pieces_;
-    StatedCorrection correction_;
+    gcode::StatedCorrection correction_;
     std::vector<DrawnPoint> points_;
     double spacing_mm_ = usualSpacing_mm;
 };

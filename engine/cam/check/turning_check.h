@@ -42,7 +42,7 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*);
 
 /// Further inputs besides program, part and job.
 struct CheckInputs {
-    StatedCorrection correction;                      ///< intended offset of the program; empty: none
+    gcode::StatedCorrection correction;               ///< intended offset of the program; empty: none
     std::optional<std::string> before;                ///< program of the first clamping, for the second one
     std::optional<gcode::ControlPtr> before_control;  ///< of `before`, nullptr: from its text; none: as the program
 };

@@ -30,8 +30,8 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     else
         throw Error(errors::jobWithoutShaft, {{"path", task::nameOf(state.inputs.at(jobRole))}});
     CheckInputs further;
-    further.correction =
-        task::take<CorrectionInput>(state, correctionRole, stores, reading, sources).value_or(StatedCorrection{});
+    further.correction = task::take<CorrectionInput>(state, correctionRole, stores, reading, sources)
+                             .value_or(gcode::StatedCorrection{});
     if (auto before = task::take<gcode::ProgramInput>(state, beforeRole, stores, reading, sources))
         further.before = std::move(before->text);
     gcode::ProgramText program = *task::take<gcode::ProgramInput>(state, programRole, stores, reading, sources);
@@ -73,6 +73,7 @@ const task::Task& checkTask()
         task::Task made;
         made.key = "check";
         made.title = LT_TEXT("Engine", "Check");
+        made.workspace = "copy";
         made.summary =
             "Check a turning program against its drawing and its stock: what it cuts too deep, leaves and meets.";
         made.inputs = {

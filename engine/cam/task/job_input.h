@@ -32,13 +32,13 @@ struct PostInput {
 
 /// What `deflection --compensate --json` wrote.
 struct CorrectionFile {
-    StatedCorrection correction;
+    gcode::StatedCorrection correction;
     Notes notes;  ///< none
 };
 
 struct CorrectionInput {
     using File = CorrectionFile;
-    using Value = StatedCorrection;
+    using Value = gcode::StatedCorrection;
     static constexpr const char* item = "";
 
     static File read(const io::FileToRead& file) { return {readCorrection(std::string(file.bytes)), {}}; }

@@ -7,9 +7,11 @@
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_outcome.h"
 #include "engine/cam/task/turn_task.h"
+#include "engine/core/frf_item.h"
 #include "engine/core/units.h"
 #include "engine/gcode/program_draft.h"
 #include "engine/gcode/program_input.h"
+#include "engine/gcode/program_item.h"
 #include "engine/io/file.h"
 #include "engine/project/project_codes.h"
 
@@ -25,11 +27,11 @@ int numberOf(std::size_t setup)
 struct Given {
     std::size_t setup = 0;
     std::string text;
-    StatedCorrection correction;
+    gcode::StatedCorrection correction;
     bool is_of_post = false;  // else in the dialect that it looks like
 };
 
-double largest_um(const StatedCorrection& correction)
+double largest_um(const gcode::StatedCorrection& correction)
 {
     double most = 0;
     for (const double radius_mm : correction.radius_mm) most = std::max(most, std::abs(radius_mm));
@@ -53,10 +55,7 @@ std::optional<Given> takeCorrected(TurnOutcome& outcome, const project::PanelSta
         gcode::programOf(task::itemValues(state, programRole, gcode::correctedItem));
     if (!program) task::throwItemNotThere(source.item, gcode::correctedItem);
     sources.add({task::itemAsInput(source.item, program->text)}, {}, source.synthetic);
-    Given given{static_cast<std::size_t>(program->clamping - 1),
-                program->text,
-                {program->correction_z_mm, program->correction_radius_mm},
-                true};
+    Given given{static_cast<std::size_t>(program->clamping - 1), program->text, program->correction, true};
     const Value clamping = std::int64_t{program->clamping};
     if (given.setup >= outcome.programs.size()) {
         sources.notes.push_back({notes::programNotUsed, {{"clamping", clamping}, {"item", source.item}}});
@@ -136,9 +135,12 @@ std::vector<GivenProgram> chooseProgram(TurnOutcome& outcome, const TurningPlan&
     return all;
 }
 
-gcode::ProgramItem itemOf(const TurnOutcome& outcome, std::size_t setup)
+namespace {
+
+/// A program with the bar that it is planned for. Without the bar in a second clamping, where the stock is what the
+/// first one leaves.
+gcode::ProgramItem itemOf(const TurningPlan& plan, std::size_t setup)
 {
-    const TurningPlan& plan = *outcome.plan;
     gcode::ProgramItem item;
     item.text = plan.setups.at(setup).text;
     item.clamping = numberOf(setup);
@@ -153,9 +155,32 @@ gcode::ProgramItem itemOf(const TurnOutcome& outcome, std::size_t setup)
     return item;
 }
 
-std::string nameOf(const TurnOutcome& outcome)
+}  // namespace
+
+std::vector<task::Product> productsOf(const std::shared_ptr<const TurnOutcome>& outcome, const Language& language)
 {
-    return outcome.plan->job.title.empty() ? outcome.plan->part.name : outcome.plan->job.title;
+    std::vector<task::Product> all;
+    const TurningPlan& plan = *outcome->plan;
+    std::string name = plan.job.title.empty() ? plan.part.name : plan.job.title;
+    if (name.empty()) name = text(LT_TEXT("Engine", "turning program"), language);
+    for (std::size_t i = 0; i < outcome->programs.size(); ++i) {
+        if (!isSound(*outcome, i)) continue;
+        const Values of = {{"part", name}, {"clamping", std::int64_t{numberOf(i)}}};
+        all.push_back({gcode::programItem, std::to_string(i),
+                       outcome->programs.size() == 1
+                           ? name
+                           : fill(text(LT_TEXT("Engine", "{part}, clamping {clamping}"), language), of, language),
+                       [outcome, i] { return gcode::toValues(itemOf(*outcome->plan, i)); }});
+    }
+    for (std::size_t i = 0; i < plan.sections.size(); ++i) {
+        const SectionSpeed& section = plan.sections[i];
+        if (!section.receptance) continue;
+        const Values at = {{"from_mm", section.z_start_mm}, {"to_mm", section.z_end_mm}};
+        all.push_back({frfItem, std::to_string(i),
+                       fill(text(LT_TEXT("Engine", "part at z {from_mm:1}-{to_mm:1} mm"), language), at, language),
+                       [outcome, i] { return toValues(*outcome->plan->sections[i].receptance); }});
+    }
+    return all;
 }
 
 bool isSound(const TurnOutcome& outcome, std::size_t setup)

@@ -2,15 +2,15 @@
 // changed by hand; and whether the checked text is the present one.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/cam/plan_programs.h"
 #include "engine/cam/task/turn_question.h"
-#include "engine/gcode/program_item.h"
 #include "engine/project/project.h"
-#include "engine/task/inputs.h"
+#include "engine/task/task.h"
 
 namespace lathelier::cam {
 
@@ -39,12 +39,9 @@ std::vector<GivenProgram> chooseProgram(TurnOutcome& outcome, const TurningPlan&
                                         const project::PanelState& state, Stores& stores, task::Sources& sources,
                                         const Progress& progress);
 
-/// A program with the bar that it is planned for, for other panels. Without the bar in a second clamping, where the
-/// stock is what the first one leaves.
-gcode::ProgramItem itemOf(const TurnOutcome& outcome, std::size_t setup);
-
-/// Its name in the project; empty: the part has none.
-std::string nameOf(const TurnOutcome& outcome);
+/// Programs that may be handed on, each under the part's name so that the next one takes its place, and the response of
+/// each section; `part` is their index.
+std::vector<task::Product> productsOf(const std::shared_ptr<const TurnOutcome>& outcome, const Language& language);
 
 /// Whether this program is checked without findings and all its tools are known, so that it may be handed on and
 /// written.

@@ -11,7 +11,9 @@
 #include "engine/cam/plan_outcome.h"
 #include "engine/cam/plan_report.h"
 #include "engine/cam/task/job_input.h"
+#include "engine/core/frf_item.h"
 #include "engine/gcode/program_input.h"
+#include "engine/gcode/program_item.h"
 #include "engine/receptance/spindle_input.h"
 
 namespace lathelier::cam {
@@ -199,6 +201,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
     }
     all.json = [outcome] { return toJson(*outcome->plan); };
     all.summary = [outcome](const Language& language) { return planSummary(*outcome->plan, language); };
+    all.products = [outcome](const Language& language) { return productsOf(outcome, language); };
     all.writers[programExport] = [outcome](const std::string& path, const Progress&) { writeAll(*outcome, path); };
     return all;
 }
@@ -211,6 +214,8 @@ const task::Task& turnTask()
         made.title = LT_TEXT("Engine", "Turning program");
         made.summary =
             "Plan a turning program from a part and a job, write it for a control, and check what was written.";
+        made.workspace = "copy";
+        made.products = {gcode::programItem, frfItem};
         made.inputs = {
             task::input<cad::PartInput>(
                 partRole, "", LT_TEXT("Engine", "Shaft"),

@@ -78,7 +78,7 @@ TEST(PlanPrograms, AStatedCorrectionIsNoGouge)
 {
     const TurningPlan plan = planned(paperJob({roughC80(), finishC80()}));
     const std::string text = changed(plan.setups[0].text, "G1 X29.96");
-    const StatedCorrection stated{{-5, 97.7, 98.1}, {-0.02, -0.02, 0}};
+    const gcode::StatedCorrection stated{{-5, 97.7, 98.1}, {-0.02, -0.02, 0}};
     EXPECT_GT(withPrograms(plan, {{0, text, {}, true}}, linuxcnc()).setups[0].check.gouge_um, 15);
     EXPECT_LE(withPrograms(plan, {{0, text, stated, true}}, linuxcnc()).setups[0].check.gouge_um, 1.5);
 }
@@ -174,8 +174,8 @@ TEST(PlanFiles, BothProgramsOrNone)
 
 TEST(CorrectionOf, RunsAreLaidOverEachOther)
 {
-    const std::vector<CorrectedCorner> corners{{0, 0.01}, {50, 0.03}, {100, 0.02}, {20, -0.01}, {60, -0.02}};
-    const StatedCorrection all = correctionOf(corners);
+    const std::vector<gcode::CorrectedCorner> corners{{0, 0.01}, {50, 0.03}, {100, 0.02}, {20, -0.01}, {60, -0.02}};
+    const gcode::StatedCorrection all = gcode::correctionOf(corners);
     EXPECT_NEAR(all.at_mm(0), 0.01, 1e-12);
     EXPECT_NEAR(all.at_mm(20), -0.01, 1e-12);
     EXPECT_NEAR(all.at_mm(40), -0.015, 1e-12);

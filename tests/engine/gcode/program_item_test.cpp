@@ -16,8 +16,8 @@ TEST(ProgramItem, ComesBackAsItWas)
     EXPECT_EQ(programOf(toValues(program)), program);
     program.stock.reset();
     program.corrected_from = std::string(64, 'a');
-    program.correction_z_mm = {0, 1, 2.5};
-    program.correction_radius_mm = {0, -0.01, 0.02};
+    program.correction.z_mm = {0, 1, 2.5};
+    program.correction.radius_mm = {0, -0.01, 0.02};
     EXPECT_EQ(programOf(toValues(program)), program);
 }
 
@@ -31,8 +31,8 @@ TEST(ProgramItem, WholeNumbersOfAProjectFileAreNumbers)
     set(values, "z_zero_mm", std::int64_t{1});
     set(values, "correction_z_mm", std::vector<std::int64_t>{0, 10});
     set(values, "correction_radius_mm", std::vector<std::int64_t>{0, 0});
-    program.correction_z_mm = {0, 10};
-    program.correction_radius_mm = {0, 0};
+    program.correction.z_mm = {0, 10};
+    program.correction.radius_mm = {0, 0};
     EXPECT_EQ(programOf(values), program);
 }
 

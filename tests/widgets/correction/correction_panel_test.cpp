@@ -112,9 +112,9 @@ private slots:
         // Where runs overlap the last one counts.
         int found = 0;
         for (const deflection::CorrectedNode& node : corrected().compensation.runs.back().nodes)
-            for (std::size_t i = 0; i < program->correction_z_mm.size(); ++i)
-                found += std::abs(program->correction_z_mm[i] + program->z_zero_mm - node.z_mm) < 1e-9 &&
-                         std::abs(program->correction_radius_mm[i] - (node.x_mm - node.programmed_mm)) < 1e-9;
+            for (std::size_t i = 0; i < program->correction.z_mm.size(); ++i)
+                found += std::abs(program->correction.z_mm[i] + program->z_zero_mm - node.z_mm) < 1e-9 &&
+                         std::abs(program->correction.radius_mm[i] - (node.x_mm - node.programmed_mm)) < 1e-9;
         QVERIFY(found >= static_cast<int>(corrected().compensation.runs.back().nodes.size()));
     }
 
@@ -149,7 +149,7 @@ private slots:
         QCOMPARE(program->corrected_from, io::sha256(deflection_common::slenderProgram));
         // Places count from the finished face, not from the raw end.
         const deflection::CorrectedRun& run = corrected().compensation.runs.back();
-        const auto& z_mm = program->correction_z_mm;
+        const auto& z_mm = program->correction.z_mm;
         QVERIFY(std::any_of(z_mm.begin(), z_mm.end(),
                             [&](double z) { return std::abs(z - (run.nodes.back().z_mm - 2)) < 1e-6; }));
     }

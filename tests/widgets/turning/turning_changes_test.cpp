@@ -292,8 +292,8 @@ private slots:
         corrected.corrected_from = io::sha256(corrected.text);
         corrected.text = changed(corrected.text, "G1 X29.98").toStdString();
         QVERIFY(!corrected.text.empty());
-        corrected.correction_z_mm = {-5, 97.5};
-        corrected.correction_radius_mm = {-0.01, -0.01};
+        corrected.correction.z_mm = {-5, 97.5};
+        corrected.correction.radius_mm = {-0.01, -0.01};
         const auto give = [&](const gcode::ProgramItem& item) {
             session_->edit("Use", [&](project::Project& project) {
                 project.items["corrected"] = {gcode::correctedItem, gcode::toValues(item), {}};
@@ -308,7 +308,7 @@ private slots:
         QVERIFY(views().bar()->state().contains("compensated, checked"));
         const double with_um = plan().setups[0].check.gouge_um;
         // Without what it says of itself every block would be a gouge.
-        corrected.correction_radius_mm = {0, 0};
+        corrected.correction.radius_mm = {0, 0};
         give(corrected);
         QVERIFY(plan().is_refused);
         QVERIFY(plan().setups[0].check.gouge_um > with_um + 5);

@@ -1,5 +1,7 @@
 #include "widgets/core/panel/panel_facts.h"
 
+#include <algorithm>
+
 #include "engine/project/input_key.h"
 
 namespace lathelier {
@@ -11,6 +13,17 @@ std::string keyOf(const std::string& role, std::size_t number)
 }
 
 }  // namespace
+
+const Workspace& workspaceOf(const std::string& id)
+{
+    static const std::vector<Workspace> all = {{"inspection", LT_TEXT("Engine", "Inspection"), "inspection", 10},
+                                               {"roundness", LT_TEXT("Engine", "Roundness"), "roundness", 20},
+                                               {"chatter", LT_TEXT("Engine", "Chatter"), "chatter", 30},
+                                               {"deflection", LT_TEXT("Engine", "Deflection"), "deflection", 40},
+                                               {"copy", LT_TEXT("Engine", "Copy a part"), "copy_part", 50},
+                                               {"training", LT_TEXT("Engine", "Training"), "training", 60}};
+    return *std::find_if(all.begin(), all.end(), [&](const Workspace& one) { return one.id == id; });
+}
 
 bool hasWork(const PanelFacts& facts, const project::PanelState& state)
 {

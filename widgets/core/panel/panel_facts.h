@@ -29,6 +29,9 @@ struct Workspace {
     int order = 0;   ///< order in the bar, ascending
 };
 
+/// The workspace with this id. Precondition: there is one.
+const Workspace& workspaceOf(const std::string& id);
+
 /// An input of a panel, given by a file, or by several that belong together.
 struct InputRole {
     std::string role;            ///< key in PanelState::inputs: "reference"

@@ -53,6 +53,7 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
     facts.id = id;
     facts.title = task.title;
     facts.icon = icon;
+    facts.workspaces = {workspaceOf(task.workspace)};
     facts.roles = rolesOf(task, roles);
     facts.kinds = kindsOf(facts.roles);
     for (const InputRole& role : facts.roles)
@@ -93,6 +94,14 @@ Worker::Job readingOf(const task::Task& task, const project::PanelState& state, 
         for (const task::Input& input : task.inputs) input.read(state, *stores, part);
         return nullptr;
     };
+}
+
+std::optional<task::Product> productOf(const task::Outcome& outcome, const std::string& kind, const std::string& part)
+{
+    if (!outcome.products) return std::nullopt;
+    for (const task::Product& product : outcome.products(screenLanguage()))
+        if (product.kind == kind && product.part == part) return product;
+    return std::nullopt;
 }
 
 std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr<const task::Outcome>& outcome)

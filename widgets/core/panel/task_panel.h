@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,9 @@ Worker::Job readingOf(const task::Task& task, const project::PanelState& state, 
 
 /// The exports that the outcome can be written as.
 std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr<const task::Outcome>& outcome);
+
+/// What the outcome makes of this kind; none: not possible.
+std::optional<task::Product> productOf(const task::Outcome& outcome, const std::string& kind, const std::string& part);
 
 /// R: the typed outcome of the task, with `asked` (the state), `sources` and `notes`; outcomeOf(shared_ptr<const R>).
 template <class R>
@@ -78,6 +82,20 @@ protected:
     Worker::Job makeReadingJob(const project::PanelState& state) const override
     {
         return readingOf(task_, state, this->session().sharedStores());
+    }
+
+    /// Offers the project what the outcome makes of this kind; `part`: of several.
+    void offer(const std::string& kind, int part = -1)
+    {
+        const auto outcome = this->result();
+        if (!outcome) return;
+        const auto made = productOf(outcomeOf(outcome), kind, part < 0 ? std::string() : std::to_string(part));
+        if (!made) return;
+        try {
+            this->offerItem(made->name, kind, made->values(), outcome->sources.synthetic);
+        } catch (const Error& error) {
+            emit this->messageRaised({error, this->facts().title});
+        }
     }
 
 private:

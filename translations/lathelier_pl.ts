@@ -13807,6 +13807,22 @@
         <source>Program in place of the planned one</source>
         <translation>Program w miejsce zaplanowanego</translation>
     </message>
+    <message>
+        <source>turning program</source>
+        <translation>program tokarski</translation>
+    </message>
+    <message>
+        <source>{part}, clamping {clamping}</source>
+        <translation>{part}, zamocowanie {clamping}</translation>
+    </message>
+    <message>
+        <source>part at z {from_mm:1}-{to_mm:1} mm</source>
+        <translation>część przy z {from_mm:1}-{to_mm:1} mm</translation>
+    </message>
+    <message>
+        <source>{program}, corrected</source>
+        <translation>{program}, skorygowany</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -15298,10 +15314,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Keep line %1</source>
         <translation>Zostaw wiersz %1</translation>
-    </message>
-    <message>
-        <source>%1, corrected</source>
-        <translation>%1, skorygowany</translation>
     </message>
 </context>
 <context>
@@ -18095,18 +18107,6 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Check the program again</source>
         <translation>Sprawdź program ponownie</translation>
-    </message>
-    <message>
-        <source>turning program</source>
-        <translation>program tokarski</translation>
-    </message>
-    <message>
-        <source>%1, clamping %2</source>
-        <translation>%1, zamocowanie %2</translation>
-    </message>
-    <message>
-        <source>part at z %1-%2 mm</source>
-        <translation>część przy z %1-%2 mm</translation>
     </message>
     <message>
         <source>%L1 blocks</source>

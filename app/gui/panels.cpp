@@ -33,9 +33,9 @@ std::vector<PanelFacts> withSteps(std::vector<PanelFacts> table)
     const std::vector<std::string> steps = chain_panel::panelsOfSteps();
     for (PanelFacts& facts : table) {
         if (std::find(steps.begin(), steps.end(), facts.id) == steps.end()) continue;
-        const auto is_copy = [](const Workspace& one) { return one.id == chain_panel::workspace().id; };
+        const auto is_copy = [](const Workspace& one) { return one.id == "copy"; };
         if (std::none_of(facts.workspaces.begin(), facts.workspaces.end(), is_copy))
-            facts.workspaces.push_back(chain_panel::workspace());
+            facts.workspaces.push_back(workspaceOf("copy"));
     }
     return table;
 }

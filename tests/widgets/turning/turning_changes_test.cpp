@@ -13,6 +13,7 @@
 
 #include "engine/cam/job_file.h"
 #include "engine/core/frf_item.h"
+#include "engine/gcode/program_item.h"
 #include "engine/io/file.h"
 #include "engine/receptance/spindle_item.h"
 #include "tests/engine/cam/plan_data.h"

@@ -55,6 +55,7 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
         throw;
     }
     answer.notes = outcome.notes;
+    answer.understanding = outcome.understanding;
     answer.json = outcome.json;
     answer.report = [report = outcome.report] { return report({}); };
     if (outcome.summary) answer.summary = report::toPlainText(outcome.summary({}));

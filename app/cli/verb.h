@@ -57,6 +57,7 @@ struct Answer {
     std::function<report::Document()> report;  ///< empty for verbs without one
     std::string summary;                       ///< readable summary
     Notes notes;
+    Understanding understanding;                   ///< of a task; else what the notes state
     std::vector<Error> errors;                     ///< inputs refused while others could be answered
     std::optional<bool> pass;                      ///< the verdict, where there is one
     bool always_strict = false;                    ///< a verdict against it is exit code 1 even without --strict

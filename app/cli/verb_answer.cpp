@@ -45,6 +45,13 @@ Answer ask(const Verb& verb, const Request& request, io::InputFiles& inputs, con
 {
     Answer answer;
     gather(answer, [&] { verb.run(request, inputs, progress, answer); });
+    // A task has settled its answer itself.
+    if (!answer.sources) {
+        answer.understanding = understandingOf(answer.notes);
+        std::optional<Verdict> verdict;
+        settle(answer.understanding, verdict, answer.notes);
+        if (verdict) answer.pass.reset();
+    }
     for (Error& error : answer.errors) blame(error, verb, request);
     return answer;
 }
@@ -60,6 +67,8 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
                                      answer.parameters.empty() ? request.parameters : answer.parameters);
     Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
+    if (!answer.understanding.isWhole() && result.contains("verdict")) result["verdict"] = key(Verdict::Undecided);
+    result["understanding"] = toJson(answer.understanding);
     if (!answer.errors.empty()) {
         result["error"] = toJson(answer.errors.front());
         // Why there is no answer is a note as well: scripts that collect notes find it beside the others.
@@ -74,6 +83,7 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
 int exitCode(const Answer& answer, bool strict)
 {
     if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
+    if (strict && !answer.understanding.isWhole()) return exitOutOfTolerance;
     return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
 }
 

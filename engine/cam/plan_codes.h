@@ -89,7 +89,8 @@ inline constexpr NoteCode programGiven{
 
 inline constexpr NoteCode speedLimitAssumed{
     "speed_limit_assumed", Severity::Warning,
-    LT_TEXT("Engine", "The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit.")};
+    LT_TEXT("Engine", "The job states no highest speed of the spindle; {max_rpm} 1/min is written as the limit."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode restCannot{
     "rest_operation_refused", Severity::Info,
@@ -97,7 +98,8 @@ inline constexpr NoteCode restCannot{
 
 inline constexpr NoteCode cuttingDataAssumed{
     "cutting_data_assumed", Severity::Info,
-    LT_TEXT("Engine", "Assumed, from {source}: specific cutting force {k_c11_N_mm2} N/mm², exponent {m_c}.")};
+    LT_TEXT("Engine", "Assumed, from {source}: specific cutting force {k_c11_N_mm2} N/mm², exponent {m_c}."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode materialForPowerMissing{
     "material_for_power_missing", Severity::Info,
@@ -147,7 +149,8 @@ inline constexpr NoteCode secondClampingAssumed{
     "second_clamping_assumed", Severity::Warning,
     LT_TEXT("Engine",
             "Second clamping: gripped at z = {grip_start_mm} … {grip_end_mm} mm, chuck face {chuck_face_z_mm} mm from "
-            "the new free end; {face_allowance_mm} mm are faced off there.")};
+            "the new free end; {face_allowance_mm} mm are faced off there."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode softJaws{
     "soft_jaws", Severity::Info,

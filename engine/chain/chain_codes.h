@@ -34,7 +34,8 @@ inline constexpr NoteCode chainNumberChanged{
 
 inline constexpr NoteCode speedBeforeAssumed{
     "speed_before_assumed", Severity::Info,
-    LT_TEXT("Engine", "The photograph before is taken as cut at {speed_rpm} 1/min, the cutting speed of the job.")};
+    LT_TEXT("Engine", "The photograph before is taken as cut at {speed_rpm} 1/min, the cutting speed of the job."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode marksAndModel{
     "marks_and_model", Severity::Info,

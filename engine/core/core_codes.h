@@ -47,6 +47,22 @@ inline constexpr ErrorCode moduleMissing{
 inline constexpr ErrorCode internal{"internal", ErrorKind::NoAnswer,
                                     LT_TEXT("Engine", "Lathelier made a mistake here ({reason}). Please report it.")};
 
+inline constexpr ErrorCode notModelled{
+    "not_modelled", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "“{found}” is not modelled and could change the result, so nothing is written on it (such places: "
+            "{count}).")};
+
 }  // namespace errors
+
+namespace notes {
+
+inline constexpr NoteCode notModelled{
+    "not_modelled", Severity::Warning,
+    LT_TEXT("Engine",
+            "{place}: “{found}” is not modelled. It could change the result, which is undecided (such "
+            "places: {count}).")};
+
+}  // namespace notes
 
 }  // namespace lathelier

@@ -21,6 +21,13 @@ enum class ErrorKind {
 /// Effect of a note on the reliability of the result.
 enum class Severity { Info, Warning };
 
+/// What a note says of the understanding of the inputs (understanding.h).
+enum class NoteRole {
+    Remark,      ///< nothing
+    Assumed,     ///< a value was taken in place of what is not stated
+    NotModelled  ///< something that could change the result was not understood
+};
+
 /// Kind of an error: an object in the `<room>_codes.h` of the room that throws it. Keys are unique.
 struct ErrorCode {
     const char* key;  ///< stable name for scripts, "file_not_found"
@@ -35,6 +42,7 @@ struct NoteCode {
     const char* key;    ///< stable name for scripts, "unit_guessed"
     Severity severity;  ///< effect on the reliability of the result
     Text pattern;       ///< English; {name} is replaced by the named value
+    NoteRole role = NoteRole::Remark;
 
     friend bool operator==(const NoteCode& a, const NoteCode& b) { return std::string_view(a.key) == b.key; }
 };

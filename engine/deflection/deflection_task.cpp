@@ -144,7 +144,9 @@ DeflectionOutcome answerDeflection(const project::PanelState& state, StudyKind k
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
     }
-    outcome.record(state, sources, outcome.study->notes);
+    Understanding of_program;
+    of_program.add(outcome.job->path.understanding, task::nameOf(state.inputs.at(gcode::programRole)));
+    outcome.record(state, sources, outcome.study->notes, of_program);
     set(outcome.asked.parameters, gcode::draftsKey, *find(toValues(outcome.question), gcode::draftsKey));
     return outcome;
 }
@@ -172,7 +174,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
     all.writers[setupExport] = [outcome](const std::string& path, const Progress&) {
         io::writeFile(path, setupText(outcome->job->setup));
     };
-    if (!study->corrected) return all;
+    if (!study->corrected) return settled(deflectionTask(), std::move(all), outcome->understanding);
     all.writers[compensateExport] = [study](const std::string& path, const Progress&) {
         io::writeFile(path, study->corrected->text);
     };
@@ -180,7 +182,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
     all.writers[correctionExport] = [study](const std::string& path, const Progress&) {
         io::writeFile(path, report::toCsv(correctionPlot(study->corrected->compensation)));
     };
-    return all;
+    return settled(deflectionTask(), std::move(all), outcome->understanding);
 }
 
 const task::Task& deflectionTask()
@@ -198,9 +200,9 @@ const task::Task& deflectionTask()
         task::askFor<DeflectionQuestion>(made);
         made.exports = {
             {compensateExport, "Write the corrected program as FILE.", LT_TEXT("Engine", "Corrected program…"),
-             LT_TEXT("Engine", "NC program (*.nc *.ngc *.mpf *.tap)"), "nc"},
+             LT_TEXT("Engine", "NC program (*.nc *.ngc *.mpf *.tap)"), "nc", true},
             {correctionExport, "Write the correction along the work as FILE.csv.",
-             LT_TEXT("Engine", "Correction along the work (CSV)…"), table, "csv"},
+             LT_TEXT("Engine", "Correction along the work (CSV)…"), table, "csv", true},
             {errorsExport, "Write the error along the work as FILE.csv.",
              LT_TEXT("Engine", "Error along the work (CSV)…"), table, "csv"},
             {setupExport, "Write the set-up with its changes as FILE.json.",

@@ -73,7 +73,9 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(gcode::programRole)));
     }
-    outcome.record(state, sources, outcome.check->notes);
+    Understanding of_program;
+    of_program.add(outcome.check->path.understanding, task::nameOf(state.inputs.at(gcode::programRole)));
+    outcome.record(state, sources, outcome.check->notes, of_program);
     set(outcome.asked.parameters, gcode::draftsKey, *find(toValues(outcome.question), gcode::draftsKey));
     return outcome;
 }
@@ -103,7 +105,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome)
     all.writers[rewriteExport] = [check](const std::string& path, const Progress&) {
         io::writeFile(path, check->program.text);
     };
-    if (!all.errors.empty()) return all;
+    if (!all.errors.empty()) return settled(toolpathTask(), std::move(all), outcome->understanding);
     all.writers[movesExport] = [check](const std::string& path, const Progress& progress) {
         io::writeFile(path, [&](const io::Append& append) {
             gcode::writeMoves(check->path, [&](std::string_view step) {
@@ -112,7 +114,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome)
             });
         });
     };
-    return all;
+    return settled(toolpathTask(), std::move(all), outcome->understanding);
 }
 
 const task::Task& toolpathTask()

@@ -345,6 +345,9 @@ void BlockScanner::scanName(std::size_t from)
     } else if (sign < end_ && text_[sign] == '(') {
         add(from, std::max(afterExpression(sign), sign + 1), WordKind::Call).value_begin =
             static_cast<std::uint32_t>(sign);
+    } else if (sign < end_ && text_[sign] == '"') {  // CALL "NAME"
+        const std::size_t close = text_.find('"', sign + 1);
+        add(from, close < end_ ? close + 1 : end_, WordKind::Call).value_begin = static_cast<std::uint32_t>(sign);
     } else if (sign < end_ && text_[sign] == ':') {
         add(from, sign + 1, WordKind::Name);
     } else {

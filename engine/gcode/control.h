@@ -43,6 +43,9 @@ struct Grammar {
     std::vector<std::string> statements;  ///< words that begin one; Labelled: none, for an O word does
 };
 
+/// A coordinate that a variable holds.
+enum class PositionValue : std::uint8_t { X, Z };
+
 /// Variables and what is computed with them.
 struct Arithmetic {
     bool has_parentheses = false;       ///< brackets are (…) besides […]
@@ -50,7 +53,14 @@ struct Arithmetic {
     bool has_comparison_signs = false;  ///< < and > beside LT and GT
     bool modulo_is_positive = true;     ///< -1 MOD 3 = 2 instead of -1
     long last_local = 0;                ///< #1 up to this one belong to a called program
-    std::optional<long> alarm;          ///< a value of this variable stops the program with an alarm
+    /// Of a variable without a value: #1 up to last_vacant count as not given, up to last_zero as 0; what further ones
+    /// hold is not known to a reader of the program.
+    long last_vacant = 0, last_zero = 0;
+    /// Variables that hold the position, of a radius where position_is_radius.
+    std::map<long, PositionValue> position_numbers;
+    std::map<std::string, PositionValue, std::less<>> position_names;
+    bool position_is_radius = false;
+    std::optional<long> alarm;  ///< a value of this variable stops the program with an alarm
 };
 
 /// One of the words that state how long a dwell is.
@@ -97,10 +107,12 @@ struct Control {
     bool increments_are_letters = false;     ///< U and W are increments of X and Z
     bool integers_count_increments = false;  ///< numbers without a point are to be noted: some machines count 1 µm, and
                                              ///< P and Q of cycles always do so (times: 1 ms)
-    bool refuses_conflicts = false;  ///< a letter twice or two motions in a block are errors
-    bool tool_holds_offset = false;  ///< T0304: tool 3, offset 4
-    bool tools_have_names = false;   ///< T="T4": the first number in the name is taken
-    std::vector<DwellWord> dwell;    ///< later ones have precedence
+    bool set_position_shifts = false;  ///< SetPosition moves the zero; false: it describes the tool
+    bool can_state_diameter = false;   ///< a word says whether X counts diameters
+    bool refuses_conflicts = false;    ///< a letter twice or two motions in a block are errors
+    bool tool_holds_offset = false;    ///< T0304: tool 3, offset 4
+    bool tools_have_names = false;     ///< T="T4": the first number in the name is taken
+    std::vector<DwellWord> dwell;      ///< later ones have precedence
 
     // Feeds and speeds
     bool feed_ends_with_its_kind = false;  ///< another kind of feed (per minute, per revolution) needs a new F; false:
@@ -111,7 +123,8 @@ struct Control {
 
     // Motion and cycles; which cycles there are follows from the table of G words
     bool thread_lead_is_ik = false;  ///< lead of Thread along Z in K or along X in I; false: F, or E turns per inch
-    bool line_radius_is_rounding = false;   ///< G1 X… R… along one axis ends in a rounding
+    bool has_drawing_words = false;  ///< on a line A is its angle from +Z, R a rounding at its end, I, K and C a
+                                     ///< chamfer (C where the program moves no C axis)
     bool drill_level_is_increment = false;  ///< R of drilling counts from the start
     bool groove_step_is_diameter = false;   ///< I of a groove along X in one block counts diameters
 

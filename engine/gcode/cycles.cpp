@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace lathelier::gcode {
 namespace {
@@ -50,11 +51,39 @@ CycleMoves facingCycle(const Point& start, const Point& end, double taper_mm)
             moveTo(MoveKind::Feed, {end.x_mm, start.z_mm}), moveTo(MoveKind::Rapid, start)};
 }
 
+namespace {
+
+double roughDepth_mm(const MultiThread& thread)
+{
+    return thread.height_mm - (thread.has_finish ? thread.finish_mm : 0);
+}
+
+/// Depth of pass n behind one at `depth`; none: the rough depth is reached.
+std::optional<double> nextDepth_mm(const MultiThread& thread, std::int64_t n, double depth)
+{
+    const double next = std::max(thread.first_mm * std::sqrt(n), depth + thread.least_mm);
+    return next >= roughDepth_mm(thread) - 1e-9 ? std::nullopt : std::optional(next);
+}
+
+}  // namespace
+
+std::int64_t roughPasses(const MultiThread& thread, std::int64_t most)
+{
+    double depth = 0;
+    std::int64_t n = 1;
+    for (; n <= most; ++n) {
+        const std::optional<double> next = nextDepth_mm(thread, n, depth);
+        if (!next) break;
+        depth = *next;
+    }
+    return n;
+}
+
 CycleMoves multiThread(const Point& start, const MultiThread& thread)
 {
     const double outward = start.x_mm >= thread.end.x_mm ? 1 : -1;
     const double backward = start.z_mm >= thread.end.z_mm ? 1 : -1;
-    const double rough = thread.height_mm - (thread.has_finish ? thread.finish_mm : 0);
+    const double rough = roughDepth_mm(thread);
     CycleMoves moves;
     const auto pass = [&](double depth) {
         const double x = thread.end.x_mm + outward * (thread.height_mm - depth);
@@ -66,10 +95,10 @@ CycleMoves multiThread(const Point& start, const MultiThread& thread)
         moves.push_back(moveTo(MoveKind::Rapid, start));
     };
     double depth = 0;
-    for (int n = 1; moves.size() < mostCycleMoves; ++n) {
-        const double next = std::max(thread.first_mm * std::sqrt(n), depth + thread.least_mm);
-        if (next >= rough - 1e-9) break;
-        depth = next;
+    for (std::int64_t n = 1; moves.size() < mostCycleMoves; ++n) {
+        const std::optional<double> next = nextDepth_mm(thread, n, depth);
+        if (!next) break;
+        depth = *next;
         pass(depth);
     }
     if (thread.has_finish) pass(rough);

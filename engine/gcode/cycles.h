@@ -42,6 +42,8 @@ struct MultiThread {
     bool has_finish = true;  ///< two-block form: a pass at height - finish precedes the last
 };
 CycleMoves multiThread(const Point& start, const MultiThread& thread);
+/// Passes of multiThread(); most + 1 where they are more.
+std::int64_t roughPasses(const MultiThread& thread, std::int64_t most);
 
 /// G76 of LinuxCNC: pass n at depth |peak| + first·n^(1/degression) from the drive line, full depth, spring passes. The
 /// tool ends at the end of the drive line.

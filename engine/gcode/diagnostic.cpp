@@ -55,6 +55,21 @@ std::vector<Diagnostic> Diagnostics::sorted() const
     return all;
 }
 
+Understanding Diagnostics::understanding() const
+{
+    Understanding found;
+    for (const Diagnostic& one : sorted()) {
+        if (!one.gap) continue;
+        const Value* const word = find(one.values, "found");
+        found.not_modelled.push_back({{}, one.line, one.column, word ? text(*word) : one.block, one.code, *one.gap});
+    }
+    for (const auto& [code, seen] : placesByCode_)
+        if (std::any_of(list_.begin(), list_.end(),
+                        [&code = code](const Diagnostic& one) { return one.gap && one.code == code; }))
+            found.more_not_modelled += seen.left_out;
+    return found;
+}
+
 bool Diagnostics::hasErrors() const
 {
     return std::any_of(list_.begin(), list_.end(), [](const Diagnostic& d) { return d.is_error; });

@@ -9,18 +9,20 @@
 #include <vector>
 
 #include "engine/core/error.h"
+#include "engine/core/understanding.h"
 
 namespace lathelier::gcode {
 
 /// One error or warning at one position of a program.
 struct Diagnostic {
-    std::int64_t line = 0;    ///< from 1
-    std::int64_t column = 0;  ///< in characters, from 1
-    bool is_error = false;    ///< severity error: the moves of the program are invalid; false: warning
-    std::string code;         ///< stable key, "nose_radius_unknown"
-    Text pattern;             ///< English; {name} is replaced by the named value
-    Values values;            ///< fill in the pattern
-    std::string block;        ///< text of the block, without control characters, at most 40 characters
+    std::int64_t line = 0;         ///< from 1
+    std::int64_t column = 0;       ///< in characters, from 1
+    bool is_error = false;         ///< severity error: the moves of the program are invalid; false: warning
+    std::string code;              ///< stable key, "nose_radius_unknown"
+    Text pattern;                  ///< English; {name} is replaced by the named value
+    Values values;                 ///< fill in the pattern
+    std::optional<GapEffect> gap;  ///< what is not modelled here can change this; none: it is modelled
+    std::string block;             ///< text of the block, without control characters, at most 40 characters
     /// The error as thrown if a caller reports the first one alone: `code` with line, column and block.
     std::optional<Error> error;
 };
@@ -40,6 +42,9 @@ public:
     /// True if the code was not yet reported at this position. `place`: offset in the text.
     bool isNew(const char* code, std::uint64_t place);
     void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+
+    /// What is not modelled, in the order of sorted(), without a path.
+    Understanding understanding() const;
 
     /// By line and column, with a summary for each code with omitted positions.
     std::vector<Diagnostic> sorted() const;

@@ -238,7 +238,10 @@ private:
 
     Number read(const VariableName& found)
     {
-        return found.number >= 0 ? variables_.get(found.number) : variables_.get(found.name);
+        const bool isNumber = found.number >= 0;
+        if (unknown.empty() && (isNumber ? variables_.isUnknown(found.number) : variables_.isUnknown(found.name)))
+            unknown = isNumber ? (rules_.has_named_variables ? "R" : "#") + std::to_string(found.number) : found.name;
+        return isNumber ? variables_.get(found.number) : variables_.get(found.name);
     }
 
     Number named()
@@ -265,9 +268,9 @@ private:
         const std::size_t argument = at_ + 1;
         if (which == "EXISTS") {
             ++at_;
-            const Number value = read(variable());
+            const VariableName found = variable();
             take(close);
-            return value ? 1.0 : 0.0;
+            return (found.number >= 0 ? variables_.isSet(found.number) : variables_.isSet(found.name)) ? 1.0 : 0.0;
         }
         ++at_;
         const double x = plain(logical());
@@ -353,6 +356,7 @@ private:
 public:
     bool is_incremental = false;
     bool is_absolute = false;
+    std::string unknown;
 };
 
 }  // namespace
@@ -364,6 +368,7 @@ Computed compute(std::string_view text, const Variables& variables)
     result.value = parser.logical();
     result.is_incremental = parser.is_incremental;
     result.is_absolute = parser.is_absolute;
+    result.unknown = std::move(parser.unknown);
     parser.skip();
     result.end = parser.at();
     return result;

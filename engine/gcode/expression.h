@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "engine/core/units.h"
 #include "engine/gcode/control.h"
 
 namespace lathelier::gcode {
@@ -20,10 +21,20 @@ public:
 
     const Arithmetic& arithmetic() const { return arithmetic_; }
 
+    /// Its value, that of a variable without one included; none: vacant, or not known.
     std::optional<double> get(long number) const;
     std::optional<double> get(const std::string& name) const;
+    /// Without a value of which a reader of the program knows.
+    bool isUnknown(long number) const;
+    bool isUnknown(const std::string& name) const;
+    bool isSet(long number) const;  ///< by the program, or as the position
+    bool isSet(const std::string& name) const;
     void set(long number, std::optional<double> value);
     void set(const std::string& name, double value);
+    void setUnknown(long number);  ///< computed from what is not known
+    void setUnknown(const std::string& name);
+    /// Of the tool, in the units of the program and as it counts X; NaN: not known.
+    void setPosition(double x, double z) { x_ = x, z_ = z; }
     /// `arguments`: the variables #1… of the called program.
     void enter(std::unordered_map<long, double> arguments);
     void leave();
@@ -34,11 +45,13 @@ private:
         std::unordered_map<std::string, double> names;
     };
     bool isLocal(long number) const;
+    double positionOf(PositionValue which) const { return which == PositionValue::X ? x_ : z_; }
 
     const Arithmetic& arithmetic_;
     std::unordered_map<long, double> numbers_;
     std::unordered_map<std::string, double> names_;
     std::vector<Call> calls_;
+    double x_ = notANumber, z_ = notANumber;
 };
 
 /// Why an expression has no value.
@@ -52,6 +65,7 @@ struct Computed {
     std::optional<double> value;
     bool is_incremental = false;  ///< IC(…)
     bool is_absolute = false;     ///< AC(…)
+    std::string unknown;          ///< the first variable whose value is not known; empty: none
     std::size_t end = 0;          ///< number of bytes parsed
 };
 

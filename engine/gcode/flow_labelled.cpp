@@ -27,7 +27,7 @@ void Interpreter::runLabelled(const FlowStatement& at)
         }
         return nullptr;
     };
-    const auto isTrue = [&] { return compute(rest, variables_).value.value_or(0) != 0; };
+    const auto isTrue = [&] { return condition(rest); };
     const std::string& word = at.keyword;
     if (word == "SUB") {
         if (const FlowStatement* end = find({"ENDSUB"}, true))
@@ -47,7 +47,7 @@ void Interpreter::runLabelled(const FlowStatement& at)
             }
             return call(sub.block + 1, 1, true, std::move(arguments));
         }
-        error(errors::ncSubprogram, nullptr, {{"found", at.label}});
+        callMissing(nullptr, at.label);
     } else if (word == "ENDSUB" || word == "RETURN") {
         if (calls_.empty())
             unmatched();
@@ -63,7 +63,7 @@ void Interpreter::runLabelled(const FlowStatement& at)
             const Block& place = program_.blocks[here->block];
             const std::string_view text =
                 std::string_view(program_.text).substr(here->rest, place.begin + place.length - here->rest);
-            if (compute(text, variables_).value.value_or(0) != 0) break;
+            if (condition(text)) break;
             const std::size_t from = statementAt_[here->block];
             here = nullptr;
             for (std::size_t i = from + 1; i < statements_.size() && !here; ++i)

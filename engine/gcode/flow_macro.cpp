@@ -35,14 +35,15 @@ void Interpreter::runMacro(const Word& word)
     };
     if (keyword == "GOTO") return goTo(rest);
     if (keyword == "IF") {
-        const Computed condition = compute(rest, variables_);
-        rest = trimmedFront(rest.substr(std::min(condition.end, rest.size())));
+        std::size_t end = 0;
+        const bool holds = condition(rest, &end);
+        rest = trimmedFront(rest.substr(std::min(end, rest.size())));
         const std::string then = keywordOf(rest);
         if (then != "GOTO" && then != "THEN") {
             error(errors::ncFlow, &word, {{"found", shownWord(word)}});
             return;
         }
-        if (condition.value.value_or(0) == 0) return;
+        if (!holds) return;
         if (then == "GOTO") return goTo(rest.substr(4));
         Word assignment = word;
         rest = trimmedFront(rest.substr(4));
@@ -57,12 +58,7 @@ void Interpreter::runMacro(const Word& word)
     const std::size_t index = statementAt_[pc_];
     const long label = labelOf(at, rest);
     if (keyword == "WHILE" || keyword == "DO") {
-        if (keyword == "WHILE") {
-            const Computed condition = compute(rest, variables_);
-            if (condition.value.value_or(0) != 0) return;
-        } else {
-            return;
-        }
+        if (keyword == "DO" || condition(rest)) return;
         for (std::size_t i = index + 1; i < statements_.size(); ++i)
             if (statements_[i].keyword == "END" && numberIn(textOf(statements_[i])) == label) {
                 next_ = statements_[i].block + 1;

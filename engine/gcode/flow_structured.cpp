@@ -8,20 +8,135 @@
 
 namespace lathelier::gcode {
 
-/// L100 P2: the program %_N_L100_SPF of the same file, twice.
-void Interpreter::callByName(BlockWords& words)
+std::optional<std::size_t> Interpreter::programNamed(const std::string& name) const
 {
-    indexFlow();
+    const auto found = programs_.find(name);
+    return found == programs_.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// L100 P2: the program %_N_L100_SPF of the same file, twice.
+void Interpreter::callByLetter(BlockWords& words)
+{
     const Word& word = *words.word[static_cast<std::size_t>(BlockWords::slot(control_.call_letter))];
-    const std::string name = capitals(program_.textOf(word));
-    std::string head = control_.program_head;
-    head += name;
-    head += '_';
-    for (const std::size_t section : sections_) {
-        if (!capitals(program_.textOf(program_.blocks[section])).starts_with(head)) continue;
-        return call(section + 1, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L), false);
+    callByName(word, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L));
+}
+
+/// NAME, NAME(40, -8), CALL "NAME": a program of the same file, by its head or its PROC.
+void Interpreter::callByName(const Word& word, long repeats)
+{
+    const std::string_view text = program_.textOf(word);
+    const std::size_t quote = text.find('"'), open = text.find('(');
+    const std::string name = nameOf(quote != std::string_view::npos && quote < open ? text.substr(quote + 1) : text);
+    const std::optional<std::size_t> first = programNamed(name);
+    if (!first) return callMissing(&word, name);
+    // Its parameters: those of a PROC in its first blocks.
+    std::vector<Declared> parameters;
+    for (std::size_t b = *first; b < program_.blocks.size() && b < *first + 20; ++b) {
+        const FlowStatement* const at = statementOf(b);
+        if (!at || at->keyword != "PROC") continue;
+        const std::string_view line = program_.textOf(program_.blocks[b]);
+        const std::size_t from = line.find('('), to = line.rfind(')');
+        if (from != std::string_view::npos && to != std::string_view::npos && to > from)
+            parameters = declaredIn(line.substr(from + 1, to - from - 1));
+        break;
     }
-    error(errors::ncSubprogram, &word, {{"found", shown(program_, name)}});
+    std::vector<std::pair<std::string, std::optional<double>>> values;
+    const std::size_t close = text.rfind(')');
+    const bool hasList = quote == std::string_view::npos && open != std::string_view::npos &&
+                         close != std::string_view::npos && close > open;
+    const std::vector<std::string_view> given =
+        hasList ? splitArguments(text.substr(open + 1, close - open - 1)) : std::vector<std::string_view>{};
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        std::optional<double> value = 0;
+        if (i < given.size() && !given[i].empty()) {
+            const Computed found = compute(given[i], variables_);
+            value = found.unknown.empty() ? std::optional(found.value.value_or(0)) : std::nullopt;
+        }
+        values.emplace_back(parameters[i].name, value);
+    }
+    call(*first, repeats, true);
+    for (const auto& [parameter, value] : values)
+        value ? variables_.set(parameter, *value) : variables_.setUnknown(parameter);
+}
+
+/// DEF REAL A=1, B: values of the variables.
+void Interpreter::declare(std::string_view list)
+{
+    const std::string_view rest = trimmedFront(list);
+    const std::size_t type = rest.find_first_of(" \t");
+    if (type == std::string_view::npos) return;
+    for (const Declared& one : declaredIn(rest.substr(type))) {
+        if (one.value.starts_with('"')) continue;
+        Computed found;
+        if (!one.value.empty()) found = compute(one.value, variables_);
+        if (found.unknown.empty())
+            variables_.set(one.name, found.value.value_or(0));
+        else
+            variables_.setUnknown(one.name);
+    }
+}
+
+/// The block of "LABEL:" in the same program.
+std::optional<std::size_t> Interpreter::labelled(std::string_view label) const
+{
+    const auto [begin, end] = sectionOf(pc_);
+    const std::string wanted = capitals(label) + ":";
+    for (std::size_t b = begin; b < end; ++b)
+        for (std::uint32_t i = 0; i < program_.blocks[b].word_count; ++i) {
+            const Word& name = program_.words[program_.blocks[b].first_word + i];
+            if (name.kind == WordKind::Name && capitals(program_.textOf(name)) == wanted) return b;
+        }
+    return std::nullopt;
+}
+
+/// REPEAT AA P=3: from the label to this block; REPEAT AA BB P=3: to the block of the second label; to ENDLABEL where
+/// that stands behind the first; REPEATB AA P=3: the block of the label.
+void Interpreter::repeatPart(std::string_view text, const Word& word, bool is_one_block)
+{
+    std::vector<std::string> labels;
+    long repeats = 1;
+    std::string_view rest = trimmedFront(text);
+    while (!rest.empty()) {
+        const std::string name = nameOf(rest);
+        if (name.empty()) break;
+        rest = trimmedFront(rest.substr(name.size()));
+        const bool isCount =
+            name[0] == 'P' && (rest.starts_with('=') || (name.size() > 1 && numberIn(name) >= 0 && !labelled(name)));
+        if (!isCount) {
+            labels.push_back(name);
+            continue;
+        }
+        const std::string_view value = rest.starts_with('=') ? rest.substr(1) : std::string_view(name).substr(1);
+        const Computed count = compute(value, variables_);
+        if (!count.unknown.empty()) warn(notes::ncVariableUnset, &word, {{"found", count.unknown}}, GapEffect::Moves);
+        repeats = std::lround(std::clamp(count.value.value_or(0), 0.0, 1e12));
+        break;
+    }
+    if (repeats == 0) return;
+    const std::optional<std::size_t> first = labels.empty() ? std::nullopt : labelled(labels.front());
+    const std::optional<std::size_t> second = labels.size() > 1 ? labelled(labels[1]) : std::nullopt;
+    if (!first || (labels.size() > 1 && !second)) {
+        error(errors::ncSequence, &word, {{"found", labels.empty() ? std::string("REPEAT") : labels[first ? 1 : 0]}});
+        stop();
+        return;
+    }
+    std::size_t last = is_one_block ? *first : pc_;
+    if (second) {
+        last = *second;
+    } else if (!is_one_block) {
+        const std::optional<std::size_t> end = labelled("ENDLABEL");
+        if (end && *end > *first)
+            last = *end;
+        else if (pc_ > *first)
+            last = pc_ - 1;
+    }
+    if (last < *first || (*first <= pc_ && pc_ <= last)) {
+        error(errors::ncFlow, &word, {{"found", shownWord(word)}});
+        stop();
+        return;
+    }
+    call(*first, repeats, false);
+    if (!calls_.empty()) calls_.back().last = last;
 }
 
 void Interpreter::runStructured(const FlowStatement& at)
@@ -48,21 +163,20 @@ void Interpreter::runStructured(const FlowStatement& at)
         const std::string label = capitals(target.substr(0, target.find_first_of(" \t")));
         if (label.size() > 1 && label[0] == 'N' && label.find_first_not_of("0123456789", 1) == std::string::npos)
             if (const auto found = findSequence(std::atol(label.c_str() + 1), pc_)) return jump(*found);
-        const auto [begin, end] = sectionOf(pc_);
-        for (std::size_t b = begin; b < end; ++b)
-            for (std::uint32_t i = 0; i < program_.blocks[b].word_count; ++i) {
-                const Word& name = program_.words[program_.blocks[b].first_word + i];
-                if (name.kind == WordKind::Name && capitals(program_.textOf(name)) == label + ":") return jump(b);
-            }
+        if (const auto found = labelled(label)) return jump(*found);
         error(errors::ncSequence, nullptr, {{"found", label}});
         stop();
     };
-    const auto isTrue = [&] { return compute(rest, variables_).value.value_or(0) != 0; };
+    const auto isTrue = [&] { return condition(rest); };
+    const Word& statement = program_.words[block.first_word];
+    if (word == "DEF") return declare(rest);
+    if (word == "REPEATB") return repeatPart(rest, statement, true);
+    if (word == "REPEAT" && !nameOf(trimmedFront(rest)).empty()) return repeatPart(rest, statement, false);
     if (word == "GOTO" || word == "GOTOF" || word == "GOTOB") return goTo(rest);
     if (word == "IF") {
-        const Computed condition = compute(rest, variables_);
-        const std::string_view then = trimmedFront(rest.substr(std::min(condition.end, rest.size())));
-        const bool holds = condition.value.value_or(0) != 0;
+        std::size_t behind = 0;
+        const bool holds = condition(rest, &behind);
+        const std::string_view then = trimmedFront(rest.substr(std::min(behind, rest.size())));
         if (then.starts_with("GOTO") || then.starts_with("goto")) {
             if (holds) goTo(then.substr(keywordOf(then).size()));
             return;

@@ -57,10 +57,6 @@ inline constexpr ErrorCode ncCycle{"nc_cycle_incomplete", ErrorKind::InputReject
 inline constexpr ErrorCode ncSequence{"nc_sequence_missing", ErrorKind::InputRejected,
                                       LT_TEXT("Engine", "The block {found} is not in the program.")};
 
-inline constexpr ErrorCode ncSubprogram{
-    "nc_subprogram_missing", ErrorKind::InputRejected,
-    LT_TEXT("Engine", "The subprogram {found} is not in this file; what it does is not known.")};
-
 inline constexpr ErrorCode ncNesting{"nc_nesting_too_deep", ErrorKind::InputRejected,
                                      LT_TEXT("Engine", "Subprograms or loops are nested more than {most} deep.")};
 
@@ -84,6 +80,25 @@ inline constexpr ErrorCode ncNoseFit{
 
 inline constexpr ErrorCode ncAlarm{"nc_alarm", ErrorKind::InputRejected,
                                    LT_TEXT("Engine", "The program stops itself here: {found}.")};
+
+inline constexpr ErrorCode ncSequenceTwice{
+    "nc_sequence_twice", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "The block {found} stands in lines {first} and {second}: which one the cycle means is not clear.")};
+
+inline constexpr ErrorCode ncCoordinate{
+    "nc_coordinate_too_large", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "“{found}” leads {distance_m:0} m away; at most {most_m:0} m are read.")};
+
+inline constexpr ErrorCode ncPasses{"nc_pass_limit", ErrorKind::InputRejected,
+                                    LT_TEXT("Engine", "The cycle makes {found} passes; at most {most} are read.")};
+
+inline constexpr ErrorCode ncEmpty{"nc_program_empty", ErrorKind::InputRejected,
+                                   LT_TEXT("Engine", "The file holds no block of a program.")};
+
+inline constexpr ErrorCode ncVariableUnknown{
+    "nc_variable_not_known", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "“{word}” needs {found}, to which the program gives no value.")};
 
 inline constexpr ErrorCode ncGroups{"nc_words_conflict", ErrorKind::InputRejected,
                                     LT_TEXT("Engine", "“{found}” contradicts another word of the same block.")};
@@ -142,6 +157,10 @@ inline constexpr NoteCode ncPositionUnknown{"nc_position_unknown", Severity::War
 inline constexpr NoteCode ncOffsetUnknown{
     "nc_offset_unknown", Severity::Warning,
     LT_TEXT("Engine", "“{found}” shifts the coordinates by an amount that the program does not state.")};
+
+inline constexpr NoteCode ncSubprogramMissing{
+    "nc_subprogram_missing", Severity::Warning,
+    LT_TEXT("Engine", "The subprogram {found} is not in this file; what it does is not known.")};
 
 inline constexpr NoteCode ncMainRepeats{
     "nc_main_program_repeats", Severity::Warning,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/texts.h"
 #include "engine/core/units.h"
 #include "engine/gcode/flow_text.h"
 #include "engine/gcode/gcode_codes.h"
@@ -33,11 +34,20 @@ Toolpath Interpreter::run()
 {
     result_.moves.reserve(std::min(program_.blocks.size() + 16, mostMoves));
     runAll();
+    if (openLine_) unclosedLine();
+    if (openRough_) unclosedCycle();
+    if (std::all_of(program_.words.begin(), program_.words.end(),
+                    [](const Word& word) { return word.kind == WordKind::Comment || word.letter == 'O'; })) {
+        pc_ = 0;
+        if (!program_.blocks.empty()) error(errors::ncEmpty);
+    }
     path_.finish();
     drainProblems();
     result_.words = countWords(program_);
     result_.words_understood = countUnderstood(program_);
     result_.diagnostics = diagnostics_.sorted();
+    result_.understanding = diagnostics_.understanding();
+    result_.understanding.assumed = std::move(assumed_);
     result_.has_errors = diagnostics_.hasErrors();
     return std::move(result_);
 }
@@ -59,9 +69,34 @@ void Interpreter::error(const ErrorCode& code, const Word* word, Values values)
     if (diagnostics_.size() == before && ++repeatedErrors_ > mostRepeated) stop();
 }
 
-void Interpreter::warn(const NoteCode& code, const Word* word, Values values)
+void Interpreter::warn(const NoteCode& code, const Word* word, Values values, std::optional<GapEffect> gap)
 {
-    report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values));
+    report(program_, diagnostics_, program_.blocks[pc_], placeOf(word), code, std::move(values), gap);
+}
+
+void Interpreter::assume(const char* what, const Text& value)
+{
+    assumed_.push_back({what, text(value), {}, static_cast<std::int64_t>(pc_) + 1});
+}
+
+/// A value that the program does not give: an error where it would be a coordinate.
+void Interpreter::reportUnknown(const Word& word, const std::string& variable)
+{
+    constexpr std::string_view switches = "FSTND";
+    notUnderstood(&word);
+    if (switches.find(word.letter) != std::string_view::npos)
+        warn(notes::ncVariableUnset, &word, {{"found", variable}}, GapEffect::Measures);
+    else
+        error(errors::ncVariableUnknown, &word, {{"word", shownWord(word)}, {"found", variable}});
+}
+
+/// The position as the variables that hold it count it.
+void Interpreter::sharePosition()
+{
+    const Point at = ofProgram(modal_.at);
+    const double unit = modal_.is_inch ? mm_per_inch : 1;
+    const bool isDiameter = modal_.is_diameter && !control_.arithmetic.position_is_radius;
+    variables_.setPosition(at.x_mm * (isDiameter ? 2 : 1) / unit, at.z_mm / unit);
 }
 
 void Interpreter::notUnderstood(const Word* word)
@@ -90,6 +125,7 @@ std::optional<double> Interpreter::valueOf(const Word& word, Computed* computed)
         if (found.end < text.size())
             throw ExpressionFailure{LT_TEXT("Engine", "something is left behind it"), found.end};
         if (computed) *computed = found;
+        if (!found.unknown.empty() && !computed) return std::nullopt;
         return found.value;
     } catch (const ExpressionFailure& failure) {
         Word at = word;
@@ -102,7 +138,8 @@ std::optional<double> Interpreter::valueOf(const Word& word, Computed* computed)
 /// #101=…, R1=…
 void Interpreter::assign(const Word& word)
 {
-    const auto value = valueOf(word);
+    Computed computed;
+    const auto value = valueOf(word, &computed);
     const std::string_view text = program_.textOf(word);
     try {
         const VariableName name = variableName(text, variables_);
@@ -110,7 +147,9 @@ void Interpreter::assign(const Word& word)
             error(errors::ncAlarm, &word, {{"found", shown(program_, program_.textOf(program_.blocks[pc_]))}});
             stop();
         }
-        if (name.number >= 0)
+        if (!computed.unknown.empty())
+            name.number >= 0 ? variables_.setUnknown(name.number) : variables_.setUnknown(name.name);
+        else if (name.number >= 0)
             variables_.set(name.number, value);
         else
             variables_.set(name.name, value.value_or(0));
@@ -119,10 +158,43 @@ void Interpreter::assign(const Word& word)
     }
 }
 
+/// A program or a variable that the program declares; false: neither.
+bool Interpreter::takeProgramName(const Word& word, BlockWords& words)
+{
+    const std::string name = nameOf(program_.textOf(word));
+    if (!program_.names.contains(name)) return false;
+    const bool isValue = word.kind == WordKind::Expression || word.kind == WordKind::Number;
+    if (!isValue) {
+        words.called = &word;
+        return true;
+    }
+    Computed computed;
+    const std::optional<double> value = valueOf(word, &computed);
+    if (computed.unknown.empty())
+        variables_.set(name, value.value_or(0));
+    else
+        variables_.setUnknown(name);
+    return true;
+}
+
 void Interpreter::takeName(const Word& word, BlockWords& words)
 {
+    if (program_.textOf(word).ends_with(':')) return;
     const Name meaning = meaningOfName(control_, program_.textOf(word));
+    if (isFrame(meaning)) {
+        words.frame = meaning;
+        return;
+    }
     switch (meaning) {
+        case Name::Unknown:
+            if (!takeProgramName(word, words)) words.blocker = &word;
+            return;
+        case Name::CallText: words.called = &word; return;
+        case Name::MillOn:
+        case Name::MillOff:
+            words.mill = meaning;
+            modal_.milled_by = meaning == Name::MillOn ? &word : nullptr;
+            return;
         case Name::DiameterOn:
         case Name::DiameterOff:
         case Name::DiameterAbsolute:
@@ -143,6 +215,8 @@ void Interpreter::takeName(const Word& word, BlockWords& words)
         case Name::SpeedLimit: modal_.limit_rpm = value; break;
         case Name::Speed: modal_.speed = value; break;
         case Name::RoundModal: modal_.round_mm = length_mm; break;
+        case Name::EndAngle:
+        case Name::RotateAngle:
         case Name::ArcAngle: words.named[static_cast<std::size_t>(meaning)] = value; break;
         case Name::ArcRadius:
         case Name::ArcMiddleX:
@@ -174,6 +248,9 @@ bool Interpreter::gather(BlockWords& words)
             takeName(word, words);
             continue;
         }
+        if (!program_.names.empty() && word.value_begin > word.begin + 1 &&
+            program_.names.contains(std::string_view(&word.letter, 1)) && takeProgramName(word, words))
+            continue;
         if (word.letter == 'T' && control_.tools_have_names &&
             program_.valueOf(word).find('"') != std::string_view::npos) {
             const std::string_view name = program_.valueOf(word);
@@ -186,6 +263,10 @@ bool Interpreter::gather(BlockWords& words)
         if (word.kind == WordKind::Expression) {
             const auto before = diagnostics_.hasErrors();
             value = valueOf(word, &computed);
+            if (!computed.unknown.empty()) {
+                reportUnknown(word, computed.unknown);
+                continue;
+            }
             if (!value) {
                 isWhole = isWhole && before == diagnostics_.hasErrors();
                 continue;  // a vacant variable: the word is ignored
@@ -195,7 +276,7 @@ bool Interpreter::gather(BlockWords& words)
             const auto code10 = static_cast<int>(std::lround(std::clamp(*value, -1.0, 1e6) * 10));
             const G meaning = meaningOfG(control_, code10);
             if (word.kind == WordKind::Expression && (meaning == G::Unknown || meaning == G::NotModelled)) {
-                warn(notes::ncWordUnknown, &word, {{"found", shownWord(word)}});
+                warn(notes::ncWordUnknown, &word, {{"found", shownWord(word)}}, GapEffect::Moves);
                 notUnderstood(&word);
             }
             if (words.g_count < static_cast<int>(words.g.size())) {
@@ -205,6 +286,9 @@ bool Interpreter::gather(BlockWords& words)
                 words.g_word[at] = &word;
             }
         } else if (word.letter == 'M') {
+            const M meaning = meaningOfM(control_, static_cast<int>(std::clamp(*value, -1.0, 1e6)));
+            if (meaning == M::NotModelled || meaning == M::Unknown) words.unknown_m = &word;
+            if (meaning == M::Spindle) modal_.held_by = nullptr;
             if (words.m_count < static_cast<int>(words.m.size()))
                 words.m[static_cast<std::size_t>(words.m_count++)] = static_cast<int>(std::clamp(*value, -1.0, 1e6));
         } else {
@@ -223,6 +307,7 @@ bool Interpreter::gather(BlockWords& words)
             words.word[static_cast<std::size_t>(slot)] = &word;
         }
     }
+    if (words.unknown_m && (hasAxes(words) || words.has('P'))) words.blocker = words.unknown_m;
     return isWhole;
 }
 
@@ -256,12 +341,13 @@ void Interpreter::returnOrRepeat(BlockWords& words)
 
 void Interpreter::takeM(BlockWords& words)
 {
-    if (control_.call_letter != 0 && words.has(control_.call_letter)) callByName(words);
+    if (control_.call_letter != 0 && words.has(control_.call_letter)) callByLetter(words);
+    if (words.called) callByName(*words.called, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L));
     for (int i = 0; i < words.m_count; ++i) {
         const int m = words.m[static_cast<std::size_t>(i)];
         const M meaning = meaningOfM(control_, m);
         if ((inContour_ || inFinish_) && meaning >= M::CallProgram) {
-            warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}});
+            warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}}, GapEffect::Moves);
             continue;
         }
         switch (meaning) {
@@ -283,7 +369,10 @@ void Interpreter::takeM(BlockWords& words)
 void Interpreter::checkUnused(const BlockWords& words)
 {
     const std::uint32_t rest = words.given & ~words.used;
-    if (rest == 0) return;
+    if (rest == 0 || words.blocker || words.called) return;
+    const auto shapes = [&](char letter) {  // the end of a move, on controls where it has a use there
+        return hasAxes(words) && std::string_view("ACIKRcr").find(letter) != std::string_view::npos;
+    };
     for (int i = 0; i < words.g_count; ++i) {
         const G g = words.g[static_cast<std::size_t>(i)];
         if (g == G::NoEffect || g == G::ReturnToLevel || g == G::NotModelled || g == G::Unknown || g == G::FixedPoint)
@@ -294,7 +383,8 @@ void Interpreter::checkUnused(const BlockWords& words)
         if ((rest >> slot & 1U) == 0 || !word || !word->is_understood) continue;
         if (meaningOfLetter(control_, word->letter) == Letter::Always) continue;
         if (words.m_count > 0 && (word->letter == 'P' || word->letter == 'Q' || word->letter == 'R')) continue;
-        warn(notes::ncWordWithoutUse, word, {{"found", shownWord(*word)}});
+        warn(notes::ncWordWithoutUse, word, {{"found", shownWord(*word)}},
+             shapes(word->letter) ? std::optional(GapEffect::Moves) : std::nullopt);
         notUnderstood(word);
     }
 }
@@ -310,6 +400,7 @@ void Interpreter::execute(std::size_t block)
     state.start = modal_.at;
     BlockWords words;
     if (const Word& first = program_.words[here.first_word]; here.word_count > 1 || first.kind != WordKind::Comment) {
+        sharePosition();
         if (!gather(words)) return;
         takeModes(words);
         takeSpindle(words);
@@ -317,6 +408,7 @@ void Interpreter::execute(std::size_t block)
         state.is_incremental = modal_.is_incremental;
         state.is_inch = modal_.is_inch;
         state.is_contour = state.is_contour || inContour_;
+        state.shift = modal_.frame.isStraight() ? ofWork({0, 0}) : Point{};
         updateNose();
         move(words);
         state.is_compensated = state.is_compensated || modal_.side != NoseSide::Off;
@@ -326,7 +418,7 @@ void Interpreter::execute(std::size_t block)
             const Word& word = program_.words[here.first_word + i];
             if (word.kind != WordKind::Flow) continue;
             if (inContour_ || inFinish_)
-                warn(notes::ncBlockNotModelled, &word, {{"found", shownWord(word)}});
+                warn(notes::ncBlockNotModelled, &word, {{"found", shownWord(word)}}, GapEffect::Moves);
             else
                 runStatement(word);
         }

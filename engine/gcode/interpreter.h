@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "engine/core/units.h"
 #include "engine/gcode/cycles.h"
 #include "engine/gcode/expression.h"
+#include "engine/gcode/frame.h"
 #include "engine/gcode/path_builder.h"
 #include "engine/gcode/toolpath.h"
 
@@ -38,8 +40,17 @@ struct Modal {
     NoseSide side = NoseSide::Off;
     double nose_radius_mm = notANumber;  ///< of G::NoseLeftByWords
     int nose_tip = 9;
-    double round_mm = 0;  ///< Name::RoundModal
-    Point at;             ///< programmed position
+    double round_mm = 0;              ///< Name::RoundModal
+    Point at;                         ///< programmed position, in coordinates of the work
+    Frame frame;                      ///< of TRANS, ROT…
+    Point coarse{0, 0}, fine{0, 0};   ///< of TranslateCoarse, TranslateFine
+    Point local{0, 0};                ///< LocalShift
+    Point stated{0, 0};               ///< SetPosition
+    Point stated_kept{0, 0};          ///< for SetPositionBack
+    Point zero{0, 0};                 ///< the work offset against that at the start
+    const Word* milled_by = nullptr;  ///< MillOn in force
+    const Word* plane_by = nullptr;   ///< another plane than that of turning
+    const Word* held_by = nullptr;    ///< the spindle is held at an angle
 };
 
 /// The words of one block, computed.
@@ -59,14 +70,19 @@ struct BlockWords {
     std::uint32_t absolute = 0;      ///< given as AC(…)
     std::array<double, 32> named{};  ///< values of names, by Name; NaN: not given
     bool is_machine = false;         ///< Name::MachineMove
-    bool has_axis_point = false;     ///< Name::AxisPoint
+    const Word* blocker = nullptr;   ///< a word that is not understood and may own the coordinates
+    const Word* unknown_m = nullptr;
+    const Word* called = nullptr;  ///< a program by its name
+    Name frame = Name::Unknown;    ///< the one that the block states
+    Name mill = Name::Unknown;     ///< MillOn, MillOff
+    bool has_axis_point = false;   ///< Name::AxisPoint
 
     BlockWords() { named.fill(notANumber); }
     double valueOf(Name name) const { return named[static_cast<std::size_t>(name)]; }
 
     static int slot(char letter)
     {
-        return letter >= 'a' ? (letter == 'c' ? 26 : letter == 'r' ? 27 : 28) : letter - 'A';
+        return letter >= 'a' ? (letter == 'c' ? 26 : letter == 'r' ? 27 : letter == 'a' ? 28 : 29) : letter - 'A';
     }
     bool has(char letter) const { return (given & known) >> slot(letter) & 1U; }
     bool hasG(G meaning) const { return wordOfG(meaning) != nullptr; }
@@ -106,7 +122,8 @@ private:
         std::size_t first = 0;
         long repeats = 1;
         bool has_variables = false;
-        std::size_t loops = 0;  ///< open loops of the caller
+        std::size_t loops = 0;                 ///< open loops of the caller
+        std::size_t last = std::string::npos;  ///< a repeated part ends behind this block; npos: by its own words
     };
     struct Loop {
         std::size_t head = 0;  ///< block of WHILE, DO, FOR, REPEAT
@@ -126,7 +143,15 @@ private:
     void call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments = {});
     void returnFromCall();
     void callProgram(BlockWords& words, bool isMacro);
-    void callByName(BlockWords& words);
+    void callByLetter(BlockWords& words);
+    void callByName(const Word& word, long repeats);
+    void callMissing(const Word* word, const std::string& name);
+    std::optional<std::size_t> programNamed(const std::string& name) const;
+    void declare(std::string_view list);
+    void repeatPart(std::string_view text, const Word& word, bool is_one_block);
+    std::optional<std::size_t> labelled(std::string_view label) const;
+    bool condition(std::string_view text, std::size_t* end = nullptr);
+    void checkPairs();
     void callBlock(BlockWords& words);
     void returnOrRepeat(BlockWords& words);
     std::size_t matching(std::size_t index, const char* open, const char* close, int step) const;
@@ -137,6 +162,9 @@ private:
     bool gather(BlockWords& words);
     void assign(const Word& word);
     void takeName(const Word& word, BlockWords& words);
+    bool takeProgramName(const Word& word, BlockWords& words);
+    void reportUnknown(const Word& word, const std::string& variable);
+    void sharePosition();
     std::optional<double> valueOf(const Word& word, Computed* computed = nullptr);
     void takeModes(BlockWords& words);
     void takeSpindle(BlockWords& words);
@@ -148,14 +176,33 @@ private:
     void dwell(BlockWords& words);
     bool isOfDwell(const BlockWords& words, char letter) const;
     void reference(BlockWords& words);
+    void leaveOut(BlockWords& words, const Word* because);
+    const Word* milledBy(const BlockWords& words);
+    void takeFrame(BlockWords& words);
+    void takeShift(BlockWords& words, G which);
+    void setData(BlockWords& words);
+    void changeOffset(int number10, const Word* word);
+    Point statedShift(BlockWords& words, const Point& otherwise);
+    Frame frame() const;
+    Point shift_mm() const;
+    Point ofWork(const Point& stated) const { return plus(frame().applied(stated), shift_mm()); }
+    Point ofProgram(const Point& work) const;
+    static Point plus(const Point& a, const Point& b) { return {a.x_mm + b.x_mm, a.z_mm + b.z_mm}; }
+    bool isShifted() const;
     void thread(BlockWords& words);
     void arc(BlockWords& words, const Point& end);
     bool hasAxes(const BlockWords& words) const;
     Point target(BlockWords& words);
+    Point statedTarget(BlockWords& words, const Point& from);
+    void reportNose();
     double length_mm(BlockWords& words, char letter);
     double micro_mm(BlockWords& words, char letter);
     double plain(BlockWords& words, char letter, double otherwise = 0);
     Corner cornerOf(BlockWords& words);
+    void line(BlockWords& words);
+    std::optional<double> angleOf(BlockWords& words);
+    bool isChamferC(const BlockWords& words);
+    void unclosedLine();
     void emit(MoveKind kind, const Point& to, const Corner& corner = {}, const Point& centre = {},
               bool clockwise = false, double lead = notANumber);
     void emitCycle(const CycleMoves& moves, double lead = notANumber);
@@ -163,6 +210,7 @@ private:
     Move filled(MoveKind kind, const Point& to) const;
 
     // cycles (interpreter_cycles.cpp)
+    bool isCycle(const BlockWords& words) const;
     bool cycle(BlockWords& words);
     void singleCycle(BlockWords& words);
     void drill(BlockWords& words);
@@ -170,12 +218,16 @@ private:
     void driveThread(BlockWords& words);
     void peck(BlockWords& words, bool alongX);
     void contourCycle(BlockWords& words, G which);
+    void unclosedCycle();
+    int passesOf(double stated);
+    std::vector<std::int64_t> linesOf(long number) const;
     std::vector<ContourPiece> collect(std::size_t first, std::size_t last);
     void finishContour(std::size_t first, std::size_t last);
 
     std::uint32_t placeOf(const Word* word) const;
     void error(const ErrorCode& code, const Word* word = nullptr, Values values = {});
-    void warn(const NoteCode& code, const Word* word = nullptr, Values values = {});
+    void warn(const NoteCode& code, const Word* word = nullptr, Values values = {}, std::optional<GapEffect> gap = {});
+    void assume(const char* what, const Text& value);
     std::string shownWord(const Word& word) const { return shown(program_, program_.textOf(word)); }
     void notUnderstood(const Word* word);
     void drainProblems();
@@ -198,6 +250,18 @@ private:
     bool inFinish_ = false;   ///< G70 runs it
     bool statedDiameter_ = false;
     bool statedFeedMode_ = false;
+    bool statedUnit_ = false;
+    std::vector<Assumed> assumed_;
+    /// A line of which the angle alone is stated: it ends where the next one, of angle and end, begins.
+    struct OpenLine {
+        std::size_t block = 0;
+        double angle_deg = 0;
+        Corner corner;
+    };
+    std::optional<OpenLine> openLine_;
+    std::optional<bool> usesCAxis_;                ///< found on first use
+    std::map<int, Point> offsets_;                 ///< of SetData, by ten times the number of the work offset
+    std::map<std::string, std::size_t> programs_;  ///< first blocks of programs within the file, by name
     std::int64_t loops_ = 0;
     std::vector<FlowStatement> statements_;
     std::vector<std::size_t> statementAt_;
@@ -214,6 +278,7 @@ private:
     double roughDepth_mm_ = notANumber, roughRetreat_mm_ = 0.5;
     double patternX_mm_ = 0, patternZ_mm_ = 0;
     int patternCount_ = 1;
+    std::optional<std::size_t> openRough_;  ///< first of the two blocks of a cycle of a contour
     double threadLeast_mm_ = 0, threadFinish_mm_ = 0, threadRun_ = 0;
     int threadLast_ = 1;
     double peckRetreat_mm_ = 0;

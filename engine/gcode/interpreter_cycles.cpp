@@ -8,6 +8,16 @@
 
 namespace lathelier::gcode {
 
+/// Does the block begin a cycle or belong to a modal one?
+bool Interpreter::isCycle(const BlockWords& words) const
+{
+    for (const G which :
+         {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern, G::FacePeck, G::TurnPeck, G::ThreadMulti, G::DriveThread})
+        if (words.hasG(which)) return true;
+    return modal_.motion == G::TurnCycle || modal_.motion == G::FaceCycle || modal_.motion == G::ThreadCycle ||
+           modal_.motion == G::Drill;
+}
+
 /// True if the block is a cycle or belongs to a modal one.
 bool Interpreter::cycle(BlockWords& words)
 {
@@ -74,7 +84,7 @@ void Interpreter::drill(BlockWords& words)
     if (!isNew && !hasAxes(words) && !hasC) return;
     if (isNew) {
         if (const Word* const across = words.wordOfG(G::DrillAcross)) {
-            warn(notes::ncBlockNotModelled, across, {{"found", shownWord(*across)}});
+            warn(notes::ncBlockNotModelled, across, {{"found", shownWord(*across)}}, GapEffect::Moves);
             notUnderstood(across);
             modal_.motion = G::Unknown;
             modal_.at = {};
@@ -95,12 +105,13 @@ void Interpreter::drill(BlockWords& words)
         emit(MoveKind::Rapid, {to.x_mm, modal_.at.z_mm});
     if (words.has('R')) {
         const double r = length_mm(words, 'R');
-        double level = modal_.is_incremental ? modal_.at.z_mm + r : r;
+        const double absolute = isShifted() ? ofWork({0, r}).z_mm : r;
+        double level = modal_.is_incremental ? modal_.at.z_mm + r : absolute;
         if (control_.drill_level_is_increment) {  // incremental from the start; absolute if that would lead away from
                                                   // the hole
             const double from = modal_.at.z_mm + r;
             const bool isAway = hasZ && (from - modal_.at.z_mm) * (given.z_mm - modal_.at.z_mm) < 0;
-            level = isAway ? r : from;
+            level = isAway ? absolute : from;
         }
         drilling_.level_z_mm = level;
     }
@@ -161,6 +172,8 @@ void Interpreter::threadMulti(BlockWords& words)
             {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "the height of the thread or its first cut is missing")}});
     }
     if (!isKnown(start)) warn(notes::ncPositionUnknown);
+    if (const std::int64_t passes = roughPasses(cut, mostPasses); passes > mostPasses)
+        return error(errors::ncPasses, nullptr, {{"found", passes}, {"most", mostPasses}});
     emitCycle(multiThread(start, cut), lead);
 }
 
@@ -219,6 +232,37 @@ void Interpreter::peck(BlockWords& words, bool alongX)
     emitCycle(pecking(start, groove));
 }
 
+/// The first of the two blocks of a cycle without the second.
+void Interpreter::unclosedCycle()
+{
+    const std::size_t here = pc_;
+    pc_ = *openRough_;
+    openRough_.reset();
+    error(errors::ncCycle, nullptr,
+          {{"cycle", "G71…G73"}, {"reason", LT_TEXT("Engine", "P and Q, which name its contour, follow nowhere")}});
+    pc_ = here;
+}
+
+/// Passes of a cycle that the program counts; an error where there are too many.
+int Interpreter::passesOf(double stated)
+{
+    if (stated > static_cast<double>(mostPasses))
+        error(errors::ncPasses, nullptr,
+              {{"found", static_cast<std::int64_t>(std::min(stated, 1e15))}, {"most", mostPasses}});
+    return static_cast<int>(std::clamp(stated, 1.0, static_cast<double>(mostPasses)));
+}
+
+/// Lines with this block number in the same program.
+std::vector<std::int64_t> Interpreter::linesOf(long number) const
+{
+    std::vector<std::int64_t> lines;
+    const auto [begin, end] = sectionOf(pc_);
+    if (const auto found = sequences_.find(number); found != sequences_.end())
+        for (const std::size_t block : found->second)
+            if (block >= begin && block < end) lines.push_back(static_cast<std::int64_t>(block) + 1);
+    return lines;
+}
+
 /// G70…G73: words of the first block, or the cycle itself.
 void Interpreter::contourCycle(BlockWords& words, G which)
 {
@@ -235,18 +279,21 @@ void Interpreter::contourCycle(BlockWords& words, G which)
     if (!hasContour) {
         if (words.has('P') || words.has('Q') || which == G::Finish)
             return unusable(LT_TEXT("Engine", "P and Q name its contour"));
+        if (openRough_) unclosedCycle();
+        openRough_ = pc_;
         if (which == G::Pattern) {
             patternX_mm_ = u_mm;
             patternZ_mm_ = w_mm;
-            patternCount_ = static_cast<int>(std::clamp(plain(words, 'R', 1), 1.0, 9999.0));
+            patternCount_ = passesOf(plain(words, 'R', 1));
         } else {
             roughDepth_mm_ = std::abs(which == G::RoughTurn ? u_mm : w_mm);
             if (words.has('R')) roughRetreat_mm_ = std::abs(length_mm(words, 'R'));
         }
         return;
     }
+    openRough_.reset();
     if (isOneBlock && which == G::Pattern) {
-        patternCount_ = static_cast<int>(std::clamp(plain(words, 'D', 1), 1.0, 9999.0));
+        patternCount_ = passesOf(plain(words, 'D', 1));
         if (words.has('I')) patternX_mm_ = length_mm(words, 'I');
         if (words.has('K')) patternZ_mm_ = length_mm(words, 'K');
     } else if (isOneBlock) {
@@ -261,6 +308,12 @@ void Interpreter::contourCycle(BlockWords& words, G which)
         error(errors::ncSequence, words.word[static_cast<std::size_t>((!first ? 'P' : 'Q') - 'A')],
               {{"found", named('N', missing)}});
         return;
+    }
+    for (const long number : {p, q}) {
+        const std::vector<std::int64_t> lines = linesOf(number);
+        if (lines.size() < 2) continue;
+        return error(errors::ncSequenceTwice, nullptr,
+                     {{"found", named('N', number)}, {"first", lines[0]}, {"second", lines[1]}});
     }
     const Point start = modal_.at;
     if (which == G::Finish) {

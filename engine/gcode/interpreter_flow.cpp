@@ -37,10 +37,93 @@ void Interpreter::indexFlow()
             const std::size_t end = word.begin + word.length;
             found.keyword = keywordOf(std::string_view(program_.text).substr(found.rest, end - found.rest));
             found.rest += found.keyword.size();
+            if (found.keyword == "PROC")
+                programs_.emplace(
+                    nameOf(trimmedFront(std::string_view(program_.text).substr(found.rest, end - found.rest))), b);
             statementAt_[b] = statements_.size();
             statements_.push_back(std::move(found));
         }
+        const std::string_view head = program_.textOf(block);
+        if (!control_.program_head.empty() && head.starts_with(control_.program_head)) {
+            const std::string name = nameOf(head.substr(control_.program_head.size()));
+            programs_.emplace(name.substr(0, name.rfind('_')), b + 1);
+        }
     }
+    checkPairs();
+}
+
+/// Statements without the one that ends or begins them.
+void Interpreter::checkPairs()
+{
+    struct Open {
+        std::string keyword;
+        long label;
+        std::size_t block;
+    };
+    std::vector<Open> open;
+    const auto unmatched = [&](std::size_t block, const std::string& keyword) {
+        pc_ = block;
+        error(errors::ncFlow, nullptr, {{"found", keyword}});
+    };
+    const auto textOf = [&](const FlowStatement& at) {
+        const Block& block = program_.blocks[at.block];
+        return std::string_view(program_.text).substr(at.rest, block.begin + block.length - at.rest);
+    };
+    const auto close = [&](const FlowStatement& at, std::initializer_list<const char*> opens, long label) {
+        for (std::size_t i = open.size(); i-- > 0;) {
+            const bool isIt = std::find(opens.begin(), opens.end(), open[i].keyword) != opens.end();
+            if (!isIt || open[i].label != label) continue;
+            for (std::size_t k = i + 1; k < open.size(); ++k) unmatched(open[k].block, open[k].keyword);
+            open.resize(i);
+            return;
+        }
+        unmatched(at.block, at.keyword);
+    };
+    const std::size_t here = pc_;
+    if (control_.grammar.flow == FlowStyle::Labelled) return;
+    const bool isMacro = control_.grammar.flow == FlowStyle::Macro;
+    std::size_t section = 0;
+    for (const FlowStatement& at : statements_) {
+        const std::size_t of = sectionOf(at.block).first;
+        if (of != section) {
+            for (const Open& one : open) unmatched(one.block, one.keyword);
+            open.clear();
+            section = of;
+        }
+        const std::string& word = at.keyword;
+        if (isMacro) {
+            const std::string_view rest = textOf(at);
+            const std::size_t where = capitals(rest).rfind("DO");
+            if (word == "DO" || (word == "WHILE" && where != std::string::npos))
+                open.push_back({"DO", numberIn(word == "DO" ? rest : rest.substr(where)), at.block});
+            if (word == "END") close(at, {"DO"}, numberIn(rest));
+            continue;
+        }
+        const std::string text = capitals(program_.textOf(program_.blocks[at.block]));
+        const bool repeatsPart =
+            word == "REPEAT" && !trimmedFront(textOf(at)).empty() && trimmedFront(textOf(at)).front() != ';';
+        if (word == "WHILE" || word == "LOOP" || word == "FOR" || (word == "REPEAT" && !repeatsPart) ||
+            (word == "IF" && text.find("GOTO") == std::string::npos))
+            open.push_back({word, 0, at.block});
+        if (word == "ENDWHILE") close(at, {"WHILE"}, 0);
+        if (word == "ENDLOOP") close(at, {"LOOP"}, 0);
+        if (word == "ENDFOR") close(at, {"FOR"}, 0);
+        if (word == "UNTIL") close(at, {"REPEAT"}, 0);
+        if (word == "ENDIF") close(at, {"IF"}, 0);
+    }
+    for (const Open& one : open) unmatched(one.block, one.keyword);
+    pc_ = here;
+}
+
+/// The value of a condition. One that needs what is not known counts as not fulfilled, and which way the program goes
+/// is a gap.
+bool Interpreter::condition(std::string_view text, std::size_t* end)
+{
+    const Computed found = compute(text, variables_);
+    if (end) *end = found.end;
+    if (found.unknown.empty()) return found.value.value_or(0) != 0;
+    warn(notes::ncVariableUnset, nullptr, {{"found", found.unknown}}, GapEffect::Moves);
+    return false;
 }
 
 std::pair<std::size_t, std::size_t> Interpreter::sectionOf(std::size_t block) const
@@ -147,7 +230,15 @@ void Interpreter::callProgram(BlockWords& words, bool isMacro)
         call(first, repeats, isMacro, std::move(arguments));
         return;
     }
-    error(errors::ncSubprogram, words.word['P' - 'A'], {{"found", named('O', number)}});
+    callMissing(words.word['P' - 'A'], named('O', number));
+}
+
+/// A program that is not in the file: what it does is not known.
+void Interpreter::callMissing(const Word* word, const std::string& name)
+{
+    notUnderstood(word);
+    warn(notes::ncSubprogramMissing, word, {{"found", shown(program_, name)}}, GapEffect::Moves);
+    modal_.at = {};
 }
 
 void Interpreter::runAll()
@@ -162,7 +253,9 @@ void Interpreter::runAll()
         const bool isEnd = pc >= program_.blocks.size();
         const bool isNext = !isEnd && hasSections && hasRun && pc > 0 &&
                             std::binary_search(sections_.begin() + 1, sections_.end(), pc) && next_ == pc_ + 1;
-        if (isEnd || (isNext && !(calls_.size() && calls_.back().first == pc))) {
+        const bool isBehindPart = !calls_.empty() && next_ == pc_ + 1 && calls_.back().last != std::string::npos &&
+                                  pc == calls_.back().last + 1;
+        if (isBehindPart || isEnd || (isNext && !(calls_.size() && calls_.back().first == pc))) {
             if (calls_.empty()) break;
             returnFromCall();  // a subprogram without end statement
             pc = next_;

@@ -53,14 +53,23 @@ void Interpreter::takeModes(BlockWords& words)
         const Word* const word = words.g_word[at];
         switch (words.g[at]) {
             case G::Inch:
+                statedUnit_ = true;
                 modal_.is_inch = true;
                 modal_.inch_feed = false;
                 break;
-            case G::InchAll: modal_.is_inch = modal_.inch_feed = true; break;
-            case G::Metric: modal_.is_inch = modal_.inch_feed = false; break;
+            case G::InchAll:
+                statedUnit_ = true;
+                modal_.is_inch = modal_.inch_feed = true;
+                break;
+            case G::Metric:
+                statedUnit_ = true;
+                modal_.is_inch = modal_.inch_feed = false;
+                break;
+            case G::PlaneZX: modal_.plane_by = nullptr; break;
             case G::PlaneOther:
-                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}});
+                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}}, GapEffect::None);
                 notUnderstood(word);
+                modal_.plane_by = word;
                 break;
             case G::PerMinute:
                 modal_.per_revolution = false;
@@ -71,15 +80,18 @@ void Interpreter::takeModes(BlockWords& words)
                 statedFeedMode_ = true;
                 break;
             case G::InverseTime:
-                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}});
+                warn(notes::ncWordNotModelled, word, {{"found", shownWord(*word)}}, GapEffect::Measures);
                 notUnderstood(word);
                 break;
             case G::Absolute: modal_.is_incremental = false; break;
             case G::Incremental: modal_.is_incremental = true; break;
             case G::ArcAbsolute: modal_.arc_is_absolute = true; break;
             case G::ArcIncremental: modal_.arc_is_absolute = false; break;
-            case G::Diameter: modal_.is_diameter = true; break;
-            case G::Radius: modal_.is_diameter = false; break;
+            case G::Diameter:
+            case G::Radius:
+                modal_.is_diameter = words.g[at] == G::Diameter;
+                statedDiameter_ = true;
+                break;
             case G::CycleOff: modal_.motion = G::Unknown; break;
             case G::NoseOff: modal_.side = NoseSide::Off; break;
             case G::NoseLeft:
@@ -96,16 +108,10 @@ void Interpreter::takeModes(BlockWords& words)
                 break;
             }
             case G::WorkOffset:
-                if (words.g10[at] != modal_.work_offset) {
-                    if (isKnown(modal_.at.x_mm) || isKnown(modal_.at.z_mm)) {
-                        warn(notes::ncOffsetUnknown, word, {{"found", shownWord(*word)}});
-                        modal_.at = {};
-                    }
-                    modal_.work_offset = words.g10[at];
-                }
+            case G::WorkOffsetNamed:
+                changeOffset(words.g10[at], word);
                 if (words.has('P')) plain(words, 'P');
                 break;
-            case G::WorkOffsetNamed: plain(words, 'P'); break;
             default: break;
         }
     }

@@ -58,7 +58,23 @@ bool Interpreter::hasAxes(const BlockWords& words) const
 
 Point Interpreter::target(BlockWords& words)
 {
-    Point to = modal_.at;
+    if (!statedUnit_) {
+        statedUnit_ = true;
+        assume("unit", modal_.is_inch ? LT_TEXT("Engine", "inch") : LT_TEXT("Engine", "mm"));
+    }
+    if (!isShifted()) return statedTarget(words, modal_.at);
+    Point to = ofWork(statedTarget(words, ofProgram(modal_.at)));
+    if (modal_.frame.isStraight()) {  // an axis without a word stays where it is, to the last bit
+        if (!words.has('X') && !words.has('U')) to.x_mm = modal_.at.x_mm;
+        if (!words.has('Z') && !words.has('W')) to.z_mm = modal_.at.z_mm;
+    }
+    return to;
+}
+
+/// The end in coordinates that the program states, from `from` in the same ones.
+Point Interpreter::statedTarget(BlockWords& words, const Point& from)
+{
+    Point to = from;
     const auto isIncremental = [&](char letter) {
         const std::uint32_t bit = 1U << BlockWords::slot(letter);
         if ((words.incremental & bit) != 0) return true;
@@ -70,10 +86,15 @@ Point Interpreter::target(BlockWords& words)
         const double value = length_mm(words, 'X') / (isDiameter ? 2 : 1);
         if (adds && !isKnown(to.x_mm)) warn(notes::ncPositionUnknown, words.word['X' - 'A']);
         to.x_mm = adds ? to.x_mm + value : value;
-        if (!control_.start.assumed_diameter.empty() && !statedDiameter_) {
+        if (!statedDiameter_) {
             statedDiameter_ = true;
-            warn(notes::ncAssumed, words.word['X' - 'A'],
-                 {{"what", LT_TEXT("Engine", "diameter or radius")}, {"assumed", control_.start.assumed_diameter}});
+            if (control_.start.assumed_diameter.empty()) {
+                if (control_.can_state_diameter)
+                    assume("diameter_or_radius",
+                           modal_.is_diameter ? LT_TEXT("Engine", "diameter") : LT_TEXT("Engine", "radius"));
+            } else
+                warn(notes::ncAssumed, words.word['X' - 'A'],
+                     {{"what", LT_TEXT("Engine", "diameter or radius")}, {"assumed", control_.start.assumed_diameter}});
         }
     }
     if (words.has('Z')) {
@@ -89,9 +110,9 @@ Point Interpreter::target(BlockWords& words)
         if (words.has(absolute)) error(errors::ncGroups, word, {{"found", shownWord(*word)}});
         const double value = length_mm(words, incremental);
         double& coordinate = incremental == 'U' ? to.x_mm : to.z_mm;
-        const double from = incremental == 'U' ? modal_.at.x_mm : modal_.at.z_mm;
-        if (!isKnown(from) && value != 0) warn(notes::ncPositionUnknown, word);
-        coordinate = from + (incremental == 'U' ? value / 2 : value);
+        const double before = incremental == 'U' ? from.x_mm : from.z_mm;
+        if (!isKnown(before) && value != 0) warn(notes::ncPositionUnknown, word);
+        coordinate = before + (incremental == 'U' ? value / 2 : value);
     }
     return to;
 }
@@ -121,12 +142,25 @@ void Interpreter::emit(MoveKind kind, const Point& to, const Corner& corner, con
             modal_.feed_is_stale = false;
             warn(notes::ncFeedKept, nullptr, {{"found", modal_.feed}});
         }
-        if (!control_.start.assumed_feed.empty() && !statedFeedMode_) {
+        if (!statedFeedMode_) {
             statedFeedMode_ = true;
-            warn(notes::ncAssumed, nullptr,
-                 {{"what", LT_TEXT("Engine", "the kind of feed")}, {"assumed", control_.start.assumed_feed}});
+            if (control_.start.assumed_feed.empty())
+                assume("feed", modal_.per_revolution ? LT_TEXT("Engine", "mm/rev") : LT_TEXT("Engine", "mm/min"));
+            else
+                warn(notes::ncAssumed, nullptr,
+                     {{"what", LT_TEXT("Engine", "the kind of feed")}, {"assumed", control_.start.assumed_feed}});
         }
     }
+    for (const double coordinate : {to.x_mm, to.z_mm})
+        if (std::abs(coordinate) > farthest_mm) {
+            const Word& first = program_.words[program_.blocks[pc_].first_word];
+            error(errors::ncCoordinate, nullptr,
+                  {{"found", shownWord(first)},
+                   {"distance_m", std::abs(coordinate) / 1000},
+                   {"most_m", farthest_mm / 1000}});
+            stop();
+            return;
+        }
     Move move = filled(kind, to);
     if (kind == MoveKind::Thread) move.feed_mm_rev = lead;
     if (kind == MoveKind::Arc) {
@@ -181,8 +215,15 @@ void Interpreter::updateNose()
     else if (const auto tool = tools_.find(modal_.tool); tool != tools_.end())
         take(tool->second);
     else
-        warn(notes::noseRadiusUnknown);
+        reportNose();
     path_.setNose(modal_.side, radius_mm, tip);
+}
+
+void Interpreter::reportNose()
+{
+    if (std::none_of(assumed_.begin(), assumed_.end(), [](const Assumed& one) { return one.what == "nose_radius_mm"; }))
+        assume("nose_radius_mm", LT_TEXT("Engine", "0"));
+    warn(notes::noseRadiusUnknown);
 }
 
 Corner Interpreter::cornerOf(BlockWords& words)
@@ -194,10 +235,108 @@ Corner Interpreter::cornerOf(BlockWords& words)
           std::pair{Name::Round, CornerKind::Round}})
         if (isKnown(words.valueOf(name))) return {kind, words.valueOf(name)};
     if (modal_.round_mm > 0) return {CornerKind::Round, modal_.round_mm};
-    const bool isLine = modal_.motion == G::Line && control_.line_radius_is_rounding;
-    if (isLine && words.has('R') && (words.has('X') || words.has('U')) != (words.has('Z') || words.has('W')))
-        return {CornerKind::Round, std::abs(length_mm(words, 'R'))};
+    if (modal_.motion != G::Line || !control_.has_drawing_words) return {};
+    if (words.has('R')) return {CornerKind::Round, std::abs(length_mm(words, 'R'))};
+    if (isChamferC(words)) return {CornerKind::Legs, std::abs(length_mm(words, 'C'))};
+    // I and K are the leg along the axis of the next line.
+    const bool alongX = words.has('X') || words.has('U'), alongZ = words.has('Z') || words.has('W');
+    if (alongZ && !alongX && words.has('I')) return {CornerKind::Legs, std::abs(length_mm(words, 'I'))};
+    if (alongX && !alongZ && words.has('K')) return {CornerKind::Legs, std::abs(length_mm(words, 'K'))};
     return {};
+}
+
+/// Does C state a chamfer, and not an angle of the spindle? The words do not tell; that the program moves no C axis
+/// does.
+bool Interpreter::isChamferC(const BlockWords& words)
+{
+    if (!control_.has_drawing_words || modal_.motion != G::Line || !words.has('C') || !hasAxes(words)) return false;
+    if (!usesCAxis_) {
+        usesCAxis_ = std::any_of(program_.blocks.begin(), program_.blocks.end(), [this](const Block& block) {
+            bool hasC = false, hasAxis = false, isOther = false;
+            for (std::uint32_t i = 0; i < block.word_count; ++i) {
+                const Word& word = program_.words[block.first_word + i];
+                hasC = hasC || word.letter == 'C' || word.letter == 'H';
+                hasAxis = hasAxis || std::string_view("XZUW").find(word.letter) != std::string_view::npos;
+                if (word.letter != 'G' || word.kind != WordKind::Number) continue;
+                const G meaning = meaningOfG(control_, static_cast<int>(std::lround(word.value * 10)));
+                isOther = isOther || meaning == G::Rapid || meaning == G::Home || isDrilling(meaning);
+                if (meaning == G::MillOn) return true;
+            }
+            return hasC && (isOther || !hasAxis);
+        });
+        if (!*usesCAxis_) assume("C", LT_TEXT("Engine", "chamfer"));
+    }
+    return !*usesCAxis_;
+}
+
+/// The angle of a line from +Z, counterclockwise with X upward.
+std::optional<double> Interpreter::angleOf(BlockWords& words)
+{
+    if (isKnown(words.valueOf(Name::EndAngle))) return words.valueOf(Name::EndAngle);
+    if (!control_.has_drawing_words) return std::nullopt;
+    for (const char letter : {'a', 'A'})
+        if (words.has(letter) && meaningOfLetter(control_, letter) == Letter::InBlock) return plain(words, letter);
+    return std::nullopt;
+}
+
+void Interpreter::unclosedLine()
+{
+    const std::size_t here = pc_;
+    pc_ = openLine_->block;
+    openLine_.reset();
+    error(errors::ncCycle, nullptr,
+          {{"cycle", "A"}, {"reason", LT_TEXT("Engine", "the line behind it states no angle, X and Z")}});
+    pc_ = here;
+}
+
+/// A straight feed move by its end, by its angle and one coordinate, or by two angles and the end of the second line.
+void Interpreter::line(BlockWords& words)
+{
+    const std::optional<double> angle = angleOf(words);
+    if ((angle || openLine_) && !frame().isStraight()) return leaveOut(words, nullptr);
+    const Corner corner = cornerOf(words);
+    const bool hasX = words.has('X') || words.has('U'), hasZ = words.has('Z') || words.has('W');
+    const auto alongX = [](double deg) { return std::sin(deg * rad_per_deg); };
+    const auto alongZ = [](double deg) { return std::cos(deg * rad_per_deg); };
+    constexpr double parallel = 1e-9;
+    if (angle && !hasX && !hasZ) {
+        if (openLine_) return unclosedLine();
+        openLine_ = OpenLine{pc_, *angle, corner};
+        return;
+    }
+    Point to = target(words);
+    const auto impossible = [&](const Text& reason) {
+        error(errors::ncCycle, nullptr, {{"cycle", "A"}, {"reason", reason}});
+    };
+    if (openLine_) {
+        if (!angle || !hasX || !hasZ) return unclosedLine();
+        const OpenLine first = *openLine_;
+        openLine_.reset();
+        const double x1 = alongX(first.angle_deg), z1 = alongZ(first.angle_deg), x2 = alongX(*angle),
+                     z2 = alongZ(*angle);
+        const double across = x1 * z2 - z1 * x2;
+        if (std::abs(across) < parallel) return impossible(LT_TEXT("Engine", "both lines are parallel"));
+        const double dx = to.x_mm - modal_.at.x_mm, dz = to.z_mm - modal_.at.z_mm;
+        const double along = (dx * z2 - dz * x2) / across;
+        const std::size_t here = pc_;
+        const Point meet{modal_.at.x_mm + along * x1, modal_.at.z_mm + along * z1};
+        pc_ = first.block;
+        emit(MoveKind::Feed, meet, first.corner);
+        pc_ = here;
+    } else if (angle && hasX != hasZ) {
+        const double slope = hasX ? alongX(*angle) : alongZ(*angle);
+        if (std::abs(slope) < parallel) return impossible(LT_TEXT("Engine", "the line never reaches its end"));
+        const double along = (hasX ? to.x_mm - modal_.at.x_mm : to.z_mm - modal_.at.z_mm) / slope;
+        if (hasX)
+            to.z_mm = modal_.at.z_mm + along * alongZ(*angle);
+        else
+            to.x_mm = modal_.at.x_mm + along * alongX(*angle);
+    } else if (angle && isKnown(to) && isKnown(modal_.at)) {
+        constexpr double agreed_mm = 0.01;  // a drawing's angle is rounded
+        const double off = (to.x_mm - modal_.at.x_mm) * alongZ(*angle) - (to.z_mm - modal_.at.z_mm) * alongX(*angle);
+        if (std::abs(off) > agreed_mm) return impossible(LT_TEXT("Engine", "X and Z state another angle"));
+    }
+    emit(MoveKind::Feed, to, corner);
 }
 
 /// Does the letter state the time of a dwell in this block, instead of what it states in others?
@@ -269,20 +408,23 @@ void Interpreter::arc(BlockWords& words, const Point& end)
 {
     bool clockwise = modal_.motion == G::ArcCw;
     const Point from = modal_.at;
+    const Frame frame = this->frame();
+    if (!frame.keepsArcs()) return leaveOut(words, nullptr);
+    if (frame.isMirrored()) clockwise = !clockwise;
     const Corner corner = cornerOf(words);
     if (!isKnown(from)) warn(notes::ncPositionUnknown);
     Point centre;
     double radius = notANumber;
     if (modal_.motion == G::ArcThrough) {
         const double middle = words.valueOf(Name::ArcMiddleX);
-        const Point by{modal_.is_diameter ? middle / 2 : middle, words.valueOf(Name::ArcMiddleZ)};
+        const Point by = ofWork({modal_.is_diameter ? middle / 2 : middle, words.valueOf(Name::ArcMiddleZ)});
         const auto found = isKnown(by) ? centreThrough(from, by, end) : std::nullopt;
         if (!found) return error(errors::ncArcIncomplete);
         centre = *found;
         const double side =
             (by.z_mm - from.z_mm) * (end.x_mm - from.x_mm) - (by.x_mm - from.x_mm) * (end.z_mm - from.z_mm);
         clockwise = side < 0;
-        modal_.motion = clockwise ? G::ArcCw : G::ArcCcw;
+        modal_.motion = clockwise != frame.isMirrored() ? G::ArcCw : G::ArcCcw;
         return emit(MoveKind::Arc, end, corner, centre, clockwise);
     }
     if (isKnown(words.valueOf(Name::ArcRadius)))
@@ -294,6 +436,7 @@ void Interpreter::arc(BlockWords& words, const Point& end)
         radius = distance_mm(from, end) / (2 * std::sin(half)) * (angle > 180 ? -1 : 1);
     }
     if (isKnown(radius)) {
+        if (isKnown(words.valueOf(Name::ArcRadius)) || words.has('R')) radius *= frame.scale();
         const auto found = centreOfRadius(from, end, radius, clockwise);
         if (!found && isKnown(from) && isKnown(end))
             return error(errors::ncArcRadius, nullptr,
@@ -301,14 +444,16 @@ void Interpreter::arc(BlockWords& words, const Point& end)
         return emit(MoveKind::Arc, end, corner, found.value_or(Point{}), clockwise);
     }
     if (!words.has('I') && !words.has('K')) return error(errors::ncArcIncomplete);
-    const auto offset = [&](char letter, double start, bool isX) {
-        if (!words.has(letter)) return modal_.arc_is_absolute ? notANumber : start;
+    const Point start = isShifted() ? ofProgram(from) : from;
+    const auto offset = [&](char letter, double begin, bool isX) {
+        if (!words.has(letter)) return modal_.arc_is_absolute ? notANumber : begin;
         const double value = length_mm(words, letter);
         const bool isAbsolute = modal_.arc_is_absolute || (words.absolute >> BlockWords::slot(letter) & 1U) != 0;
-        if (!isAbsolute) return start + value;
+        if (!isAbsolute) return begin + value;
         return isX && modal_.is_diameter ? value / 2 : value;
     };
-    centre = {offset('I', from.x_mm, true), offset('K', from.z_mm, false)};
+    centre = {offset('I', start.x_mm, true), offset('K', start.z_mm, false)};
+    if (isShifted()) centre = ofWork(centre);
     if (!isKnown(centre))
         return isKnown(from) ? error(errors::ncArcIncomplete) : emit(MoveKind::Arc, end, corner, centre, clockwise);
     radius = distance_mm(from, centre);
@@ -324,13 +469,16 @@ void Interpreter::arc(BlockWords& words, const Point& end)
 /// Executes all motion of a block.
 void Interpreter::move(BlockWords& words)
 {
-    const Word* blocker = nullptr;
+    const Word* blocker = words.blocker;
     bool hasMotion = false;
     for (int i = 0; i < words.g_count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const G motion = isDrilling(words.g[at]) ? G::Drill : words.g[at];
         switch (motion) {
+            case G::Unknown:
             case G::NotModelled: blocker = words.g_word[at]; break;
+            case G::MillOn: modal_.milled_by = blocker = words.g_word[at]; break;
+            case G::MillOff: modal_.milled_by = nullptr; break;
             case G::Rapid:
             case G::Line:
             case G::ArcCw:
@@ -349,42 +497,39 @@ void Interpreter::move(BlockWords& words)
             default: break;
         }
     }
-    if (blocker) {
-        if (hasAxes(words)) warn(notes::ncBlockNotModelled, blocker, {{"found", shownWord(*blocker)}});
-        if (hasAxes(words)) modal_.at = {};
-        return;
-    }
+    if (blocker) return leaveOut(words, blocker);
+    if (words.frame != Name::Unknown) return takeFrame(words);
     if (words.hasG(G::Dwell)) return dwell(words);
     if (words.hasG(G::MacroCall) && (inContour_ || inFinish_))
-        return warn(notes::ncBlockNotModelled, nullptr, {{"found", std::string("G65")}});
+        return warn(notes::ncBlockNotModelled, nullptr, {{"found", std::string("G65")}}, GapEffect::Moves);
     if (words.hasG(G::MacroCall)) return callProgram(words, true);
     if (words.hasG(G::Home) || words.hasG(G::FixedPoint) || words.is_machine || (words.hasG(G::MachineMove)))
         return reference(words);
-    if (words.hasG(G::SpeedLimit) || words.hasG(G::SetPosition)) {
-        if (hasAxes(words)) modal_.at = target(words);
-        return;
-    }
-    if (words.hasG(G::Shift)) {
-        if (!hasAxes(words)) return;
-        target(words);
-        warn(notes::ncOffsetUnknown, words.g_word[0], {{"found", shownWord(*words.g_word[0])}});
-        modal_.at = {};
-        return;
-    }
+    for (const G which : {G::SpeedLimit, G::SetPosition, G::SetPositionOff, G::SetPositionBack, G::LocalShift,
+                          G::Translate, G::TranslateCoarse, G::TranslateFine})
+        if (words.hasG(which)) return takeShift(words, which);
+    if (words.hasG(G::SetData)) return setData(words);
+    if (const Word* const by = milledBy(words)) return leaveOut(words, by);
+    if (!frame().isStraight() && isCycle(words)) return leaveOut(words, nullptr);
     if (cycle(words)) return;
     if (modal_.motion == G::Thread) return thread(words);
     const bool isArc = modal_.motion == G::ArcCw || modal_.motion == G::ArcCcw || modal_.motion == G::ArcThrough;
+    if (modal_.motion == G::Line && !hasAxes(words) && angleOf(words)) return line(words);
     if (!hasAxes(words) && !(isArc && (words.has('I') || words.has('K')))) return;
+    if (openLine_ && modal_.motion != G::Line) unclosedLine();
+    if (modal_.motion == G::Line) return line(words);
     if (modal_.motion == G::Unknown) {
         if (control_.start.assumed_motion == G::Unknown) return error(errors::ncMotionMissing);
         modal_.motion = control_.start.assumed_motion;
+        const bool isLine = modal_.motion == G::Line;
         warn(notes::ncAssumed, nullptr,
              {{"what", LT_TEXT("Engine", "a motion")}, {"assumed", control_.start.assumed_motion_word}});
+        assume("motion", control_.start.assumed_motion_word);
+        if (isLine) return line(words);
     }
     const Point to = target(words);
     if (isArc) return arc(words, to);
-    if (modal_.motion == G::Rapid) return emit(MoveKind::Rapid, to);
-    emit(MoveKind::Feed, to, cornerOf(words));
+    emit(MoveKind::Rapid, to);
 }
 
 }  // namespace lathelier::gcode

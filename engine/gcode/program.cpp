@@ -92,6 +92,7 @@ Program readProgram(std::string text, const ControlPtr& control, const Progress&
                                                {"dialect", found.control->label},
                                                {"expected", readControls()}});
     program.control = found.control;
+    program.names = declaredNames(program.text, *program.control);
     const std::string& all = program.text;
     const auto lines = static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1;
     program.blocks.reserve(lines);
@@ -153,13 +154,14 @@ void report(const Program& program, Diagnostics& list, const Block& block, std::
 }
 
 void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const NoteCode& code,
-            Values values)
+            Values values, std::optional<GapEffect> gap)
 {
     if (!list.isNew(code.key, offset)) return;
     Diagnostic diagnostic = located(program, block, offset);
     diagnostic.code = code.key;
     diagnostic.pattern = code.pattern;
     diagnostic.values = std::move(values);
+    diagnostic.gap = gap;
     list.add(std::move(diagnostic));
 }
 

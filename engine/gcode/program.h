@@ -11,6 +11,7 @@
 #include "engine/core/progress.h"
 #include "engine/gcode/control.h"
 #include "engine/gcode/controls/controls.h"
+#include "engine/gcode/declared_names.h"
 #include "engine/gcode/diagnostic.h"
 
 namespace lathelier::gcode {
@@ -52,6 +53,7 @@ struct Program {
     std::vector<Block> blocks;            ///< lines, from the first to the last
     std::vector<Word> words;              ///< of all blocks, in order
     Diagnostics diagnostics;              ///< of parsing alone
+    DeclaredNames names;                  ///< that it declares
 
     std::string_view textOf(const Block& block) const
     {
@@ -91,6 +93,6 @@ std::vector<Word> wordsOfLine(std::string line, const ControlPtr& control);
 void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const ErrorCode& code,
             Values values = {});
 void report(const Program& program, Diagnostics& list, const Block& block, std::uint32_t offset, const NoteCode& code,
-            Values values = {});
+            Values values = {}, std::optional<GapEffect> gap = {});
 
 }  // namespace lathelier::gcode

@@ -22,6 +22,8 @@ inline constexpr std::array tipOfOrientation{9, 4, 3, 2, 1, 5, 8, 7, 6, 9};
 inline constexpr std::int64_t mostLoops = 500000;       ///< sum of repetitions, backward jumps and calls
 inline constexpr std::int64_t mostBlocksRun = 2500000;  ///< default of ToolpathParameters
 inline constexpr std::size_t mostMoves = 4000000;       ///< of a program
+inline constexpr std::int64_t mostPasses = 10000;       ///< of one cycle
+inline constexpr double farthest_mm = 1e5;              ///< of a coordinate
 inline constexpr int deepestCalls = 32;                 ///< nesting depth of subprograms and loops
 
 enum class IntegerWords { Millimetre, Micrometre };
@@ -55,6 +57,7 @@ struct BlockState {
     MoveKind kind = MoveKind::Rapid;  ///< of its last move, as programmed
     Point start;                      ///< programmed position before it (radius)
     Point end;                        ///< programmed position after it
+    Point shift;                      ///< of the work against what the program states; NaN: more than a shift
 };
 
 struct Toolpath {
@@ -63,7 +66,8 @@ struct Toolpath {
     std::vector<Diagnostic> diagnostics;  ///< of parsing and interpretation, by position
     std::int64_t words = 0;
     std::int64_t words_understood = 0;
-    bool has_errors = false;  ///< a diagnostic is an error: the moves are invalid
+    Understanding understanding;  ///< what is not modelled and what is assumed; paths are left to the caller
+    bool has_errors = false;      ///< a diagnostic is an error: the moves are invalid
     ToolpathParameters parameters;
 };
 

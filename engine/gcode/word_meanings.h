@@ -64,14 +64,25 @@ enum class G : std::uint8_t {
     DriveThread,      ///< a thread in passes: one block with P, I, J, K and a drive line
     WorkOffset,       ///< another work offset: the position becomes unknown
     WorkOffsetNamed,  ///< a work offset in which the program is taken to state its coordinates: the position is kept
-    Shift,            ///< by the words of the block, an amount that is not followed
+    LocalShift,       ///< the zero by the words of the block, from that of the work offset
+    SetData,  ///< L2 P1…: the work offset P; L20 P1…: so that the present position has these coordinates; others:
+              ///< of tools, not modelled
+    SetPositionOff,   ///< ends SetPosition
+    SetPositionBack,  ///< after SetPositionOff
+    Translate,        ///< the zero by the words of the block; without them: ends all frames
+    TranslateCoarse,  ///< as Translate, for the axes of the block alone
+    TranslateFine,    ///< in addition to TranslateCoarse
+    MillOn,           ///< moves that follow are those of a driven tool: known, not modelled
+    MillOff,
     MacroCall,
 };
 
 /// Function of an M word.
 enum class M : std::uint8_t {
     Unknown,      ///< in no table
+    NotModelled,  ///< known; runs what is not modelled
     NoEffect,     ///< known or assigned by the machine builder; no effect on the path
+    Spindle,      ///< turns the work: it is no longer held at an angle
     End,          ///< of the program
     EndOrReturn,  ///< of the program; in a called one: of that one
     CallProgram,  ///< P: its number; L: repeats
@@ -92,6 +103,17 @@ enum class Name : std::uint8_t {
     Unknown,     ///< in no table
     NoEffect,    ///< known; no effect on the path. Its value is computed, to find faults
     Uncomputed,  ///< as NoEffect; its value may be a text
+    Translate,   ///< the zero by the words of the block, in place of all frames; without words: none
+    TranslateMore,
+    Rotate,  ///< by RotateAngle, in place of all frames; without: none
+    RotateMore,
+    Scale,  ///< by the words of the block, in place of all frames; without: none
+    ScaleMore,
+    Mirror,  ///< the axes of the block, in place of all frames; without: none
+    MirrorMore,
+    MillOn,  ///< moves that follow are those of a driven tool: known, not modelled
+    MillOff,
+    CallText,  ///< the program whose name follows in quotes
     DiameterOn,
     DiameterOff,
     DiameterAbsolute,  ///< diameters for absolute coordinates, radii for incremental ones
@@ -100,6 +122,7 @@ enum class Name : std::uint8_t {
     AxisPoint,     ///< names an axis of a FixedPoint
     SpeedLimit,    ///< 1/min
     Speed,         ///< of the main spindle
+    RotateAngle,   ///< degrees, from Z toward X
     ArcRadius,     ///< negative: more than half a circle
     ArcAngle,      ///< degrees
     ArcMiddleX,    ///< of ArcThrough
@@ -108,13 +131,19 @@ enum class Name : std::uint8_t {
     ChamferLeg,    ///< length along each leg
     Round,         ///< radius of a rounding
     RoundModal,    ///< radius of a rounding at every corner that follows
-    EndAngle,      ///< direction of the line; known, not modelled
+    EndAngle,      ///< direction of the line from +Z, degrees
 };
 
 /// Do these shape the end of their move?
 constexpr bool shapesCorner(Name name)
 {
     return name >= Name::ChamferChord && name <= Name::EndAngle;
+}
+
+/// Do these change the coordinates that follow?
+constexpr bool isFrame(Name name)
+{
+    return name >= Name::Translate && name <= Name::MirrorMore;
 }
 
 constexpr bool isDrilling(G meaning)

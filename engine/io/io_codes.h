@@ -96,11 +96,13 @@ namespace notes {
 
 inline constexpr NoteCode unknownKey{
     "unknown_key", Severity::Warning,
-    LT_TEXT("Engine", "Line {line}, column {column}: the key {key} is not known; it changes nothing.")};
+    LT_TEXT("Engine", "Line {line}, column {column}: the key {key} is not known; what it states is not used."),
+    NoteRole::NotModelled};
 
 inline constexpr NoteCode unitGuessed{
     "unit_guessed", Severity::Warning,
-    LT_TEXT("Engine", "{path}: no unit is stated; read as {unit} because of its extent of {extent}.")};
+    LT_TEXT("Engine", "{path}: no unit is stated; read as {unit} because of its extent of {extent}."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode rowsSkipped{"rows_skipped", Severity::Info,
                                       LT_TEXT("Engine", "{path}: rows skipped: {count}.")};
@@ -159,7 +161,8 @@ inline constexpr NoteCode nominalNotUsed{
     LT_TEXT("Engine", "{path}: the file holds radii; the nominal radius of {radius_mm} mm is not used.")};
 
 inline constexpr NoteCode timeUnitAssumed{"time_unit_assumed", Severity::Warning,
-                                          LT_TEXT("Engine", "{path}: no unit of the time is stated; read as seconds.")};
+                                          LT_TEXT("Engine", "{path}: no unit of the time is stated; read as seconds."),
+                                          NoteRole::Assumed};
 
 inline constexpr NoteCode timeIrregular{
     "time_irregular", Severity::Warning,
@@ -190,7 +193,8 @@ inline constexpr NoteCode converterDelayDiffers{"converter_delay_differs", Sever
 
 inline constexpr NoteCode fullScaleAssumed{
     "full_scale_assumed", Severity::Info,
-    LT_TEXT("Engine", "{path}: {full_scale_code} converter codes of {device} were read as {volts} V.")};
+    LT_TEXT("Engine", "{path}: {full_scale_code} converter codes of {device} were read as {volts} V."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode fullScaleUnknown{
     "full_scale_unknown", Severity::Warning,

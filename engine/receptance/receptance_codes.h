@@ -46,7 +46,8 @@ namespace notes {
 inline constexpr NoteCode materialAssumed{
     "material_assumed", Severity::Info,
     LT_TEXT("Engine",
-            "No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³).")};
+            "No material is stated; steel is assumed (E {elastic_modulus_MPa} MPa, ρ {density_kg_m3} kg/m³)."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode materialOfLibrary{
     "material_of_library", Severity::Info,

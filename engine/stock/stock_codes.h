@@ -49,7 +49,8 @@ inline constexpr NoteCode toolAssumed{
     "tool_shape_assumed", Severity::Warning,
     LT_TEXT("Engine",
             "The shape of tool {tool} is not fully stated; assumed are corner radius {corner_radius_mm} mm, entering "
-            "angle {entering_angle_deg}°, tip angle {tip_angle_deg}°, reach {reach_mm} mm where they are missing.")};
+            "angle {entering_angle_deg}°, tip angle {tip_angle_deg}°, reach {reach_mm} mm where they are missing."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode toolWithoutHolder{
     "tool_without_holder", Severity::Info,

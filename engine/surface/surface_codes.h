@@ -40,7 +40,7 @@ inline constexpr NoteCode pitchDiffersFromFeed{
 
 inline constexpr NoteCode sameLightingAssumed{
     "same_lighting_assumed", Severity::Info,
-    LT_TEXT("Engine", "The pictures are compared as if camera and light had been the same.")};
+    LT_TEXT("Engine", "The pictures are compared as if camera and light had been the same."), NoteRole::Assumed};
 
 inline constexpr NoteCode directionsUnknown{
     "directions_unknown", Severity::Warning,

@@ -12,7 +12,12 @@ namespace lathelier::task {
 void Sources::add(const std::vector<InputFile>& files, const Notes& of_reader, bool is_synthetic)
 {
     inputs.insert(inputs.end(), files.begin(), files.end());
-    notes.insert(notes.end(), of_reader.begin(), of_reader.end());
+    for (Note note : of_reader) {
+        // Several inputs may say the same: which file does is part of what was not understood.
+        const bool isPlaced = note.code.role != NoteRole::Remark && !files.empty() && !find(note.values, "path");
+        if (isPlaced) note.values.emplace_back("path", files.front().path);
+        notes.push_back(std::move(note));
+    }
     synthetic = synthetic || is_synthetic || contains(of_reader, lathelier::notes::syntheticData);
 }
 

@@ -5,15 +5,71 @@
 
 #include "engine/io/import.h"
 #include "engine/report/result_json.h"
+#include "engine/report/understanding_report.h"
 
 namespace lathelier::task {
 
-void Answered::record(const project::PanelState& state, const Sources& read, const Notes& of_result)
+namespace {
+
+void settleAll(report::Section& section, const Understanding& understanding, const Language& language)
+{
+    for (report::Block& block : section.blocks)
+        if (auto* const answer = std::get_if<report::Answer>(&block)) settle(*answer, understanding, language);
+}
+
+}  // namespace
+
+void Answered::record(const project::PanelState& state, const Sources& read, const Notes& of_result,
+                      const Understanding& of_programs)
 {
     asked = state;
     sources = read;
     notes = read.notes;
     notes.insert(notes.end(), of_result.begin(), of_result.end());
+    understanding = of_programs;
+    understanding.add(understandingOf(notes));
+    std::optional<Verdict> verdict;
+    settle(understanding, verdict, notes);
+}
+
+Outcome settled(const Task& task, Outcome outcome, const Understanding& understanding)
+{
+    outcome.understanding = understanding;
+    const auto shared = std::make_shared<const Understanding>(understanding);
+    if (outcome.report)
+        outcome.report = [shared, inner = outcome.report](const Language& language) {
+            report::Document document = inner(language);
+            for (report::Section& section : document.sections) settleAll(section, *shared, language);
+            if (auto section = report::understandingSection(*shared)) document.sections.push_back(*std::move(section));
+            return document;
+        };
+    if (understanding.isWhole()) return outcome;
+    outcome.verdict = Verdict::Undecided;
+    if (outcome.json)
+        outcome.json = [inner = outcome.json] {
+            Json json = inner();
+            json["verdict"] = key(Verdict::Undecided);
+            return json;
+        };
+    if (outcome.answer)
+        outcome.answer = [shared, inner = outcome.answer](const Language& language) {
+            report::Answer answer = inner(language);
+            settle(answer, *shared, language);
+            return answer;
+        };
+    if (outcome.summary)
+        outcome.summary = [shared, inner = outcome.summary](const Language& language) {
+            report::Section section = inner(language);
+            settleAll(section, *shared, language);
+            return section;
+        };
+    for (const Export& written : task.exports) {
+        const auto writer = outcome.writers.find(written.option);
+        if (written.is_cut_by && writer != outcome.writers.end())
+            writer->second = [shared](const std::string&, const Progress&) { requireUnderstood(*shared); };
+    }
+    outcome.products = {};
+    return outcome;
 }
 
 bool Wanted::has(const std::string& option) const
@@ -54,6 +110,7 @@ Json resultOf(const Task& task, const project::PanelState& state, const Sources&
     Json result = report::resultHead(task.key, sources.inputs, parametersOf(task, state));
     if (outcome.json) result.update(outcome.json());
     if (!outcome.errors.empty()) result["error"] = toJson(outcome.errors.front());
+    result["understanding"] = toJson(outcome.understanding);
     result["notes"] = toJson(outcome.notes);
     return result;
 }

@@ -15,6 +15,7 @@
 #include "engine/core/conformity.h"
 #include "engine/core/json.h"
 #include "engine/core/texts.h"
+#include "engine/core/understanding.h"
 #include "engine/report/document.h"
 #include "engine/task/inputs.h"
 
@@ -22,11 +23,12 @@ namespace lathelier::task {
 
 /// A file that can be written from the outcome.
 struct Export {
-    std::string option;  ///< of the command line, "compensate"
-    std::string help;    ///< of the command line, English
-    Text label;          ///< in the window's menu; empty: not there
-    Text filter;         ///< of the window's file dialog, "Table (*.csv)"
-    std::string suffix;  ///< usual suffix, "csv"
+    std::string option;      ///< of the command line, "compensate"
+    std::string help;        ///< of the command line, English
+    Text label;              ///< in the window's menu; empty: not there
+    Text filter;             ///< of the window's file dialog, "Table (*.csv)"
+    std::string suffix;      ///< usual suffix, "csv"
+    bool is_cut_by = false;  ///< metal is cut by it: not written where something was not understood
 };
 
 /// What a project keeps of an outcome, as an input of further tasks.
@@ -44,6 +46,7 @@ using WriteExport = std::function<void(const std::string& path, const Progress& 
 struct Outcome {
     std::shared_ptr<const void> result;  ///< the typed outcome
     Notes notes;                         ///< of the readers and of the result
+    Understanding understanding;         ///< what was not understood and what was assumed, likewise
     std::optional<Verdict> verdict;      ///< none: nothing to judge
     std::vector<Error> errors;           ///< answered all the same (a program with errors has its diagnostics)
     std::function<Json()> json;          ///< keys of the result, without head and notes
@@ -56,12 +59,15 @@ struct Outcome {
 
 /// What the typed outcome of every task holds.
 struct Answered {
-    project::PanelState asked;  ///< inputs and parameters
-    Sources sources;            ///< what was read
-    Notes notes;                ///< of the readers and of the result
+    project::PanelState asked;    ///< inputs and parameters
+    Sources sources;              ///< what was read
+    Notes notes;                  ///< of the readers and of the result
+    Understanding understanding;  ///< likewise
 
-    /// `of_result`: notes of the result, behind those of the sources.
-    void record(const project::PanelState& state, const Sources& read, const Notes& of_result);
+    /// `of_result`: notes of the result, behind those of the sources; `of_programs`: what their reader did not model,
+    /// with paths. The verdict is settled by settled().
+    void record(const project::PanelState& state, const Sources& read, const Notes& of_result,
+                const Understanding& of_programs = {});
 };
 
 /// What a run is asked for besides the state of its panel.
@@ -97,6 +103,11 @@ void askFor(Task& task)
     task.fields = infos<Q>();
     task.defaults = toValues(Q{});
 }
+
+/// The outcome as it may be shown: where something that counts was not understood, its verdict, JSON, answer, summary
+/// and report are undecided and name the places, and what metal is cut by is not written (Error not_modelled).
+/// Otherwise the outcome itself, with what was assumed in its report.
+Outcome settled(const Task& task, Outcome outcome, const Understanding& understanding);
 
 /// All parameters of a run: files named by options, the question with its defaults, reading options. Of what a window
 /// keeps only what is there.

@@ -56,7 +56,8 @@ inline constexpr ErrorCode recordsDiffer{
 namespace notes {
 
 inline constexpr NoteCode valueAssumed{"value_assumed", Severity::Info,
-                                       LT_TEXT("Engine", "{label} {value} {unit}: taken from {source}.")};
+                                       LT_TEXT("Engine", "{label} {value} {unit}: taken from {source}."),
+                                       NoteRole::Assumed};
 
 inline constexpr NoteCode channelStandsStill{
     "channel_stands_still", Severity::Warning,
@@ -76,7 +77,8 @@ inline constexpr NoteCode sensitivityAssumed{
     "sensitivity_assumed", Severity::Warning,
     LT_TEXT("Engine",
             "{path}: the sensitivity of the probes is not given; assumed {sensitivity_um_per_V} µm/V. Every length in "
-            "the result follows from it.")};
+            "the result follows from it."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode skewUnknown{
     "skew_unknown", Severity::Warning,

@@ -172,6 +172,7 @@ private:
                 first.program.dialect = gcode::automaticControl;
             }
             const ReadProgram read = readText(*inputs_.before, job_, first, result_.notes, progress_.part(0.1, 0.15));
+            result_.before_understanding = read.path.understanding;
             if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
             stock::StockParameters bodies = stockParameters(job_);
             bodies.chuck.reset();

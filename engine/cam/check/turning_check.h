@@ -93,6 +93,7 @@ struct CheckResult {
     double stock_zero_mm = 0;                 ///< z of the stock less z of the part
     std::optional<Verdict> verdict;           ///< fail: a finding, a gouge, or a rest; none: the program has errors;
                                               ///< undecided: a tool is missing in the job, no other failure
+    Understanding before_understanding;       ///< of the program that ran in the first clamping
     Notes notes;
 };
 

@@ -42,7 +42,11 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(programRole)));
     }
-    outcome.record(state, sources, outcome.result->notes);
+    Understanding of_programs;
+    of_programs.add(outcome.result->path.understanding, task::nameOf(state.inputs.at(programRole)));
+    if (const project::Source* const before = task::sourceOf(state, beforeRole))
+        of_programs.add(outcome.result->before_understanding, task::nameOf(*before));
+    outcome.record(state, sources, outcome.result->notes, of_programs);
     return outcome;
 }
 
@@ -64,7 +68,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const CheckOutcome>& outcome)
         whole.notes = outcome->notes;
         return checkReport(whole, outcome->part, language);
     };
-    return all;
+    return settled(checkTask(), std::move(all), outcome->understanding);
 }
 
 const task::Task& checkTask()

@@ -119,7 +119,12 @@ TurnOutcome answerTurn(const project::PanelState& stated, bool keeps_outlines, S
     const std::vector<GivenProgram> given = chooseProgram(outcome, planned, state, stores, sources, reading);
     outcome.plan =
         std::make_shared<TurningPlan>(withPrograms(std::move(planned), given, inputs, progress.part(0.8, 1)));
-    outcome.record(stated, sources, outcome.plan->notes);
+    Understanding of_programs;  // those planned here hold nothing else
+    for (std::size_t i = 0; i < outcome.programs.size(); ++i)
+        if (const ShownProgram& shown = outcome.programs[i]; shown.is_changed || shown.origin != ProgramOrigin::Planned)
+            of_programs.add(outcome.plan->setups[i].check.path.understanding,
+                            shown.name.empty() ? outcome.plan->job.title : shown.name);
+    outcome.record(stated, sources, outcome.plan->notes, of_programs);
     return outcome;
 }
 
@@ -197,13 +202,13 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
         throwIfRefused(*outcome->plan);
     } catch (const Error& error) {
         all.errors.push_back(error);
-        return all;
+        return settled(turnTask(), std::move(all), outcome->understanding);
     }
     all.json = [outcome] { return toJson(*outcome->plan); };
     all.summary = [outcome](const Language& language) { return planSummary(*outcome->plan, language); };
     all.products = [outcome](const Language& language) { return productsOf(outcome, language); };
     all.writers[programExport] = [outcome](const std::string& path, const Progress&) { writeAll(*outcome, path); };
-    return all;
+    return settled(turnTask(), std::move(all), outcome->understanding);
 }
 
 const task::Task& turnTask()
@@ -237,7 +242,7 @@ const task::Task& turnTask()
         made.inputs.back().item_kind = gcode::correctedItem;
         task::askFor<TurningQuestion>(made);
         made.exports = {
-            {programExport, "Write the program as FILE; two clampings as FILE_1 and FILE_2.", {}, {}, "nc"}};
+            {programExport, "Write the program as FILE; two clampings as FILE_1 and FILE_2.", {}, {}, "nc", true}};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
                       const Progress& progress) {
             return outcomeOf(std::make_shared<const TurnOutcome>(answerTurn(state, false, stores, sources, progress)));

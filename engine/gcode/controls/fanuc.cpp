@@ -28,7 +28,10 @@ std::map<int, G> wordsOfFanuc()
     addWords(g, G::Home, {28, 30});
     addWords(g, G::Thread, {32, 33});
     addWords(g, G::SpeedLimit, {50});
-    addWords(g, G::Shift, {52});
+    addWords(g, G::SetData, {10});
+    addWords(g, G::MillOn, {12.1, 112});
+    addWords(g, G::MillOff, {13.1, 113});
+    addWords(g, G::LocalShift, {52});
     addWords(g, G::MachineMove, {53});
     addWords(g, G::WorkOffset, {54, 54.1, 55, 56, 57, 58, 59});
     addWords(g, G::MacroCall, {65});
@@ -49,9 +52,8 @@ std::map<int, G> wordsOfFanuc()
     addWords(g, G::FaceCycle, {94});
     addWords(g, G::PerMinute, {98});
     addWords(g, G::PerRevolution, {99});
-    addWords(g, G::NoEffect, {9, 13.1, 22, 23, 25, 26, 27, 43, 44, 49, 61, 62, 63, 64, 67, 69});
-    addWords(g, G::NotModelled,
-             {5, 7, 7.1, 8, 10, 10.2, 11, 12, 12.1, 13, 31, 34, 35, 36, 37, 51, 66, 68, 107, 112, 113});
+    addWords(g, G::NoEffect, {9, 22, 23, 25, 26, 27, 43, 44, 49, 61, 62, 63, 64, 67, 69});
+    addWords(g, G::NotModelled, {5, 7, 7.1, 8, 10.2, 11, 12, 13, 31, 34, 35, 36, 37, 51, 66, 68, 107});
     return g;
 }
 
@@ -68,15 +70,19 @@ Control fanuc()
     control.grammar.has_comma_words = true;
     control.grammar.statements = {"IF", "WHILE", "GOTO", "END", "DO"};
     control.arithmetic.last_local = 33;
+    control.arithmetic.last_vacant = 33;
+    control.arithmetic.position_numbers = {
+        {5001, PositionValue::X}, {5002, PositionValue::Z}, {5041, PositionValue::X}, {5042, PositionValue::Z}};
     control.arithmetic.alarm = 3000;
 
     control.g = wordsOfFanuc();
     addWords(control.m, M::End, {2, 30});
     addWords(control.m, M::CallProgram, {98});
     addWords(control.m, M::Return, {99});
+    addWords(control.m, M::Spindle, {3, 4});
     addWords(control.m, M::NoEffect, 0, 299);  // most are assigned by the machine builder
     addWords(control.letters, Letter::Always, "NOFSTLXZUW");
-    addWords(control.letters, Letter::InBlock, "IKRPQDEAcr");
+    addWords(control.letters, Letter::InBlock, "IKRPQDEAacr");
     addWords(control.letters, Letter::NotModelled, "YBCVH");
 
     control.start.assumed_motion = G::Rapid;
@@ -87,7 +93,7 @@ Control fanuc()
     control.dwell = {{'X', DwellWord::Unit::SecondsOrMilli},
                      {'U', DwellWord::Unit::SecondsOrMilli},
                      {'P', DwellWord::Unit::Milliseconds}};
-    control.line_radius_is_rounding = true;
+    control.has_drawing_words = true;
     control.drill_level_is_increment = true;
     control.call_holds_repeats = true;
     return control;

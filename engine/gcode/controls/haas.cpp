@@ -19,10 +19,9 @@ Control haas()
                                {.points = 4, .g = {103, 112, 154, 187, 199}},
                                {.points = 2, .m = {24, 97}}};
 
-    control.g.erase(1130);
     addWords(control.g, G::Tap, {95});
     addWords(control.g, G::WorkOffset, {110, 111, 154});
-    addWords(control.g, G::NoEffect, {14, 29, 47, 103, 105, 113, 160, 161, 187, 199});
+    addWords(control.g, G::NoEffect, {14, 29, 47, 103, 105, 160, 161, 187, 199});
     addWords(control.g, G::NotModelled, {77, 101, 114, 115, 178, 179, 184, 186, 195, 196, 198});
     control.m[97] = M::CallBlock;
 

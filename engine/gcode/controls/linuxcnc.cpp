@@ -41,7 +41,8 @@ std::map<int, G> wordsOfLinuxCnc()
     addWords(g, G::Thread, {33});
     addWords(g, G::NoseLeftByWords, {41.1});
     addWords(g, G::NoseRightByWords, {42.1});
-    addWords(g, G::Shift, {52});
+    addWords(g, G::SetData, {10});
+    addWords(g, G::LocalShift, {52});
     addWords(g, G::MachineMove, {53});
     addWords(g, G::WorkOffsetNamed, {54, 55, 56, 57, 58, 59, 59.1, 59.2, 59.3});
     addWords(g, G::DrillChipBreak, {73});
@@ -55,13 +56,14 @@ std::map<int, G> wordsOfLinuxCnc()
     addWords(g, G::Incremental, {91});
     addWords(g, G::ArcIncremental, {91.1});
     addWords(g, G::SetPosition, {92});
+    addWords(g, G::SetPositionOff, {92.1, 92.2});
+    addWords(g, G::SetPositionBack, {92.3});
     addWords(g, G::InverseTime, {93});
     addWords(g, G::PerMinute, {94});
     addWords(g, G::PerRevolution, {95});
     addWords(g, G::ReturnToLevel, {99});
-    addWords(g, G::NoEffect, {28.1, 30.1, 43, 43.1, 43.2, 49, 61, 61.1, 64, 92.1, 92.2, 92.3, 98});
-    addWords(g, G::NotModelled,
-             {5, 5.1, 5.2, 5.3, 10, 33.1, 38.2, 38.3, 38.4, 38.5, 70, 71, 71.1, 71.2, 72, 72.1, 72.2});
+    addWords(g, G::NoEffect, {28.1, 30.1, 43, 43.1, 43.2, 49, 61, 61.1, 64, 98});
+    addWords(g, G::NotModelled, {5, 5.1, 5.2, 5.3, 33.1, 38.2, 38.3, 38.4, 38.5, 70, 71, 71.1, 71.2, 72, 72.1, 72.2});
     return g;
 }
 
@@ -79,11 +81,16 @@ Control linuxCnc()
     control.grammar.assigns_many = true;
     control.grammar.flow = FlowStyle::Labelled;
     control.arithmetic.last_local = 30;
+    control.arithmetic.last_zero = 5000;
+    control.arithmetic.position_numbers = {{5420, PositionValue::X}, {5422, PositionValue::Z}};
+    control.arithmetic.position_names = {{"_x", PositionValue::X}, {"_z", PositionValue::Z}};
+    control.arithmetic.position_is_radius = true;
 
     control.g = wordsOfLinuxCnc();
     addWords(control.m, M::End, {2, 30});
-    addWords(control.m, M::NoEffect, {0,  1,  3,  4,  5,  6,  7,  8,  9,  19, 48, 49, 50, 51, 52, 53,
-                                      60, 61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73, 98, 99});
+    addWords(control.m, M::Spindle, {3, 4});
+    addWords(control.m, M::NoEffect, {0,  1,  5,  6,  7,  8,  9,  19, 48, 49, 50, 51, 52, 53, 60,
+                                      61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73, 98, 99});
     addWords(control.m, M::NoEffect, 100, 199);  // assigned by the user
     addWords(control.letters, Letter::Always, "NOFSTLXZ");
     addWords(control.letters, Letter::InBlock, "IKRPQDHEJ");
@@ -92,6 +99,8 @@ Control linuxCnc()
     control.start.is_diameter = false;
     control.start.is_per_revolution = false;
     control.start.is_at_origin = true;
+    control.set_position_shifts = true;
+    control.can_state_diameter = true;
     control.refuses_conflicts = true;
     control.dwell = {{'P', DwellWord::Unit::Seconds}};
     control.feed_ends_with_its_kind = true;

@@ -21,6 +21,9 @@ std::map<int, G> wordsOfSinumerik()
     std::map<int, G> g = commonWords();
     addWords(g, G::SpeedLimit, {26});
     addWords(g, G::Thread, {33});
+    addWords(g, G::TranslateCoarse, {58});
+    addWords(g, G::TranslateFine, {59});
+    addWords(g, G::Translate, {158});
     addWords(g, G::MachineMove, {53, 153});
     addWords(g, G::WorkOffset, {54, 55, 56, 57});
     for (int number = 505; number <= 599; ++number) g[number * 10] = G::WorkOffset;
@@ -37,7 +40,7 @@ std::map<int, G> wordsOfSinumerik()
     addWords(g, G::CssOn, {961, 962});
     addWords(g, G::CssOff, {971, 972, 973});
     addWords(g, G::NoEffect, {9, 25, 60, 64, 290, 291, 450, 451, 452, 601, 602, 641, 642});
-    addWords(g, G::NotModelled, {34, 35, 58, 59, 63, 110, 111, 112, 331, 332});
+    addWords(g, G::NotModelled, {34, 35, 63, 110, 111, 112, 331, 332});
     return g;
 }
 
@@ -61,6 +64,18 @@ std::map<std::string, Name, std::less<>> namesOfSinumerik()
     addWords(names, Name::Round, {"RND"});
     addWords(names, Name::RoundModal, {"RNDM"});
     addWords(names, Name::EndAngle, {"ANG", "ANG1", "ANG2"});
+    addWords(names, Name::Translate, {"TRANS"});
+    addWords(names, Name::TranslateMore, {"ATRANS"});
+    addWords(names, Name::Rotate, {"ROT"});
+    addWords(names, Name::RotateMore, {"AROT"});
+    addWords(names, Name::RotateAngle, {"RPL"});
+    addWords(names, Name::Scale, {"SCALE"});
+    addWords(names, Name::ScaleMore, {"ASCALE"});
+    addWords(names, Name::Mirror, {"MIRROR"});
+    addWords(names, Name::MirrorMore, {"AMIRROR"});
+    addWords(names, Name::MillOn, {"TRANSMIT", "TRACYL"});
+    addWords(names, Name::MillOff, {"TRAFOOF"});
+    addWords(names, Name::CallText, {"CALL"});
     addWords(names, Name::Uncomputed, {"T"});
     addWords(names, Name::NoEffect,
              {"MSG",  "SF",    "FP",    "STOPRE", "D",       "M1",      "S2",     "M2",        "G",
@@ -84,8 +99,9 @@ Control sinumerik()
     control.grammar.has_names = true;
     control.grammar.has_number_sign = false;
     control.grammar.flow = FlowStyle::Structured;
-    control.grammar.statements = {"IF",     "ELSE",  "ENDIF", "WHILE", "ENDWHILE", "FOR", "ENDFOR", "LOOP", "ENDLOOP",
-                                  "REPEAT", "UNTIL", "GOTO",  "GOTOF", "GOTOB",    "DEF", "PROC",   "RET"};
+    control.grammar.statements = {"IF",    "ELSE",    "ENDIF",  "WHILE",   "ENDWHILE", "FOR",  "ENDFOR",
+                                  "LOOP",  "ENDLOOP", "REPEAT", "REPEATB", "UNTIL",    "GOTO", "GOTOF",
+                                  "GOTOB", "DEF",     "PROC",   "EXTERN",  "RET"};
     control.arithmetic.has_parentheses = true;
     control.arithmetic.has_named_variables = true;
     control.arithmetic.has_comparison_signs = true;
@@ -93,6 +109,7 @@ Control sinumerik()
 
     control.g = wordsOfSinumerik();
     addWords(control.m, M::EndOrReturn, {2, 17, 30});
+    addWords(control.m, M::Spindle, {3, 4});
     addWords(control.m, M::NoEffect, 0, 99);                // most are assigned by the machine builder
     addWords(control.letters, Letter::Always, "NXZFSTDL");  // D: the tool offset
     addWords(control.letters, Letter::InBlock, "IKP");

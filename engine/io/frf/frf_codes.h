@@ -45,7 +45,8 @@ inline constexpr NoteCode frfLabelContradictsUnit{
 
 inline constexpr NoteCode frfForceAssumed{
     "frf_force_assumed", Severity::Warning,
-    LT_TEXT("Engine", "{path}: no unit of the force is stated; read as N ({count} times, first at line {line}).")};
+    LT_TEXT("Engine", "{path}: no unit of the force is stated; read as N ({count} times, first at line {line})."),
+    NoteRole::Assumed};
 
 inline constexpr NoteCode frfUnitNotUsed{
     "frf_unit_not_used", Severity::Warning,

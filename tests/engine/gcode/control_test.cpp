@@ -191,7 +191,7 @@ TEST(Control, AWordThatIsTakenAwayIsReported)
     }
 }
 
-TEST(Control, AWordThatIsTakenAwayHasNoEffect)
+TEST(Control, AWordThatIsTakenAwayIsAGap)
 {
     const ControlPtr usual = controlNamed("fanuc"), named = controlNamed("sinumerik");
     const std::string increments = "G0 X20. Z5.\nG1 U4. W-2. F.1\n";
@@ -199,11 +199,13 @@ TEST(Control, AWordThatIsTakenAwayHasNoEffect)
     const auto withoutU = changed(usual, [](Control& c) { c.letters.erase('U'); });
     EXPECT_DOUBLE_EQ(pathWith(withoutU, increments).moves.back().x_mm, 10);
     EXPECT_DOUBLE_EQ(pathWith(withoutU, increments).moves.back().z_mm, 3);
+    EXPECT_FALSE(pathWith(withoutU, increments).understanding.isWhole());
 
     const std::string arc = "G18 G90 DIAMON G95\nG0 X20 Z0\nG2 X30 Z-5 CR=5 F0.1\n";
     EXPECT_FALSE(pathWith(named, arc).has_errors);
     const auto withoutRadius = changed(named, [](Control& c) { c.names.erase("CR"); });
-    EXPECT_TRUE(diagnosticOf(pathWith(withoutRadius, arc), "nc_arc_incomplete"));
+    EXPECT_EQ(pathWith(withoutRadius, arc).moves.size(), 1u);
+    EXPECT_EQ(pathWith(withoutRadius, arc).understanding.first()->word, "CR=5");
 
     const std::string call = "O1\nG0 X20. Z5.\nM98 P2\nM30\nO2\nG0 X30.\nM99\n";
     EXPECT_EQ(pathWith(usual, call).moves.size(), 2u);

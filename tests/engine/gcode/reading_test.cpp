@@ -65,7 +65,6 @@ TEST(Reading, MalformedProgramsAreLocated)
         {"G0 X10. Z0. F.1\nG2 X20. Z-5. I3. K0.\n", "nc_arc_end_off_circle", 2, 1},
         {"G0 X[1/0] Z1.\n", "nc_expression_malformed", 1, 9},
         {"G0 X[1+] Z1.\n", "nc_expression_malformed", 1, 8},
-        {"M98 P77\n", "nc_subprogram_missing", 1, 5},
         {"G0 X1. Z1.\nGOTO 50\n", "nc_sequence_missing", 2, 1},
         {"#1=1\nWHILE[#1 GT 2]DO1\nM30\n", "nc_flow_unmatched", 2, 1},
         {"G0 X50. Z2.\nG71 U2. R1.\nG71 P10 Q20 U.4 F.2\nM30\n", "nc_sequence_missing", 3, 5},

@@ -105,6 +105,7 @@ void runInspect(const Request& request, io::InputFiles& inputs, const Progress& 
         try {
             const Progress part = progress.part(done, done + share, LT_TEXT("Engine", "Reading"));
             files->push_back(readFacts(request.operands[i], request, inputs, part, answer));
+            answer.understanding.add(files->back().understanding, request.operands[i]);
         } catch (Error& error) {  // the other files are answered all the same
             answer.errors.push_back(error.with("path", request.operands[i]));
         }

@@ -47,7 +47,7 @@ Answer ask(const Verb& verb, const Request& request, io::InputFiles& inputs, con
     gather(answer, [&] { verb.run(request, inputs, progress, answer); });
     // A task has settled its answer itself.
     if (!answer.sources) {
-        answer.understanding = understandingOf(answer.notes);
+        answer.understanding.add(understandingOf(answer.notes));
         std::optional<Verdict> verdict;
         settle(answer.understanding, verdict, answer.notes);
         if (verdict) answer.pass.reset();

@@ -459,7 +459,8 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     radius = distance_mm(from, centre);
     const double off = std::abs(distance_mm(end, centre) - radius);
     const Values values{{"distance_mm", off}, {"radius_mm", radius}};
-    if (off > looseEnd_mm || (off > tightEnd_mm && off > relativeEnd * radius) || !(radius > 0))
+    const bool isAccepted = off * um_per_mm <= parameters_.arc_tolerance_um && radius > 0;
+    if (!isAccepted && (off > looseEnd_mm || (off > tightEnd_mm && off > relativeEnd * radius) || !(radius > 0)))
         error(errors::ncArcEnd, nullptr, values);
     else if (off > remarkedEnd_mm)
         warn(notes::ncArcOffCircle, nullptr, values);

@@ -60,6 +60,7 @@ io::FileFacts factsOf(const io::FileToRead& file, Notes&)
     set(facts.details, "words", path.words);
     set(facts.details, "words_understood", path.words_understood);
     set(facts.details, "diagnostics", diagnosticRows(path.diagnostics));
+    facts.understanding = path.understanding;
     return facts;
 }
 

@@ -25,7 +25,13 @@ const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*
         field("integer_words", &P::integer_words,
               {{"mm", LT_TEXT("Engine", "millimetres")}, {"um", LT_TEXT("Engine", "micrometres")}},
               Label{LT_TEXT("Engine", "Numbers without a point"),
-                    LT_TEXT("Engine", "What X50 means to a Fanuc or Haas control: 50 mm or 50 µm.")})};
+                    LT_TEXT("Engine", "What X50 means to a Fanuc or Haas control: 50 mm or 50 µm.")}),
+        field("arc_tolerance_um", &P::arc_tolerance_um, {0, 1000},
+              Label{LT_TEXT("Engine", "Arc tolerance"),
+                    LT_TEXT("Engine",
+                            "An arc may end so far off the circle of its centre; it is a note. Farther off it is an "
+                            "error."),
+                    unit::um})};
     return all;
 }
 

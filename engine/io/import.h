@@ -9,6 +9,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/fields.h"
+#include "engine/core/understanding.h"
 
 namespace lathelier::io {
 
@@ -50,6 +51,7 @@ struct FileFacts {
     Values details;                   ///< by kind of file: "points", "triangles"…
     std::optional<std::array<double, 3>> min_mm;  ///< smallest coordinates of a cloud or mesh
     std::optional<std::array<double, 3>> max_mm;  ///< largest coordinates
+    Understanding understanding;                  ///< of a program: what is not modelled and what is assumed
 };
 
 }  // namespace lathelier::io

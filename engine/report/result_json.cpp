@@ -4,6 +4,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/understanding.h"
 #include "engine/core/version.h"
 #include "engine/core/visible.h"
 
@@ -107,6 +108,9 @@ Json wholeResult(const std::string& command, const std::vector<InputFile>& input
 {
     Json whole = resultHead(command, inputs, parameters);
     whole.update(result);
+    const Understanding understanding = understandingOf(notes);
+    if (!understanding.isWhole() && whole.contains("verdict")) whole["verdict"] = key(Verdict::Undecided);
+    whole["understanding"] = toJson(understanding);
     whole["notes"] = toJson(notes);
     return whole;
 }

@@ -42,7 +42,8 @@ std::string joinedLiterals(const std::string& source)
 std::map<std::string, Code> definedCodes(const std::string& type)
 {
     const std::regex definition(
-        type + R"re( \w+\{\s*"([\w.]+)",\s*\w+::(\w+),\s*LT_TEXT\(\s*"Engine",((?:\s*"(?:[^"\\]|\\.)*")+)\s*\)\};)re");
+        type +
+        R"re( \w+\{\s*"([\w.]+)",\s*\w+::(\w+),\s*LT_TEXT\(\s*"Engine",((?:\s*"(?:[^"\\]|\\.)*")+)\s*\)(?:,\s*NoteRole::\w+)?\};)re");
     std::map<std::string, Code> codes;
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(LATHELIER_SOURCE_DIR) / "engine")) {
         if (!entry.path().filename().string().ends_with("_codes.h")) continue;

@@ -1,6 +1,7 @@
 // compare REFERENCE COPY: deviation of the copy from the original or the drawing, with location and uncertainty.
 #include "engine/registration/compare.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/any_shaft.h"
@@ -8,6 +9,8 @@
 #include "app/cli/verbs.h"
 #include "engine/core/core_codes.h"
 #include "engine/features/shaft_comparison.h"
+#include "engine/io/cloud/unit_choice.h"
+#include "engine/io/io_codes.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -21,7 +24,45 @@ namespace {
 constexpr const char* deviationsOption = "--deviations";
 constexpr const char* zonesKey = "zones";
 
-/// The options of the parameters; zones come in a file.
+/// Units of the two files, each ruling over --unit.
+struct CompareUnits {
+    io::LengthUnit reference_unit = io::LengthUnit::Auto;  ///< of the reference; Auto: as --unit says
+    io::LengthUnit copy_unit = io::LengthUnit::Auto;       ///< of the copy; Auto: as --unit says
+};
+
+const std::vector<Field<CompareUnits>>& fieldsOf(const CompareUnits*)
+{
+    static const auto unitField = [](const char* key, io::LengthUnit CompareUnits::*unit, Text label, Text help) {
+        return field(key, unit,
+                     {{"auto", LT_TEXT("Engine", "automatic")},
+                      {"mm", {"mm"}},
+                      {"m", {"m"}},
+                      {"inch", {"inch"}},
+                      {"um", {"µm"}}},
+                     {label, help});
+    };
+    static const std::vector<Field<CompareUnits>> all{
+        unitField("reference_unit", &CompareUnits::reference_unit, LT_TEXT("Engine", "Unit of the reference"),
+                  LT_TEXT("Engine", "Rules over --unit for the reference, where it states none.")),
+        unitField("copy_unit", &CompareUnits::copy_unit, LT_TEXT("Engine", "Unit of the copy"),
+                  LT_TEXT("Engine", "Rules over --unit for the copy, where it states none."))};
+    return all;
+}
+
+/// The request with the unit of one of its files as --unit.
+Request withUnit(const Request& request, io::LengthUnit CompareUnits::*of)
+{
+    Request own = request;
+    const io::LengthUnit unit = fromValues<CompareUnits>(request.parameters).*of;
+    if (unit == io::LengthUnit::Auto) return own;
+    io::ImportOptions options = fromValues<io::ImportOptions>(request.parameters);
+    options.unit = unit;
+    for (const auto& [key, value] : toValues(options))
+        if (key == "unit") set(own.parameters, key, value);
+    return own;
+}
+
+/// The options of the parameters and of the units; zones come in a file.
 std::vector<Option> compareOptions()
 {
     std::vector<Option> options = optionsOf<registration::CompareParameters>();
@@ -33,6 +74,7 @@ std::vector<Option> compareOptions()
         option.info.help = LT_TEXT("Engine", "Limits of their own along the axis, from FILE.json.");
         option.standard = {};
     }
+    for (Option& option : optionsOf<CompareUnits>()) options.push_back(std::move(option));
     return options;
 }
 
@@ -55,18 +97,41 @@ registration::CompareParameters parametersOf(const Request& request, io::InputFi
     return parameters;
 }
 
-/// Calls `compare` and adds the file to errors, in which the engine names the role of the scan.
-template <class Compare>
-auto compared(const Request& request, Compare compare)
+/// Calls `compare` and adds the file to errors, in which the engine names the role of the scan; `remark` is called with
+/// the error.
+template <class Compare, class Remark>
+auto compared(const Request& request, Compare compare, Remark remark)
 {
     try {
         return compare();
     } catch (Error& error) {
+        remark(error);
         const Value* const role = find(error.values(), "role");
         const auto* const name = role ? std::get_if<std::string>(role) : nullptr;
         if (name) error.with("path", request.operands.at(*name == "copy" ? 1 : 0));
         throw;
     }
+}
+
+/// Size of a shaft as sizeOf_mm() has it for points on its surface.
+double sizeOf_mm(const Shaft& shaft)
+{
+    double area = 0, radii = 0;
+    for (const ShaftSegment& segment : shaft.segments) {
+        const double radius_mm = (segment.start_diameter_mm + segment.end_diameter_mm) / 4;
+        area += radius_mm * segment.length_mm;
+        radii += radius_mm * radius_mm * radius_mm * segment.length_mm;
+    }
+    const double length_mm = shaft.length_mm();
+    return area > 0 ? std::sqrt(length_mm * length_mm / 12 + radii / area) : 0;
+}
+
+/// The note of parts that differ by a factor of units, for a refusal.
+void noteUnits(const Error& error, double reference_mm, double copy_mm, Notes& notes)
+{
+    if (error.code().kind != ErrorKind::NoAnswer) return;
+    if (const auto factor = io::unitFactorBetween(reference_mm, copy_mm))
+        notes.push_back({notes::unitsMayDiffer, {{"factor", *factor}, {"size_ratio", copy_mm / reference_mm}}});
 }
 
 /// The shaft of a drawing; errors carry its path.
@@ -127,21 +192,20 @@ void runCompare(const Request& request, io::InputFiles& inputs, const Progress& 
         shaft = drawnShaft(bytes, path, first, answer);
         inputs.drop();
     } else {
-        reference = readScan(path, bytes, request, inputs, first, answer);
+        reference = readScan(path, bytes, withUnit(request, &CompareUnits::reference_unit), inputs, first, answer);
     }
-    const io::ScanFile copy =
-        readScan(request.operands.at(1), request, inputs, progress.part(0.15, 0.3, reading), answer);
+    const io::ScanFile copy = readScan(request.operands.at(1), withUnit(request, &CompareUnits::copy_unit), inputs,
+                                       progress.part(0.15, 0.3, reading), answer);
     const Progress comparing = progress.part(0.3, wanted ? 0.9 : 1, LT_TEXT("Engine", "Comparing"));
     const auto detail = request.in_full ? registration::CompareDetail::Full : registration::CompareDetail::Summary;
-    const auto result =
-        is_drawn
-            ? answerShaft(
-                  compared(request,
-                           [&] { return features::compareWithShaft(shaft, copy.scan, parameters, comparing, detail); }),
-                  answer)
-            : answerScan(
-                  compared(request, [&] { return compare(reference.scan, copy.scan, parameters, comparing, detail); }),
-                  answer);
+    const auto remark = [&](const Error& error) {
+        const double reference_mm = is_drawn ? sizeOf_mm(shaft) : io::sizeOf_mm(reference.scan.points_mm);
+        noteUnits(error, reference_mm, io::sizeOf_mm(copy.scan.points_mm), answer.notes);
+    };
+    const auto withShaft = [&] { return features::compareWithShaft(shaft, copy.scan, parameters, comparing, detail); };
+    const auto withScan = [&] { return compare(reference.scan, copy.scan, parameters, comparing, detail); };
+    const auto result = is_drawn ? answerShaft(compared(request, withShaft, remark), answer)
+                                 : answerScan(compared(request, withScan, remark), answer);
     if (wanted)
         writeDeviations(deviations->second, copy.scan, *result,
                         progress.part(0.9, 1, LT_TEXT("Engine", "Writing deviations")));

@@ -2,9 +2,9 @@
 
 #include "app/cli/shafts.h"
 #include "engine/core/core_codes.h"
+#include "engine/io/frf/frf_choice.h"
 #include "engine/io/frf/frf_reader.h"
 #include "engine/receptance/frf_checks.h"
-#include "engine/stability/stability_codes.h"
 
 namespace lathelier::cli {
 
@@ -31,12 +31,12 @@ Frf fromFile(const std::string& path, const Request& request, io::InputFiles& in
         io::readFrf(path, inputs.open(path, progress), fromValues<io::ImportOptions>(request.parameters),
                     fromValues<io::FrfOptions>(request.parameters), progress);
     answer.notes.insert(answer.notes.end(), file.notes.begin(), file.notes.end());
-    if (file.frfs.size() > 1)
-        answer.notes.push_back(
-            {notes::severalResponses, {{"path", path}, {"count", static_cast<std::int64_t>(file.frfs.size())}}});
-    const Notes checked = receptance::checkResponse(file.frfs.front(), path);
+    const io::MeasuredFrf& used = io::preferredResponse(file.frfs);
+    const Notes chosen = io::notesOfChoice(file.frfs, used, path);
+    answer.notes.insert(answer.notes.end(), chosen.begin(), chosen.end());
+    const Notes checked = receptance::checkResponse(used, path);
     answer.notes.insert(answer.notes.end(), checked.begin(), checked.end());
-    return io::toReceptance(file.frfs.front().frf);
+    return io::toReceptance(used.frf);
 }
 
 FrfSource fromShaft(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,

@@ -15,6 +15,7 @@
 #include "engine/cad/solidworks_macro.h"
 #include "engine/cad/step_writer.h"
 #include "engine/cad/steps_view.h"
+#include "engine/core/visible.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/features/features_codes.h"
@@ -36,6 +37,7 @@ constexpr const char* solidworksOption = "--solidworks";
 constexpr const char* drawingOption = "--drawing";
 constexpr const char* schemaKey = "step_schema";
 constexpr const char* contourKey = "dxf_contour";
+constexpr const char* undatedKey = "undated";
 
 /// The date of today as ISO 8601 has it.
 std::string today()
@@ -46,14 +48,20 @@ std::string today()
     return fmt::format("{:04}-{:02}-{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
 }
 
-drawing::Drawing drawingOf(const ShaftToWrite& asked)
+bool isSet(const Request& request, const char* key)
+{
+    const Value* const value = find(request.parameters, key);
+    return value && *value == Value(true);
+}
+
+drawing::Drawing drawingOf(const ShaftToWrite& asked, bool undated)
 {
     drawing::DrawingOptions options;
     options.scan = asked.scan;
     options.measured = asked.measured;
     options.uncertainties = asked.uncertainties;
     options.bore_uncertainties = asked.bore_uncertainties;
-    options.date = today();
+    if (!undated) options.date = today();
     return drawing::drawShaft(asked.shaft, options);
 }
 
@@ -84,7 +92,12 @@ std::vector<Option> cadOptions()
     contour.kind = FieldInfo::Kind::Flag;
     contour.label = LT_TEXT("Engine", "Contour as DXF");
     contour.help = LT_TEXT("Engine", "The closed half contour for CAM in place of the drawing.");
-    return {{schema, std::string("AP214")}, {contour, false}};
+    FieldInfo undated;
+    undated.key = undatedKey;
+    undated.kind = FieldInfo::Kind::Flag;
+    undated.label = LT_TEXT("Engine", "Without a date");
+    undated.help = LT_TEXT("Engine", "No date in drawing, DXF and STEP: the same shaft gives the same bytes.");
+    return {{schema, std::string("AP214")}, {contour, false}, {undated, false}};
 }
 
 Json stepsJson(const Shaft& shaft)
@@ -110,7 +123,7 @@ std::string shaftSummary(const Shaft& shaft)
         const ShaftSegment& row = shaft.segments[i];
         text += fmt::format("{:>4} {:>10.3f} {:>10.3f} {:>10.4f} {:>10.4f} {:>9}  {}\n", i + 1, z_mm,
                             z_mm + row.length_mm, row.start_diameter_mm, row.end_diameter_mm,
-                            row.arc_radius_mm ? fmt::format("{:.3f}", *row.arc_radius_mm) : "", row.role);
+                            row.arc_radius_mm ? fmt::format("{:.3f}", *row.arc_radius_mm) : "", visible(row.role));
         z_mm += row.length_mm;
     }
     return text + fmt::format("length {:.3f} mm, {} rows, {} bores\n", shaft.length_mm(), shaft.segments.size(),
@@ -124,6 +137,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         return found == request.outputs.end() ? nullptr : &found->second;
     };
     if (const std::string* path = wanted(shaftOption)) io::writeFile(*path, io::shaftText(asked.shaft));
+    const bool undated = isSet(request, undatedKey);
     const bool others = std::any_of(request.outputs.begin(), request.outputs.end(),
                                     [](const auto& output) { return output.first != shaftOption; });
     if (!others) return;
@@ -147,13 +161,15 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         const Value* const schema = find(request.parameters, schemaKey);
         cad::StepOptions options;
         if (schema && *schema == Value(std::string("AP242"))) options.schema = cad::StepSchema::AP242;
+        if (undated) options.time_stamp = std::string();
         io::writeFile(*path, cad::stepText(asked.shaft, options, progress));
     }
-    const Value* const contour_only = find(request.parameters, contourKey);
-    const bool contour = contour_only && *contour_only == Value(true);
+    const bool contour = isSet(request, contourKey);
     if (const std::string* path = wanted(dxfOption))
-        io::writeFile(*path, contour ? cad::contourDxf(asked.shaft) : cad::dxfText(cad::dxfOf(drawingOf(asked))));
-    if (const std::string* path = wanted(drawingOption)) io::writeFile(*path, drawing::toSvg(drawingOf(asked)));
+        io::writeFile(*path,
+                      contour ? cad::contourDxf(asked.shaft) : cad::dxfText(cad::dxfOf(drawingOf(asked, undated))));
+    if (const std::string* path = wanted(drawingOption))
+        io::writeFile(*path, drawing::toSvg(drawingOf(asked, undated)));
     if (const std::string* path = wanted(freecadOption)) io::writeFile(*path, cad::freecadMacro(asked.shaft));
     if (const std::string* path = wanted(solidworksOption)) io::writeFile(*path, cad::solidworksMacro(asked.shaft));
 }

@@ -10,6 +10,7 @@
 #include "engine/cad/csv_columns.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/units.h"
+#include "engine/core/visible.h"
 #include "engine/io/io_codes.h"
 #include "engine/io/table/table_cell.h"
 #include "engine/io/table/table_layout.h"
@@ -27,6 +28,18 @@ constexpr std::array stepColumns = {
     "no", "x_mm", "y_mm", "radius_mm", "z_start_mm", "z_end_mm", "chamfer_start_mm", "chamfer_end_mm"};
 constexpr std::size_t mostRows = 100000;
 
+/// "=", "+", "-" and "@" begin a formula in a spreadsheet.
+bool startsFormula(std::string_view text)
+{
+    return !text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos;
+}
+
+/// The text of a cell that foreign() wrote.
+std::string_view withoutApostrophe(std::string_view cell)
+{
+    return cell.starts_with('\'') && startsFormula(cell.substr(1)) ? cell.substr(1) : cell;
+}
+
 class CsvWriter {
 public:
     explicit CsvWriter(const CsvStyle& style) : style_(style) {}
@@ -42,6 +55,13 @@ public:
         text_ += '"';
         for (const char c : text) text_ += c == '"' ? '\'' : c == '\r' || c == '\n' ? ' ' : c;
         text_ += '"';
+    }
+
+    /// A text of unknown origin: hidden characters shown, and an apostrophe before what a spreadsheet would compute.
+    void foreign(std::string_view text)
+    {
+        const std::string shown = visible(text);
+        cell(std::string_view(startsFormula(shown) ? "'" + shown : shown));
     }
 
     void cell(double value)
@@ -83,8 +103,8 @@ void writeRow(CsvWriter& out, const char* contour, std::size_t number, double z_
     out.cell(z_start_mm);
     out.cell(z_end_mm);
     for (const CsvColumn& column : csvColumns()) out.cell(column.get(row));
-    out.cell(std::string_view(row.role));
-    out.cell(row.tolerance ? std::string_view(row.tolerance->iso_class) : std::string_view());
+    out.foreign(row.role);
+    out.foreign(row.tolerance ? std::string_view(row.tolerance->iso_class) : std::string_view());
     out.end();
 }
 
@@ -209,8 +229,8 @@ Shaft readFull(CsvTable& table, Notes& notes)
         for (const CsvColumn& column : csvColumns())
             if (const auto value = column.required ? table.required(i, column.name) : table.number(i, column.name))
                 column.set(row, *value);
-        row.role = table.cell(i, "role");
-        if (const std::string_view iso = table.cell(i, "tolerance_class"); !iso.empty()) {
+        row.role = withoutApostrophe(table.cell(i, "role"));
+        if (const std::string_view iso = withoutApostrophe(table.cell(i, "tolerance_class")); !iso.empty()) {
             if (!row.tolerance) row.tolerance.emplace();
             row.tolerance->iso_class = iso;
         }

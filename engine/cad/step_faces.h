@@ -14,6 +14,12 @@ namespace lathelier::cad {
 
 enum class SurfaceKind { Plane, Cylinder, Cone, Torus, Sphere, RevolvedLine, RevolvedArc, Other };
 
+/// A point of a surface and the unit normal there, of either sense.
+struct SurfaceSpot {
+    Eigen::Vector3d point_mm;
+    Eigen::Vector3d normal;
+};
+
 /// A face of a solid, lengths in mm in the frame of the file.
 struct StepFace {
     SurfaceKind kind = SurfaceKind::Other;
@@ -26,7 +32,8 @@ struct StepFace {
     Eigen::Vector3d circle_centre_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d inner_mm = Eigen::Vector3d::Zero();  ///< at the middle of the parameter range of the face
     Eigen::Vector3d outward = Eigen::Vector3d::Zero();   ///< unit normal there, out of the material
-    std::vector<Eigen::Vector3d> vertices_mm;            ///< in file coordinates
+    std::vector<SurfaceSpot> spots;            ///< of an Other face, over its parameters: what it may be exactly
+    std::vector<Eigen::Vector3d> vertices_mm;  ///< in file coordinates
     std::vector<std::vector<Eigen::Vector3d>> edges_mm;  ///< points along each edge
 };
 

@@ -197,6 +197,22 @@ void describeSurface(StepFace& face, const BRepAdaptor_Surface& surface, double 
     }
 }
 
+/// Points and normals within the bounds of the parameters.
+std::vector<SurfaceSpot> spotsOf(const BRepAdaptor_Surface& surface, double u0, double u1, double v0, double v1)
+{
+    constexpr int steps = 9;
+    std::vector<SurfaceSpot> spots;
+    for (int i = 0; i < steps; ++i)
+        for (int j = 0; j < steps; ++j) {
+            gp_Pnt point;
+            gp_Vec along_u, along_v;
+            surface.D1(u0 + (u1 - u0) * (i + 0.5) / steps, v0 + (v1 - v0) * (j + 0.5) / steps, point, along_u, along_v);
+            const Eigen::Vector3d normal = vector(along_u.Crossed(along_v).XYZ());
+            if (normal.norm() > 0) spots.push_back({vector(point.XYZ()), normal.normalized()});
+        }
+    return spots;
+}
+
 StepFace describe(const TopoDS_Face& topology, const Progress& progress)
 {
     StepFace face;
@@ -215,6 +231,7 @@ StepFace describe(const TopoDS_Face& topology, const Progress& progress)
     if (normal.norm() > 0) face.outward = normal.normalized();
     if (topology.Orientation() == TopAbs_REVERSED) face.outward = -face.outward;
     describeSurface(face, surface, (v0 + v1) / 2);
+    if (face.kind == SurfaceKind::Other) face.spots = spotsOf(surface, u0, u1, v0, v1);
     for (TopExp_Explorer at(topology, TopAbs_VERTEX); at.More(); at.Next())
         face.vertices_mm.push_back(vector(BRep_Tool::Pnt(TopoDS::Vertex(at.Current())).XYZ()));
     for (TopExp_Explorer at(topology, TopAbs_EDGE); at.More(); at.Next()) {
@@ -236,6 +253,7 @@ bool isFinite(const StepFace& face)
 {
     bool finite = std::isfinite(face.area_mm2) && face.axis_point_mm.allFinite() && face.circle_centre_mm.allFinite() &&
                   face.inner_mm.allFinite() && face.outward.allFinite();
+    for (const SurfaceSpot& spot : face.spots) finite = finite && spot.point_mm.allFinite() && spot.normal.allFinite();
     for (const Eigen::Vector3d& vertex : face.vertices_mm) finite = finite && vertex.allFinite();
     for (const auto& edge : face.edges_mm)
         for (const Eigen::Vector3d& point : edge) finite = finite && point.allFinite();

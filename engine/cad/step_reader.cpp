@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/cad/cad_codes.h"
+#include "engine/cad/canonical_surface.h"
 #include "engine/cad/meridian_shaft.h"
 #include "engine/cad/part21.h"
 #include "engine/cad/step_faces.h"
@@ -28,6 +29,9 @@ constexpr std::size_t worstFaces = 4;   ///< largest number of faces named in an
 
 const Text notRound = LT_TEXT("Engine", "its sections are not round");
 const Text noSingleAxis = LT_TEXT("Engine", "no single axis fits");
+const Text freeForm = LT_TEXT("Engine",
+                              "its faces are free-form surfaces that are exactly no plane, cylinder, cone, sphere or "
+                              "torus");
 const Text faceted = LT_TEXT("Engine", "all its faces are planes");
 
 Text nameOf(SurfaceKind kind)
@@ -124,6 +128,32 @@ std::vector<OtherFace> describeFaces(const StepSolid& solid, const std::vector<s
                                                {"faces", faces}});
 }
 
+/// Splines that are exactly simpler surfaces become these.
+void recogniseSplines(std::vector<StepFace>& faces)
+{
+    for (StepFace& face : faces) {
+        if (face.kind != SurfaceKind::Other) continue;
+        const auto found = canonicalSurface(face.spots, face.inner_mm);
+        if (!found) continue;
+        face.kind = found->kind;
+        face.axis_point_mm = found->axis_point_mm;
+        face.axis = found->axis;
+        face.radius_mm = found->radius_mm;
+        face.circle_centre_mm = found->circle_centre_mm;
+    }
+}
+
+/// Whether most of the surface that is not plane is free-form.
+bool isFreeForm(const std::vector<StepFace>& faces)
+{
+    double free_mm2 = 0, curved_mm2 = 0;
+    for (const StepFace& face : faces) {
+        if (face.kind != SurfaceKind::Plane) curved_mm2 += face.area_mm2;
+        if (face.kind == SurfaceKind::Other) free_mm2 += face.area_mm2;
+    }
+    return 2 * free_mm2 > curved_mm2;
+}
+
 std::vector<std::size_t> everyFace(const StepSolid& solid)
 {
     std::vector<std::size_t> all(solid.faces.size());
@@ -203,12 +233,15 @@ StepPart readStep(std::string_view bytes, Notes& notes, const Progress& progress
 {
     const Part21 checked = checkPart21(bytes, progress.part(0, 0.1));
     checkKinds(checked);
-    const StepSolid solid = readStepFaces(bytes, checked, progress.part(0.1, 0.9));
+    StepSolid solid = readStepFaces(bytes, checked, progress.part(0.1, 0.9));
+    recogniseSplines(solid.faces);
 
     if (std::all_of(solid.faces.begin(), solid.faces.end(),
                     [](const StepFace& face) { return face.kind == SurfaceKind::Plane; }))
         refusePart(solid, everyFace(solid), longestSide(solid.faces), "faceted", faceted);
     const std::optional<Line3> axis = commonAxis(solid.faces);
+    if (!axis && isFreeForm(solid.faces))
+        refusePart(solid, everyFace(solid), longestSide(solid.faces), "free_form", freeForm);
     if (!axis) refusePart(solid, everyFace(solid), longestSide(solid.faces), "no_single_axis", noSingleAxis);
 
     const Meridian meridian = meridianOf(solid.faces, *axis, progress);

@@ -56,6 +56,13 @@ void replaceAll(std::string& text, std::string_view placeholder, std::string_vie
         text.replace(at, quoted.size(), written);
 }
 
+/// Whether an ASCII letter or a digit stands at this place.
+bool isLetterOrDigit(std::string_view text, std::size_t at)
+{
+    return at < text.size() &&
+           ((text[at] >= '0' && text[at] <= '9') || ((text[at] | 0x20) >= 'a' && (text[at] | 0x20) <= 'z'));
+}
+
 }  // namespace
 
 std::string stepString(std::string_view utf8)
@@ -70,7 +77,8 @@ std::string stepString(std::string_view utf8)
         const Utf8Character character = utf8At(utf8, at);
         const char32_t code = character.length == 0 ? U'?' : character.code;
         at += std::max<std::size_t>(1, character.length);
-        if (code >= 0x20 && code < 0x7F) {
+        // Some readers, the kernel's among them, end a text at a quote before a comma or bracket, doubled or not.
+        if (code >= 0x20 && code < 0x7F && !(code == U'\'' && !isLetterOrDigit(utf8, at))) {
             close();
             text += static_cast<char>(code);
             if (code == U'\'' || code == U'\\') text += static_cast<char>(code);

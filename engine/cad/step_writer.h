@@ -23,7 +23,7 @@ struct StepOptions {
     std::string description;                ///< of the product; empty: "material: …" where that is stated
     std::string author;                     ///< may be empty
     std::string organisation;               ///< may be empty
-    std::optional<std::string> time_stamp;  ///< ISO 8601; none: now, in UTC
+    std::optional<std::string> time_stamp;  ///< ISO 8601, or empty: not stated; none: now, in UTC
 };
 
 /// The file. The solid is checked before: valid, and its volume that of volume_mm3() to 1e-9. With a given time stamp
@@ -31,7 +31,8 @@ struct StepOptions {
 /// solidVolumeWrong. Throws Cancelled. About 20 ms.
 std::string stepText(const Shaft& shaft, const StepOptions& options, const Progress& progress = {});
 
-/// A text as ISO 10303-21 writes it between quotes: quotes and backslashes doubled, other letters as \X2\…\X0\ and
+/// A text as ISO 10303-21 writes it between quotes: quotes and backslashes doubled, other letters, and quotes
+/// before anything but a letter or digit, as \X2\…\X0\ and
 /// \X4\…\X0\. Invalid UTF-8 becomes "?".
 std::string stepString(std::string_view utf8);
 

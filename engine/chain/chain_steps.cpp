@@ -86,7 +86,8 @@ void ChainSteps::draw()
     shaft_ = question_.drawing;
     if (shaft_.empty() && question_.scan.empty()) return runner_.recordMissing("draw", noScan);
     if (shaft_.empty()) shaft_ = runner_.path(measuredFile);
-    StepRequest step = asked("draw", "draw", {shaft_});
+    // Undated, so that the digests of the dossier are those of the inputs: made again, it is the same.
+    StepRequest step = asked("draw", "draw", {shaft_}, {{"undated", true}});
     step.outputs = {{"--shaft", drawingFile}, {"--drawing", "drawing.svg"},  {"--dxf", "drawing.dxf"},
                     {"--step", "part.step"},  {"--freecad", "part.FCMacro"}, {"--csv", "rows.csv"}};
     results_->drawn = runner_.run(step, share(0.3, 0.4, LT_TEXT("Engine", "Drawing")));

@@ -17,8 +17,9 @@ struct Span {
 };
 
 /// Controls; soft hyphen; Arabic letter mark; Mongolian vowel separator; zero-width and direction marks; line and
-/// paragraph separators, embeddings, overrides; isolates and invisible operators; byte order mark; annotations; tags.
-constexpr std::array<Span, 11> hidden{{{0x00, 0x1F},
+/// paragraph separators, embeddings, overrides; isolates and invisible operators; code points that are no characters,
+/// which XML does not allow; byte order mark; annotations; tags.
+constexpr std::array<Span, 12> hidden{{{0x00, 0x1F},
                                        {0x7F, 0x9F},
                                        {0xAD, 0xAD},
                                        {0x61C, 0x61C},
@@ -26,12 +27,15 @@ constexpr std::array<Span, 11> hidden{{{0x00, 0x1F},
                                        {0x200B, 0x200F},
                                        {0x2028, 0x202E},
                                        {0x2060, 0x206F},
+                                       {0xFDD0, 0xFDEF},
                                        {0xFEFF, 0xFEFF},
                                        {0xFFF9, 0xFFFB},
                                        {0xE0000, 0xE007F}}};
 
 bool isHidden(char32_t code)
 {
+    constexpr char32_t lastTwo = 0xFFFE;  // the last two code points of each plane are no characters
+    if ((code & lastTwo) == lastTwo) return true;
     return std::any_of(hidden.begin(), hidden.end(), [code](Span s) { return code >= s.first && code <= s.last; });
 }
 

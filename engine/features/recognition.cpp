@@ -176,9 +176,8 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
     addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
-}  // namespace
-
-Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+/// Recognises all points, or those that `parameters` keep.
+Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
 {
     for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
         check(field.info, field.get(parameters));
@@ -299,6 +298,55 @@ Recognition recognize(const Scan& scan, const RecognitionParameters& parameters,
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;
+}
+
+constexpr double mostFlying = 0.05;  ///< largest share of the points that counts as flying about the part
+
+/// True when nothing was cut off but a few points that belong to no object of the scene.
+bool onlyFlyingPointsCut(const Recognition& result)
+{
+    double all = 0, cut = 0;
+    for (const SceneGroup& group : result.scene) {
+        all += static_cast<double>(group.points);
+        if (group.kept) continue;
+        if (group.kind != "clutter") return false;
+        cut += static_cast<double>(group.points);
+    }
+    return cut > 0 && cut <= mostFlying * all;
+}
+
+/// The same without flying points; none when there are none, or the rest is no part either.
+std::optional<Recognition> withoutFlyingPoints(const Scan& scan, const RecognitionParameters& asked,
+                                               const Progress& progress)
+{
+    RecognitionParameters parameters = asked;
+    parameters.scene = SceneUse::Cut;
+    try {
+        Recognition result = recognizeOnce(scan, parameters, progress);
+        if (!onlyFlyingPointsCut(result)) return std::nullopt;
+        result.parameters = asked;
+        return result;
+    } catch (const Error&) {
+        return std::nullopt;  // the answer about all points says why
+    }
+}
+
+}  // namespace
+
+Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+{
+    const bool may_cut = parameters.scene == SceneUse::Auto;
+    try {
+        Recognition result = recognizeOnce(scan, parameters, progress);
+        if (!may_cut || result.gaps.empty() || !result.scene.empty()) return result;
+        // Flying points hide stretches of the meridian, which look like gaps.
+        auto cut = withoutFlyingPoints(scan, parameters, progress.quiet());
+        return cut && cut->gaps.size() < result.gaps.size() ? *std::move(cut) : std::move(result);
+    } catch (const Error& error) {
+        if (!may_cut || error.code().kind != ErrorKind::NoAnswer) throw;
+        if (auto cut = withoutFlyingPoints(scan, parameters, progress.quiet())) return *std::move(cut);
+        throw;
+    }
 }
 
 }  // namespace lathelier::features

@@ -61,6 +61,24 @@ inline constexpr NoteCode noiseNotKnown{"noise_not_known", Severity::Info,
                                                 "form; state the uncertainty of a point for an uncertainty of the "
                                                 "result.")};
 
+inline constexpr NoteCode noiseEstimated{
+    "noise_estimated", Severity::Info,
+    LT_TEXT("Engine",
+            "The noise of a point is estimated as {sigma_um} µm. Assumed: what no smooth form explains is noise; state "
+            "the uncertainty of a point where it is known.")};
+
+inline constexpr NoteCode failWithinUncertainty{
+    "fail_within_uncertainty", Severity::Warning,
+    LT_TEXT("Engine",
+            "{value_um} µm exceeds the limit of {limit_um} µm by less than its uncertainty of {uncertainty_um} µm: "
+            "simple acceptance counts as form what may be noise.")};
+
+inline constexpr NoteCode phantomPoints{
+    "phantom_points", Severity::Warning,
+    LT_TEXT("Engine",
+            "Points at exactly {x_mm}, {y_mm}, {z_mm} mm, left out: {count}. Programs write one place for all that "
+            "was not measured.")};
+
 inline constexpr NoteCode harmonicsLimited{
     "harmonics_limited", Severity::Info,
     LT_TEXT(

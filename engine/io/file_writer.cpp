@@ -1,6 +1,7 @@
 // writeFile(): temporary file, then rename.
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
@@ -11,6 +12,7 @@
 #include <filesystem>
 #include <mutex>
 #include <set>
+#include <thread>
 
 #include "engine/core/error.h"
 #include "engine/io/file.h"
@@ -131,6 +133,29 @@ void syncFolder(const fs::path& folder)
     if (descriptor.isOpen()) ::fsync(descriptor.number());
 }
 
+/// Opens a device or pipe. A named pipe without a reader is asked again for a while, as its reader may be starting;
+/// opened plainly it would wait for one without end.
+int openStream(const std::string& target, bool is_pipe)
+{
+    constexpr int tries = 250;
+    constexpr auto pause = std::chrono::milliseconds(20);
+    if (!is_pipe) return ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    int number = -1;
+    for (int i = 0; i < tries && number < 0; ++i) {
+        number = ::open(target.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+        if (number < 0 && errno != ENXIO) return number;
+        if (number < 0) std::this_thread::sleep_for(pause);
+    }
+    if (number >= 0 && ::fcntl(number, F_SETFL, O_WRONLY) != 0) {
+        const int problem = errno;
+        ::close(number);
+        errno = problem;
+        return -1;
+    }
+    if (number < 0) errno = ENXIO;
+    return number;
+}
+
 }  // namespace
 
 void writeFile(const std::string& path, const std::function<void(const Append& append)>& write)
@@ -150,7 +175,7 @@ void writeFile(const std::string& path, const std::function<void(const Append& a
         output.flush();
     };
     if (exists && !S_ISREG(status.st_mode)) {
-        Descriptor stream(::open(target.c_str(), O_WRONLY | O_CLOEXEC));
+        Descriptor stream(openStream(target, S_ISFIFO(status.st_mode)));
         if (!stream.isOpen()) throwNotWritable(path, errno);
         fill(stream.number());
         if (!stream.close()) throwNotWritable(path, errno);

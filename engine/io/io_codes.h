@@ -48,6 +48,9 @@ inline constexpr ErrorCode malformed{"malformed", ErrorKind::InputRejected,
 inline constexpr ErrorCode keyMissing{"key_missing", ErrorKind::InputRejected,
                                       LT_TEXT("Engine", "The key {key} is missing; expected {expected}.")};
 
+inline constexpr ErrorCode keyMisnamed{"key_misnamed", ErrorKind::InputRejected,
+                                       LT_TEXT("Engine", "Found the key {found}, expected {key}.")};
+
 inline constexpr ErrorCode keyOutOfRange{
     "key_out_of_range", ErrorKind::InputRejected,
     LT_TEXT("Engine", "{key} is {found}; expected a value from {minimum} to {maximum}.")};
@@ -63,6 +66,10 @@ inline constexpr ErrorCode numberAmbiguous{
 inline constexpr ErrorCode unitUnknown{
     "unit_unknown", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The file states no unit, and an extent of {extent} fits no guess. State the unit.")};
+
+inline constexpr ErrorCode angleUnitUnknown{
+    "angle_unit_unknown", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The unit of the angle is not known: found “{found}”, expected {expected}.")};
 
 inline constexpr ErrorCode noPoints{"no_points", ErrorKind::InputRejected,
                                     LT_TEXT("Engine", "The file holds no usable point.")};
@@ -130,6 +137,12 @@ inline constexpr NoteCode unitNotUsed{
     "unit_not_used", Severity::Warning,
     LT_TEXT("Engine", "{path}: the file states {unit}; the given unit {given} is not used.")};
 
+inline constexpr NoteCode unitsMayDiffer{
+    "units_may_differ", Severity::Warning,
+    LT_TEXT("Engine",
+            "The sizes of the two parts differ by about {factor}, as if one were in another unit of length; "
+            "--reference-unit and --copy-unit rule one file each.")};
+
 inline constexpr NoteCode profilePlane{
     "profile_plane", Severity::Info,
     LT_TEXT("Engine", "{path}: the points lie in the plane {plane} at {at_mm} mm; read as a profile in it.")};
@@ -147,6 +160,11 @@ inline constexpr NoteCode columnsGuessed{"columns_guessed", Severity::Warning,
 inline constexpr NoteCode angleUnitGuessed{
     "angle_unit_guessed", Severity::Warning,
     LT_TEXT("Engine", "{path}: no unit of the angle is stated; read as rad because it runs over {extent}.")};
+
+inline constexpr NoteCode angleUnitFromExtent{
+    "angle_unit_from_extent", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: “{found}” is no certain unit of an angle; read as {unit} because it runs over {extent}.")};
 
 inline constexpr NoteCode anglesUniform{
     "angles_uniform", Severity::Info,

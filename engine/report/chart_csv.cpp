@@ -14,8 +14,11 @@ std::string csvNumber(T value)
     return std::isfinite(value) ? fmt::format("{}", value) : std::string();
 }
 
-std::string csvQuoted(const std::string& text, bool always = false)
+/// Names come from files: one that a spreadsheet would compute gets an apostrophe in front.
+std::string csvQuoted(const std::string& written, bool always = false)
 {
+    const bool computes = !written.empty() && std::string_view("=+-@").find(written.front()) != std::string_view::npos;
+    const std::string text = computes ? "'" + written : written;
     if (!always && text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string result(1, '"');
     for (const char letter : text) {

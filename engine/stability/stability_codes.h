@@ -59,10 +59,6 @@ inline constexpr NoteCode fromAnotherLobe{
         "The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is "
         "the nearest inside.")};
 
-inline constexpr NoteCode severalResponses{
-    "several_responses", Severity::Warning,
-    LT_TEXT("Engine", "{path}: it holds {count} frequency responses; the first one is used.")};
-
 inline constexpr NoteCode minimumAtEdge{
     "minimum_at_edge", Severity::Warning,
     LT_TEXT("Engine",

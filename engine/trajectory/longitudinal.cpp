@@ -88,7 +88,8 @@ std::optional<LongitudinalSection> longitudinalSection(const std::vector<Traject
     // A stack much shorter than its diameter is a disc: its axis is undetermined, all other quantities exist.
     result.CYLt_LSCY_um = result.CYLt_MZCY_um = notANumber;
     try {
-        const form::CylindricityResult cylinder = form::cylindricity(surface_mm, {}, progress);
+        const form::CylindricityResult cylinder =
+            form::cylindricity(surface_mm, {}, progress, form::NoiseEstimate::LeftOut);
         result.CYLt_LSCY_um = cylinder.LSCY.CYLt_um;
         result.CYLt_MZCY_um = cylinder.MZCY.CYLt_um;
     } catch (const Error& error) {

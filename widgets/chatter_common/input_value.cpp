@@ -4,6 +4,7 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
+#include "engine/io/frf/frf_choice.h"
 #include "engine/io/io_codes.h"
 #include "engine/receptance/frf_checks.h"
 #include "engine/stability/stability_codes.h"
@@ -74,16 +75,15 @@ std::optional<ResponseInput> takeResponse(const project::PanelState& state, Stor
         return ResponseInput{*std::move(item), std::move(basis)};
     }
     const auto loaded = stores.of<FrfStore>()->load(*source, progress);
-    const io::MeasuredFrf& first = loaded->file.frfs.front();
-    ResponseInput found{{io::toReceptance(first.frf), loaded->inputs.front(), loaded->file.notes,
+    const io::MeasuredFrf& used = io::preferredResponse(loaded->file.frfs);
+    ResponseInput found{{io::toReceptance(used.frf), loaded->inputs.front(), loaded->file.notes,
                          source->synthetic || contains(loaded->file.notes, notes::syntheticData)},
                         loaded->digest() + toJson(source->import).dump()};
     Notes& readingNotes = found.taken.notes;
-    const Notes checked = receptance::checkResponse(first, source->path);
+    const Notes checked = receptance::checkResponse(used, source->path);
     readingNotes.insert(readingNotes.end(), checked.begin(), checked.end());
-    if (const std::size_t count = loaded->file.frfs.size(); count > 1)
-        readingNotes.push_back(
-            {notes::severalResponses, {{"path", source->path}, {"count", static_cast<std::int64_t>(count)}}});
+    const Notes chosen = io::notesOfChoice(loaded->file.frfs, used, source->path);
+    readingNotes.insert(readingNotes.end(), chosen.begin(), chosen.end());
     return found;
 }
 

@@ -17,7 +17,8 @@
 
 namespace lathelier::features {
 
-/// Auto: cut only where a turntable is found; else all points are kept.
+/// Auto: cut only where a turntable is found; else all points are kept, unless recognize() finds no part among them, or
+/// gaps, because of a few flying points.
 enum class SceneUse { Auto, Keep, Cut };
 
 /// Points that belong together.

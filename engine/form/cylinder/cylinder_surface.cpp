@@ -16,6 +16,16 @@ constexpr std::size_t surfacePointsPerTask = 65536;
 constexpr std::size_t mostRows = 200;
 constexpr std::size_t pointsOfCell = 4;  ///< mean points per cell for sparse clouds
 
+/// True for a point far outside the zone that holds all points evaluated: one that was left out (phantom_points.h).
+bool isLeftOut(const FittedCylinder& cylinder, const Eigen::Vector3d& onAxis)
+{
+    constexpr double farFromZone = 10;  // widths of the zone
+    const double width = cylinder.outer_radius_mm - cylinder.inner_radius_mm;
+    const double distance = onAxis.head<2>().norm();
+    return width > 0 && std::max(cylinder.inner_radius_mm - distance, distance - cylinder.outer_radius_mm) >
+                            farFromZone * width + 1e-3;
+}
+
 double angleOf(const Eigen::Vector3d& onAxis)
 {
     const double angle = std::atan2(onAxis.y(), onAxis.x()) * 180 / std::numbers::pi;
@@ -75,22 +85,26 @@ CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eig
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -lowest;
     for (const Eigen::Vector3d& point : points_mm) {
+        if (isLeftOut(cylinder, surface.axis_T_points * point)) continue;
         const double z = surface.axis_T_points.matrix().row(2).head<3>().dot(point) + surface.axis_T_points(2, 3);
         lowest = std::min(lowest, z);
         highest = std::max(highest, z);
     }
-    if (points_mm.empty()) return surface;
+    if (!(lowest <= highest)) return surface;
     surface.axis_T_points.pretranslate(Eigen::Vector3d(0, 0, -lowest));
     progress.report(0.2);
 
     makeGrid(surface, highest - lowest, points_mm.size(), sections);
     const auto rows = static_cast<std::size_t>(surface.z_count), angles = static_cast<std::size_t>(surface.angle_count);
     surface.deviation_mm.resize(points_mm.size());
+    constexpr auto none = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> cells(points_mm.size());
     parallelFor(
         points_mm.size(), surfacePointsPerTask, progress.part(0.2, 0.7), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 const Eigen::Vector3d p = surface.axis_T_points * points_mm[i];
+                cells[i] = none;
+                if (isLeftOut(cylinder, p)) continue;
                 surface.deviation_mm[i] = static_cast<float>(p.head<2>().norm() - cylinder.radius_mm);
                 const auto row = std::clamp<std::ptrdiff_t>(
                     static_cast<std::ptrdiff_t>((p.z() - surface.z_start_mm) / surface.z_step_mm), 0,
@@ -105,6 +119,7 @@ CylinderSurface surfaceAbout(const FittedCylinder& cylinder, std::span<const Eig
     surface.lowest_um.assign(rows, notANumber);
     surface.highest_um.assign(rows, notANumber);
     for (std::size_t i = 0; i < points_mm.size(); ++i) {
+        if (cells[i] == none) continue;
         const double deviation_um = um_per_mm * static_cast<double>(surface.deviation_mm[i]);
         sums[cells[i]] += deviation_um;
         ++counts[cells[i]];

@@ -15,7 +15,7 @@ struct CylinderSurface {
     FittedCylinder cylinder;  ///< reference of the deviations: distance from its axis minus its radius
     /// Transforms points into the cylinder's frame: z along the axis, 0 at the first data; angle 0 along x.
     Eigen::Isometry3d axis_T_points = Eigen::Isometry3d::Identity();
-    std::vector<float> deviation_mm;  ///< one for each point
+    std::vector<float> deviation_mm;  ///< one for each point; 0 for one that was left out
 
     // Mean deviation on a z × angle grid, row-major, z slow; NaN where there are no points.
     double z_start_mm = 0;  ///< lower edge of the first row

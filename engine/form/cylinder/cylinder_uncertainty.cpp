@@ -3,11 +3,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
+#include "engine/core/statistics.h"
 #include "engine/form/linear_minimax.h"
 #include "engine/form/roundness/drawn_changes.h"
+#include "engine/signal/hampel.h"
 
 namespace lathelier::form {
 namespace {
@@ -86,6 +89,24 @@ std::vector<double> explainedForm(const Unrolled& surface, double radius, double
 }
 
 }  // namespace
+
+double estimatedNoise(const CylinderPoints& points, const LeastSquaresCylinder& fit, const Progress& progress)
+{
+    const std::size_t n = points.size();
+    if (n < 4 * std::size_t{functions}) return std::numeric_limits<double>::quiet_NaN();
+    const Unrolled surface = unroll(points, fit.axis, progress);
+    const std::vector<double> form = explainedForm(surface, fit.radius, 0, progress);
+    std::vector<double> rest(n);
+    double squares = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        rest[i] = surface.distance[i] - fit.radius - form[i];
+        squares += rest[i] * rest[i];
+    }
+    const auto count = static_cast<double>(n);
+    // Robust, as single flying points are no noise; values rounded to few steps may have no robust spread.
+    const double robust = signal::robustSpread(rest, median(rest));
+    return (robust > 0 ? robust : std::sqrt(squares / count)) * std::sqrt(count / (count - functions));
+}
 
 double expandedUncertaintyOfWidth(const CylinderPoints& points, const LeastSquaresCylinder& fit, double sigma,
                                   const Progress& progress)

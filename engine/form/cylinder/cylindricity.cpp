@@ -9,6 +9,7 @@
 #include "engine/form/cylinder/cylinder_sections.h"
 #include "engine/form/cylinder/cylinder_uncertainty.h"
 #include "engine/form/cylinder/cylinder_zone.h"
+#include "engine/form/cylinder/phantom_points.h"
 #include "engine/form/cylinder/straightness.h"
 #include "engine/form/form_codes.h"
 
@@ -54,6 +55,12 @@ FittedCylinder toCylinder(const CylinderPoints& points, const MinimumZoneCylinde
     return cylinder;
 }
 
+/// To 0.001 µm, for messages.
+double rounded(double value_um)
+{
+    return std::round(1000 * value_um) / 1000;
+}
+
 /// Guarded acceptance requires an uncertainty.
 void refuseUnfounded(const CylindricityParameters& parameters)
 {
@@ -79,18 +86,40 @@ void judge(CylindricityResult& result, const CylindricityParameters& parameters)
                          ? std::optional(lathelier::judge(result.MZCY.CYLt_um, result.CYLt_expanded_uncertainty_um,
                                                           *parameters.tolerance_um, parameters.decision))
                          : std::nullopt;
-    std::erase_if(result.notes, [](const Note& note) { return note.code == notes::noiseNotKnown; });
-    if (result.verdict && !parameters.probe_uncertainty_um) result.notes.push_back({notes::noiseNotKnown, {}});
+    std::erase_if(result.notes, [](const Note& note) {
+        return note.code == notes::noiseNotKnown || note.code == notes::noiseEstimated ||
+               note.code == notes::failWithinUncertainty;
+    });
+    if (!result.verdict) return;
+    if (std::isnan(result.point_noise_um))
+        result.notes.push_back({notes::noiseNotKnown, {}});
+    else if (!parameters.probe_uncertainty_um)
+        result.notes.push_back({notes::noiseEstimated, {{"sigma_um", rounded(result.point_noise_um)}}});
+    const double value_um = result.MZCY.CYLt_um, uncertainty_um = result.CYLt_expanded_uncertainty_um;
+    if (parameters.decision == DecisionRule::Simple && result.verdict == Verdict::Fail &&
+        value_um - uncertainty_um <= *parameters.tolerance_um)
+        result.notes.push_back({notes::failWithinUncertainty,
+                                {{"value_um", rounded(value_um)},
+                                 {"limit_um", *parameters.tolerance_um},
+                                 {"uncertainty_um", rounded(uncertainty_um)}}});
 }
 
 CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const CylindricityParameters& parameters,
-                                const Progress& progress)
+                                const Progress& progress, NoiseEstimate noise)
 {
     refuseUnfounded(parameters);
     CylindricityResult result;
     result.parameters = parameters;
     result.points = points_mm.size();
     progress.report(0);
+    const std::vector<std::size_t> kept = withoutPhantoms(points_mm, result.notes, progress);
+    std::vector<Vector3d> measured;
+    if (!kept.empty()) {
+        result.points_left_out = points_mm.size() - kept.size();
+        measured.reserve(kept.size());
+        for (const std::size_t index : kept) measured.push_back(points_mm[index]);
+        points_mm = measured;
+    }
     const CylinderGuess guess = guessCylinder(points_mm, progress);
     progress.report(0.1);
 
@@ -101,11 +130,17 @@ CylindricityResult cylindricity(std::span<const Vector3d> points_mm, const Cylin
     progress.report(0.3);
     const MinimumZoneCylinder zone = minimumZoneCylinder(points, fit.axis, progress.part(0.3, 0.9));
     result.MZCY = toCylinder(points, zone);
+    if (!kept.empty())
+        for (std::size_t& contact : result.MZCY.contacts) contact = kept[contact];
+    const double um_per_unit = points.scale_mm() * um_per_mm;
     if (parameters.probe_uncertainty_um)
+        result.point_noise_um = *parameters.probe_uncertainty_um;
+    else if (noise == NoiseEstimate::Made)
+        result.point_noise_um = um_per_unit * estimatedNoise(points, fit, progress);
+    if (!std::isnan(result.point_noise_um))
         result.CYLt_expanded_uncertainty_um =
-            points.scale_mm() * um_per_mm *
-            expandedUncertaintyOfWidth(points, fit, *parameters.probe_uncertainty_um / um_per_mm / points.scale_mm(),
-                                       progress.part(0.9, 1));
+            um_per_unit *
+            expandedUncertaintyOfWidth(points, fit, result.point_noise_um / um_per_unit, progress.part(0.9, 1));
     judge(result, parameters);
 
     const SectionStack stack =

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "engine/core/core_codes.h"
 #include "engine/signal/closed_filter.h"
 
 namespace lathelier::form {
@@ -58,6 +60,47 @@ std::vector<Eigen::Vector2d> filteredPoints(const PreparedProfile& points, const
     return evaluateProfile(points, band, filter, progress).points_mm;
 }
 
+/// True for the errors of points that define no circle.
+bool isWithoutCircle(const Error& error)
+{
+    return error.code() == errors::tooFewPoints || error.code() == errors::pointsDegenerate ||
+           error.code() == errors::notConverged;
+}
+
+/// The points by the other rule of outliers; none when they define no circle, as three of four points do not.
+std::optional<PreparedProfile> otherPoints(const Profile& profile, const PreparedProfile& prepared,
+                                           const RoundnessParameters& parameters, const Progress& progress)
+{
+    try {
+        if (parameters.outliers == OutlierRule::Hampel)
+            return prepareProfile(profile, parameters.exclude_deg, OutlierRule::None, progress);
+        return withoutOutliers(profile, prepared, progress);
+    } catch (const Error& error) {
+        if (!isWithoutCircle(error)) throw;
+        return std::nullopt;
+    }
+}
+
+/// The first row of a band.
+const MethodRow* rowOf(const std::vector<MethodRow>& rows, const signal::TransmissionBand& band)
+{
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const MethodRow& row) { return row.band == band; });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+/// None when the points define no circle.
+std::optional<std::array<double, 4>> tryDeviations(const std::vector<Eigen::Vector2d>& points, const Progress& progress)
+{
+    CircleOptions quick;
+    quick.certify = false;
+    try {
+        return deviations(fitCircles(points, quick, progress.quiet()));
+    } catch (const Error& error) {
+        if (!isWithoutCircle(error)) throw;
+        return std::nullopt;
+    }
+}
+
 }  // namespace
 
 double carriedCutoff(const signal::AngularSampling& sampling)
@@ -82,15 +125,13 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
 {
     const signal::TransmissionBand asked = bandOf(parameters);
     const bool hampel = parameters.outliers == OutlierRule::Hampel;
-    const PreparedProfile other = hampel ? prepareProfile(profile, parameters.exclude_deg, OutlierRule::None, progress)
-                                         : withoutOutliers(profile, prepared, progress);
+    const std::optional<PreparedProfile> other = otherPoints(profile, prepared, parameters, progress);
     const std::vector<signal::TransmissionBand> bands = bandsFor(prepared.sampling, asked);
     std::vector<MethodRow> rows;
-    CircleOptions quick;
-    quick.certify = false;
     for (const OutlierRule rule : {OutlierRule::None, OutlierRule::Hampel}) {
         const bool own = rule == parameters.outliers;
-        const PreparedProfile& points = own ? prepared : other;
+        if (!own && !other) continue;
+        const PreparedProfile& points = own ? prepared : *other;
         double largest_upr = 0;
         for (const signal::TransmissionBand& band : bands)
             largest_upr = std::max({largest_upr, band.high_upr.value_or(0), band.low_upr.value_or(0)});
@@ -101,13 +142,14 @@ std::vector<MethodRow> methodRows(const Profile& profile, const PreparedProfile&
             progress.report(static_cast<double>(rows.size()) / static_cast<double>(2 * bands.size()));
             MethodRow row{bands[i], rule, {}, false};
             row.undersampled = bands[i].high_upr && *bands[i].high_upr > carriedCutoff(points.sampling);
-            if (bands[i] == asked && (own || same || (!hampel && other.outliers == 0)))
+            if (bands[i] == asked && (own || same || (!hampel && other && other->outliers == 0)))
                 row.RONt_um = deviations(chosen);
-            else if (same)
-                row.RONt_um = rows[i].RONt_um;
+            else if (const MethodRow* first = same ? rowOf(rows, bands[i]) : nullptr)
+                row.RONt_um = first->RONt_um;
+            else if (const auto found = tryDeviations(filteredPoints(points, bands[i], filter, progress), progress))
+                row.RONt_um = *found;
             else
-                row.RONt_um =
-                    deviations(fitCircles(filteredPoints(points, bands[i], filter, progress), quick, progress.quiet()));
+                continue;
             rows.push_back(row);
         }
     }

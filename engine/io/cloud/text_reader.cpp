@@ -61,6 +61,7 @@ struct PointColumns {
     std::array<int, 3> point = {-1, -1, -1};
     std::array<int, 3> normal = {-1, -1, -1};
     bool normals_guessed = false;  ///< three columns without names behind x, y, z
+    bool grid_left_out = false;    ///< row and column numbers without names in front of x, y, z
 };
 
 [[noreturn]] void throwNoCoordinates(const TableLayout& layout)
@@ -113,9 +114,15 @@ PointColumns findPointColumns(const TableLayout& layout)
     for (std::size_t k = 0; k < roles.size(); ++k)
         if (layout.columns[k].is_number && roles[k] == CloudRole::Unknown) candidates.push_back(static_cast<int>(k));
     const auto column = [&](std::size_t i) { return layout.columns[static_cast<std::size_t>(candidates[i])]; };
-    if (candidates.size() >= 4 && column(0).is_count && column(0).name.empty() &&
-        (column(1).has_decimal_marks || column(2).has_decimal_marks))
+    // Row and column of a scanner's grid in front of x, y, z.
+    if (candidates.size() >= 5 && column(0).is_grid_index && column(1).is_grid_index && column(0).name.empty() &&
+        column(2).has_decimal_marks && column(3).has_decimal_marks && column(4).has_decimal_marks) {
+        candidates.erase(candidates.begin(), candidates.begin() + 2);
+        columns.grid_left_out = true;
+    } else if (candidates.size() >= 4 && column(0).is_count && column(0).name.empty() &&
+               (column(1).has_decimal_marks || column(2).has_decimal_marks)) {
         candidates.erase(candidates.begin());
+    }
     if (candidates.size() < 3) throwNoCoordinates(layout);
     // Rejects columns of other quantities, such as forces over time, that would be read as points.
     const std::vector<std::size_t> taken(candidates.begin(), candidates.begin() + 3);
@@ -212,6 +219,8 @@ RawScan readTextScan(const ScanSource& source)
     describeTable(layout, rows, source.encoding, raw.facts, raw.notes);
     // Three columns without names need no note on the choice.
     const std::array<std::size_t, 3> read{wanted[0].column, wanted[1].column, wanted[2].column};
+    if (columns.grid_left_out)
+        raw.notes.push_back({notes::columnsGuessed, {{"columns", std::string("row,column,x,y,z")}}});
     if (layout.has_names || layout.columns.size() > 3) noteColumns(layout, read, raw.facts, raw.notes);
     raw.not_finite = rows.not_finite;
     raw.skipped_count = countSkipped(layout, rows);

@@ -1,5 +1,8 @@
 #include "engine/io/cloud/unit_choice.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/io/io_codes.h"
 
 namespace lathelier::io {
@@ -37,6 +40,27 @@ LengthScale chooseLengthUnit(const std::optional<LengthScale>& stated, const Imp
     }
     facts.unit = unit.key;
     return unit;
+}
+
+double sizeOf_mm(const std::vector<Eigen::Vector3d>& points_mm)
+{
+    if (points_mm.empty()) return 0;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const Eigen::Vector3d& point : points_mm) mean += point;
+    mean /= static_cast<double>(points_mm.size());
+    double squares = 0;
+    for (const Eigen::Vector3d& point : points_mm) squares += (point - mean).squaredNorm();
+    return std::sqrt(squares / static_cast<double>(points_mm.size()));
+}
+
+std::optional<double> unitFactorBetween(double size_a_mm, double size_b_mm)
+{
+    constexpr double tolerance = 1.2;
+    if (!(size_a_mm > 0) || !(size_b_mm > 0)) return std::nullopt;
+    const double ratio = std::max(size_a_mm, size_b_mm) / std::min(size_a_mm, size_b_mm);
+    for (const double factor : {10.0, 25.4, 1000 / 25.4, 304.8, 1000.0})
+        if (ratio > factor / tolerance && ratio < factor * tolerance) return factor;
+    return std::nullopt;
 }
 
 }  // namespace lathelier::io

@@ -19,6 +19,9 @@ inline constexpr ErrorCode frfUnitMissing{
 inline constexpr ErrorCode frfNone{"frf_none", ErrorKind::InputRejected,
                                    LT_TEXT("Engine", "The file holds no frequency response: found {found}.")};
 
+inline constexpr ErrorCode frfUnitUnknown{"frf_unit_unknown", ErrorKind::InputRejected,
+                                          LT_TEXT("Engine", "The unit “{found}” is not known; expected {expected}.")};
+
 inline constexpr ErrorCode frfNotAscending{
     "frf_not_ascending", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The frequencies do not ascend: {found} Hz follows {previous} Hz.")};
@@ -72,6 +75,22 @@ inline constexpr NoteCode frfCoherenceUnused{
     LT_TEXT("Engine",
             "{path}: {count} coherence functions fit the lines of no frequency response, the first at line "
             "{line}.")};
+
+inline constexpr NoteCode severalResponses{
+    "several_responses", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}.")};
+
+inline constexpr NoteCode noDrivingPoint{
+    "no_driving_point", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: none of its responses is that of a driving point, where response and force share node and "
+            "direction. That of {used} is a cross response: depths and speeds by it are not those of the cutting "
+            "point.")};
+
+inline constexpr NoteCode uffTextOutside{
+    "uff_text_outside", Severity::Info,
+    LT_TEXT("Engine", "{path}: lines of text outside the data sets, not used: {count}, the first at line {line}.")};
 
 inline constexpr NoteCode uffDataBeyond{
     "uff_data_beyond", Severity::Warning,

@@ -13,6 +13,8 @@ constexpr std::size_t longestUnit = 60;
 constexpr int deepestBrackets = 8;
 constexpr double freeFall_mm_s2 = 9806.65;
 constexpr double poundForce_N = 4.4482216152605;
+constexpr double kilogramForce_N = 9.80665;
+constexpr double poundal_N = 0.138254954376;
 
 struct PhysicalUnitWord {
     std::string_view word;  ///< ASCII letters in lower case
@@ -27,22 +29,72 @@ constexpr PhysicalUnitWord physicalUnitWords[] = {
     {"µm", {1e-3, 1, 0, 0}},
     {"μm", {1e-3, 1, 0, 0}},
     {"nm", {1e-6, 1, 0, 0}},
+    {"metre", {1e3, 1, 0, 0}},
+    {"metres", {1e3, 1, 0, 0}},
+    {"meter", {1e3, 1, 0, 0}},
+    {"meters", {1e3, 1, 0, 0}},
+    {"millimetre", {1, 1, 0, 0}},
+    {"millimetres", {1, 1, 0, 0}},
+    {"millimeter", {1, 1, 0, 0}},
+    {"millimeters", {1, 1, 0, 0}},
+    {"micron", {1e-3, 1, 0, 0}},
+    {"microns", {1e-3, 1, 0, 0}},
+    {"micrometre", {1e-3, 1, 0, 0}},
+    {"micrometer", {1e-3, 1, 0, 0}},
     {"in", {25.4, 1, 0, 0}},
     {"inch", {25.4, 1, 0, 0}},
+    {"inches", {25.4, 1, 0, 0}},
+    {"mils", {0.0254, 1, 0, 0}},
+    {"thou", {0.0254, 1, 0, 0}},
+    {"foot", {304.8, 1, 0, 0}},
+    {"feet", {304.8, 1, 0, 0}},
     {"mil", {0.0254, 1, 0, 0}},
     {"ft", {304.8, 1, 0, 0}},
     {"s", {1, 0, 1, 0}},
     {"sec", {1, 0, 1, 0}},
+    {"second", {1, 0, 1, 0}},
+    {"seconds", {1, 0, 1, 0}},
     {"ms", {1e-3, 0, 1, 0}},
     {"n", {1, 0, 0, 1}},
     {"newton", {1, 0, 0, 1}},
+    {"newtons", {1, 0, 0, 1}},
     {"kn", {1e3, 0, 0, 1}},
+    {"kilonewton", {1e3, 0, 0, 1}},
+    {"kilonewtons", {1e3, 0, 0, 1}},
+    {"dan", {10, 0, 0, 1}},
+    {"cn", {1e-2, 0, 0, 1}},
+    {"millinewton", {1e-3, 0, 0, 1}},
+    {"millinewtons", {1e-3, 0, 0, 1}},
+    {"un", {1e-6, 0, 0, 1}},
+    {"µn", {1e-6, 0, 0, 1}},
+    {"μn", {1e-6, 0, 0, 1}},
+    {"dyn", {1e-5, 0, 0, 1}},
+    {"dyne", {1e-5, 0, 0, 1}},
+    {"dynes", {1e-5, 0, 0, 1}},
+    {"kgf", {kilogramForce_N, 0, 0, 1}},
+    {"kp", {kilogramForce_N, 0, 0, 1}},
+    {"kilopond", {kilogramForce_N, 0, 0, 1}},
+    {"gf", {kilogramForce_N * 1e-3, 0, 0, 1}},
     {"lbf", {poundForce_N, 0, 0, 1}},
+    {"lbfs", {poundForce_N, 0, 0, 1}},
     {"lb", {poundForce_N, 0, 0, 1}},
+    {"lbs", {poundForce_N, 0, 0, 1}},
+    {"pound", {poundForce_N, 0, 0, 1}},
+    {"pounds", {poundForce_N, 0, 0, 1}},
+    {"kip", {poundForce_N * 1e3, 0, 0, 1}},
+    {"klbf", {poundForce_N * 1e3, 0, 0, 1}},
+    {"ozf", {poundForce_N / 16, 0, 0, 1}},
+    {"pdl", {poundal_N, 0, 0, 1}},
+    {"poundal", {poundal_N, 0, 0, 1}},
+    {"poundals", {poundal_N, 0, 0, 1}},
     {"kg", {1e-3, -1, 2, 1}},
     {"g", {freeFall_mm_s2, 1, -2, 0}},
     {"gn", {freeFall_mm_s2, 1, -2, 0}},
     {"g0", {freeFall_mm_s2, 1, -2, 0}},
+    {"g's", {freeFall_mm_s2, 1, -2, 0}},
+    {"g’s", {freeFall_mm_s2, 1, -2, 0}},
+    {"gs", {freeFall_mm_s2, 1, -2, 0}},
+    {"gal", {10, 1, -2, 0}},
     {"1", {1, 0, 0, 0}},
 };
 
@@ -61,10 +113,10 @@ bool isUnitLetter(char c)
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Parses a unit; `text` is in lower case.
+/// Parses a unit; `text` is in lower case, `written` the same as it stands in the file.
 class UnitParser {
 public:
-    explicit UnitParser(std::string_view text) : rest_(text) {}
+    UnitParser(std::string_view text, std::string_view written) : rest_(text), written_(written) {}
 
     std::optional<PhysicalUnit> whole()
     {
@@ -118,7 +170,14 @@ private:
                !rest_.substr(length).starts_with("³") && !rest_.substr(length).starts_with("·"))
             ++length;
         if (length == 0) length = 1;  // dimensionless 1
+        if (rest_.substr(length).starts_with("'s")) length += 2;
         const std::string_view word = rest_.substr(0, length);
+        // The one prefix whose case decides: mN and MN.
+        if (word == "mn") {
+            const bool isMilli = written_.substr(written_.size() - rest_.size()).starts_with("mN");
+            rest_.remove_prefix(length);
+            return isMilli ? std::optional(PhysicalUnit{1e-3, 0, 0, 1}) : std::nullopt;
+        }
         for (const PhysicalUnitWord& known : physicalUnitWords)
             if (word == known.word) {
                 rest_.remove_prefix(length);
@@ -132,16 +191,18 @@ private:
     {
         if (take("²")) return 2;
         if (take("³")) return 3;
-        const bool marked = take("^") || take("**");
-        const bool negative = marked && take("-");
+        // "s-2": a sign and a digit directly behind the word.
+        const bool isSigned = rest_.size() > 1 && rest_[0] == '-' && rest_[1] >= '1' && rest_[1] <= '4';
+        const bool marked = !isSigned && (take("^") || take("**"));
+        const bool negative = (marked || isSigned) && take("-");
         if (rest_.empty() || rest_.front() < '1' || rest_.front() > '4')
-            return marked ? std::nullopt : std::optional(1);
+            return marked || negative ? std::nullopt : std::optional(1);
         const int exponent = rest_.front() - '0';
         rest_.remove_prefix(1);
         return negative ? -exponent : exponent;
     }
 
-    std::string_view rest_;
+    std::string_view rest_, written_;
 };
 
 }  // namespace
@@ -151,7 +212,7 @@ std::optional<PhysicalUnit> physicalUnit(std::string_view text)
     text = trimmed(text);
     if (text.empty() || text.size() > longestUnit) return std::nullopt;
     const std::string lower = lowerCase(text);
-    return UnitParser(lower).whole();
+    return UnitParser(lower, text).whole();
 }
 
 std::optional<FrfUnit> frfUnit(const PhysicalUnit& unit)

@@ -19,7 +19,8 @@ struct PhysicalUnit {
 };
 
 /// Reads products and quotients from left to right, with brackets and whole exponents (^2, **2, ², or digits behind the
-/// word). Case-insensitive. None for other words and for an empty text.
+/// word, also signed: "m s-2"). Case-insensitive but for mN: MN is none, as it may be meant. None for other words and
+/// for an empty text.
 std::optional<PhysicalUnit> physicalUnit(std::string_view text);
 
 /// A unit of motion per force.

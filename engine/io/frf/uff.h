@@ -74,18 +74,19 @@ struct UffFile {
     std::vector<UffSet> sets;       ///< in the order of the file, including skipped ones
     std::optional<UffUnits> units;  ///< of the first set 164
     std::vector<UffNode> nodes;     ///< of the sets 15 and 2411
-    Notes notes;                    ///< code uffDataBeyond
+    Notes notes;                    ///< codes uffDataBeyond, uffTextOutside
 };
 
-/// True when the first two lines are those of a universal file: a separator in its columns, and the number of a set.
+/// True when the first two lines are those of a universal file: a separator in its columns, and the number of a set;
+/// behind lines of text both in their exact columns.
 bool isUff(std::string_view head);
 
 /// Reads all sets; sets of other types are skipped by number. Binary values are as long as their header says, not
 /// searched for a separator, which they may contain. The declared number of points has precedence over the padding of
 /// the last line. Numbers stand in columns of 13 and 20 characters, may touch, and have exponents such as E-04, E-004
-/// and D-04; lines that do not keep the columns are split at blanks. Memory grows with the bytes present, not with
-/// those stated in a header. Errors formatUnknown, malformed, uffPointsMissing (`line`), truncated (`byte`); throws
-/// Cancelled.
+/// and D-04; lines that do not keep the columns are split at blanks. Text between the sets is skipped with a note.
+/// Memory grows with the bytes present, not with those stated in a header. Errors formatUnknown, malformed,
+/// uffPointsMissing (`line`), truncated (`byte`); throws Cancelled.
 UffFile readUff(std::string_view bytes, const Progress& progress = {});
 
 }  // namespace lathelier::io

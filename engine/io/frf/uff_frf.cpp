@@ -211,6 +211,28 @@ Error noResponse(const UffFile& file)
     return Error(errors::frfNone, {{"byte", std::int64_t{0}}, {"found", found}});
 }
 
+constexpr std::int64_t linesToOrdinate = 9, linesToDenominator = 10;  ///< from the number of a set to its axes
+
+/// Error frfUnitUnknown at a unit that is no word known, when it alone is the reason that a function is no frequency
+/// response.
+void throwUnknownUnit(const UffFile& file)
+{
+    for (const UffSet& set : file.sets) {
+        if (!set.function || set.function->function != frequencyResponse || !set.function->isComplex()) continue;
+        const auto check = [&set](const UffAxis& axis, std::int64_t lines, Text expected) {
+            if (isUnstated(axis.unit) || physicalUnit(axis.unit)) return;
+            throw Error(errors::frfUnitUnknown, {{"line", set.line + lines},
+                                                 {"column", std::int64_t{1}},
+                                                 {"found", axis.unit},
+                                                 {"expected", expected}});
+        };
+        const UffAxis& per = set.function->denominator;
+        check(set.function->ordinate, linesToOrdinate, LT_TEXT("Engine", "a unit such as m/s^2, g, mm or m/s"));
+        if (per.type == 0 || per.type == force)
+            check(per, linesToDenominator, LT_TEXT("Engine", "a unit of force such as N, kN or lbf"));
+    }
+}
+
 Value firstOrLast(const UffFunction& function, bool last)
 {
     const std::complex<double>& y = last ? function.y.back() : function.y.front();
@@ -234,7 +256,10 @@ std::vector<MeasuredFrf> uffFrfs(const UffFile& file, const FrfOptions& options,
         frfs.push_back(Converter(options, findings).convert(set));
         lines.push_back(set.line);
     }
-    if (frfs.empty()) throw noResponse(file);
+    if (frfs.empty()) {
+        throwUnknownUnit(file);
+        throw noResponse(file);
+    }
     for (const UffSet& set : file.sets)
         if (set.function && set.function->function == coherence && !attach(*set.function, frfs))
             findings.add(notes::frfCoherenceUnused, set.line, {});

@@ -50,10 +50,15 @@ public:
         while (nextLine()) {
             progress_.report(static_cast<double>(lines_.offset()) / static_cast<double>(bytes_.size()));
             if (isFilling(lines_.line())) continue;
-            if (!isUffSeparator(lines_.line()))
-                throw malformed(lines_.number(), lines_.line(), trimmed(lines_.line()), expectedSet);
+            if (!isUffSeparator(lines_.line())) {
+                passOutside();
+                continue;
+            }
             if (nextLine() && !isFilling(lines_.line())) readSet();
         }
+        if (outside_ > 0 && file_.sets.empty())
+            throw malformed(outsideLine_, outsideText_, trimmed(outsideText_), expectedSet);
+        if (outside_ > 0) file_.notes.push_back({notes::uffTextOutside, {{"line", outsideLine_}, {"count", outside_}}});
         for (UffSet& set : file_.sets)
             if (set.function && !set.function->units) set.function->units = file_.units;
         return std::move(file_);
@@ -129,6 +134,20 @@ private:
         set(file_.notes.front().values, "count", ++beyond_);
     }
 
+    /// A line of text outside the sets, which the format allows. Error malformed for numbers and for the head of a set:
+    /// a separator is missing or stands too early.
+    void passOutside()
+    {
+        std::vector<std::string_view> words;
+        splitWords(lines_.line(), words);
+        const auto isNumber = [](std::string_view word) { return wholeNumber(word, '.').has_value(); };
+        if (std::all_of(words.begin(), words.end(), isNumber) || !setTypeOf(lines_.line()).empty())
+            throw malformed(lines_.number(), lines_.line(), trimmed(lines_.line()), expectedSet);
+        if (outside_++ > 0) return;
+        outsideLine_ = lines_.number();
+        outsideText_ = lines_.line();
+    }
+
     /// The next line of the set, false at its end.
     bool nextOfSet() { return nextLine() && !isUffSeparator(lines_.line()); }
 
@@ -174,6 +193,8 @@ private:
     Lines lines_;
     UffFile file_;
     std::optional<UffUnits> units_;
+    std::int64_t outside_ = 0, outsideLine_ = 0;  // lines of text between sets, the first of them
+    std::string_view outsideText_;
     std::int64_t beyond_ = 0;  // number of sets with more values than declared
 };
 
@@ -184,10 +205,21 @@ bool isUff(std::string_view head)
     if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
     try {
         Lines lines(head.substr(0, 4096));
-        bool found = lines.next();
-        while (found && trimmed(lines.line()).empty()) found = lines.next();
-        if (!found || !isUffSeparator(lines.line()) || lines.line().front() != ' ') return false;
-        return lines.next() && !setTypeOf(lines.line()).empty();
+        bool isFirst = true;
+        while (lines.next()) {
+            if (trimmed(lines.line()).empty()) continue;
+            // Behind other lines only the exact columns of a separator count.
+            const bool separates = isFirst ? isUffSeparator(lines.line()) && lines.line().front() == ' '
+                                           : lines.line().starts_with("    -1") && trimmed(lines.line()) == "-1";
+            if (separates && lines.next()) {
+                const bool isInColumns =
+                    lines.line().size() >= 6 && lines.line().front() == ' ' && detail::isDigit(lines.line()[5]);
+                if (!setTypeOf(lines.line()).empty() && (isFirst || isInColumns)) return true;
+            }
+            if (isFirst && separates) return false;
+            isFirst = false;
+        }
+        return false;
     } catch (const Error&) {
         return false;
     }

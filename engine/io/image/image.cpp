@@ -50,6 +50,7 @@ FileFacts imageFacts(const std::string& name, const Image& image)
                      {"bits", std::int64_t{image.bits}},
                      {"channels", std::int64_t{image.channels}},
                      {"orientation", std::int64_t{image.orientation}}};
+    if (image.um_per_px > 0) facts.details.emplace_back("um_per_px", image.um_per_px);
     return facts;
 }
 

@@ -13,15 +13,17 @@
 namespace lathelier::io {
 
 struct Image {
-    std::string format;       ///< "png", "jpeg" or "tiff"
-    int width = 0;            ///< in px, after the orientation was applied
-    int height = 0;           ///< in px, after the orientation was applied
-    int bits = 8;             ///< bits per sample in the file, 1 to 16
-    int channels = 1;         ///< in the file: 1 grey or palette, 2 grey and alpha, 3 colour, 4 colour and alpha
-    int orientation = 1;      ///< EXIF orientation of the file, 1 to 8, which was applied; 1: it was upright
+    std::string format;    ///< "png", "jpeg" or "tiff"
+    int width = 0;         ///< in px, after the orientation was applied
+    int height = 0;        ///< in px, after the orientation was applied
+    int bits = 8;          ///< bits per sample in the file, 1 to 16
+    int channels = 1;      ///< in the file: 1 grey or palette, 2 grey and alpha, 3 colour, 4 colour and alpha
+    int orientation = 1;   ///< EXIF orientation of the file, 1 to 8, which was applied; 1: it was upright
+    double um_per_px = 0;  ///< size of a pixel as the file states it; 0: it states none. Cameras write the resolution
+                           ///< of a printer there (72 dpi is 353 µm), microscopes their scale
     std::vector<float> grey;  ///< row-major from the top left: 0 black, 1 full scale of the file. Colour by the weights
                               ///< of ITU-R BT.601 (0.299, 0.587, 0.114)
-    Notes notes;              ///< imageTurned, imageProfileIgnored, imageAlphaDropped, imagePagesIgnored
+    Notes notes;  ///< imageScaleStated, imageTurned, imageProfileIgnored, imageAlphaDropped, imagePagesIgnored
 
     bool turned() const { return orientation != 1; }
     float at(int x, int y) const
@@ -46,7 +48,7 @@ bool isImage(std::string_view head);
 /// the samples of the file where it is interlaced or turned.
 Image readImage(const std::string& name, std::string_view bytes, const Progress& progress = {});
 
-/// Facts for `inspect`: details "width", "height", "bits", "channels", "orientation".
+/// Facts for `inspect`: details "width", "height", "bits", "channels", "orientation", "um_per_px" where it is stated.
 FileFacts imageFacts(const std::string& name, const Image& image);
 
 }  // namespace lathelier::io

@@ -73,6 +73,15 @@ void putRow(Image& image, int row, const std::uint8_t* samples, int channels, bo
     }
 }
 
+void setScale(Image& image, double um_per_px, const std::string& name)
+{
+    constexpr double finestPrint_um = 40;  // 635 dpi
+    if (!(um_per_px >= 1e-3 && um_per_px <= 1e6)) return;
+    image.um_per_px = um_per_px;
+    if (um_per_px < finestPrint_um)
+        image.notes.push_back({notes::imageScaleStated, {{"path", name}, {"um_per_px", um_per_px}}});
+}
+
 void applyOrientation(Image& image, int orientation, const std::string& name)
 {
     if (orientation < 2 || orientation > 8) return;

@@ -31,6 +31,10 @@ Image emptyImage(std::string_view format, const ImageHeader& header);
 /// byte or, `wide`, two with the higher first.
 void putRow(Image& image, int row, const std::uint8_t* samples, int channels, bool wide);
 
+/// Enters the size of a pixel that the file states, with a note for a scale finer than printers have. Sizes that are
+/// not finite or beyond 1 nm to 1 m are not used.
+void setScale(Image& image, double um_per_px, const std::string& name);
+
 /// Rotates or mirrors the image into upright orientation. `orientation` as EXIF (CIPA DC-008) counts them, 1 to 8;
 /// others change nothing.
 void applyOrientation(Image& image, int orientation, const std::string& name);

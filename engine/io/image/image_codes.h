@@ -36,6 +36,10 @@ inline constexpr ErrorCode imageEndsEarly{
 
 namespace notes {
 
+inline constexpr NoteCode imageScaleStated{
+    "image_scale_stated", Severity::Info,
+    LT_TEXT("Engine", "{path}: the file states {um_per_px} µm per pixel; used only when it is given as the scale.")};
+
 inline constexpr NoteCode imageTurned{
     "image_turned", Severity::Info,
     LT_TEXT("Engine", "{path}: the picture was turned or mirrored as its EXIF orientation {orientation} says.")};

@@ -22,6 +22,7 @@ struct PngFacts {
     int orientation = 1;
     bool has_profile = false;
     bool has_alpha = false;
+    double um_per_px = 0;  ///< by a pHYs chunk in pixels per metre; 0: none
 };
 
 std::uint32_t numberAt(std::string_view bytes, std::size_t at)
@@ -66,6 +67,9 @@ PngFacts walkChunks(std::string_view bytes)
         }
         if (type == "iCCP") facts.has_profile = true;
         if (type == "tRNS") facts.has_alpha = true;
+        if (type == "pHYs" && data.size() == 9 && data[8] == 1 && numberAt(data, 0) == numberAt(data, 4) &&
+            numberAt(data, 0) > 0)
+            facts.um_per_px = 1e6 / numberAt(data, 0);
         if (type == "eXIf") facts.orientation = exifOrientation(data);
         if (length > bytes.size() - at - chunkFrame) break;
         at += length + chunkFrame;
@@ -187,6 +191,7 @@ Image readPng(const std::string& name, std::string_view bytes, const Progress& p
     if (!beginPng(decoder)) refusePng(decoder, static_cast<int>(facts.header.height));
     Image image = emptyImage("png", facts.header);
     readPngRows(decoder, image, progress);
+    setScale(image, facts.um_per_px, name);
     if (facts.has_alpha) image.notes.push_back({notes::imageAlphaDropped, {{"path", name}}});
     if (facts.has_profile) image.notes.push_back({notes::imageProfileIgnored, {{"path", name}}});
     applyOrientation(image, facts.orientation, name);

@@ -12,6 +12,7 @@
 #include "engine/io/image/image_canvas.h"
 #include "engine/io/image/image_codes.h"
 #include "engine/io/image/tiff_pages.h"
+#include "engine/io/text/units.h"
 
 namespace lathelier::io {
 namespace {
@@ -96,9 +97,39 @@ struct SampleLayout {
     std::uint16_t compression = COMPRESSION_NONE, orientation = 1;
     std::array<std::uint16_t*, 3> palette{};
     bool has_profile = false;
+    double um_per_px = 0;  ///< by the resolution and its unit; 0: none stated
 
     int colours() const { return photometric == PHOTOMETRIC_RGB ? 3 : 1; }
 };
+
+/// µm of the unit that ImageJ names in its description, "unit=um"; 0 without one.
+double unitOfImageJ_um(std::string_view description)
+{
+    constexpr std::string_view key = "\nunit=";
+    const std::size_t at = description.find(key);
+    if (!description.starts_with("ImageJ=") || at == std::string_view::npos) return 0;
+    std::string_view word = description.substr(at + key.size());
+    word = word.substr(0, word.find_first_of("\r\n"));
+    if (word == "\\u00B5m") return 1;  // as ImageJ escapes µm
+    const auto unit = lengthUnit(word);
+    return unit ? unit->mm * 1e3 : 0;
+}
+
+double scaleOf(TIFF* tiff)
+{
+    constexpr double um_per_inch = 25400, um_per_cm = 1e4;
+    float across = 0, down = 0;
+    std::uint16_t unit = RESUNIT_INCH;
+    const char* description = nullptr;
+    if (!TIFFGetField(tiff, TIFFTAG_XRESOLUTION, &across) || !(across > 0)) return 0;
+    if (TIFFGetField(tiff, TIFFTAG_YRESOLUTION, &down) && down != across) return 0;
+    TIFFGetFieldDefaulted(tiff, TIFFTAG_RESOLUTIONUNIT, &unit);
+    if (TIFFGetField(tiff, TIFFTAG_IMAGEDESCRIPTION, &description) && description)
+        if (const double unit_um = unitOfImageJ_um(description); unit_um > 0)
+            return unit_um / static_cast<double>(across);
+    if (unit == RESUNIT_INCH) return um_per_inch / static_cast<double>(across);
+    return unit == RESUNIT_CENTIMETER ? um_per_cm / static_cast<double>(across) : 0;
+}
 
 SampleLayout layoutOf(TIFF* tiff)
 {
@@ -117,6 +148,7 @@ SampleLayout layoutOf(TIFF* tiff)
     std::uint32_t size = 0;
     void* profile = nullptr;
     layout.has_profile = TIFFGetField(tiff, TIFFTAG_ICCPROFILE, &size, &profile) == 1;
+    layout.um_per_px = scaleOf(tiff);
     return layout;
 }
 
@@ -289,6 +321,7 @@ Image readTiff(const std::string& name, std::string_view bytes, const Progress& 
     checkHeader(header, bytes.size(), pages.byte);  // a duplicate tag may have two values
     Image image = emptyImage("tiff", header);
     readBlocks(tiff.get(), source, layout, pages.byte, image, progress);
+    setScale(image, layout.um_per_px, name);
     if (layout.samples > layout.colours()) image.notes.push_back({notes::imageAlphaDropped, {{"path", name}}});
     if (layout.has_profile) image.notes.push_back({notes::imageProfileIgnored, {{"path", name}}});
     if (pages.count > 1) image.notes.push_back({notes::imagePagesIgnored, {{"path", name}, {"count", pages.count}}});

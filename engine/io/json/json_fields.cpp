@@ -1,6 +1,7 @@
 #include "engine/io/json/json_fields.h"
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -12,6 +13,29 @@ namespace lathelier::io {
 namespace {
 
 constexpr std::size_t mostListRows = 100000;
+
+constexpr std::size_t mostUnknownKeys = 100;  ///< notes on unknown keys: the place of each is searched in the text
+
+/// A key without marks and case: "lengthMm" and "length_mm" are "lengthmm".
+std::string plainKey(std::string_view key)
+{
+    std::string plain;
+    for (const char c : key)
+        if (std::isalnum(static_cast<unsigned char>(c))) plain += static_cast<char>(std::tolower(c));
+    return plain;
+}
+
+/// True for a key that means `key` but for its unit or its spelling: "length", "length_in" or "lengthMm" for
+/// "length_mm".
+bool isMisnamed(std::string_view found, std::string_view key)
+{
+    constexpr std::size_t shortest = 3;
+    const auto stem = [](std::string_view name) { return name.substr(0, name.rfind('_')); };
+    if (found.size() < shortest) return false;
+    if (plainKey(found) == plainKey(key)) return true;
+    return stem(key) != key && (plainKey(stem(key)) == plainKey(found) ||
+                                (stem(found) != found && plainKey(stem(key)) == plainKey(stem(found))));
+}
 
 /// Reads one object, and those within it, into values by flat keys.
 class FieldReader {
@@ -47,8 +71,14 @@ private:
         return there && *there == Value(true);
     }
 
-    [[noreturn]] static void missing(const JsonCursor& object, const FieldInfo& info)
+    [[noreturn]] void missing(const JsonCursor& object, const FieldInfo& info) const
     {
+        for (const auto& [key, member] : unknown_) {
+            if (!isMisnamed(key, info.key)) continue;
+            const JsonPlace at = member.place();
+            throw Error(errors::keyMisnamed,
+                        {{"line", at.line}, {"column", at.column}, {"found", key}, {"key", info.key}});
+        }
         const JsonPlace here = object.place();
         throw Error(errors::keyMissing, {{"line", here.line},
                                          {"column", here.column},
@@ -75,10 +105,18 @@ private:
             } else if (former) {
                 set(values_, key, valueOf(member, *former));
             } else if (std::find(others.begin(), others.end(), key) == others.end()) {
+                unknown_.emplace_back(key, member);
+                if (unknownKeys(notes_) >= mostUnknownKeys) return;
                 const JsonPlace here = member.place();
                 notes_.push_back({notes::unknownKey, {{"key", key}, {"line", here.line}, {"column", here.column}}});
             }
         });
+    }
+
+    static std::size_t unknownKeys(const Notes& notes)
+    {
+        return static_cast<std::size_t>(std::count_if(
+            notes.begin(), notes.end(), [](const Note& note) { return note.code == lathelier::notes::unknownKey; }));
     }
 
     std::optional<FieldInfo> formerField(const std::string& key) const
@@ -151,7 +189,8 @@ private:
     const std::vector<FieldInfo>& fields_;
     Notes& notes_;
     Values values_;
-    std::vector<std::pair<std::string, JsonCursor>> stated_;  ///< members with former keys
+    std::vector<std::pair<std::string, JsonCursor>> stated_;   ///< members with former keys
+    std::vector<std::pair<std::string, JsonCursor>> unknown_;  ///< members with keys of no field
 };
 
 Json valueAsJson(const FieldInfo& info, const Value& value)

@@ -93,6 +93,7 @@ std::vector<ProbeColumn> findProbeColumns(const TableLayout& layout)
         const std::string plain = plainName(heading.name);
         const auto is = [&heading](QuantityUnit::Kind kind) { return heading.unit && heading.unit->kind == kind; };
         ProbeColumn found{ProbeColumn::Role::Signal, heading.name, heading.unit};
+        if (!heading.unit) found.unit_text = heading.unit_text.empty() ? column.unit_text : heading.unit_text;
         if (!column.is_number)
             found.role = ProbeColumn::Role::Text;
         else if (is(QuantityUnit::Kind::Time) || (isTimeName(plain) && !heading.unit))

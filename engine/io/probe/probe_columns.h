@@ -29,6 +29,7 @@ struct ProbeColumn {
     Role role = Role::Signal;          ///< role of the values
     std::string name;                  ///< as written, without the unit
     std::optional<QuantityUnit> unit;  ///< stated by the heading or a row of units; none: not stated
+    std::string unit_text = {};        ///< in the place of a unit, when it is none that is known
 };
 
 /// All columns of the layout, in their order.

@@ -61,6 +61,27 @@ double micrometresPer(const ProbeTable& table, int k)
     return unit->key == "um" ? 1 : unit->scale * 1000;
 }
 
+/// Degrees per unit of the angle. A word that is no unit is refused unless the angles run over a turn of degrees.
+double degreesPer(const ProbeTable& table, int k)
+{
+    const auto column = static_cast<std::size_t>(k);
+    const ProbeColumn& angle = table.column(column);
+    if (angle.unit) return angle.unit->scale;
+    if (angle.unit_text.empty() || table.rows.rows == 0) return 1;
+    double low = table.at(0, column), high = low;
+    for (std::size_t i = 1; i < table.rows.rows; ++i) {
+        low = std::min(low, table.at(i, column));
+        high = std::max(high, table.at(i, column));
+    }
+    constexpr double nearlyTurn_deg = 340, turn_deg = 361;
+    if (high - low >= nearlyTurn_deg && high - low <= turn_deg) return 1;
+    throw Error(errors::angleUnitUnknown,
+                {{"line", table.layout.body_line},
+                 {"column", static_cast<std::int64_t>(table.read[column]) + 1},
+                 {"found", angle.unit_text},
+                 {"expected", LT_TEXT("Engine", "deg, rad, mrad, gon, rev, arcmin or arcsec")}});
+}
+
 std::vector<Curve> findCurves(const ProbeTable& table)
 {
     using S = AveragedSection;
@@ -79,8 +100,7 @@ std::vector<Curve> findCurves(const ProbeTable& table)
     add(&S::sXp_um, "sxp", false);
     add(&S::sYp_um, "syp", false);
     const int angle = columnOf(table, Role::Angle);
-    const auto& unit = table.column(static_cast<std::size_t>(angle)).unit;
-    curves.push_back({&S::angle_deg, angle, unit ? unit->scale : 1});
+    curves.push_back({&S::angle_deg, angle, degreesPer(table, angle)});
     return curves;
 }
 

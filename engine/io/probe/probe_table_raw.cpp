@@ -53,7 +53,7 @@ InputValue startChannel(ProbeTable& table, std::size_t k, Notes& notes)
     ProbeChannel& channel = taken.channel;
     channel.name = column.name.empty() ? "channel " + std::to_string(table.read[k] + 1) : column.name;
     std::optional<QuantityUnit> unit = column.unit;
-    if (!unit && column.role == Role::Angle) unit = QuantityUnit{Kind::Angle, "deg", 1};
+    if (!unit && column.role == Role::Angle && column.unit_text.empty()) unit = QuantityUnit{Kind::Angle, "deg", 1};
     if (!unit && isDisplacement(column)) unit = displacementUnit(table);
     applyUnit(unit, channel, taken.scale);
     if (channel.unit == ProbeChannel::Unit::Unknown)

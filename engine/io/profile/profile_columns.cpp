@@ -118,10 +118,15 @@ ProfileColumnChoice pickPolar(const TableLayout& layout, std::size_t angle, std:
     ProfileColumnChoice choice = pick(Shape::Polar, {angle, value});
     choice.are_deviations = areDeviations;
     const TableColumn& column = layout.columns[angle];
-    auto unit = parseQuantityHeading(column.heading).unit;
+    const QuantityHeading heading = parseQuantityHeading(column.heading);
+    auto unit = heading.unit;
     if (!unit) unit = quantityUnit(column.unit_text);
     choice.is_angle_unit_stated = unit && unit->kind == QuantityUnit::Kind::Angle;
-    if (choice.is_angle_unit_stated) choice.degrees_per_unit = unit->scale;
+    choice.angle_name = plainName(heading.name);
+    if (choice.is_angle_unit_stated)
+        choice.degrees_per_unit = unit->scale;
+    else
+        choice.angle_unit_text = heading.unit_text.empty() ? column.unit_text : heading.unit_text;
     return choice;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/io/profile/profile_reader.h"
@@ -23,6 +24,8 @@ struct ProfileColumnChoice {
     bool are_deviations = false;            ///< true: deviations by the heading
     bool is_angle_unit_stated = false;      ///< true: the unit of the angle is stated
     double degrees_per_unit = 1;            ///< degrees per unit of the angles: 1, or 180/π for radians
+    std::string angle_name;                 ///< name of the column of angles, in lower case: "winkel"
+    std::string angle_unit_text;            ///< in the place of the angle's unit, when it is none that is known
     std::array<char, 2> axes = {'x', 'y'};  ///< Xy: names of the two axes
 };
 

@@ -8,6 +8,9 @@
 #include "engine/io/io_codes.h"
 #include "engine/io/table/column_names.h"
 #include "engine/io/text/header_lines.h"
+#include "engine/io/text/quantity.h"
+#include "engine/io/text/text_lines.h"
+#include "engine/io/text/units.h"
 
 namespace lathelier::io {
 namespace {
@@ -76,10 +79,60 @@ void projectToSectionPlane(RawProfile& raw, double mm)
     raw.choice.shape = Shape::Xy;
 }
 
+/// True for angles over one or more whole turns, with or without the step that closes the last; for many points the
+/// steps may be uneven.
+bool isWholeTurns(double span, double turn, std::size_t rows)
+{
+    constexpr std::size_t many = 40;
+    constexpr double rounding = 0.25;  // of a step
+    if (rows < 4) return false;
+    const double step = span / static_cast<double>(rows - 1);
+    const double turns = std::round((span + step / 2) / turn);
+    const double missing = (turns * turn - span) / step;
+    if (turns < 1 || missing < -rounding) return false;
+    return rows >= many ? missing < 1.5 : std::abs(missing) < rounding || std::abs(missing - 1) < rounding;
+}
+
+/// A word in the place of the unit that is none, or "grad": the degree in German, the gon in other languages. The
+/// extent of a whole turn decides. Error angleUnitUnknown for an arc.
+void resolveAngleUnitWord(RawProfile& raw)
+{
+    constexpr double degreesOfTurn = 360, gonsOfTurn = 400;
+    const double span = extentOf(raw, 0).span();
+    const std::string& found = raw.choice.angle_unit_text;
+    const bool isGrad = isOneOf(lowerCase(found), {"grad", "grade", "grads", "grd"});
+    const auto note = [&](const char* unit) {
+        raw.file.notes.push_back(
+            {notes::angleUnitFromExtent, {{"found", found}, {"unit", std::string(unit)}, {"extent", span}}});
+    };
+    if (isWholeTurns(span, degreesOfTurn, raw.rows.rows)) return note("deg");
+    if (isGrad && isWholeTurns(span, gonsOfTurn, raw.rows.rows)) {
+        raw.choice.degrees_per_unit = degreesOfTurn / gonsOfTurn;
+        return note("gon");
+    }
+    if (isGrad && raw.choice.angle_name.starts_with("winkel")) return note("deg");
+    throw Error(errors::angleUnitUnknown,
+                {{"line", raw.layout.body_line},
+                 {"column", static_cast<std::int64_t>(raw.choice.columns[0]) + 1},
+                 {"found", found},
+                 {"expected", LT_TEXT("Engine", "deg, rad, mrad, gon, rev, arcmin or arcsec")}});
+}
+
 /// Angles over a range of 2π are radians, not an arc of 6.3°.
 void resolveAngleUnit(RawProfile& raw)
 {
-    if (raw.choice.is_angle_unit_stated || raw.rows.rows < 8) return;
+    if (raw.choice.is_angle_unit_stated) return;
+    for (const char* key : {"angle_unit", "unit_angle", "angle unit", "unit of angle", "winkeleinheit"})
+        if (const std::string* word = headerWord(raw.file.header, key); word && raw.choice.angle_unit_text.empty()) {
+            const auto unit = quantityUnit(*word);
+            if (unit && unit->kind == QuantityUnit::Kind::Angle) {
+                raw.choice.degrees_per_unit = unit->scale;
+                return;
+            }
+            raw.choice.angle_unit_text = *word;
+        }
+    if (!raw.choice.angle_unit_text.empty()) return resolveAngleUnitWord(raw);
+    if (raw.rows.rows < 8) return;
     const double span = extentOf(raw, 0).span();
     const double step = turn_rad / static_cast<double>(raw.rows.rows);
     if (span < turn_rad - 1.5 * step || span > turn_rad * 1.001) return;

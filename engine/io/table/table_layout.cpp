@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "engine/io/io_codes.h"
 #include "engine/io/table/table_headings.h"
@@ -60,6 +62,61 @@ std::size_t countNumbers(const std::vector<Cell>& cells, const TableStyle& style
     }));
 }
 
+/// The first two values of a row as whole numbers.
+using GridPlace = std::pair<std::int64_t, std::int64_t>;
+
+std::optional<std::int64_t> smallInteger(Cell cell)
+{
+    constexpr std::int64_t largest = 10'000'000;
+    const auto value = wholeInteger(cell);
+    return value && *value >= -largest && *value <= largest ? value : std::nullopt;
+}
+
+/// True for places that differ and run along a grid: one index never turns back, the other counts within each of its
+/// rows, in either direction.
+bool walkGrid(const std::vector<GridPlace>& places)
+{
+    constexpr std::size_t fewest = 8;
+    if (places.size() < fewest) return false;
+    const auto isOrdered = [&places](auto outer, auto inner) {
+        std::int64_t outerWay = 0, innerWay = 0, span = 0;
+        std::size_t counted = 0;
+        const auto way = [](std::int64_t change) { return change > 0 ? 1 : -1; };
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const std::int64_t step = outer(places[i]) - outer(places[i - 1]);
+            const std::int64_t along = inner(places[i]) - inner(places[i - 1]);
+            if (step != 0) {
+                if (outerWay != 0 && way(step) != outerWay) return false;
+                outerWay = way(step);
+                innerWay = 0;
+                continue;
+            }
+            if (along == 0 || (innerWay != 0 && way(along) != innerWay)) return false;
+            innerWay = way(along);
+            span += std::abs(along);
+            ++counted;
+        }
+        // Points may be missing, but most places of a row are there.
+        return 2 * counted >= places.size() && span < 4 * static_cast<std::int64_t>(counted);
+    };
+    const auto first = [](const GridPlace& place) { return place.first; };
+    const auto second = [](const GridPlace& place) { return place.second; };
+    return isOrdered(first, second) || isOrdered(second, first);
+}
+
+/// True when the columns 4 to 6 of a row are a direction of unit length: the normal at x, y, z.
+bool holdsNormal(const std::vector<Cell>& cells, const TableStyle& style)
+{
+    if (cells.size() < 6) return false;
+    double square = 0;
+    for (std::size_t k = 3; k < 6; ++k) {
+        const CellValue value = readCell(cells[k], style);
+        if (value.kind != CellKind::Number) return false;
+        square += value.value * value.value;
+    }
+    return std::abs(square - 1) < 0.01;
+}
+
 /// Content of each column, from the sample's rows.
 std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, const StyleFound& found)
 {
@@ -69,11 +126,14 @@ std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, con
     std::vector<bool> goesUp(found.columns, true);
     std::size_t rows = 0;
     std::vector<Cell> cells;
+    std::vector<GridPlace> places;
     for (const SampleLine& line : sample) {
         splitCells(line.text, found.style, cells);
         dropEmptyEnd(cells, found.columns);
         if (cells.size() != found.columns || countNumbers(cells, found.style) * 2 < cells.size()) continue;
         ++rows;
+        if (cells.size() > 2 && !holdsNormal(cells, found.style))
+            if (const auto a = smallInteger(cells[0]), b = smallInteger(cells[1]); a && b) places.emplace_back(*a, *b);
         for (std::size_t k = 0; k < found.columns; ++k) {
             const CellValue value = readCell(cells[k], found.style);
             if (value.kind != CellKind::Text && value.kind != CellKind::Empty) ++numbers[k];
@@ -88,6 +148,7 @@ std::vector<TableColumn> studyColumns(const std::vector<SampleLine>& sample, con
         columns[k].is_number = rows > 0 && numbers[k] * 2 >= rows;
         columns[k].is_count = columns[k].is_number && goesUp[k] && !columns[k].has_decimal_marks && rows >= 3;
     }
+    if (places.size() == rows && walkGrid(places)) columns[0].is_grid_index = columns[1].is_grid_index = true;
     return columns;
 }
 

@@ -31,6 +31,7 @@ struct TableColumn {
     bool is_number = true;            ///< false: text such as a point's label
     bool is_count = false;            ///< integers increasing by one: a row number
     bool has_decimal_marks = false;   ///< true: some of its numbers have a decimal mark
+    bool is_grid_index = false;       ///< one of the first two columns, whole numbers that walk a grid row by row
 };
 
 /// Layout of a table before its rows are read.

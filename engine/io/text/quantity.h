@@ -14,13 +14,15 @@ struct QuantityUnit {
     double scale = 1;          ///< one unit in mm, degrees, seconds or volts
 };
 
-/// Parses units such as "µm", "[deg]", "ms" or "(mV)"; none for other words.
+/// Parses units such as "µm", "[deg]", "gon", "ms" or "(mV)"; none for other words, and for "grad", which is the degree
+/// in some languages and the gon in others.
 std::optional<QuantityUnit> quantityUnit(std::string_view word);
 
 /// A parsed heading: "marker_V", "X3 (um)", "phi [rad]", "t_ms".
 struct QuantityHeading {
     std::string name;                  ///< as written, without the unit: "X3"
-    std::optional<QuantityUnit> unit;  ///< none: the heading states none
+    std::optional<QuantityUnit> unit;  ///< none: the heading states none that is known
+    std::string unit_text;             ///< in the place of the unit, as written: "um", "ticks"; empty: nothing
 };
 QuantityHeading parseQuantityHeading(std::string_view cell);
 

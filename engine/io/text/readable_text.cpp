@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/io/io_codes.h"
+#include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
 #include "engine/io/text/units.h"
 
@@ -15,6 +16,9 @@ struct Magic {
     std::string_view start;
     Text what;
 };
+
+constexpr Text surfaceFile = LT_TEXT("Engine", "a surface height map (SDF, BCR)");
+constexpr Text ptxScan = LT_TEXT("Engine", "a PTX scan");
 
 /// Kinds of foreign files that must not be read as a cloud.
 const Magic foreign[] = {
@@ -43,7 +47,72 @@ const Magic foreign[] = {
      "ELF",
      LT_TEXT("Engine", "a program")},
     {"SQLite format", LT_TEXT("Engine", "a database")},
+    {"TDSm", LT_TEXT("Engine", "a TDMS measurement of LabVIEW")},
+    {"TDSh", LT_TEXT("Engine", "a TDMS measurement of LabVIEW")},
+    {"\x93NUMPY", LT_TEXT("Engine", "a NumPy array (NPY)")},
+    {"\x89HDF\r\n\x1A\n", LT_TEXT("Engine", "an HDF5 file")},
+    {"CDF\x01", LT_TEXT("Engine", "a NetCDF file")},
+    {"CDF\x02", LT_TEXT("Engine", "a NetCDF file")},
+    {"MDF     ", LT_TEXT("Engine", "an MDF measurement")},
+    {"fLaC", LT_TEXT("Engine", "a FLAC recording")},
+    {"OggS", LT_TEXT("Engine", "an Ogg recording")},
+    {"aBCR-1", surfaceFile},
+    {"bBCR-1", surfaceFile},
+    {"aISO-1", surfaceFile},
+    {"bISO-1", surfaceFile},
+    {"aNIST-1", surfaceFile},
+    {"bNIST-1", surfaceFile},
+    {"DIGITAL SURF", LT_TEXT("Engine", "a surface of Digital Surf (SUR)")},
+    {"DSCOMPRESSED", LT_TEXT("Engine", "a surface of Digital Surf (SUR)")},
+    {"GWYP", LT_TEXT("Engine", "a Gwyddion surface")},
+    {"\xD0\xCF\x11\xE0", LT_TEXT("Engine", "an Office document")},
+    {"glTF", LT_TEXT("Engine", "a glTF mesh")},
 };
+
+/// "RIFF", "RF64" or "RIFX", the size, and "WAVE".
+bool looksLikeWav(std::string_view bytes)
+{
+    if (bytes.size() < 12 || bytes.substr(8, 4) != "WAVE") return false;
+    return bytes.starts_with("RIFF") || bytes.starts_with("RIFX") || bytes.starts_with("RF64");
+}
+
+/// The header of LabVIEW's LVM, which may follow blank lines and stand in quotes, or its end mark.
+bool looksLikeLabView(std::string_view text)
+{
+    constexpr std::size_t searchedLines = 100;
+    Lines lines(text.substr(0, textHeadBytes));
+    bool isFirst = true;
+    for (std::size_t i = 0; i < searchedLines && lines.next(); ++i) {
+        std::string_view line = trimmed(lines.line());
+        if (line.starts_with('"')) line.remove_prefix(1);
+        if (line.empty()) continue;
+        if (isFirst && lowerCase(line.substr(0, 19)) == "labview measurement") return true;
+        if (lowerCase(line.substr(0, 17)) == "***end_of_header*") return true;
+        isFirst = false;
+    }
+    return false;
+}
+
+/// True when the first lines hold whole numbers, then numbers, as many as stated.
+bool haveNumbers(Lines& lines, std::initializer_list<std::size_t> counts, bool whole)
+{
+    std::vector<std::string_view> words;
+    for (const std::size_t count : counts) {
+        if (!lines.next()) return false;
+        splitWords(lines.line(), words);
+        if (words.size() != count) return false;
+        for (const std::string_view word : words)
+            if (whole ? !wholeInteger(word).has_value() : !wholeNumber(word, '.').has_value()) return false;
+    }
+    return true;
+}
+
+/// Leica's PTX: columns and rows of the grid, the place and three axes of the scanner, a matrix of 4 × 4.
+bool looksLikePtx(std::string_view text)
+{
+    Lines lines(text.substr(0, 4096));
+    return haveNumbers(lines, {1, 1}, true) && haveNumbers(lines, {3, 3, 3, 3, 4, 4, 4, 4}, false);
+}
 
 /// Meaning of a file extension.
 struct Extension {
@@ -66,6 +135,7 @@ const Extension foreignExtensions[] = {
     {".coff", offMesh},
     {".noff", offMesh},
     {".e57", LT_TEXT("Engine", "an E57 scan")},
+    {".ptx", ptxScan},
     {".las", LT_TEXT("Engine", "a LAS scan")},
     {".laz", LT_TEXT("Engine", "a LAS scan")},
     {".step", LT_TEXT("Engine", "a STEP file")},
@@ -184,7 +254,10 @@ void refuseForeign(std::string_view bytes, Text expected)
 {
     for (const Magic& magic : foreign)
         if (bytes.starts_with(magic.start)) throwUnknownFormat(magic.what, expected);
+    if (looksLikeWav(bytes)) throwUnknownFormat(LT_TEXT("Engine", "a WAV recording"), expected);
     if (looksLikeOff(bytes)) throwUnknownFormat(offMesh, expected);
+    if (looksLikeLabView(bytes)) throwUnknownFormat(LT_TEXT("Engine", "a LabVIEW measurement (LVM)"), expected);
+    if (looksLikePtx(bytes)) throwUnknownFormat(ptxScan, expected);
 }
 
 void refuseForeignName(std::string_view name, bool isTable, Text expected)

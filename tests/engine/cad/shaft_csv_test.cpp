@@ -112,5 +112,19 @@ TEST(ShaftCsv, Refusals)
     EXPECT_TRUE(contains(notes, notes::unknownKey));
 }
 
+TEST(ShaftCsv, NoCellIsAFormula)
+{
+    for (const char* role : {"=cmd|'/C calc'!A0", "@SUM(A1)", "+1", "-1"}) {
+        Shaft shaft = tableOne();
+        shaft.segments[0].role = role;
+        const std::string text = shaftCsv(shaft);
+        EXPECT_NE(text.find(std::string(",'") + role), std::string::npos) << text;
+        EXPECT_EQ(read(text).segments[0].role, role);
+    }
+    Shaft shaft = tableOne();
+    shaft.segments[0].role = "a\u202Eb";
+    EXPECT_NE(shaftCsv(shaft).find("a<U+202E>b"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lathelier::cad

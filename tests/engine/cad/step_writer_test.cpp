@@ -63,6 +63,9 @@ TEST(StepWriter, NamesAreWrittenAsPart21SaysIt)
     EXPECT_EQ(stepString("Wałek ⌀"), "Wa\\X2\\0142\\X0\\ek \\X2\\2300\\X0\\");
     EXPECT_EQ(stepString("\xF0\x9F\x94\xA9"), "\\X4\\0001F529\\X0\\");
     EXPECT_EQ(stepString("\xFF"), "?");
+    // Quotes before a comma or bracket end a text for some readers, doubled or not.
+    EXPECT_EQ(stepString("'); FILE_NAME('x"), "\\X2\\0027\\X0\\); FILE_NAME(''x");
+    EXPECT_EQ(stepString("shaft'"), "shaft\\X2\\0027\\X0\\");
     Shaft shaft = tableOne();
     shaft.material = Material{};
     shaft.material->name = "11SMn30";

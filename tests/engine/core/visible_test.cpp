@@ -48,4 +48,12 @@ TEST(Visible, IsAppliedToNamesInMessages)
 }
 
 }  // namespace
+TEST(Visible, CodePointsThatAreNoCharactersAreShown)
+{
+    EXPECT_EQ(visible("a\uFFFFb"), "a<U+FFFF>b");
+    EXPECT_EQ(visible("\uFDD0"), "<U+FDD0>");
+    EXPECT_EQ(visible("\U0001FFFE"), "<U+1FFFE>");
+    EXPECT_EQ(visible("\uFFFD"), "\uFFFD");
+}
+
 }  // namespace lathelier

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/random.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/recognition.h"
 #include "engine/features/recognized_rows.h"
@@ -186,6 +187,21 @@ TEST(Scene, AMillionPointsGiveTheSameTwice)
     const Scene first = findScene(scan.points_mm, SceneUse::Auto);
     const Scene again = findScene(scan.points_mm, SceneUse::Auto);
     EXPECT_EQ(first.kept, again.kept);
+}
+
+TEST(Scene, FlyingPointsAreCutBeforeAPartIsRefused)
+{
+    sample::ScannerModel scanner;
+    scanner.seed = 4;
+    Scan scan = scanShaft(sample::nominalShaft(), scanner);
+    const std::size_t flying = scan.points_mm.size() / 100;
+    for (std::size_t i = 0; i < flying; ++i)
+        scan.points_mm.emplace_back(500 * randomUniform(9, 0, i) - 250, 500 * randomUniform(9, 1, i) - 250,
+                                    500 * randomUniform(9, 2, i) - 250);
+    scan.normals.clear();
+    const Recognition found = recognize(scan, with(SceneUse::Auto));
+    expectTableOne(found);
+    EXPECT_EQ(found.parameters.scene, SceneUse::Auto);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "engine/core/random.h"
 #include "engine/form/circle/circles.h"
+#include "engine/form/form_codes.h"
 #include "tests/engine/core/code_of_error.h"
 
 namespace lathelier::form {
@@ -187,6 +188,35 @@ TEST(Cylindricity, JudgesWithAndWithoutUncertainty)
     EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Pass);
     parameters.tolerance_um = 5.8;
     EXPECT_EQ(cylindricity(points, parameters).verdict, Verdict::Fail);
+}
+
+TEST(Cylindricity, NoiseIsEstimatedWhereItIsNotStated)
+{
+    const auto barrel = [](double t, double u) { return .004 * std::cos(3 * t + 1) - .003 * u * u; };
+    std::vector<Vector3d> points = cylinder(1500, 20, 60, barrel);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[i] += .001 * randomNormal(5, 0, i) * Vector3d(points[i].x() / 20, points[i].y() / 20, 0);
+    CylindricityParameters parameters;
+    const CylindricityResult silent = cylindricity(points);
+    EXPECT_NEAR(silent.point_noise_um, 1, .1);
+    EXPECT_GT(silent.CYLt_expanded_uncertainty_um, 2);
+    EXPECT_FALSE(contains(silent.notes, notes::noiseEstimated));
+    parameters.tolerance_um = silent.MZCY.CYLt_um - .5;
+    CylindricityResult judged = cylindricity(points, parameters);
+    EXPECT_EQ(judged.verdict, Verdict::Fail);
+    EXPECT_TRUE(contains(judged.notes, notes::noiseEstimated));
+    EXPECT_TRUE(contains(judged.notes, notes::failWithinUncertainty));
+    parameters.decision = DecisionRule::GuardedRejection;
+    judge(judged, parameters);
+    EXPECT_EQ(judged.verdict, Verdict::Undecided);
+    EXPECT_FALSE(contains(judged.notes, notes::failWithinUncertainty));
+    // Few points do not tell noise and form apart: no uncertainty, and a note with the verdict.
+    parameters.decision = DecisionRule::Simple;
+    points.resize(200);
+    const CylindricityResult few = cylindricity(points, parameters);
+    EXPECT_TRUE(std::isnan(few.CYLt_expanded_uncertainty_um));
+    EXPECT_TRUE(contains(few.notes, notes::noiseNotKnown));
+    EXPECT_TRUE(std::isnan(cylindricity(points, {}, {}, NoiseEstimate::LeftOut).point_noise_um));
 }
 
 TEST(Cylindricity, TheStatedUncertaintyHoldsTheTruth)

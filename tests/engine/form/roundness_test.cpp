@@ -336,5 +336,17 @@ TEST(Roundness, RefusesWhatHasNoAnswer)
     EXPECT_THROW(roundness(lobedProfile(evenAngles(100), {}), {}, Progress(stop.get_token(), {})), Cancelled);
 }
 
+TEST(Roundness, FourPointsHaveOneAnswerWithAndWithoutTheTableOfMethods)
+{
+    Profile profile;
+    profile.points_mm = {{0, 0}, {.5, .01}, {1, 0}, {.5, -.02}};
+    for (const MethodTable table : {MethodTable::Made, MethodTable::LeftOut}) {
+        const RoundnessResult result = roundness(profile, {}, {}, table);
+        EXPECT_NEAR(result.circles.MCCI.centre_mm.x(), .5, 1e-9);
+        EXPECT_NEAR(result.circles.MCCI.centre_mm.y(), 0, 1e-9);
+        EXPECT_NEAR(result.circles.MCCI.radius_mm, .5, 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace lathelier::form

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/core/error.h"
+#include "engine/io/frf/frf_codes.h"
 
 namespace lathelier::io {
 namespace {
@@ -40,6 +41,26 @@ TEST(FrfChoice, SaysWhatThereIs)
         }
     }
     EXPECT_THROW(chosenResponse({}, ""), Error);
+}
+
+TEST(FrfChoice, ADrivingPointIsPreferred)
+{
+    std::vector<MeasuredFrf> all(3);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        all[k].response_node = static_cast<int>(k == 0 ? 2 : k);
+        all[k].reference_node = 1;
+        all[k].response_direction = all[k].reference_direction = 3;
+    }
+    EXPECT_EQ(&preferredResponse(all), &all[1]);
+    const Notes notes = notesOfChoice(all, all[1], "f.uff");
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].code, notes::severalResponses);
+    EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "used")), "1z/1z");
+    EXPECT_EQ(std::get<std::string>(*find(notes[0].values, "others")), "2z/1z, 2z/1z");
+    all[1].response_node = 5;
+    EXPECT_EQ(&preferredResponse(all), &all[0]);
+    EXPECT_TRUE(contains(notesOfChoice(all, all[0], "f.uff"), notes::noDrivingPoint));
+    EXPECT_TRUE(notesOfChoice({all.data(), 1}, all[0], "f.uff").empty());
 }
 
 }  // namespace lathelier::io

@@ -268,6 +268,12 @@ TEST(UffFrf, unitsBecomeMillimetresPerNewton)
                           {12, "(m/s^2)/N", "NONE", FrfQuantity::Accelerance, 1000},
                           {12, "1/kg", "", FrfQuantity::Accelerance, 1000},
                           {12, "in/s**2", "lbf", FrfQuantity::Accelerance, 25.4 / 4.4482216152605},
+                          {12, "g's", "Newtons", FrfQuantity::Accelerance, 9806.65},
+                          {12, "m s-2", "daN", FrfQuantity::Accelerance, 100},
+                          {12, "m/s^2", "mN", FrfQuantity::Accelerance, 1e6},
+                          {12, "m/s^2", "kgf", FrfQuantity::Accelerance, 1000 / 9.80665},
+                          {12, "m/s^2", "pdl", FrfQuantity::Accelerance, 1000 / 0.138254954376},
+                          {12, "meters/second^2", "pounds", FrfQuantity::Accelerance, 1000 / 4.4482216152605},
                           {0, "m/N", "NONE", FrfQuantity::Receptance, 1000}};
     for (const Case& one : cases) {
         UffText set = twoPoints();
@@ -279,6 +285,34 @@ TEST(UffFrf, unitsBecomeMillimetresPerNewton)
         EXPECT_NEAR(file.frfs.at(0).frf.value[1].real() / (3 * one.scale), 1, 1e-12) << one.unit;
         EXPECT_FALSE(has(file.notes, notes::frfLabelContradictsUnit)) << one.unit;
     }
+}
+
+TEST(UffFrf, unknownUnitsAreNamedWithTheirLine)
+{
+    UffText set = twoPoints();
+    set.per = "MN";
+    const Error force = uffRefusal(uffSet(set, twoValues));
+    EXPECT_EQ(force.code(), errors::frfUnitUnknown);
+    EXPECT_EQ(integerOf(force, "line"), 12);
+    EXPECT_EQ(wordOf(force, "found"), "MN");
+    set.per = "N";
+    set.unit = "furlong";
+    EXPECT_EQ(integerOf(uffRefusal(uffSet(set, twoValues)), "line"), 11);
+}
+
+TEST(Uff, textOutsideTheSetsIsPassedOver)
+{
+    const std::string set = uffSet(twoPoints(), twoValues);
+    const io::FrfFile file =
+        readUffFrf("Workpiece A\n" + set + "File written 19 May 2024 09:58:46\n\n" + set + "the end\n");
+    EXPECT_EQ(file.frfs.size(), 2U);
+    ASSERT_TRUE(has(file.notes, notes::uffTextOutside));
+    EXPECT_TRUE(io::isUff("Workpiece A\n" + set));
+    EXPECT_FALSE(io::isUff("N10 G0 X1\n-1\n58\n"));
+    // Numbers and heads of sets outside: a separator is missing.
+    EXPECT_EQ(uffRefusal(set + twoValues + set).code(), errors::malformed);
+    EXPECT_EQ(uffRefusal(set + "    58\n" + set).code(), errors::malformed);
+    EXPECT_EQ(integerOf(uffRefusal("nothing but text\nand more\n"), "line"), 1);
 }
 
 TEST(UffFrf, unitRulesOverLabel)

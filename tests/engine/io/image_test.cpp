@@ -3,6 +3,7 @@
 #include "engine/io/image/image.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include "engine/core/random.h"
 #include "engine/io/image/image_canvas.h"
@@ -206,6 +207,25 @@ TEST(Image, KindAndFacts)
     EXPECT_EQ(*find(facts.details, "width"), Value(std::int64_t{160}));
     EXPECT_EQ(*find(facts.details, "height"), Value(std::int64_t{140}));
     EXPECT_EQ(*find(facts.details, "bits"), Value(std::int64_t{16}));
+}
+
+TEST(Image, ThePixelSizeThatAFileStatesIsShown)
+{
+    std::string png = pngFile({});
+    const auto number = [](std::uint32_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xFF);
+        return bytes;
+    };
+    const std::string body = "pHYs" + number(400000) + number(400000) + '\x01';  // 400 000 px/m: 2.5 um
+    const auto checksum = static_cast<std::uint32_t>(
+        crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())));
+    png.insert(33, number(9) + body + number(checksum));  // behind the header chunk
+    const Image image = readImage("a.png", png);
+    EXPECT_DOUBLE_EQ(image.um_per_px, 2.5);
+    EXPECT_TRUE(contains(image.notes, notes::imageScaleStated));
+    EXPECT_EQ(*find(imageFacts("a.png", image).details, "um_per_px"), Value(2.5));
+    EXPECT_EQ(readImage("a.png", pngFile({})).um_per_px, 0);
 }
 
 }  // namespace

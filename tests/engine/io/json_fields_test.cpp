@@ -92,6 +92,29 @@ TEST(JsonFields, SaysWhichKeyIsMissingWhere)
     EXPECT_EQ(*find(error.values(), "line"), Value(std::int64_t{6}));
 }
 
+TEST(JsonFields, NamesTheKeyFoundInPlaceOfTheOneExpected)
+{
+    for (const char* found : {"length", "length_in", "lengthMm", "Length_mm"}) {
+        const Error error = problemOf(shaftText, "\"length_mm\": 10", "\"" + std::string(found) + "\": 10");
+        EXPECT_EQ(error.code(), errors::keyMisnamed) << found;
+        EXPECT_EQ(*find(error.values(), "found"), Value(std::string(found)));
+        EXPECT_EQ(*find(error.values(), "key"), Value("length_mm"));
+        EXPECT_EQ(*find(error.values(), "line"), Value(std::int64_t{6}));
+    }
+    EXPECT_EQ(problemOf(shaftText, "\"length_mm\": 10", "\"width_mm\": 10").code(), errors::keyMissing);
+}
+
+TEST(JsonFields, UnknownKeysOfManyRowsAreNotedUpToAHundred)
+{
+    std::string text = "{\"segments\": [";
+    for (int i = 0; i < 2000; ++i)
+        text += std::string(i > 0 ? "," : "") +
+                "{\"length_mm\": 1, \"start_diameter_mm\": 9, \"end_diameter_mm\": 9, \"x\": 1}";
+    Notes notes;
+    readShaft(text + "]}", notes);
+    EXPECT_EQ(notes.size(), 100U);
+}
+
 TEST(JsonFields, SaysWhichValueIsOutOfRangeWhere)
 {
     const Error error = problemOf(shaftText, "\"start_diameter_mm\": 37", "\"start_diameter_mm\": -37");

@@ -2,6 +2,8 @@
 // or refused.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/io/io_codes.h"
 #include "engine/io/profile/profile_reader.h"
 #include "tests/engine/io/reading.h"
@@ -146,6 +148,112 @@ TEST(WrongKind, aMeshIsReadAsOneByItsNameOrItsContent)
     EXPECT_EQ(profileError("a.obj", "1.5,2.5\n2.5,3.5\n3.5,1.5\n4.5,3.5\n"), "format_unknown");
     for (const char* off : {"OFF\n", "COFF\n", "NOFF BINARY\n", "STCN4OFF\n", "# remark\n\nOFF\n", "OFF # remark\r\n"})
         EXPECT_EQ(wordOf(errorOf(std::string(off) + "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "found"), "an OFF mesh");
+}
+
+/// What the refusal of a file says that it found.
+std::string foundKind(const std::string& content)
+{
+    const Error error = errorOf(content);
+    EXPECT_EQ(error.code(), errors::formatUnknown) << content.substr(0, 40);
+    return wordOf(error, "found");
+}
+
+TEST(WrongKind, recordersAndGridsAreNamed)
+{
+    using namespace std::string_literals;
+    const std::string binary = std::string(200, '\x01') + std::string(8, '\0');
+    const std::string labview =
+        "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\n***End_of_Header***\t\n" + rows3;
+    EXPECT_EQ(foundKind(labview), "a LabVIEW measurement (LVM)");
+    EXPECT_EQ(foundKind("\xEF\xBB\xBF\n" + labview), "a LabVIEW measurement (LVM)");
+    EXPECT_EQ(foundKind("\"LabVIEW Measurement\"\n" + std::string(rows3)), "a LabVIEW measurement (LVM)");
+    EXPECT_EQ(profileError("hammer.lvm", labview), "format_unknown");
+    EXPECT_EQ(foundKind("TDSm" + binary), "a TDMS measurement of LabVIEW");
+    EXPECT_EQ(foundKind("RIFF\x24\x08\0\0WAVEfmt "s + binary), "a WAV recording");
+    EXPECT_EQ(foundKind("\x93NUMPY" + binary), "a NumPy array (NPY)");
+    EXPECT_EQ(foundKind("\x89HDF\r\n\x1A\n" + binary), "an HDF5 file");
+    EXPECT_EQ(foundKind("aBCR-1.0\nManufacID = x\n" + std::string(rows3)), "a surface height map (SDF, BCR)");
+    const std::string ptx =
+        "2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n"
+        "1.5 2.5 3.5 0.5\n1.5 2.5 3.25 0.5\n1.5 2.25 3.5 0.5\n1.25 2.5 3.5 0.5\n";
+    EXPECT_EQ(foundKind(ptx), "a PTX scan");
+    // A count of points and points are no PTX.
+    EXPECT_EQ(readText("4\n1.5 2.5 3.5\n2.5 3.5 1.5\n3.5 1.5 2.5\n4.5 3.5 2.5\n").scan.points_mm.size(), 4U);
+}
+
+/// Radius read at the second point of three lobes over one turn of `turn` in the unit of `heading`.
+io::ProfileFile lobesIn(const std::string& heading, double turn, int count = 72)
+{
+    std::string content = heading + ",radius [mm]\n";
+    for (int i = 0; i < count; ++i) {
+        const double share = static_cast<double>(i) / count;
+        content += std::to_string(turn * share) + "," +
+                   std::to_string(25 + 0.003 * std::cos(18.849555921538759 * share)) + "\n";
+    }
+    return io::readProfile("test", content, io::ImportOptions{}, io::ProfileOptions{});
+}
+
+TEST(WrongKind, unitsOfAnglesAreConvertedOrNamed)
+{
+    const double pi = 3.14159265358979;
+    for (const auto& [heading, turn] :
+         std::initializer_list<std::pair<const char*, double>>{{"Winkel [gon]", 400},
+                                                               {"angle_gon", 400},
+                                                               {"angle [rev]", 1},
+                                                               {"angle (turns)", 1},
+                                                               {"phi [mrad]", 2000 * pi},
+                                                               {"angle [rad]", 2 * pi},
+                                                               {"angle [arcmin]", 21600},
+                                                               {"angle [arcsec]", 1296000},
+                                                               {"angle [deg]", 360},
+                                                               {"angle", 360},
+                                                               {"Winkel [Grad]", 360},
+                                                               {"angle [grad]", 400},
+                                                               {"angle [grad]", 360},
+                                                               {"angle [ticks]", 360}}) {
+        const io::ProfileFile file = lobesIn(heading, turn);
+        ASSERT_EQ(file.profile.points_mm.size(), 72U) << heading;
+        EXPECT_NEAR(std::atan2(file.profile.points_mm[18].y(), file.profile.points_mm[18].x()), pi / 2, 1e-4)
+            << heading << " " << turn;
+    }
+    EXPECT_TRUE(contains(lobesIn("angle [ticks]", 360).notes, notes::angleUnitFromExtent));
+    EXPECT_FALSE(contains(lobesIn("angle [gon]", 400).notes, notes::angleUnitFromExtent));
+    for (const auto& [heading, turn] : std::initializer_list<std::pair<const char*, double>>{
+             {"angle [ticks]", 4096}, {"angle [grad]", 200}, {"angle [foo]", 1}}) {
+        try {
+            lobesIn(heading, turn);
+            ADD_FAILURE() << heading;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), errors::angleUnitUnknown) << heading;
+            EXPECT_EQ(integerOf(error, "column"), 1);
+        }
+    }
+}
+
+TEST(WrongKind, rowAndColumnNumbersOfAScannerAreNoCoordinates)
+{
+    std::string rowMajor, columnMajor, serpentine, heights, normals;
+    for (int i = 0; i < 12; ++i)
+        for (int j = 0; j < 9; ++j) {
+            const std::string xyz = std::to_string(10 + 0.25 * j) + " " + std::to_string(5 - 0.5 * i) + " " +
+                                    std::to_string(1.5 + 0.125 * i * j) + "\n";
+            const std::string a = std::to_string(i), b = std::to_string(j);
+            rowMajor += a + " " + b + " " + xyz;
+            columnMajor += b + " " + a + " " + xyz;
+            serpentine += a + " " + std::to_string(i % 2 ? 8 - j : j) + " " + xyz;
+            heights += a + " " + b + " " + std::to_string(1.5 + 0.125 * i * j) + "\n";
+            normals += a + " " + b + " " + std::to_string(1.5) + " 0.6 0.0 0.8\n";
+        }
+    for (const std::string& content : {rowMajor, columnMajor, serpentine}) {
+        const io::ScanFile file = readText(content);
+        ASSERT_EQ(file.scan.points_mm.size(), 108U);
+        EXPECT_DOUBLE_EQ(file.scan.points_mm[1].x(), 10.25);
+        EXPECT_TRUE(contains(file.notes, notes::columnsGuessed));
+    }
+    EXPECT_DOUBLE_EQ(readText(heights).scan.points_mm[1].y(), 1);
+    const io::ScanFile withNormals = readText(normals);
+    EXPECT_DOUBLE_EQ(withNormals.scan.points_mm[1].y(), 1);
+    EXPECT_TRUE(withNormals.scan.hasNormals());
 }
 
 TEST(WrongKind, theEndOfTheDataIsTheEndOfTheFile)

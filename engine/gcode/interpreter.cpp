@@ -275,6 +275,9 @@ void Interpreter::takeM(BlockWords& words)
             case M::CallProgram: callProgram(words, false); break;
             case M::CallBlock: callBlock(words); break;
             case M::Return: returnOrRepeat(words); break;
+            case M::NotModelled:
+                if (words.has('P')) modal_.at = {};
+                break;
             default: break;
         }
     }

@@ -33,8 +33,12 @@ void classifyNumber(Program& program, const Block& block, Word& word)
         if (meaning == G::Unknown) mark(program, block, word, notes::ncWordUnknown);
         if (meaning == G::NotModelled) mark(program, block, word, notes::ncWordNotModelled);
     } else if (word.letter == 'M') {
-        if (word.value < 0 || word.value > 9999 || meaningOfM(control, static_cast<int>(word.value)) == M::Unknown)
-            mark(program, block, word, notes::ncWordUnknown);
+        const M meaning =
+            word.value < 0 || word.value > 9999 ? M::Unknown : meaningOfM(control, static_cast<int>(word.value));
+        if (meaning == M::Unknown) mark(program, block, word, notes::ncWordUnknown);
+        if (meaning == M::NotModelled)
+            mark(program, block, word,
+                 program.wordOf(block, 'P') ? notes::ncBlockNotModelled : notes::ncWordNotModelled);
     } else {
         const Letter use = meaningOfLetter(control, word.letter);
         if (use == Letter::Unknown) mark(program, block, word, notes::ncWordUnknown);

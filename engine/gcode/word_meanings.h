@@ -77,6 +77,7 @@ enum class M : std::uint8_t {
     CallProgram,  ///< P: its number; L: repeats
     CallBlock,    ///< P: the number of a block of the same program; L: repeats
     Return,       ///< from a called program, to the block P; in the main program: starts again
+    NotModelled,  ///< known; with P it calls what is not followed
 };
 
 /// Use of a letter.

@@ -74,6 +74,7 @@ Control fanuc()
     addWords(control.m, M::End, {2, 30});
     addWords(control.m, M::CallProgram, {98});
     addWords(control.m, M::Return, {99});
+    addWords(control.m, M::NotModelled, {97});  // some builders' call of a subprogram in the same program
     addWords(control.m, M::NoEffect, 0, 299);  // most are assigned by the machine builder
     addWords(control.letters, Letter::Always, "NOFSTLXZUW");
     addWords(control.letters, Letter::InBlock, "IKRPQDEAcr");

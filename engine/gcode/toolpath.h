@@ -32,7 +32,8 @@ struct ToolpathParameters {
     int tip = 3;                                            ///< of every tool, with nose_radius_mm
     IntegerWords integer_words = IntegerWords::Millimetre;  ///< meaning of X50 for Fanuc and Haas: 50 mm or 50 µm
     std::int64_t most_blocks_run = mostBlocksRun;           ///< in addition to one run per block; not a user parameter
-    ControlPtr control;  ///< read with this one, which may be in no list, instead; not a user parameter
+    std::string file_name;  ///< of the program: one of what tells its control; not a user parameter
+    ControlPtr control;     ///< read with this one, which may be in no list, instead; not a user parameter
 };
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*);

@@ -46,11 +46,6 @@ inline constexpr ErrorCode toolTooShort{
 
 namespace notes {
 
-inline constexpr NoteCode systemBRead{
-    "system_b_read", Severity::Info,
-    LT_TEXT("Engine",
-            "The program is in Fanuc's G code system B; it was read with its codes replaced by those of system A.")};
-
 // The job.
 
 inline constexpr NoteCode speedNotLimited{"speed_not_limited", Severity::Info,

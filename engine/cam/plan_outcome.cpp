@@ -75,20 +75,17 @@ CheckParameters checkParametersOf(const Clamping& clamping, std::size_t count, c
 CheckResult checkProgram(const Shaft& part, const Job& job, const GivenProgram& program, const GivenProgram* before,
                          CheckParameters parameters, const Post& post, const Progress& progress)
 {
-    const auto readable = [&](const GivenProgram& given) {
-        return gcode::readableText(given.text, given.is_of_post ? post.control : nullptr);
-    };
+    const auto controlOf = [&](const GivenProgram& given) { return given.is_of_post ? post.control : nullptr; };
     CheckInputs inputs;
     inputs.correction = program.correction;
     if (before) {
-        gcode::ReadableText first = readable(*before);
-        inputs.before = std::move(first.text);
-        inputs.before_control = std::move(first.control);
+        inputs.before = before->text;
+        inputs.before_control = controlOf(*before);
     }
-    gcode::ReadableText read = readable(program);
-    parameters.program.control = read.control;
-    parameters.program.dialect = read.control ? read.control->key : gcode::automaticControl;
-    return checkTurning(std::move(read.text), part, job, parameters, inputs, progress);
+    const gcode::ControlPtr control = controlOf(program);
+    parameters.program.control = control;
+    parameters.program.dialect = control ? control->key : gcode::automaticControl;
+    return checkTurning(program.text, part, job, parameters, inputs, progress);
 }
 
 int unknownToolOf(const CheckResult& check)

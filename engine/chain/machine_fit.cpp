@@ -84,7 +84,8 @@ std::optional<MachineFit> fitMachine(const std::string& folder, const Dossier& d
     io::InputFiles inputs;
     deflection::SetupFile setup = deflection::loadSetup({path, inputs.open(path, progress), {}, inputs, progress});
     if (!setup.stock) return std::nullopt;
-    gcode::Program program = gcode::readProgram(std::string(inputs.open(program_path, progress)));
+    gcode::Program program =
+        gcode::readProgram(std::string(inputs.open(program_path, progress)), nullptr, {}, program_path);
     gcode::Toolpath moves = findToolpath(program);
     const deflection::TurningJob job =
         deflection::turningJob(std::move(program), std::move(moves), std::move(*setup.stock), setup.setup);

@@ -67,6 +67,7 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
                                        .value_or(gcode::ToolTable{});
     const std::optional<stock::CheckedStock> stock =
         takeCheckedStock(state, stores, reading.part(0.5, 1), taken, sources, outcome);
+    outcome.question.reading.file_name = taken.name;
     try {
         outcome.check = std::make_shared<const stock::ProgramCheck>(
             stock::checkProgram(std::move(taken.text), outcome.question.reading, stock, tools, progress.part(0.2, 1)));

@@ -39,6 +39,25 @@ bool startsWith(std::string_view text, std::string_view word)
     return true;
 }
 
+/// Is the text words of a block, letters with numbers, and nothing else?
+bool isBlockText(std::string_view text)
+{
+    std::size_t at = 0;
+    const auto skip = [&](std::string_view of) {
+        const std::size_t from = at;
+        while (at < text.size() && of.find(text[at]) != std::string_view::npos) ++at;
+        return at > from;
+    };
+    bool hasWords = false;
+    for (skip(" \t;"); at < text.size() && text[at] != '('; skip(" \t;")) {
+        if (!isAlpha(text[at++])) return false;
+        skip("+-");
+        if (!skip("0123456789.")) return false;
+        hasWords = true;
+    }
+    return hasWords;
+}
+
 }  // namespace
 
 BlockScanner::BlockScanner(Program& program)
@@ -99,6 +118,10 @@ void BlockScanner::scanComment()
 {
     const std::size_t from = at_;
     if (text_[at_] == ';') {
+        const std::string_view behind = std::string_view(text_).substr(from + 1, end_ - from - 1);
+        if (grammar_.is_iso_code && program_.words.size() > block_->first_word && isBlockText(behind))
+            report(program_, program_.diagnostics, *block_, static_cast<std::uint32_t>(from), notes::ncBlockNotModelled,
+                   {{"found", shown(program_, behind)}});
         add(from, end_, WordKind::Comment);
         return;
     }
@@ -116,6 +139,9 @@ void BlockScanner::scanWord()
     const char c = text_[from];
     if (c == ';' || (c == '(' && grammar_.has_bracket_comments)) {
         scanComment();
+    } else if (c == ':' && grammar_.is_iso_code && block_->first_word == program_.words.size() && from + 1 < end_ &&
+               isDigit(text_[from + 1])) {
+        scanAddress('O', from + 1);
     } else if (c == '#') {
         scanVariable();
     } else if (isAlpha(c)) {

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -35,6 +34,7 @@ enum class FlowStyle : std::uint8_t {
 struct Grammar {
     bool has_bracket_comments = true;     ///< (…)
     bool has_comma_words = false;         ///< ",C2." and ",R1.": chamfer and rounding at the end of a line
+    bool is_iso_code = false;             ///< ":100" is O100; ";" ends a block: another one behind it is noted
     bool has_names = false;               ///< words of several letters, labels "A:", and values behind "="
     bool has_number_sign = true;          ///< variables #1 and computed values in […]
     bool has_open_functions = false;      ///< XSIN[30]: a function stands behind a letter without a bracket around it
@@ -89,9 +89,6 @@ struct Control {
     Text label;                           ///< shown name
     std::vector<std::string> extensions;  ///< of the files of its programs, the first one for new files: ".nc"
     bool is_read = true;                  ///< false: known by its evidence only, to be refused by name
-    /// Not read itself, but `rewritten` makes of its text one for the control with this key; empty: none.
-    std::string read_as;
-    std::function<std::string(const std::string&)> rewritten;
     Evidence evidence;
     Grammar grammar;
     Arithmetic arithmetic;

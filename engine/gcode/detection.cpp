@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <optional>
 
 #include "engine/gcode/controls/controls.h"
@@ -16,23 +17,34 @@ constexpr long mostLines = 2000;
 
 /// A letter with its number, parsed without the full grammar.
 struct LetterNumber {
-    char letter = 0;
+    char letter = 0;  ///< small in a comma word
     double value = 0;
     std::size_t digits = 0;  ///< before the point
 };
 
-/// The text of a line in capitals without comments in brackets.
-std::string codeOf(std::string_view line)
+/// A line in capitals.
+struct Line {
+    std::string code;                  ///< without comments
+    std::vector<std::string> remarks;  ///< what stands between brackets
+};
+
+Line lineOf(std::string_view text)
 {
-    std::string code;
+    Line line;
+    std::string remark;
     int depth = 0;
-    for (const char c : line) {
+    for (const char c : text) {
         if (c == ';' && depth == 0) break;
-        if (c == '(') ++depth;
-        if (depth == 0) code += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        if (c == ')' && depth > 0) --depth;
+        if (c == '(' && depth++ == 0) continue;
+        if (c == ')' && depth > 0 && --depth == 0) {
+            line.remarks.emplace_back(io::trimmed(remark));
+            remark.clear();
+            continue;
+        }
+        (depth == 0 ? line.code : remark) += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     }
-    return std::string(io::trimmed(code));
+    line.code = std::string(io::trimmed(line.code));
+    return line;
 }
 
 bool isNumberPart(char c)
@@ -44,15 +56,19 @@ bool isNumberPart(char c)
 bool letterNumbersOf(std::string_view code, std::vector<LetterNumber>& signs)
 {
     signs.clear();
+    bool isBehindComma = false;
     for (std::size_t i = 0; i < code.size();) {
-        const char c = code[i];
+        char c = code[i];
         if (io::isBlank(c) || c == ',' || c == '/') {
+            isBehindComma = c == ',' || (isBehindComma && c != '/');
             ++i;
             continue;
         }
         if (c == '#' || c == '[') return !signs.empty() || c == '#';
+        if (c == ':' && i == 0) c = 'O';  // of ISO code
         if (!std::isalpha(static_cast<unsigned char>(c))) return false;
-        LetterNumber sign{c, 0, 0};
+        LetterNumber sign{isBehindComma ? static_cast<char>(c - 'A' + 'a') : c, 0, 0};
+        isBehindComma = false;
         ++i;
         while (i < code.size() && code[i] == ' ') ++i;
         if (i < code.size() && (code[i] == '#' || code[i] == '[' || code[i] == '=')) {
@@ -115,15 +131,17 @@ public:
         for (const LetterNumber& sign : signs) {
             if (sign.letter == 'G' && sign.value >= 0 && sign.value < 200)
                 g_[static_cast<std::size_t>(sign.value)] = true;
-            letters_[static_cast<std::size_t>(sign.letter - 'A')] = true;
+            letters_[slotOf(sign.letter)] = true;
             if (sign.letter == 'M') m_ = sign.value;
             if (sign.letter == 'T') toolDigits_ = sign.digits;
         }
     }
 
+    bool has(char letter) const { return letters_[slotOf(letter)]; }
+
     bool holds(const BlockSign& sign) const
     {
-        const auto hasLetter = [this](char letter) { return letters_[static_cast<std::size_t>(letter - 'A')]; };
+        const auto hasLetter = [this](char letter) { return has(letter); };
         const auto any = [&](const std::string& of) { return std::any_of(of.begin(), of.end(), hasLetter); };
         const bool hasLetters = std::all_of(sign.letters.begin(), sign.letters.end(), hasLetter) &&
                                 (sign.one_of.empty() || any(sign.one_of)) && !any(sign.none_of);
@@ -137,6 +155,10 @@ public:
     }
 
 private:
+    static std::size_t slotOf(char letter)
+    {
+        return static_cast<std::size_t>(letter >= 'a' ? letter - 'a' + 26 : letter - 'A');
+    }
     bool hasAnyG(const std::vector<int>& codes) const
     {
         return std::any_of(codes.begin(), codes.end(), [this](int code) { return g_[static_cast<std::size_t>(code)]; });
@@ -150,7 +172,7 @@ private:
 
     const std::vector<LetterNumber>& signs_;
     std::array<bool, 200> g_{};
-    std::array<bool, 26> letters_{};
+    std::array<bool, 52> letters_{};
     std::optional<double> m_;
     std::size_t toolDigits_ = 0;
 };
@@ -159,100 +181,162 @@ private:
 struct ControlScore {
     ControlPtr control;
     int points = 0;
-    long line = 0;  ///< first one with points
+    long line = 0;                           ///< first one with points
+    std::map<const void*, long> shown = {};  ///< signs that the program shows, with their first lines
 
     const Evidence& evidence() const { return control->evidence; }
+    bool isBase() const { return evidence().variant_of.empty(); }
     bool isCertain() const { return evidence().certain > 0 && points >= evidence().certain; }
-    void add(int more, long at)
+
+    template <class Sign, class Condition>
+    void look(const std::vector<Sign>& signs, long at, const Condition& holds)
     {
-        if (more > 0 && line == 0) line = at;
-        points += more;
+        for (const Sign& sign : signs)
+            if (!shown.contains(&sign) && holds(sign)) add(sign, at);
+    }
+
+    template <class Sign>
+    void add(const Sign& sign, long at)
+    {
+        shown.emplace(&sign, at);
+        if (sign.points > 0 && line == 0) line = at;
+        points += sign.points;
     }
 };
 
 using ControlScores = std::vector<ControlScore>;
 
-ControlScore& bestScore(ControlScores& scores)
+auto matchesAny(std::string_view text)
 {
-    for (ControlScore& score : scores)
-        if (score.isCertain() && score.evidence().variant_of.empty()) return score;
-    ControlScore* best = &scores.front();
+    return [text](const TextSign& sign) {
+        return std::any_of(sign.lines.begin(), sign.lines.end(),
+                           [text](const std::string& pattern) { return matchesPattern(text, pattern); });
+    };
+}
+
+void scoreLine(const Line& text, long line, ControlScores& scores)
+{
     for (ControlScore& score : scores) {
-        if (!score.evidence().variant_of.empty() || score.points == 0) continue;
-        const int more = score.points - best->points;
+        score.look(score.evidence().texts, line, matchesAny(text.code));
+        for (const std::string& remark : text.remarks) score.look(score.evidence().remarks, line, matchesAny(remark));
+    }
+}
+
+void scoreBlock(const BlockFacts& block, long line, ControlScores& scores)
+{
+    for (ControlScore& score : scores) {
+        score.look(score.evidence().blocks, line, [&block](const BlockSign& sign) { return block.holds(sign); });
+        for (const ProgramSign& program : score.evidence().programs)
+            for (const BlockSign& sign : program.blocks)
+                if (!score.shown.contains(&sign) && block.holds(sign)) score.shown.emplace(&sign, line);
+    }
+}
+
+/// The signs that the whole program shows.
+void scoreProgram(std::string_view name, ControlScores& scores)
+{
+    std::string capitals(name);
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (ControlScore& score : scores) {
+        for (const ProgramSign& sign : score.evidence().programs) {
+            long last = 0;
+            const bool isWhole = std::all_of(sign.blocks.begin(), sign.blocks.end(), [&](const BlockSign& block) {
+                const auto found = score.shown.find(&block);
+                if (found != score.shown.end()) last = std::max(last, found->second);
+                return found != score.shown.end();
+            });
+            if (isWhole) score.add(sign, last);
+        }
+        score.look(score.evidence().names, 0, matchesAny(capitals));
+    }
+}
+
+/// Points of a control with those of its variants that speak for it.
+int pointsOf(const ControlScore& base, const ControlScores& scores)
+{
+    if (base.points <= 0) return base.points;
+    int most = 0;
+    for (const ControlScore& score : scores)
+        if (score.evidence().speaks_for_base && score.evidence().variant_of == base.control->key)
+            most = std::max(most, score.points);
+    return base.points + most;
+}
+
+/// The variant that is told, or the control itself.
+const ControlScore& variantOf(const ControlScore& base, const ControlScores& scores)
+{
+    const ControlScore* best = nullptr;
+    for (const ControlScore& score : scores) {
+        if (score.evidence().variant_of != base.control->key || !score.isCertain()) continue;
+        const int more = best ? score.points - best->points : 1;
         if (more > 0 || (more == 0 && score.evidence().rank > best->evidence().rank)) best = &score;
     }
-    ControlScore* variant = nullptr;
-    for (ControlScore& score : scores) {
-        if (score.evidence().variant_of != best->control->key || !score.isCertain()) continue;
-        if (!variant || score.evidence().rank > variant->evidence().rank) variant = &score;
+    return best ? *best : base;
+}
+
+void choose(const ControlScores& scores, ControlFound& found)
+{
+    const ControlScore* best = nullptr;
+    const ControlScore* rival = nullptr;
+    for (const ControlScore& score : scores) {
+        if (!score.isBase() || !score.isCertain()) continue;
+        best = &score;
+        break;
     }
-    return variant ? *variant : *best;
-}
-
-void scoreTexts(std::string_view code, long line, ControlScores& scores)
-{
-    for (ControlScore& score : scores)
-        for (const TextSign& sign : score.evidence().texts) {
-            const auto matches = [code](const std::string& pattern) { return matchesPattern(code, pattern); };
-            if (std::any_of(sign.lines.begin(), sign.lines.end(), matches)) score.add(sign.points, line);
-        }
-}
-
-void scoreBlock(const std::vector<LetterNumber>& signs, long line, ControlScores& scores)
-{
-    const BlockFacts block(signs);
-    for (ControlScore& score : scores)
-        for (const BlockSign& sign : score.evidence().blocks)
-            if (block.holds(sign)) score.add(sign.points, line);
+    const bool isCertain = best != nullptr;
+    for (const ControlScore& score : scores) {
+        if (isCertain || !score.isBase() || score.points <= 0) continue;
+        const int more = best ? pointsOf(score, scores) - pointsOf(*best, scores) : 1;
+        if (more < 0) continue;
+        const bool isBetter = more > 0 || score.evidence().rank > best->evidence().rank;
+        rival = more > 0 ? nullptr : isBetter ? best : &score;
+        if (isBetter) best = &score;
+    }
+    const ControlScore& told = variantOf(best ? *best : scores.front(), scores);
+    found.control = told.control;
+    found.line = told.line;
+    if (!rival) return;
+    const ControlScore& other = variantOf(*rival, scores);
+    if (told.control->is_read && other.control->is_read) found.rival = other.control;
 }
 
 }  // namespace
 
-ControlFound detectControl(std::string_view text)
+ControlFound detectControl(std::string_view text, std::string_view name)
 {
     ControlFound found;
     ControlScores scores;
     for (const ControlPtr& control : allControls()) scores.push_back({control});
-    const auto scoreCasual = [&scores](long line) {
-        for (ControlScore& score : scores) score.add(score.evidence().casual_line, line);
-    };
     std::vector<LetterNumber> signs;
     if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     bool isFirst = true;
     std::size_t at = 0;
     for (long line = 1; at < text.size() && line <= mostLines; ++line) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        const std::string_view whole = text.substr(at, std::min<std::size_t>(end - at, 4096));
+        const Line whole = lineOf(text.substr(at, std::min<std::size_t>(end - at, 4096)));
+        const std::string& code = whole.code;
         at = end < text.size() && text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n' ? end + 2
                                                                                                       : end + 1;
-        const std::string code = codeOf(whole);
-        const bool hasSemicolon = whole.find(';') != std::string_view::npos;
-        if (code.empty()) {
-            if (hasSemicolon) scoreCasual(line);
-            continue;
-        }
-        const std::size_t letter = whole.find_first_not_of(" \t");
-        const bool isSmall = whole[letter] >= 'a' && whole[letter] <= 'z';
-        if (isSmall || (hasSemicolon && whole.find('(') == std::string_view::npos)) scoreCasual(line);
-        scoreTexts(code, line, scores);
-        const bool isHead = code.front() == '%' || (code.front() == 'O' && code.size() > 1 &&
-                                                    std::isdigit(static_cast<unsigned char>(code[1])));
-        if (isFirst && isHead) found.has_head = true;
+        scoreLine(whole, line, scores);
+        if (code.empty()) continue;
+        const bool isNumber = (code.front() == 'O' || code.front() == ':') && code.size() > 1 &&
+                              std::isdigit(static_cast<unsigned char>(code[1]));
+        if (isFirst && (isNumber || code.front() == '%')) found.has_head = true;
         isFirst = false;
         if (code.front() == '%') continue;
         if (letterNumbersOf(code, signs)) {
             ++found.nc_lines;
             for (const LetterNumber& sign : signs)
                 found.has_codes = found.has_codes || sign.letter == 'G' || sign.letter == 'M';
-            scoreBlock(signs, line, scores);
+            const BlockFacts block(signs);
+            for (const char letter : {'X', 'Z', 'U', 'W'}) found.has_axes = found.has_axes || block.has(letter);
+            scoreBlock(block, line, scores);
         } else {
             ++found.other_lines;
         }
     }
-    const ControlScore& best = bestScore(scores);
-    found.control = best.control;
-    found.line = best.line;
+    scoreProgram(name, scores);
+    choose(scores, found);
     return found;
 }
 

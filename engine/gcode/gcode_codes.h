@@ -13,6 +13,12 @@ inline constexpr ErrorCode ncDialectNotRead{
     "nc_dialect_not_read", ErrorKind::InputRejected,
     LT_TEXT("Engine", "This program is written for {found}, which is not read; expected {expected}.")};
 
+inline constexpr ErrorCode dialectUnclear{
+    "dialect_unclear", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "The program may be for {first} or for {second}, which read its numbers differently; state the "
+            "control: {choices}.")};
+
 inline constexpr ErrorCode ncTooLong{
     "nc_program_too_long", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The program has {found_MiB} MiB; at most {most_MiB} are read.")};

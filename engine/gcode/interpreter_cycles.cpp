@@ -267,10 +267,10 @@ std::vector<std::int64_t> Interpreter::linesOf(long number) const
 void Interpreter::contourCycle(BlockWords& words, G which)
 {
     indexFlow();
-    const std::string name = which == G::Finish      ? "G70"
-                             : which == G::RoughTurn ? "G71"
-                             : which == G::RoughFace ? "G72"
-                                                     : "G73";
+    long number = 0;  // G70 to G73, but for controls that call them otherwise
+    for (std::size_t i = 0; i < static_cast<std::size_t>(words.g_count); ++i)
+        if (words.g[i] == which) number = words.g10[i] / 10;
+    const std::string name = named('G', number);
     const auto unusable = [&](Text reason) { error(errors::ncCycle, nullptr, {{"cycle", name}, {"reason", reason}}); };
     if (inContour_ || inFinish_) return unusable(LT_TEXT("Engine", "it stands within the contour of a cycle"));
     const bool hasContour = words.has('P') && words.has('Q');

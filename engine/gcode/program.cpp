@@ -79,18 +79,23 @@ std::int64_t countUnderstood(const Program& program)
     });
 }
 
-Program readProgram(std::string text, const ControlPtr& control, const Progress& progress)
+Program readProgram(std::string text, const ControlPtr& control, const Progress& progress, std::string_view name)
 {
     refuseUnreadable(text);
     Program program;
     program.text = std::move(text);
     program.is_utf8 = isUtf8(program.text);
-    const ControlFound found = control ? ControlFound{control} : detectControl(program.text);
+    const ControlFound found = control ? ControlFound{control, {}} : detectControl(program.text, name);
     if (!found.control->is_read)
         throw Error(errors::ncDialectNotRead, {{"line", std::max<std::int64_t>(found.line, 1)},
                                                {"found", found.control->label},
                                                {"dialect", found.control->label},
                                                {"expected", readControls()}});
+    if (found.rival && found.has_axes)
+        throw Error(errors::dialectUnclear, {{"line", std::max<std::int64_t>(found.line, 1)},
+                                             {"first", found.control->label},
+                                             {"second", found.rival->label},
+                                             {"choices", found.control->key + ", " + found.rival->key}});
     program.control = found.control;
     program.names = declaredNames(program.text, *program.control);
     const std::string& all = program.text;

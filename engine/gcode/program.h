@@ -80,10 +80,12 @@ std::int64_t countWords(const Program& program);
 std::int64_t countUnderstood(const Program& program);
 
 /// Splits a program into blocks and words and classifies each word by the tables of its control, which may be any
-/// Control that is read; nullptr: that of detectControl().
-/// Throws Error ncDialectNotRead (line, found), ncTooLong, formatUnknown (UTF-16, binary), fileEmpty; all other
-/// problems are diagnostics. Cost: one pass, about 0.3 µs a word; 24 bytes for each word and 20 for each block.
-Program readProgram(std::string text, const ControlPtr& control = nullptr, const Progress& progress = {});
+/// Control that is read; nullptr: that of detectControl(), to which `name` is the name of the file.
+/// Throws Error ncDialectNotRead (line, found), dialectUnclear (line, first, second, choices), ncTooLong, formatUnknown
+/// (UTF-16, binary), fileEmpty; all other problems are diagnostics. Cost: one pass, about 0.3 µs a word; 24 bytes for
+/// each word and 20 for each block.
+Program readProgram(std::string text, const ControlPtr& control = nullptr, const Progress& progress = {},
+                    std::string_view name = {});
 
 /// The words of one line alone, classified as in readProgram(): for an editor that shows few lines. Offsets are those
 /// in `line`.

@@ -78,7 +78,7 @@ ProgramRun runProgram(std::string text, const std::string& name, const ToolpathP
 {
     try {
         ProgramRun run;
-        run.program = readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.5));
+        run.program = readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.5), name);
         run.path = findToolpath(run.program, parameters, tools,
                                 progress.part(0.5, 1, LT_TEXT("Engine", "Following the program")));
         if (const std::optional<Error> error = firstError(run.path)) throw Error(*error);

@@ -36,7 +36,7 @@ std::string namePatterns()
 io::Likeness likeProgram(const std::string& path, std::string_view head, const Values&)
 {
     if (head.empty() || head.substr(0, 4096).find('\0') != std::string_view::npos) return io::Likeness::No;
-    const ControlFound found = detectControl(head);
+    const ControlFound found = detectControl(head, path);
     const bool isNamed = hasProgramName(path);
     if (!found.control->is_read && (isNamed || found.nc_lines > 0))
         return isNamed ? io::Likeness::Certain : io::Likeness::Likely;
@@ -48,7 +48,7 @@ io::Likeness likeProgram(const std::string& path, std::string_view head, const V
 
 io::FileFacts factsOf(const io::FileToRead& file, Notes&)
 {
-    Program program = readProgram(std::string(file.bytes), nullptr, file.progress.part(0, 0.5));
+    Program program = readProgram(std::string(file.bytes), nullptr, file.progress.part(0, 0.5), file.path);
     const Toolpath path = findToolpath(program, {}, {}, file.progress.part(0.5, 1));
     io::FileFacts facts;
     facts.path = file.path;

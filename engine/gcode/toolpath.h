@@ -35,7 +35,8 @@ struct ToolpathParameters {
     IntegerWords integer_words = IntegerWords::Millimetre;  ///< meaning of X50 for Fanuc and Haas: 50 mm or 50 µm
     double arc_tolerance_um = 10;                           ///< an arc may end so far off its circle, with a note
     std::int64_t most_blocks_run = mostBlocksRun;           ///< in addition to one run per block; not a user parameter
-    ControlPtr control;  ///< read with this one, which may be in no list, instead; not a user parameter
+    std::string file_name;  ///< of the program: one of what tells its control; not a user parameter
+    ControlPtr control;     ///< read with this one, which may be in no list, instead; not a user parameter
 };
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*);

@@ -80,7 +80,7 @@ enum class G : std::uint8_t {
 /// Function of an M word.
 enum class M : std::uint8_t {
     Unknown,      ///< in no table
-    NotModelled,  ///< known; runs what is not modelled
+    NotModelled,  ///< known; with P or coordinates it runs what is not followed
     NoEffect,     ///< known or assigned by the machine builder; no effect on the path
     Spindle,      ///< turns the work: it is no longer held at an angle
     End,          ///< of the program

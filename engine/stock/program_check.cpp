@@ -71,8 +71,8 @@ ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& par
                           const Progress& progress)
 {
     ProgramCheck check;
-    check.program =
-        gcode::readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
+    check.program = gcode::readProgram(std::move(text), controlOf(parameters),
+                                       progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), parameters.file_name);
     check.path = gcode::findToolpath(check.program, parameters, tools,
                                      progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
     const gcode::RapidRates rates =

@@ -13,7 +13,6 @@
 #include "engine/cam/post/post.h"
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
-#include "engine/gcode/detection.h"
 #include "engine/stock/stock_codes.h"
 
 namespace lathelier::cam {
@@ -61,17 +60,11 @@ struct ReadProgram {
     gcode::Toolpath path;
 };
 
-ReadProgram readText(std::string text, const Job& job, const CheckParameters& parameters, Notes& notes,
-                     const Progress& progress)
+ReadProgram readText(std::string text, const Job& job, const CheckParameters& parameters, const Progress& progress)
 {
     ReadProgram read;
-    const gcode::ControlPtr control = gcode::controlOf(parameters.program);
-    if (!control)
-        if (const gcode::ControlPtr found = gcode::detectControl(text).control; found->rewritten) {
-            text = found->rewritten(text);
-            notes.push_back({notes::systemBRead, {}});
-        }
-    read.program = gcode::readProgram(std::move(text), control, progress.part(0, 0.5));
+    read.program = gcode::readProgram(std::move(text), gcode::controlOf(parameters.program), progress.part(0, 0.5),
+                                      parameters.program.file_name);
     read.path = gcode::findToolpath(read.program, parameters.program, toolTableOf(job), progress.part(0.5, 1));
     return read;
 }
@@ -118,8 +111,8 @@ public:
 
     CheckResult run(std::string text)
     {
-        ReadProgram read = readText(std::move(text), job_, parameters_, result_.notes,
-                                    progress_.part(0, 0.1, LT_TEXT("Engine", "Reading")));
+        ReadProgram read =
+            readText(std::move(text), job_, parameters_, progress_.part(0, 0.1, LT_TEXT("Engine", "Reading")));
         result_.program = std::move(read.program);
         result_.path = std::move(read.path);
         if (result_.path.has_errors) return std::move(result_);
@@ -171,7 +164,7 @@ private:
                 first.program.control = *inputs_.before_control;
                 first.program.dialect = gcode::automaticControl;
             }
-            const ReadProgram read = readText(*inputs_.before, job_, first, result_.notes, progress_.part(0.1, 0.15));
+            const ReadProgram read = readText(*inputs_.before, job_, first, progress_.part(0.1, 0.15));
             result_.before_understanding = read.path.understanding;
             if (const auto error = firstErrorOf(read.path)) throw Error(*error).with("path", "--before");
             stock::StockParameters bodies = stockParameters(job_);

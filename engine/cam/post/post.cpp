@@ -123,8 +123,8 @@ private:
     void readDialect(const JsonCursor& cursor)
     {
         post_.control = gcode::controlNamed(cursor.string());
-        if (!gcode::readerOf(post_.control))
-            cursor.reject(LT_TEXT("Engine", "a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc"));
+        if (!post_.control || !post_.control->is_read)
+            cursor.reject(LT_TEXT("Engine", "a dialect: fanuc, fanuc_b, fanuc_c, haas, sinumerik or linuxcnc"));
     }
 
     static int whole(const JsonCursor& cursor, int least, int most)
@@ -157,8 +157,9 @@ private:
         if (!cycles) return;
         post_.cycles = choice(*cycles, {"none", "g71_g70"}, LT_TEXT("Engine", "none or g71_g70")) == 1;
         if (!post_.cycles || !post_.rough_cycle.empty()) return;
-        const gcode::ControlPtr reader = gcode::readerOf(post_.control);
-        if (!reader || !hasWord(*reader, gcode::G::RoughTurn) || !hasWord(*reader, gcode::G::Finish))
+        const gcode::ControlPtr control = post_.control;
+        if (!control || meaningOfG(*control, 710) != gcode::G::RoughTurn ||
+            meaningOfG(*control, 700) != gcode::G::Finish)
             cycles->reject(LT_TEXT("Engine", "none, for a control that has no G71; or the templates of rough_cycle"));
         post_.rough_cycle = {"G71 U{depth} R{retract}", "G71 P{first} Q{last} U{x_allowance} W{z_allowance} F{feed}"};
         post_.finish_cycle = {"G70 P{first} Q{last}"};

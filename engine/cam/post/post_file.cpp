@@ -32,8 +32,8 @@ PostFile loadPost(const io::FileToRead& file)
     loaded.facts.path = file.path;
     loaded.facts.format = "post_json";
     set(loaded.facts.details, "name", loaded.post.name);
-    const gcode::ControlPtr reader = gcode::readerOf(loaded.post.control);
-    set(loaded.facts.details, "dialect", reader ? Value(reader->key) : Value());
+    const gcode::ControlPtr control = loaded.post.control;
+    set(loaded.facts.details, "dialect", control ? Value(control->key) : Value());
     return loaded;
 }
 

@@ -34,11 +34,12 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
                              .value_or(gcode::StatedCorrection{});
     if (auto before = task::take<gcode::ProgramInput>(state, beforeRole, stores, reading, sources))
         further.before = std::move(before->text);
+    auto parameters = fromValues<CheckParameters>(state.parameters);
+    parameters.program.file_name = task::nameOf(state.inputs.at(programRole));
     gcode::ProgramText program = *task::take<gcode::ProgramInput>(state, programRole, stores, reading, sources);
     try {
-        outcome.result = std::make_shared<const CheckResult>(checkTurning(std::move(program.text), outcome.part, job,
-                                                                          fromValues<CheckParameters>(state.parameters),
-                                                                          further, progress.part(0.08, 1)));
+        outcome.result = std::make_shared<const CheckResult>(
+            checkTurning(std::move(program.text), outcome.part, job, parameters, further, progress.part(0.08, 1)));
     } catch (Error& error) {
         throw error.with("path", task::nameOf(state.inputs.at(programRole)));
     }

@@ -14,6 +14,14 @@ void addWord(Table& table, const Key& key, typename Table::mapped_type meaning)
 
 }  // namespace
 
+std::vector<std::string> numbered(const std::string& before, std::size_t most, const std::string& behind)
+{
+    std::vector<std::string> patterns;
+    for (std::size_t digits = 1; digits <= most; ++digits)
+        patterns.push_back(before + std::string(digits, '?') + behind);
+    return patterns;
+}
+
 void addWords(std::map<int, G>& table, G meaning, std::initializer_list<double> numbers)
 {
     for (const double number : numbers) addWord(table, static_cast<int>(std::lround(number * 10)), meaning);

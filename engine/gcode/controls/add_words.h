@@ -7,6 +7,9 @@
 
 namespace lathelier::gcode {
 
+/// Patterns of TextSign: `before`, 1 to `most` digits, `behind`.
+std::vector<std::string> numbered(const std::string& before, std::size_t most, const std::string& behind = {});
+
 /// Adds words to a table. Throws std::logic_error for one that is in the table already: a description that states two
 /// meanings is wrong, and one that changes what it was copied from does so by erasing or assigning.
 void addWords(std::map<int, G>& table, G meaning, std::initializer_list<double> numbers);

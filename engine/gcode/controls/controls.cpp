@@ -26,8 +26,8 @@ const std::vector<ControlPtr>& allControls()
 {
     static const std::vector<ControlPtr> all = [] {
         std::vector<ControlPtr> list;
-        for (Control (*describe)() :
-             {fanuc, haas, sinumerik, linuxCnc, fanucB, fanucC, heidenhain, okuma, mazatrol, fagor})
+        for (Control (*describe)() : {fanuc, fanucB, fanucC, haas, sinumerik, linuxCnc, sinumerik802, sinumerik800,
+                                      heidenhain, okuma, philips, mazatrol, fagor})
             list.push_back(std::make_shared<const Control>(describe()));
         return list;
     }();
@@ -36,7 +36,7 @@ const std::vector<ControlPtr>& allControls()
 
 Text readControls()
 {
-    return LT_TEXT("Engine", "Fanuc (G code system A), Haas, Sinumerik or LinuxCNC");
+    return LT_TEXT("Engine", "Fanuc (G code systems A, B and C), Haas, Sinumerik or LinuxCNC");
 }
 
 const ControlPtr& usualControl()
@@ -64,19 +64,8 @@ const std::vector<FieldChoice>& controlChoices()
 
 std::string extensionOf(const ControlPtr& control)
 {
-    const ControlPtr reader = readerOf(control);
-    return reader && !reader->extensions.empty() ? reader->extensions.front() : usualControl()->extensions.front();
-}
-
-ControlPtr readerOf(const ControlPtr& control)
-{
-    return !control || control->is_read ? control : controlNamed(control->read_as);
-}
-
-ReadableText readableText(std::string text, const ControlPtr& control)
-{
-    if (!control || !control->rewritten) return {std::move(text), control};
-    return {control->rewritten(text), readerOf(control)};
+    const bool hasOwn = control && control->is_read && !control->extensions.empty();
+    return (hasOwn ? control : usualControl())->extensions.front();
 }
 
 }  // namespace lathelier::gcode

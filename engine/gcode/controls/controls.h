@@ -13,15 +13,18 @@ namespace lathelier::gcode {
 
 // Read: in the order of the choices.
 Control fanuc();      ///< G code system A of turning; the control that is assumed where a text tells none
+Control fanucB();     ///< G code system B
+Control fanucC();     ///< G code system C
 Control haas();       ///< words of Fanuc's system A, with cycles in one block
 Control sinumerik();  ///< 840D and its kin, in their own language (G290)
 Control linuxCnc();   ///< also the subset of GRBL
 
 // Recognised and refused by name.
-Control fanucB();  ///< G code system B; rewritten for system A where that can be done (rewritten)
-Control fanucC();  ///< G code system C
-Control okuma();
+Control sinumerik802();
+Control sinumerik800();
 Control heidenhain();
+Control okuma();
+Control philips();
 Control mazatrol();
 Control fagor();
 
@@ -46,18 +49,7 @@ const std::vector<FieldChoice>& controlChoices();
 /// Names of those that are read, for the message that another one is not.
 Text readControls();
 
-/// A text and the control to read it with: the same ones, or where the control is not read itself but rewritten for
-/// another, the rewritten text and that one.
-struct ReadableText {
-    std::string text;
-    ControlPtr control;  ///< nullptr, as given: from the text
-};
-ReadableText readableText(std::string text, const ControlPtr& control);
-
-/// Extension for a new file of its programs, ".nc"; nullptr: that of usualControl().
+/// Extension for a new file of its programs, ".nc"; nullptr or one that is not read: that of usualControl().
 std::string extensionOf(const ControlPtr& control);
-
-/// The control that reads programs of this one: itself or that of Control::read_as; nullptr: none does.
-ControlPtr readerOf(const ControlPtr& control);
 
 }  // namespace lathelier::gcode

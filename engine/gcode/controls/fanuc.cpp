@@ -5,18 +5,38 @@
 namespace lathelier::gcode {
 namespace {
 
+/// Lines that hold the number of the program alone: O1234, :1234 in ISO code, %O1234.
+std::vector<std::string> programNumbers()
+{
+    std::vector<std::string> patterns{"%O?*"};
+    for (const char* letter : {"O", "O ", ":"}) {
+        const std::vector<std::string> all = numbered(letter, 8);
+        patterns.insert(patterns.end(), all.begin(), all.end());
+    }
+    return patterns;
+}
+
 Evidence evidenceOfFanuc()
 {
     Evidence evidence;
-    evidence.texts = {{6, {"*GOTO*IF[*", "*IF[*GOTO*"}}};
-    evidence.blocks = {{.points = 4, .letters = "T", .least_digits = 3},
-                       {.points = 4, .g = {50}, .letters = "S"},
-                       {.points = 3, .one_of = "UW"},
+    evidence.texts = {{8,
+                       {"*IF*[*]*GOTO*", "*GOTO*IF*[*", "*IF*[*]*THEN*", "WHILE*[*]*DO*", "N?*WHILE*[*]*DO*",
+                        "*#3000*=*", "*#3006*=*"}},
+                      {4, programNumbers()}};
+    evidence.remarks = {{2, {"T???", "T??? *", "T????", "T???? *"}}};
+    evidence.blocks = {{.points = 4, .letters = "T", .least_digits = 3, .most_digits = 5},
+                       {.points = 6, .g = {50}, .letters = "S"},
+                       {.points = 6, .g = {92}, .letters = "S", .none_of = "XYZUWABCIJKPQ"},
+                       {.points = 6, .one_of = "UW"},
+                       {.points = 4, .one_of = "acr"},
                        {.points = 2, .g = {99}, .no_g = {81, 83}, .none_of = "XZ"},
-                       {.points = 3, .g = {76}, .letters = "Q"},
-                       {.points = 1, .g = {98}, .none_of = "XZ"},
+                       {.points = 4, .g = {70, 71, 72, 73}, .letters = "PQ"},
+                       {.points = 3, .g = {76}, .letters = "Q", .none_of = "J"},
+                       {.points = 3, .g = {77, 78, 79}, .one_of = "XZUW"},
+                       {.points = 1, .g = {98}, .no_g = {80, 90}, .none_of = "XZ"},
                        {.points = 2, .g = {32}},
-                       {.points = 3, .m = {98, 99}}};
+                       {.points = 3, .m = {98, 99}},
+                       {.points = 3, .m = {97}, .letters = "P"}};
     return evidence;
 }
 
@@ -68,6 +88,7 @@ Control fanuc()
     control.evidence = evidenceOfFanuc();
 
     control.grammar.has_comma_words = true;
+    control.grammar.is_iso_code = true;
     control.grammar.statements = {"IF", "WHILE", "GOTO", "END", "DO"};
     control.arithmetic.last_local = 33;
     control.arithmetic.last_vacant = 33;
@@ -80,7 +101,8 @@ Control fanuc()
     addWords(control.m, M::CallProgram, {98});
     addWords(control.m, M::Return, {99});
     addWords(control.m, M::Spindle, {3, 4});
-    addWords(control.m, M::NoEffect, 0, 299);  // most are assigned by the machine builder
+    addWords(control.m, M::NotModelled, {97});  // some builders' call of a subprogram in the same program
+    addWords(control.m, M::NoEffect, 0, 299);   // most are assigned by the machine builder
     addWords(control.letters, Letter::Always, "NOFSTLXZUW");
     addWords(control.letters, Letter::InBlock, "IKRPQDEAacr");
     addWords(control.letters, Letter::NotModelled, "YBCVH");

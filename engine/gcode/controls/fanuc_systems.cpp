@@ -1,75 +1,92 @@
-// Fanuc's other G code systems of turning: the letters of system A, but G90 … G99 and G70 mean something else. Programs
-// of system B are rewritten for system A.
-#include <algorithm>
-#include <cctype>
-#include <utility>
-
+// Fanuc's other G code systems of turning: the words of system A, but for the numbers of G words. Increments are G91
+// or, as machine builders keep them, U and W. Source: the tables of G codes in the manuals of Series 0i and 30i.
+#include "engine/gcode/controls/add_words.h"
 #include "engine/gcode/controls/controls.h"
 
 namespace lathelier::gcode {
 namespace {
 
-/// The codes of system B replaced by those of system A: G90 is left out, G92 becomes G50, G94 and G95 become G98 and
-/// G99, G33 becomes G32. Codes without a counterpart (G91) are unchanged and read as in system A. Comments stay.
-std::string asSystemA(const std::string& text)
+/// What tells both from system A: there G90, G92 and G94 are cycles, G50 limits the speed, and G98 and G99 state the
+/// kind of feed.
+std::vector<BlockSign> signsOfBoth()
 {
-    static constexpr std::pair<const char*, const char*> codes[]{
-        {"G90", ""}, {"G94", "G98"}, {"G95", "G99"}, {"G92", "G50"}, {"G33", "G32"}};
-    std::string result;
-    for (std::size_t at = 0; at < text.size();) {
-        if (text[at] == '(') {
-            const std::size_t end = std::min(text.find_first_of(")\n", at), text.size() - 1);
-            result += text.substr(at, end + 1 - at);
-            at = end + 1;
-            continue;
-        }
-        const bool isWord = at + 2 < text.size() && text[at] == 'G' &&
-                            (at + 3 >= text.size() || !std::isdigit(static_cast<unsigned char>(text[at + 3])));
-        const auto* code = std::find_if(std::begin(codes), std::end(codes), [&](const auto& pair) {
-            return isWord && text.compare(at, 3, pair.first) == 0;
-        });
-        if (code == std::end(codes)) {
-            result += text[at++];
-        } else {
-            result += code->second;
-            at += 3;
-        }
-    }
-    return result;
+    return {{.points = 5, .g = {92}, .letters = "S", .none_of = "XZUW"},
+            {.points = 3, .g = {91}},
+            {.points = 2, .g = {90}, .none_of = "XZUW"},
+            {.points = 3, .g = {90}, .also_g = {0, 1, 2, 3}, .one_of = "XZUW"},
+            {.points = 3, .g = {94, 95}, .none_of = "XZUW"},
+            {.points = 3, .g = {94, 95}, .also_g = {0, 1, 2, 3}, .one_of = "XZUW"},
+            {.points = -2, .g = {98, 99}, .no_g = {80, 81, 82, 83, 84, 85, 86, 87, 88, 89}, .none_of = "XZ"},
+            {.points = -4, .g = {50}, .letters = "S"}};
+}
+
+/// The words of both: those of system A without the numbers that mean something else.
+Control withoutThoseOfSystemA(std::initializer_list<int> numbers)
+{
+    Control control = fanuc();
+    control.extensions = {".nc"};
+    control.evidence = {};
+    control.evidence.variant_of = "fanuc";
+    control.evidence.speaks_for_base = true;
+    control.evidence.blocks = signsOfBoth();
+    for (const int number : {32, 50, 90, 92, 94, 98, 99}) control.g.erase(10 * number);
+    for (const int number : numbers) control.g.erase(10 * number);
+    addWords(control.g, G::Absolute, {90});
+    addWords(control.g, G::Incremental, {91});
+    addWords(control.g, G::SpeedLimit, {92});
+    addWords(control.g, G::PerMinute, {94});
+    addWords(control.g, G::PerRevolution, {95});
+    addWords(control.g, G::NoEffect, {98});
+    addWords(control.g, G::ReturnToLevel, {99});
+    return control;
 }
 
 }  // namespace
 
 Control fanucB()
 {
-    Control control;
+    Control control = withoutThoseOfSystemA({});
     control.key = "fanuc_b";
-    control.label = LT_TEXT("Engine", "Fanuc (G code system B)");
-    control.is_read = false;
-    control.read_as = "fanuc";
-    control.rewritten = asSystemA;
-    control.evidence.variant_of = "fanuc";
-    control.evidence.certain = 3;
-    control.evidence.rank = 1;
-    control.evidence.blocks = {{.points = 3, .g = {92}, .letters = "S", .none_of = "XZUW"},
-                               {.points = 2, .g = {90, 91}, .none_of = "XZUW"},
-                               {.points = 2, .g = {90, 91}, .also_g = {0, 1}, .one_of = "XZUW"},
-                               {.points = 1, .g = {94, 95}, .none_of = "XZUW"},
-                               {.points = 1, .g = {95}}};
+    control.label = LT_TEXT("Engine", "Fanuc, system B");
+    control.evidence.blocks.push_back(
+        {.points = 4, .g = {77, 78, 79}, .letters = "F", .one_of = "XZUW", .none_of = "PQ"});
+    control.evidence.certain = 2;
+    control.evidence.rank = 2;
+
+    addWords(control.g, G::TurnCycle, {77});
+    addWords(control.g, G::ThreadCycle, {78});
+    addWords(control.g, G::FaceCycle, {79});
     return control;
 }
 
 Control fanucC()
 {
-    Control control;
+    Control control = withoutThoseOfSystemA({20, 21, 70, 71, 72, 73, 74, 75, 76});
     control.key = "fanuc_c";
-    control.label = LT_TEXT("Engine", "Fanuc (G code system C)");
-    control.is_read = false;
-    control.evidence.variant_of = "fanuc";
+    control.label = LT_TEXT("Engine", "Fanuc, system C");
+    const std::vector<BlockSign> own{
+        {.points = 4, .g = {70, 71}, .none_of = "XZUWPQRDIK"},
+        {.points = 6, .g = {20, 21}, .no_g = {0, 1, 2, 3}, .letters = "F", .one_of = "XZUW"},
+        {.points = 6, .g = {24}, .one_of = "XZUW"},
+        {.points = 4, .g = {77, 78}, .letters = "PQ", .one_of = "XZUW"},
+        {.points = -4, .g = {20, 21}, .none_of = "XZUW"},
+        {.points = -4, .g = {70, 71}, .letters = "PQ"}};
+    control.evidence.blocks.insert(control.evidence.blocks.end(), own.begin(), own.end());
     control.evidence.certain = 4;
-    control.evidence.rank = 2;
-    control.evidence.blocks = {{.points = 2, .g = {70, 71}, .none_of = "XZUWPD"},
-                               {.points = 5, .g = {20, 21}, .no_g = {0, 1}, .letters = "F", .one_of = "XZUW"}};
+    control.evidence.rank = 1;
+
+    addWords(control.g, G::TurnCycle, {20});
+    addWords(control.g, G::ThreadCycle, {21});
+    addWords(control.g, G::FaceCycle, {24});
+    addWords(control.g, G::InchAll, {70});
+    addWords(control.g, G::Metric, {71});
+    addWords(control.g, G::Finish, {72});
+    addWords(control.g, G::RoughTurn, {73});
+    addWords(control.g, G::RoughFace, {74});
+    addWords(control.g, G::Pattern, {75});
+    addWords(control.g, G::FacePeck, {76});
+    addWords(control.g, G::TurnPeck, {77});
+    addWords(control.g, G::ThreadMulti, {78});
     return control;
 }
 

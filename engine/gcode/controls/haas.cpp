@@ -17,6 +17,7 @@ Control haas()
                                {.points = 6, .g = {76}, .letters = "DK", .none_of = "J"},
                                {.points = 4, .g = {53}, .no_g = {28}},
                                {.points = 4, .g = {103, 112, 154, 187, 199}},
+                               {.points = 4, .m = {97}, .letters = "P"},
                                {.points = 2, .m = {24, 97}}};
 
     addWords(control.g, G::Tap, {95});

@@ -8,23 +8,25 @@ namespace {
 Evidence evidenceOfLinuxCnc()
 {
     Evidence evidence;
-    evidence.texts = {{8, {"O<*", "*#<*", "O?*SUB*", "O?*CALL*", "O?*WHILE*", "O?*IF*", "O?*REPEAT*", "O?* DO*"}}};
+    evidence.texts = {{20, {"O<*", "*#<*", "O?*SUB*", "O?*CALL*", "O?*WHILE*", "O?*IF*", "O?*REPEAT*", "O?* DO*"}}};
+    evidence.names = {{8, {"*.NGC"}}};
     evidence.blocks = {{.points = 4, .exact = {43.1, 43.2}},
                        {.points = 4, .exact = {61.1}},
                        {.points = 4, .exact = {90.1}},
                        {.points = 4, .exact = {91.1}},
                        {.points = 4, .exact = {92.1, 92.2, 92.3}},
-                       {.points = 5, .g = {7, 8}},
+                       {.points = 10, .exact = {7, 8}, .none_of = "CP"},
                        {.points = 2, .g = {64}, .no_g = {96}},
                        {.points = 4, .g = {33}, .letters = "K"},
                        {.points = 5, .g = {96}, .letters = "D"},
-                       {.points = 3, .g = {43, 49}},
-                       {.points = 3, .m = {6}, .letters = "T"},
+                       {.points = 3, .g = {43, 49}, .none_of = "H"},
+                       {.points = 3, .m = {6}, .letters = "T", .most_digits = 2},
                        {.points = 2, .g = {90, 91}, .none_of = "XZ"},
                        {.points = 1, .g = {94, 95}, .none_of = "XZ"},
                        {.points = 1, .letters = "T", .most_digits = 2},
-                       {.points = 5, .g = {76}, .letters = "JK"}};
-    evidence.casual_line = 1;
+                       {.points = 6, .g = {76}, .letters = "JK"},
+                       {.points = -6, .g = {70, 71, 72}, .none_of = "Q"}};  // cycles, which need it
+    evidence.certain = 20;
     evidence.rank = -1;
     return evidence;
 }

@@ -5,13 +5,32 @@
 namespace lathelier::gcode {
 namespace {
 
+/// Assignments of R parameters, at the beginning of a block and within one.
+std::vector<std::string> assignments()
+{
+    std::vector<std::string> patterns;
+    for (const char* before : {"R", "* R"})
+        for (const char* behind : {"=*", " =*"}) {
+            const std::vector<std::string> all = numbered(before, 3, behind);
+            patterns.insert(patterns.end(), all.begin(), all.end());
+        }
+    return patterns;
+}
+
 Evidence evidenceOfSinumerik()
 {
     Evidence evidence;
-    for (const char* word :
-         {"%_N_",  "DIAMON", "DIAMOF",   "DIAM90",   "LIMS=", "CR=",    "MSG",  "CYCLE9", "CYCLE8", "T=\"", "GOTOF",
-          "GOTOB", "ENDIF",  "ENDWHILE", "DEF REAL", "SUPA",  "STOPRE", "RND=", "CHF=",   "CHR=",   "G500", "PROC "})
-        evidence.texts.push_back({4, {std::string("*") + word + "*"}});
+    for (const char* word : {"%_N_", "DIAMON", "DIAMOF", "DIAM90", "LIMS=", "CR=", "CYCLE9", "CYCLE8", "T=\"", "GOTOF",
+                             "GOTOB", "DEF REAL", "SUPA", "STOPRE", "RND=", "CHF=", "CHR=", "LCYC"})
+        evidence.texts.push_back({20, {std::string("*") + word + "*"}});
+    evidence.texts.push_back({20, assignments()});
+    evidence.texts.push_back({20, {"%MPF*", "%SPF*", "@???*", "* @???*"}});
+    for (const char* word : {"*MSG*", "*G500*", "*PROC *", "ENDIF*", "N?* ENDIF*", "ENDWHILE*", "N?* ENDWHILE*"})
+        evidence.texts.push_back({4, {word}});
+    evidence.names = {{8, {"*.MPF", "*.SPF"}}};
+    evidence.blocks = {{.points = 6, .no_g = {41, 42, 96}, .letters = "DT"},
+                       {.points = 4, .g = {70, 71}, .none_of = "XZUWPQRDIK"}};
+    evidence.certain = 20;
     evidence.rank = 1;
     return evidence;
 }

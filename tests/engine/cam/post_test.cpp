@@ -117,12 +117,20 @@ TEST(Post, BadFilesAreRefusedWithTheirPlace)
     EXPECT_EQ(refused("\"G0\"", "\"G0\\nM30\"").first, "malformed");
 }
 
-TEST(Post, SystemBIsReadAsSystemA)
+TEST(Post, CyclesOfNoTemplatesAreThoseOfTheControl)
 {
-    const gcode::ReadableText read =
-        gcode::readableText("N10 G21 G90 G95\nG92 S3000\n(G90)\nG94 G920\n", postNamed("fanuc_b").control);
-    EXPECT_EQ(read.text, "N10 G21  G99\nG50 S3000\n(G90)\nG98 G920\n");
-    EXPECT_EQ(read.control, postNamed("fanuc_a").control);
+    std::string text = postText(postNamed("fanuc_b"));
+    const auto replace = [&text](const std::string& from, const std::string& to) {
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        text.replace(at, from.size(), to);
+    };
+    replace("\"cycles\": \"none\"", "\"cycles\": \"g71_g70\"");
+    replace("\"rough_cycle\"", "\"x_rough\"");
+    Notes notes;
+    EXPECT_EQ(readPost(text, notes).rough_cycle.size(), 2U);
+    replace("\"dialect\": \"fanuc_b\"", "\"dialect\": \"fanuc_c\"");  // there G71 selects millimetres
+    EXPECT_THROW(readPost(text, notes), Error);
 }
 
 }  // namespace

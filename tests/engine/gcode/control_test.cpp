@@ -65,7 +65,8 @@ TEST(Control, KeysAreUniqueAndKeptByTheChoices)
     EXPECT_EQ(controlNamed(automaticControl), nullptr);
     std::vector<std::string> choices;
     for (const FieldChoice& choice : controlChoices()) choices.push_back(choice.key);
-    EXPECT_EQ(choices, (std::vector<std::string>{"auto", "fanuc", "haas", "sinumerik", "linuxcnc"}));
+    EXPECT_EQ(choices,
+              (std::vector<std::string>{"auto", "fanuc", "fanuc_b", "fanuc_c", "haas", "sinumerik", "linuxcnc"}));
     EXPECT_EQ(usualControl()->key, "fanuc");
 }
 
@@ -124,6 +125,7 @@ TEST(Control, EvidenceNamesControlsOfTheList)
     for (const ControlPtr& control : allControls()) {
         const Evidence& evidence = control->evidence;
         EXPECT_FALSE(evidence.texts.empty() && evidence.blocks.empty()) << control->key;
+        EXPECT_TRUE(!evidence.speaks_for_base || !evidence.variant_of.empty()) << control->key;
         if (!evidence.variant_of.empty()) {
             EXPECT_TRUE(controlNamed(evidence.variant_of)) << control->key;
             EXPECT_GT(evidence.certain, 0) << control->key << " can never be told";
@@ -134,8 +136,6 @@ TEST(Control, EvidenceNamesControlsOfTheList)
         if (control->is_read) continue;
         EXPECT_TRUE(control->g.empty() && control->m.empty() && control->letters.empty()) << control->key;
         EXPECT_GT(evidence.certain, 0) << control->key;
-        EXPECT_EQ(static_cast<bool>(control->rewritten), !control->read_as.empty()) << control->key;
-        EXPECT_TRUE(control->read_as.empty() || readerOf(control)->is_read) << control->key;
     }
 }
 
@@ -239,9 +239,13 @@ TEST(Control, AnyControlCanBeGiven)
 TEST(Control, OthersAreToldAndRefusedByName)
 {
     const std::pair<const char*, const char*> all[] = {
-        {"0 BEGIN PGM A MM\nL X+1 Z+2 FMAX\n", "heidenhain"},  {"$X.MIN%\nG00 X1 Z1\nNAT01\nG85 NLAP1 D4\n", "okuma"},
-        {"(MAZATROL)\nUNIT 1\nG0 X1\n", "mazatrol"},           {"%SHAFT,MX,\nG0 X1 Z1\n", "fagor"},
-        {"%\nO1\nG21 G90 G95\nT0101\nG92 S3000\n", "fanuc_b"}, {"%\nO1\nG71\nG70\nT0101\nG0 X1. Z1.\n", "fanuc_c"}};
+        {"0 BEGIN PGM A MM\nL X+1 Z+2 FMAX\n", "heidenhain"},
+        {"$X.MIN%\nG00 X1 Z1\nNAT01\nG85 NLAP1 D4\n", "okuma"},
+        {"(MAZATROL)\nUNIT 1\nG0 X1\n", "mazatrol"},
+        {"%SHAFT,MX,\nG0 X1 Z1\n", "fagor"},
+        {"%PM\nN9001 (BOLT)\nN10 G99 X80 Z220\n", "philips"},
+        {"%MPF 12\nR10=5. R11=60.\nN5 G0 X60. Z2. D1\n", "sinumerik_800"},
+        {"N10 G90 G95 T1 D1\nR105=1 R106=0.2 R108=2.5\nLCYC95\n", "sinumerik_802"}};
     for (const auto& [text, key] : all) {
         EXPECT_EQ(detectControl(text).control->key, key) << text;
         EXPECT_GT(detectControl(text).line, 0) << text;
@@ -252,16 +256,11 @@ TEST(Control, OthersAreToldAndRefusedByName)
     EXPECT_EQ(detectControl("HELLO\n").line, 0);
 }
 
-TEST(Control, TextForAnotherIsRewritten)
+TEST(Control, NewFilesHaveTheExtensionOfTheirControl)
 {
-    const ReadableText read = readableText("G90 G95\nG92 S3000\n", controlNamed("fanuc_b"));
-    EXPECT_EQ(read.text, " G99\nG50 S3000\n");
-    EXPECT_EQ(read.control, controlNamed("fanuc"));
-    EXPECT_EQ(readableText("G90", controlNamed("haas")).text, "G90");
-    EXPECT_EQ(readableText("G90", nullptr).control, nullptr);
-    EXPECT_EQ(readerOf(controlNamed("okuma")), nullptr);
     EXPECT_EQ(extensionOf(controlNamed("sinumerik")), ".mpf");
     EXPECT_EQ(extensionOf(controlNamed("fanuc_b")), ".nc");
+    EXPECT_EQ(extensionOf(controlNamed("okuma")), ".nc");  // not read
     EXPECT_EQ(extensionOf(nullptr), ".nc");
 }
 

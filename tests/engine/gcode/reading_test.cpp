@@ -113,11 +113,11 @@ TEST(Reading, TellsControls)
         {"G21 G18 G90 G94 G40\nT1\nM0\nG0 X10 Z1\n", "linuxcnc"},
         {"N10 G90 DIAMON\nLIMS=3000\nG2 X1 Z1 CR=5\n", "sinumerik"},
         {"%\nO1\nG53 G0 X0. Z-250.\nT0101\nG50 S2000\n", "haas"},
-        {";Cannot\ng1x1\n", "linuxcnc"},
+        {"%\nO1\nG21 G90 G95\nT0101\nG92 S3000\n", "fanuc_b"},
+        {";Cannot\ng1x1\n", "fanuc"},
     };
     for (const auto& [text, key] : all) EXPECT_EQ(readProgram(text).control->key, key) << text;
-    for (const char* text : {"0 BEGIN PGM A MM\nL X+1 Z+2 FMAX\n", "$X.MIN%\nG00 X1 Z1\nNAT01\nG85 NLAP1 D4\n",
-                             "%\nO1\nG21 G90 G95\nT0101\nG92 S3000\n"})
+    for (const char* text : {"0 BEGIN PGM A MM\nL X+1 Z+2 FMAX\n", "$X.MIN%\nG00 X1 Z1\nNAT01\nG85 NLAP1 D4\n"})
         EXPECT_EQ(codeOfError([&] { readProgram(text); }), errors::ncDialectNotRead) << text;
 }
 

@@ -74,7 +74,8 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
 int exitCode(const Answer& answer, bool strict)
 {
     if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
-    return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
+    const bool is_open = !answer.pass && answer.has_gap;
+    return (strict || answer.always_strict) && (answer.pass == false || is_open) ? exitOutOfTolerance : exitAnswered;
 }
 
 Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,

@@ -45,8 +45,9 @@ struct Outcome {
     std::shared_ptr<const void> result;  ///< the typed outcome
     Notes notes;                         ///< of the readers and of the result
     std::optional<Verdict> verdict;      ///< none: nothing to judge
-    std::vector<Error> errors;           ///< answered all the same (a program with errors has its diagnostics)
-    std::function<Json()> json;          ///< keys of the result, without head and notes
+    bool has_gap = false;       ///< undecided because something was not looked at: --strict does not take it for a pass
+    std::vector<Error> errors;  ///< answered all the same (a program with errors has its diagnostics)
+    std::function<Json()> json;  ///< keys of the result, without head and notes
     std::function<report::Answer(const Language&)> answer;
     std::function<report::Section(const Language&)> summary;
     std::function<report::Document(const Language&)> report;        ///< without inputs; `results` empty

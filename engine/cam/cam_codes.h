@@ -62,6 +62,30 @@ inline constexpr NoteCode toolNotInJob{
     LT_TEXT("Engine",
             "Line {line}: tool {tool} is not in the job. What it leaves is not measured, and its shape is assumed.")};
 
+inline constexpr NoteCode drawnNotChecked{
+    "drawn_not_checked", Severity::Warning,
+    LT_TEXT("Engine",
+            "The drawing has a feature that the check does not look at: {feature} {designation} at z = {z_start_mm} … "
+            "{z_end_mm} mm.")};
+
+inline constexpr NoteCode toolChangeNearWork{
+    "tool_change_near_work", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "Before line {line}: tool {tool} is called {distance_mm:1} mm from the work or what holds it; the turret is "
+        "not modelled.")};
+
+inline constexpr NoteCode workCutOff{
+    "work_cut_off", Severity::Info,
+    LT_TEXT("Engine",
+            "The program stops for the work to be cut off to {length_mm:2} mm; it is checked with that length.")};
+
+inline constexpr NoteCode cutOffAssumed{
+    "cut_off_assumed", Severity::Warning,
+    LT_TEXT("Engine",
+            "Assumed: the work of the second clamping is cut off to {length_mm:2} mm. Neither the job nor the program "
+            "says so.")};
+
 inline constexpr NoteCode secondChuckUnknown{
     "second_chuck_unknown", Severity::Info,
     LT_TEXT("Engine", "Where the chuck stands in the second clamping is not stated; it is not looked at.")};

@@ -106,7 +106,17 @@ std::vector<Clamping> twoClampings(const Shaft& part, const Job& job, double spl
     second.job.setup.chuck_face_z_mm = length - grip.to_mm;
     second.job.setup.tailstock.reset();
     second.job.setup.grip_length_mm.reset();
-    second.job.stock.length_mm = length + 2 * job.stock.face_allowance_mm;
+    const double face = job.stock.face_allowance_mm;
+    const bool is_parted = job.part_off && !job.setup.tailstock;
+    if (!is_parted) {
+        const double beyond = job.stock.length_mm ? *job.stock.length_mm - face - length : HUGE_VAL;
+        if (beyond > mostFacedOff_mm)
+            second.cut_off_to_mm = length + face;
+        else
+            second.job.stock.face_allowance_mm = std::max(beyond, 0.0);
+    }
+    second.work_length_mm = length + second.job.stock.face_allowance_mm;
+    second.job.stock.length_mm = face + second.work_length_mm;
     second.job.sections.clear();
     second.finished_to_mm = length - split_mm;
     first.job.part_off = second.job.part_off = false;

@@ -14,6 +14,7 @@ namespace lathelier::cam {
 
 inline constexpr double splitOverlap_mm = 0.5;    ///< beyond the split, turned in both clampings
 inline constexpr double jawsFromShoulder_mm = 5;  ///< smallest distance from the chuck face to the next shoulder
+inline constexpr double mostFacedOff_mm = 5;      ///< longer ends are cut off by hand before the second clamping
 inline constexpr double leastGripLength_mm = 15;  ///< used if the job states none
 
 /// One clamping of a plan.
@@ -24,6 +25,9 @@ struct Clamping {
     double finished_to_mm = 0;  ///< z up to which this clamping finishes the drawing, from its free end
     bool parts_off = false;     ///< the work is cut off at its end
     double part_off_z_mm = 0;   ///< z of the end where it is cut off
+    double work_length_mm = 0;  ///< of a second clamping: of the work before it, from the face finished first
+    /// The same where the work is cut off to it by hand before; none: it need not be.
+    std::optional<double> cut_off_to_mm{};
     std::vector<DrawnThread> threads;  ///< to be cut in this clamping, from its free end
 };
 
@@ -49,7 +53,9 @@ Shaft cutAt(const Shaft& part, double z_mm);
 /// `missing_mm` is then the smallest missing length.
 std::optional<Grip> gripBefore(const Shaft& part, const Job& job, double split_mm, double& missing_mm);
 
-/// Both clampings of a part that is split.
+/// Both clampings of a part that is split. What the first leaves beyond the part is faced off in the second up to
+/// mostFacedOff_mm. A longer end, or one whose length is not stated, is cut off by hand at a stop before it: facing
+/// takes a pass for each millimetre, and a saw or a blade does it in one cut.
 std::vector<Clamping> twoClampings(const Shaft& part, const Job& job, double split_mm, const Grip& grip);
 
 }  // namespace lathelier::cam

@@ -23,6 +23,23 @@ constexpr double pilotDiameterShare = 0.4;  // pilot diameter over that of the c
 
 }  // namespace
 
+bool leansOverFace(const JobTool& tool)
+{
+    constexpr double square_deg = 90;
+    return tool.isProfile() && tool.hand == Hand::TowardChuck &&
+           tool.entering_angle_deg.value_or(square_deg) < square_deg;
+}
+
+const JobTool* facingTool(const Job& job)
+{
+    for (const ToolUse use : {ToolUse::Rough, ToolUse::Finish})
+        if (const JobTool* tool = job.toolFor(use); tool && !leansOverFace(*tool)) return tool;
+    const auto found = std::find_if(job.tools.begin(), job.tools.end(), [](const JobTool& tool) {
+        return tool.isProfile() && tool.hand == Hand::TowardChuck && !leansOverFace(tool);
+    });
+    return found == job.tools.end() ? nullptr : &*found;
+}
+
 double innerEnd_mm(const WorkFrame& frame, const JobTool& tool)
 {
     if (!frame.has_tailstock) return -tool.radius_mm();
@@ -36,9 +53,17 @@ std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool)
     const bool is_last = !frame.faces_end && frame.face_mm > 1e-6;  // down to the finished face
     if ((!(away > 1e-6) && !is_last) || inner > frame.stock_radius_mm - leastFaceRing_mm) return {};
     const RoughCutting& rough = frame.job->cutting.rough;
-    Operation result{OperationKind::Face, tool.number, rough.cutting_speed_m_min, {}, {}, {}};
+    const bool is_rough = tool.use == ToolUse::Rough;
+    const FinishCutting& finish = frame.job->cutting.finish;
+    Operation result{OperationKind::Face,
+                     tool.number,
+                     is_rough ? rough.cutting_speed_m_min : finish.cutting_speed_m_min,
+                     {},
+                     {},
+                     {}};
     MoveList moves(tipOffset(tool));
-    const double feed = std::min(largestFacingFeed_mm_rev, tool.feed_mm_rev.value_or(rough.feed_mm_rev));
+    const double feed = std::min(largestFacingFeed_mm_rev,
+                                 tool.feed_mm_rev.value_or(is_rough ? rough.feed_mm_rev : finish.feed_mm_rev));
     const int passes =
         std::max(0, static_cast<int>(std::ceil(away / std::min(rough.depth_mm, largestFacing_mm) - 1e-9)));
     moves.rapid({-frame.face_mm - clearance_mm, frame.safe_x_mm});

@@ -6,7 +6,13 @@
 
 namespace lathelier::cam {
 
-/// Passes toward the axis with the roughing tool down to faceLeft_mm, at most largestFacing_mm deep, until the nose has
+/// True for an insert with κ < 90°: while its nose runs along the face toward the axis, its main edge runs below it.
+bool leansOverFace(const JobTool& tool);
+
+/// That of roughing, else of finishing, else any other insert that feeds toward the chuck; null: none can face.
+const JobTool* facingTool(const Job& job);
+
+/// Passes toward the axis with the facing tool down to faceLeft_mm, at most largestFacing_mm deep, until the nose has
 /// passed the axis; with a tailstock down to innerEnd_mm(). If no later operation faces the end, a last pass at the
 /// finishing feed removes the remainder. None: no face allowance, or the tailstock covers the whole face.
 std::optional<Operation> facing(const WorkFrame& frame, const JobTool& tool);

@@ -52,6 +52,8 @@ struct Operation {
     std::string reason;               ///< of a fixed speed, for the program's comment
     std::vector<CutMove> moves;       ///< the first is a rapid move from the tool change point
     bool stops_before = false;        ///< program stop before it, to engage the tailstock
+    /// Of a rest operation: begin of the interval that it is for (Unreached::z_start_mm).
+    std::optional<double> rest_z_start_mm{};
 };
 
 /// Largest radius that feed moves of an operation work at, at least 0.5 mm.

@@ -11,6 +11,7 @@
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_head.h"
 #include "engine/cam/plan_outcome.h"
+#include "engine/cam/plan_refusal.h"
 #include "engine/cam/post/program_writer.h"
 #include "engine/cam/speed_words.h"
 #include "engine/cam/work_frame.h"
@@ -20,6 +21,7 @@ namespace lathelier::cam {
 namespace {
 
 constexpr double mm3PerCm3 = 1000;
+constexpr int mostPlans = 20;  // each drops at least one operation of the plan before it
 
 class Planner {
 public:
@@ -28,7 +30,20 @@ public:
     {
     }
 
+    /// Rest operations with a fault in the written program are dropped, and the others planned again.
     TurningPlan plan(const std::vector<Clamping>& clampings, const Progress& progress)
+    {
+        for (int i = 0;; ++i) {
+            threadsCut_.clear();
+            TurningPlan plan = planOnce(clampings, progress);
+            const std::vector<DroppedOperation> faulty = faultyRestOperations(plan);
+            if (!plan.is_refused || faulty.empty() || i == mostPlans) return plan;
+            dropped_.insert(dropped_.end(), faulty.begin(), faulty.end());
+        }
+    }
+
+private:
+    TurningPlan planOnce(const std::vector<Clamping>& clampings, const Progress& progress)
     {
         TurningPlan plan;
         plan.parameters = parameters_;
@@ -42,16 +57,49 @@ public:
             planClamping(clampings[i], i, clampings.size(), left, plan,
                          progress.part(share * static_cast<double>(i), share * static_cast<double>(i + 1)));
         noteAssumed(plan.planning);
+        plan.not_made = notMade();
+        for (const DrawnFeature& feature : plan.not_made)
+            if (feature.kind == boreKind)
+                plan.planning.push_back({notes::boreNotPlanned, valuesOf(feature)});
+            else if (feature.kind != threadKind)  // of those its own note says why
+                plan.planning.push_back({notes::featureNotPlanned, valuesOf(feature)});
         conclude(plan);
         return plan;
     }
 
-private:
+    /// Features of the drawing that no operation of the clampings planned so far makes.
+    std::vector<DrawnFeature> notMade() const
+    {
+        std::vector<DrawnFeature> features = featuresBesideOutside(part_);
+        std::erase_if(features, [this](const DrawnFeature& feature) {
+            return std::any_of(threadsCut_.begin(), threadsCut_.end(), [&](const DrawnThread& thread) {
+                return feature.kind == threadKind && feature.z_start_mm &&
+                       std::abs(*feature.z_start_mm - thread.z_start_mm) < meet_mm &&
+                       std::abs(*feature.z_end_mm - thread.z_end_mm) < meet_mm;
+            });
+        });
+        return features;
+    }
+
+    /// The same without threads that another clamping is for.
+    std::vector<DrawnFeature> notMadeIn(const Clamping& clamping) const
+    {
+        std::vector<DrawnFeature> features = notMade();
+        std::erase_if(features, [&](const DrawnFeature& feature) {
+            if (feature.kind != threadKind) return false;
+            return std::none_of(clamping.threads.begin(), clamping.threads.end(), [&](const DrawnThread& thread) {
+                const DrawnThread drawn = clamping.is_mirrored ? mirrored({thread}, part_.length_mm()).front() : thread;
+                return std::abs(*feature.z_start_mm - drawn.z_start_mm) < meet_mm;
+            });
+        });
+        return features;
+    }
+
     void planClamping(const Clamping& clamping, std::size_t index, std::size_t count, std::optional<WorkStock>& left,
                       TurningPlan& plan, const Progress& progress)
     {
         const WorkStock begin = left ? turnedRound(*left, clamping) : barOf(clamping);
-        SetupOperations planned = planSetup(clamping, begin, parameters_.skipped, parameters_.order,
+        SetupOperations planned = planSetup(clamping, begin, parameters_.skipped, parameters_.order, dropped_,
                                             progress.part(0, 0.4, LT_TEXT("Engine", "Planning")));
         SetupPlan setup;
         setup.clamping = clamping;
@@ -62,8 +110,12 @@ private:
         head.number = 100 + static_cast<int>(index);
         head.max_rpm = job_.max_rpm.value_or(assumedLimit_rpm);
         head.has_tailstock = clamping.job.setup.tailstock.has_value();
-        head.comments =
-            headComments({clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, {}}, inputs_.post);
+        head.cut_off_mm = clamping.cut_off_to_mm;
+        for (const DrawnThread& thread : planned.threads_cut)
+            threadsCut_.push_back(clamping.is_mirrored ? mirrored({thread}, part_.length_mm()).front() : thread);
+        HeadFacts facts{clamping, part_, inputs_.origin, sections, planned.rest, notMadeIn(clamping), index + 1,
+                        count,    {}};
+        head.comments = headComments(facts, inputs_.post);
         head.cycles = cycles(clamping);
         WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
         const GivenProgram program{index, written.text, {}, true, true};
@@ -72,9 +124,9 @@ private:
                                    checkParametersOf(clamping, count, inputs_), inputs_.post,
                                    progress.part(0.6, 0.95, LT_TEXT("Engine", "Checking the program")));
         // The same number of lines, with the outcome in the head.
-        head.comments = headComments(
-            {clamping, part_, inputs_.origin, sections, planned.rest, index + 1, count, checkLine(setup.check)},
-            inputs_.post);
+        facts.check = checkLine(setup.check);
+        setMeasured(facts.rest, setup.check.rest);
+        head.comments = headComments(facts, inputs_.post);
         setup.text = writeProgram(inputs_.post, head, planned.operations).text;
         if (written.no_cycle)
             plan.planning.push_back(
@@ -102,7 +154,7 @@ private:
     WorkStock turnedRound(const WorkStock& left, const Clamping& clamping) const
     {
         const double length = part_.length_mm(), zero = job_.stock.face_allowance_mm;
-        stock::MeridianStock turned = left.columns().turnedRound(length + 2 * zero);
+        stock::MeridianStock turned = left.columns().turnedRound(zero + length + clamping.job.stock.face_allowance_mm);
         stock::StockParameters bodies = stockParameters(clamping.job);
         bodies.z_zero_mm = std::max(0.0, turned.length_mm() - length - zero);
         if (bodies.chuck) bodies.chuck->face_z_mm = clamping.job.setup.chuck_face_z_mm + bodies.z_zero_mm;
@@ -222,13 +274,14 @@ private:
                               {"m_c", material->value.m_c}}});
         else
             notes.push_back({notes::materialForPowerMissing, {}});
-        if (!part_.bores.empty()) notes.push_back({notes::boresNotPlanned, {}});
     }
 
     const Shaft& part_;
     const Job& job_;
     const TurningInputs& inputs_;
     const TurningParameters& parameters_;
+    std::vector<DroppedOperation> dropped_;  ///< by plans before this one
+    std::vector<DrawnThread> threadsCut_;    ///< z of the drawing
 };
 
 bool isOnlyCorners(const TurningPlan& plan)
@@ -288,7 +341,9 @@ TurningPlan planned(const Shaft& part, const Shaft& both_ends, const Job& job, c
                                 {{"grip_start_mm", grip->from_mm},
                                  {"grip_end_mm", grip->to_mm},
                                  {"chuck_face_z_mm", part.length_mm() - grip->to_mm},
-                                 {"face_allowance_mm", job.stock.face_allowance_mm}}});
+                                 {"face_allowance_mm", two.setups.back().clamping.job.stock.face_allowance_mm}}});
+        if (const auto& cut = two.setups.back().clamping.cut_off_to_mm)
+            two.planning.push_back({notes::cutOffFirst, {{"length_mm", *cut}}});
         if (grip->has_tolerance) two.planning.push_back({notes::softJaws, {}});
         if (!one || (!two.is_refused && (one->is_refused || two.left_max_mm < one->left_max_mm - leastRest_mm)))
             return two;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/cam/check/turning_check.h"
+#include "engine/cam/drawn_features.h"
 #include "engine/cam/post/post.h"
 #include "engine/cam/section_speeds.h"
 #include "engine/cam/setup_plan.h"
@@ -97,21 +98,21 @@ struct TurningPlan {
     std::vector<RestInterval> rest;      ///< measured from the texts, z from the drawn free end
     std::vector<SectionSpeed> sections;  ///< of the finish, z from the drawn free end
     double left_max_mm = 0;              ///< largest residual
+    std::vector<DrawnFeature> not_made;  ///< drawn, but made by no operation
     bool is_refused = false;             ///< a check found a gouge or a collision
-    std::optional<Verdict> verdict;      ///< fail: residual material, a finding, or a section without a stable speed
-    Notes planning;                      ///< of planning alone
-    Notes notes;                         ///< of planning and of the checks
+    std::optional<Verdict> verdict;  ///< fail: residual material, a finding, a feature that is not made, or a section
+                                     ///< without a stable speed
+    Notes planning;                  ///< of planning alone
+    Notes notes;                     ///< of planning and of the checks
 
     /// The check with the worst result among the clampings.
     const CheckResult& worstCheck() const;
 };
 
+/// Rest operations in which the check of the written program finds a fault are left out, and the rest is planned again.
 /// Errors: those of job_rules.h; feedBeyondNose, noSetupPossible, orderImpossible, postCannot; those of receptanceOf().
 /// Throws Cancelled.
 TurningPlan planTurning(const Shaft& part, const Job& job, const TurningInputs& inputs,
                         const TurningParameters& parameters = {}, const Progress& progress = {});
-
-/// Error programRefused with the findings of all clampings as rows, where the plan is refused.
-void throwIfRefused(const TurningPlan& plan);
 
 }  // namespace lathelier::cam

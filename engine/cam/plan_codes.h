@@ -18,8 +18,8 @@ inline constexpr ErrorCode orderImpossible{"order_impossible", ErrorKind::NoAnsw
 inline constexpr ErrorCode programRefused{
     "program_refused", ErrorKind::NoAnswer,
     LT_TEXT("Engine",
-            "The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was "
-            "written.")};
+            "The check of the written program found {count} finding(s) and a gouge of {gouge_um:2} µm; no program was "
+            "written. The first: {operation}, tool {tool}, {kind} at z = {z_mm:2} mm, line {program_line}.")};
 
 inline constexpr ErrorCode postUnknown{
     "post_unknown", ErrorKind::WrongUsage,
@@ -209,8 +209,29 @@ inline constexpr NoteCode cycleNotPossible{
     "cycle_not_possible", Severity::Warning,
     LT_TEXT("Engine", "Clamping {clamping}: roughing is written as moves and not as a cycle, {reason}.")};
 
-inline constexpr NoteCode boresNotPlanned{"bores_not_planned", Severity::Warning,
-                                          LT_TEXT("Engine", "Bores of the part are not in the program.")};
+inline constexpr NoteCode noToolToFace{
+    "no_tool_to_face", Severity::Warning,
+    LT_TEXT("Engine",
+            "The end is not faced, {face_mm} mm stay: the main edge of every insert would run below the face (entering "
+            "angle below 90°).")};
+
+inline constexpr NoteCode boreNotPlanned{
+    "bore_not_planned", Severity::Warning,
+    LT_TEXT("Engine",
+            "The bore of ⌀{diameter_mm} mm at z = {z_start_mm} … {z_end_mm} mm is not in the program: nothing that is "
+            "planned makes it.")};
+
+inline constexpr NoteCode featureNotPlanned{
+    "feature_not_planned", Severity::Warning,
+    LT_TEXT("Engine",
+            "The drawing has a feature that is not in the program: {feature} {designation} at z = {z_start_mm} … "
+            "{z_end_mm} mm.")};
+
+inline constexpr NoteCode cutOffFirst{
+    "cut_off_first", Severity::Warning,
+    LT_TEXT("Engine",
+            "The second clamping begins with a stop: the work is to be cut off to {length_mm:2} mm before it, from the "
+            "finished face; the first program does not part it off.")};
 
 }  // namespace notes
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "engine/cam/plan_refusal.h"
 #include "engine/core/error.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -53,6 +54,12 @@ void writePrograms(const TurningPlan& plan, const std::vector<std::string>& path
         }
         throw;
     }
+}
+
+void writeRefused(const TurningPlan& plan, const std::vector<std::string>& paths)
+{
+    for (std::size_t i = 0; i < plan.setups.size(); ++i)
+        io::writeFile(refusedPath(paths.at(i)), stoppedText(plan.setups[i].text));
 }
 
 }  // namespace lathelier::cam

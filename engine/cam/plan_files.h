@@ -20,4 +20,8 @@ void refuseInputs(const std::vector<std::string>& paths, const std::vector<Input
 /// set-up. Error fileNotWritable.
 void writePrograms(const TurningPlan& plan, const std::vector<std::string>& paths);
 
+/// Refused programs beside the paths they are planned for, as stoppedText(); what stands there is replaced. Error
+/// fileNotWritable.
+void writeRefused(const TurningPlan& plan, const std::vector<std::string>& paths);
+
 }  // namespace lathelier::cam

@@ -6,6 +6,7 @@
 
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/job_library.h"
+#include "engine/cam/post/cut_off_stop.h"
 #include "engine/cam/speed_words.h"
 #include "engine/core/version.h"
 
@@ -34,6 +35,7 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
     if (facts.setups > 1) lines.push_back(fmt::format("clamping {} of {}", facts.setup, facts.setups));
     lines.push_back(fmt::format("bar D{:g}, face {:g}, chuck at Z{:g}", job.stock.diameter_mm,
                                 job.stock.face_allowance_mm, -job.setup.chuck_face_z_mm));
+    if (facts.clamping.cut_off_to_mm) lines.push_back(cutOffComment(*facts.clamping.cut_off_to_mm));
     lines.push_back(facts.clamping.is_mirrored ? "Z0 other end face, finished" : "Z0 free end face, finished");
     if (job.setup.tailstock)
         lines.push_back(fmt::format("tailstock, centre hole D{:g}", job.setup.tailstock->centre_hole_mm));
@@ -59,6 +61,10 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
                                     facts.rest[i].z_end_mm, facts.rest[i].left_mm, key(facts.rest[i].cause)));
     if (facts.rest.size() > mostHeadRests)
         lines.push_back(fmt::format("and {} more", facts.rest.size() - mostHeadRests));
+    for (std::size_t i = 0; i < std::min(facts.not_made.size(), mostHeadRests); ++i)
+        lines.push_back("not in the program: " + plainText(facts.not_made[i]));
+    if (facts.not_made.size() > mostHeadRests)
+        lines.push_back(fmt::format("and {} more", facts.not_made.size() - mostHeadRests));
     if (!job.max_rpm) lines.emplace_back("assumed: speed limit");
     for (const JobTool& tool : job.tools)
         if (isHolderAssumed(tool))
@@ -68,6 +74,17 @@ std::vector<std::string> headComments(const HeadFacts& facts, const Post&)
                                     material->value.k_c11_N_mm2, material->value.m_c));
     lines.push_back(facts.check.empty() ? "check: -" : facts.check);
     return lines;
+}
+
+void setMeasured(std::vector<Unreached>& predicted, const std::vector<RestInterval>& measured)
+{
+    for (Unreached& rest : predicted) {
+        double left = 0;
+        for (const RestInterval& other : measured)
+            if (other.z_start_mm <= rest.z_end_mm && other.z_end_mm >= rest.z_start_mm)
+                left = std::max(left, other.left_mm);
+        if (left > 0) rest.left_mm = left;
+    }
 }
 
 std::string checkLine(const CheckResult& check)

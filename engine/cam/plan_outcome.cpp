@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/plan_codes.h"
@@ -51,7 +52,8 @@ std::optional<Verdict> verdictOf(const TurningPlan& plan)
 {
     const auto is_open = [](const SetupPlan& setup) { return !setup.check.stock.has_value(); };
     if (std::any_of(plan.setups.begin(), plan.setups.end(), is_open)) return std::nullopt;
-    if (plan.is_refused || !plan.rest.empty() || contains(plan.planning, notes::noStableSpeedHere))
+    if (plan.is_refused || !plan.rest.empty() || !plan.not_made.empty() ||
+        contains(plan.planning, notes::noStableSpeedHere))
         return Verdict::Fail;
     const auto is_blind = [](const SetupPlan& setup) { return unknownToolOf(setup.check) != 0; };
     return std::any_of(plan.setups.begin(), plan.setups.end(), is_blind) ? Verdict::Undecided : Verdict::Pass;
@@ -65,6 +67,7 @@ CheckParameters checkParametersOf(const Clamping& clamping, std::size_t count, c
     parameters.keeps_outlines = inputs.keeps_outlines;
     if (clamping.is_mirrored) {
         parameters.setup = 2;
+        parameters.work_length_mm = clamping.work_length_mm;
         parameters.chuck_face_z_mm = clamping.job.setup.chuck_face_z_mm;
     } else if (count > 1) {
         parameters.finished_to_mm = clamping.finished_to_mm;
@@ -103,7 +106,8 @@ void conclude(TurningPlan& plan)
 {
     plan.notes = plan.planning;
     for (const SetupPlan& setup : plan.setups)
-        plan.notes.insert(plan.notes.end(), setup.check.notes.begin(), setup.check.notes.end());
+        std::copy_if(setup.check.notes.begin(), setup.check.notes.end(), std::back_inserter(plan.notes),
+                     [](const Note& note) { return !(note.code == notes::drawnNotChecked); });  // TurningPlan::not_made
     plan.rest.clear();
     const SetupPlan& last = plan.setups.back();
     for (RestInterval rest : last.check.rest) {

@@ -1,10 +1,27 @@
 // User parameters of a plan, and the error of a refused plan.
-#include "engine/cam/check/check_quantities.h"
 #include "engine/cam/plan.h"
-#include "engine/cam/plan_codes.h"
 #include "engine/core/units.h"
 
 namespace lathelier::cam {
+
+const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
+{
+    using S = SkippedOperation;
+    static const auto all = [] {
+        std::vector<FieldChoice> kinds;
+        for (int i = 0; i <= static_cast<int>(OperationKind::Thread); ++i) {
+            const auto kind = static_cast<OperationKind>(i);
+            kinds.push_back({key(kind), nameOf(kind)});
+        }
+        return described<S>(
+            field("setup", &S::setup, {1, 2},
+                  Label{LT_TEXT("Engine", "Clamping"), LT_TEXT("Engine", "First or second.")}),
+            field("kind", &S::kind, kinds, Label{LT_TEXT("Engine", "Operation"), LT_TEXT("Engine", "What for.")}),
+            field("tool", &S::tool, {0, 99999},
+                  Label{LT_TEXT("Engine", "Tool number"), LT_TEXT("Engine", "As the program calls it.")}));
+    }();
+    return all;
+}
 
 const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
 {
@@ -48,27 +65,6 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                    {},
                    true}));
     return all;
-}
-
-void throwIfRefused(const TurningPlan& plan)
-{
-    if (!plan.is_refused) return;
-    Rows findings;
-    std::int64_t count = 0;
-    double gouge = 0;
-    for (std::size_t i = 0; i < plan.setups.size(); ++i) {
-        const CheckResult& check = plan.setups[i].check;
-        for (const gcode::Diagnostic& diagnostic : check.path.diagnostics)
-            if (diagnostic.error) throw Error(*diagnostic.error);
-        gouge = std::max(gouge, check.gouge_um);
-        for (const CheckFinding& finding : check.findings) {
-            Row row{describedValues(finding)};
-            row.cells.emplace_back("setup", static_cast<std::int64_t>(i) + 1);
-            findings.rows.push_back(std::move(row));
-            ++count;
-        }
-    }
-    throw Error(errors::programRefused, {{"count", count}, {"gouge_um", gouge}, {"findings", findings}});
 }
 
 }  // namespace lathelier::cam

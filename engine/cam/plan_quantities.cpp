@@ -55,6 +55,8 @@ const std::vector<QuantityOf<SetupPlan>>& quantitiesOf(const SetupPlan*)
                     {LT_TEXT("Engine", "Chuck face"), unit::mm, 2}),
         quantity<R>("finished_to_z_mm", [](const R& r) { return r.clamping.finished_to_mm; },
                     {LT_TEXT("Engine", "Finished up to z"), unit::mm, 2}),
+        quantity<R>("cut_off_to_mm", [](const R& r) { return r.clamping.cut_off_to_mm; },
+                    {LT_TEXT("Engine", "Cut off first to"), unit::mm, 2}),
         quantity<R>("operations", [](const R& r) { return listed(r.operations); }),
         quantity<R>("time_s", &R::time_s, {LT_TEXT("Engine", "Time with tool changes"), unit::s, 1}));
     return all;
@@ -88,6 +90,7 @@ const std::vector<QuantityOf<TurningPlan>>& quantitiesOf(const TurningPlan*)
         quantity<R>("post", &R::post), quantity<R>("setups", [](const R& r) { return listed(r.setups); }),
         quantity<R>("rest", [](const R& r) { return listed(r.rest); }),
         quantity<R>("sections", [](const R& r) { return listed(r.sections); }),
+        quantity<R>("not_made", [](const R& r) { return listed(r.not_made); }),
         quantity<R>("check.gouge_um", [](const R& r) { return r.worstCheck().gouge_um; },
                     {LT_TEXT("Engine", "Gouge"), unit::um, 2}),
         quantity<R>("check.gouge_z_mm", [](const R& r) { return r.worstCheck().gouge_z_mm; },

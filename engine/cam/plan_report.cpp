@@ -36,18 +36,27 @@ report::Answer answer(const TurningPlan& plan, const Language&)
     answer.unit = unit::mm;
     answer.decimals = 4;
     answer.verdict = plan.verdict;
-    answer.verdict_words = plan.is_refused     ? LT_TEXT("Engine", "✗ the program is refused")
-                           : plan.rest.empty() ? LT_TEXT("Engine", "✓ as drawn")
-                                               : LT_TEXT("Engine", "✗ material stays");
+    answer.verdict_words = plan.is_refused          ? LT_TEXT("Engine", "✗ the program is refused")
+                           : !plan.rest.empty()     ? LT_TEXT("Engine", "✗ material stays")
+                           : !plan.not_made.empty() ? LT_TEXT("Engine", "✗ not all that is drawn is made")
+                                                    : LT_TEXT("Engine", "✓ as drawn");
     answer.sentence =
-        LT_TEXT("Engine",
-                "{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · "
-                "places with material left: {rest}");
+        plan.not_made.empty()
+            ? LT_TEXT("Engine",
+                      "{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · "
+                      "places with material left: {rest}")
+            : LT_TEXT("Engine",
+                      "{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · "
+                      "places with material left: {rest} · drawn, but not in the program: {not_made} ({feature})");
     answer.values = {{"setups", static_cast<std::int64_t>(plan.setups.size())},
                      {"time_min", timeOf(plan) / 60},
                      {"gouge_um", plan.worstCheck().gouge_um},
                      {"findings", static_cast<std::int64_t>(findingCount(plan))},
                      {"rest", static_cast<std::int64_t>(plan.rest.size())}};
+    if (!plan.not_made.empty()) {
+        set(answer.values, "not_made", static_cast<std::int64_t>(plan.not_made.size()));
+        set(answer.values, "feature", nameOf(plan.not_made.front()));
+    }
     return answer;
 }
 
@@ -82,6 +91,12 @@ report::Table restTable(const TurningPlan& plan)
                                            {"z_start_mm", "z_end_mm", "left_mm", "cause_name", "tool"});
 }
 
+report::Table notMadeTable(const TurningPlan& plan)
+{
+    return report::listTable<DrawnFeature>(LT_TEXT("Engine", "Drawn, but not in the program"), plan.not_made,
+                                           {"feature", "z_start_mm", "z_end_mm", "diameter_mm", "designation"});
+}
+
 report::Table sectionTable(const TurningPlan& plan)
 {
     return report::listTable<SectionSpeed>(LT_TEXT("Engine", "Speeds of the finish"), plan.sections,
@@ -109,6 +124,7 @@ report::Section planSummary(const TurningPlan& plan, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Turning program"), {answer(plan, language)}};
     if (!plan.rest.empty()) section.blocks.push_back(restTable(plan));
+    if (!plan.not_made.empty()) section.blocks.push_back(notMadeTable(plan));
     for (const SetupPlan& setup : plan.setups) section.blocks.push_back(operationTable(setup));
     if (!plan.sections.empty()) section.blocks.push_back(sectionTable(plan));
     for (const SetupPlan& setup : plan.setups)
@@ -123,6 +139,7 @@ report::Document planReport(const TurningPlan& plan, const Language& language)
     document.sections.push_back({LT_TEXT("Engine", "Result"), {answer(plan, language)}});
     report::Section& result = document.sections.back();
     if (!plan.rest.empty()) result.blocks.push_back(restTable(plan));
+    if (!plan.not_made.empty()) result.blocks.push_back(notMadeTable(plan));
     result.blocks.push_back(sectionTable(plan));
     if (!plan.notes.empty()) result.blocks.emplace_back(plan.notes);
     for (std::size_t i = 0; i < plan.setups.size(); ++i) {

@@ -16,8 +16,9 @@ report::Plot meridianPlot(const TurningPlan& plan, std::size_t setup, const Lang
 
 report::Table operationTable(const SetupPlan& setup);  ///< Operation, Tool, Blocks, Line, Length, Time, Volume, Power
 report::Table restTable(const TurningPlan& plan);      ///< From, To, Left, Cause, Tool
-report::Table sectionTable(const TurningPlan& plan);   ///< From, To, Diameter, Speed, Cutting speed, f_m, Reason, Rz
-report::Table toolTable(const TurningPlan& plan);      ///< set-up sheet: Tool, Use, Name, Nose or corner, Hand
+report::Table notMadeTable(const TurningPlan& plan);
+report::Table sectionTable(const TurningPlan& plan);  ///< From, To, Diameter, Speed, Cutting speed, f_m, Reason, Rz
+report::Table toolTable(const TurningPlan& plan);     ///< set-up sheet: Tool, Use, Name, Nose or corner, Hand
 
 /// Answer and tables, for the terminal.
 report::Section planSummary(const TurningPlan& plan, const Language& language = {});

@@ -14,6 +14,7 @@ constexpr double plungeAllowance_mm = 0.05;  // left on the floor by plunges
 constexpr double plungeSpacingShare = 0.7;   // plunge spacing over the blade width
 constexpr double bladeSpeedShare = 0.6;      // over the cutting speed of roughing
 constexpr double assumedBladeFeed_mm_rev = 0.06;
+constexpr double leastCut_mm3 = 1e-3;       // passes that cut less are left out
 constexpr double leastShoulderSlope = 1.0;  // smallest slope of a drawn shoulder
 
 /// Rapid move above a tip position and down to the clearance above the stock, not below `x_mm`.
@@ -39,13 +40,49 @@ bool isAtShoulder(const WorkFrame& frame, const Unreached& rest)
     return false;
 }
 
-/// Removes the moves from `first` on from the stock.
-void cutMovesFrom(MoveList& moves, std::size_t first, int tool, WorkStock& stock)
+/// Removes the moves from `first` on from the stock; the volume that they cut.
+double cutMovesFrom(MoveList& moves, std::size_t first, int tool, WorkStock& stock)
 {
     Operation laid;
     laid.tool = tool;
     laid.moves.assign(moves.moves().begin() + static_cast<std::ptrdiff_t>(first), moves.moves().end());
+    const double before_mm3 = stock.removed_mm3();
     stock.run(laid);
+    return stock.removed_mm3() - before_mm3;
+}
+
+/// Adds moves that prepare for a pass along the contour, and removes what they cut from the stock; where they cut
+/// nothing, neither they nor the way to them are added.
+template <class AddMoves>
+void addIfCutting(MoveList& moves, int tool, WorkStock& stock, AddMoves add)
+{
+    MoveList longer = moves;
+    WorkStock left = stock;
+    add(longer);
+    if (!(cutMovesFrom(longer, moves.moves().size(), tool, left) > leastCut_mm3)) return;
+    moves = std::move(longer);
+    stock = std::move(left);
+}
+
+/// Without the beginning (`backwards`: the end) in which the blade would only rub along finished surface before it
+/// descends, but for restOverlap_mm of it.
+Curve trimmed(const Curve& way, bool backwards, double span_mm, double corner_mm, const WorkStock& stock)
+{
+    constexpr double step_mm = 0.05, level_mm = 0.02;
+    if (way.empty()) return way;
+    const double first = way.front().from.x(), last = way.back().to.x();
+    const double begin = backwards ? last : first, end = backwards ? first : last;
+    const double height = heightAt(way, begin), sign = backwards ? -1 : 1;
+    double rubs_to = begin;
+    for (double z = begin; sign * (end - z) > 0; z += sign * step_mm) {
+        const double at = heightAt(way, z);
+        if (at < height - level_mm) break;
+        if (stock.topBetween_mm(z - span_mm - corner_mm, z + corner_mm) > at - corner_mm + level_mm) break;
+        rubs_to = z;
+    }
+    const double from = rubs_to - sign * restOverlap_mm;
+    if (sign * (from - begin) <= 0) return way;
+    return backwards ? clipped(way, first, from) : clipped(way, from, last);
 }
 
 /// The lowest places of a blade's curve.
@@ -97,7 +134,6 @@ void addLevels(MoveList& moves, const WorkFrame& frame, const JobTool& tool, con
     const double from = part.front().from.x(), to = part.back().to.x();
     const double top = std::min(stock.topBetween_mm(from, to), frame.stock_radius_mm) + r;
     const int steps = static_cast<int>(std::ceil((top - low) / depth - 1e-9));
-    std::size_t done = 0;
     for (int i = 1; i < steps; ++i) {
         const double level = top - (top - low) * i / steps;
         for (const Stretch& stretch : stretchesBelow(part, level)) {
@@ -106,7 +142,6 @@ void addLevels(MoveList& moves, const WorkFrame& frame, const JobTool& tool, con
             if (stock.topBetween_mm(stretch.from_mm, stretch.to_mm) < level - r + plungeAllowance_mm) continue;
             const double x = level + moves.offset().y(), begin = stretch.to_mm + moves.offset().x(),
                          end = stretch.from_mm + moves.offset().x();
-            approach(moves, frame, stock, tool.number, begin, x + rapidAbove_mm);
             // Down along the curve, which is no steeper than the back edge.
             const double before = level + (top - low) / steps;
             Curve way = clipped(part, stretch.to_mm, to);
@@ -114,18 +149,20 @@ void addLevels(MoveList& moves, const WorkFrame& frame, const JobTool& tool, con
             for (const Stretch& below : stretchesBelow(way, before))
                 if (below.from_mm <= stretch.to_mm + same_mm) until = below.to_mm;
             way = clipped(part, stretch.to_mm, until);
-            if (!way.empty()) {
-                approach(moves, frame, stock, tool.number, until + moves.offset().x(),
-                         way.back().to.y() + moves.offset().y() + rapidAbove_mm);
-                moves.line(way.back().to + moves.offset(), slowShare * feed);
-                moves.follow(way, slowShare * feed, true);
-            }
-            moves.line({begin, x}, slowShare * feed);
-            moves.line({end, x}, feed);
-            moves.line({end + retract_mm, x + retract_mm}, feed);
-            moves.rapidX(frame.safe_x_mm);
-            cutMovesFrom(moves, done, tool.number, stock);
-            done = moves.moves().size();
+            addIfCutting(moves, tool.number, stock, [&](MoveList& pass) {
+                if (way.empty()) {
+                    approach(pass, frame, stock, tool.number, begin, x + rapidAbove_mm);
+                } else {
+                    approach(pass, frame, stock, tool.number, until + pass.offset().x(),
+                             way.back().to.y() + pass.offset().y() + rapidAbove_mm);
+                    pass.line(way.back().to + pass.offset(), slowShare * feed);
+                    pass.follow(way, slowShare * feed, true);
+                }
+                pass.line({begin, x}, slowShare * feed);
+                pass.line({end, x}, feed);
+                pass.line({end + retract_mm, x + retract_mm}, feed);
+                pass.rapidX(frame.safe_x_mm);
+            });
         }
     }
 }
@@ -180,12 +217,12 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
         const double x = heightAt(part, z) + plungeAllowance_mm + offset.y();
         const double top = worked.topBetween_mm(z - span - c, z + c);
         if (top < x + plungeAllowance_mm) continue;
-        const std::size_t done = moves.moves().size();
-        approach(moves, frame, worked, blade.number, z + offset.x(),
-                 std::min(top + rapidAbove_mm / 2, frame.safe_x_mm));
-        moves.line({z + offset.x(), x}, feed);
-        moves.rapidX(frame.safe_x_mm);
-        cutMovesFrom(moves, done, blade.number, worked);
+        addIfCutting(moves, blade.number, worked, [&](MoveList& plunge) {
+            approach(plunge, frame, worked, blade.number, z + offset.x(),
+                     std::min(top + rapidAbove_mm / 2, frame.safe_x_mm));
+            plunge.line({z + offset.x(), x}, feed);
+            plunge.rapidX(frame.safe_x_mm);
+        });
     }
     const auto wall = [&](Curve way, bool backwards) {
         // If the floor is a single point, both walls end there.
@@ -204,8 +241,8 @@ std::optional<Operation> grooving(const WorkFrame& frame, const JobTool& blade, 
         moves.rapidX(frame.safe_x_mm);
         cutMovesFrom(moves, done, blade.number, worked);
     };
-    wall(clipped(part, from, floor.middle_mm()), false);
-    wall(clipped(part, floor.middle_mm(), to), true);
+    wall(trimmed(clipped(part, from, floor.middle_mm()), false, span, c, worked), false);
+    wall(trimmed(clipped(part, floor.middle_mm(), to), true, span, c, worked), true);
     result.moves = moves.taken();
     return result;
 }

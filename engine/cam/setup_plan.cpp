@@ -1,6 +1,7 @@
 #include "engine/cam/setup_plan.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/cam/cutting_data.h"
 #include "engine/cam/deep_rest.h"
@@ -19,14 +20,16 @@ namespace {
 class SetupPlanner {
 public:
     SetupPlanner(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                 const std::vector<OperationStep>& order, const Progress& progress)
+                 const std::vector<OperationStep>& order, const std::vector<DroppedOperation>& dropped,
+                 const Progress& progress)
         : clamping_(clamping),
           job_(clamping.job),
           skipped_(skipped),
           order_(order),
+          dropped_(dropped),
           frame_(frameOf(clamping.job, clamping.part)),
           progress_(progress),
-          result_{{}, {}, {}, {}, {}, std::move(stock), {}}
+          result_{{}, {}, {}, {}, {}, {}, std::move(stock), {}}
     {
     }
 
@@ -58,7 +61,8 @@ private:
             const OperationStep step{clamping_.is_mirrored ? 2 : 1, kind, tool};
             if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
         };
-        add(OperationKind::Face, rough.number);
+        const JobTool* facer = facingTool(job_);
+        add(OperationKind::Face, facer ? facer->number : rough.number);
         if (const auto hole = centreDrilling(frame_)) add(OperationKind::CentreDrill, hole->tool);
         add(OperationKind::Rough, rough.number);
         add(OperationKind::SemiFinish, rough.number);
@@ -81,10 +85,12 @@ private:
         const double depth = job_.cutting.rough.depth_mm;
         switch (step.kind) {
             case OperationKind::Face:
-                planFacing(rough, depth);
+                frame_.faces_end = !leansOverFace(finish);
+                planFacing(facingTool(job_), depth);
                 // The tailstock is engaged from here on.
                 reaches_ = {reachOf(frame_, rough, job_.cutting.rough.allowance_mm)};
                 if (!isSkipped(OperationKind::Finish, finish.number)) reaches_.push_back(reachOf(frame_, finish));
+                if (isFacedToSize_) reaches_.push_back(faceReachOf(frame_, *facingTool(job_)));
                 break;
             case OperationKind::CentreDrill: break;  // planned together with facing
             case OperationKind::Rough: {
@@ -114,7 +120,8 @@ private:
     }
 
     /// Facing and centre drilling. With a drill the tailstock is engaged afterwards; without one from the start.
-    void planFacing(const JobTool& rough, double depth)
+    /// `facer`: null where the insert of no tool can face.
+    void planFacing(const JobTool* facer, double depth)
     {
         std::optional<Operation> hole = centreDrilling(frame_);
         if (hole && isSkipped(*hole)) hole.reset();
@@ -124,23 +131,27 @@ private:
             frame_.faces_end = false;
             result_.after.setTailstock(false);
         }
-        std::optional<Operation> face = facing(frame_, rough);
+        std::optional<Operation> face = facer ? facing(frame_, *facer) : std::nullopt;
         if (face && isSkipped(*face)) face.reset();
         if (face)
             keep(std::move(*face), std::min(depth, largestFacing_mm));
+        else if (!facer && frame_.face_mm > faceLeft_mm)
+            result_.notes.push_back({notes::noToolToFace, {{"face_mm", frame_.face_mm}}});
         else if (frame_.has_tailstock && frame_.face_mm > faceLeft_mm)
-            result_.notes.push_back({notes::faceNotReached, {{"tool", std::int64_t{rough.number}}}});
+            result_.notes.push_back({notes::faceNotReached, {{"tool", std::int64_t{facer->number}}}});
         const bool is_faced = result_.operations.size() == 1;
-        if (has_tailstock && !is_faced) frame_.face_left_mm = frame_.face_mm;
+        if (!is_faced) frame_.face_left_mm = frame_.face_mm;
         if (hole) {
             if (is_faced) frame_.face_left_mm = 0;
             keep(std::move(*hole), 0);
             hasCentreHole_ = true;
             frame_.has_tailstock = true;
             result_.after.setTailstock(true);
-        } else if (has_tailstock && !is_faced && frame_.face_mm > faceLeft_mm) {
+        } else if ((has_tailstock || !facer) && !is_faced && frame_.face_mm > faceLeft_mm) {
             frame_.faces_end = false;
         }
+        isFacedToSize_ = is_faced && !has_tailstock && !frame_.faces_end;
+        if (isFacedToSize_) frame_.face_left_mm = 0;
     }
 
     bool isSkipped(OperationKind kind, int tool) const
@@ -175,10 +186,15 @@ private:
         for (const Unreached& interval : improvableRests(frame_, rest, reaches_, reach)) {
             progress_.check();
             if (isCornerBeyondPart(interval)) continue;
+            if (const DroppedOperation* dropped = droppedFor(tool, interval)) {
+                refuse(tool, interval, dropped->cause, dropped->reason);
+                continue;
+            }
             std::optional<Operation> operation = tool.isBlade()
                                                      ? grooving(frame_, tool, reach, interval, result_.after)
                                                      : backTurning(frame_, tool, reach, interval, result_.after);
             if (!operation) continue;
+            operation->rest_z_start_mm = interval.z_start_mm;
             if (tool.isBlade() && tool.reach_mm && depthOf(*operation, tool, result_.after) > *tool.reach_mm + 1e-6) {
                 refuse(tool, interval, RestCause::Holder, LT_TEXT("Engine", "the blade does not reach so deep"));
                 continue;
@@ -200,6 +216,16 @@ private:
             reaches_.insert(reaches_.end(), std::make_move_iterator(cut_.begin()), std::make_move_iterator(cut_.end()));
             cut_.clear();
         }
+    }
+
+    const DroppedOperation* droppedFor(const JobTool& tool, const Unreached& interval) const
+    {
+        const int setup = clamping_.is_mirrored ? 2 : 1;
+        const auto found = std::find_if(dropped_.begin(), dropped_.end(), [&](const DroppedOperation& dropped) {
+            return dropped.setup == setup && dropped.tool == tool.number &&
+                   std::abs(dropped.z_start_mm - interval.z_start_mm) < restSpacing_mm;
+        });
+        return found == dropped_.end() ? nullptr : &*found;
     }
 
     /// The corner beyond the end of the part, next to the parting cut, is not part of the drawing.
@@ -262,6 +288,7 @@ private:
                                   {"pitch_mm", *thread.pitch_mm},
                                   {"passes", std::int64_t{cut.passes}},
                                   {"depth_mm", cut.depth_mm}}});
+        result_.threads_cut.push_back(thread);
         keep(*std::move(cut.operation), 0);
     }
 
@@ -323,38 +350,22 @@ private:
     const Job& job_;
     const std::vector<SkippedOperation>& skipped_;
     const std::vector<OperationStep>& order_;
+    const std::vector<DroppedOperation>& dropped_;
     WorkFrame frame_;
     const Progress& progress_;
     SetupOperations result_;
     std::vector<ToolReach> reaches_, cut_;
     bool hasCentreHole_ = false;
+    bool isFacedToSize_ = false;  ///< facing left nothing for the finish, whose tool cannot face
 };
 
 }  // namespace
 
-const std::vector<Field<SkippedOperation>>& fieldsOf(const SkippedOperation*)
-{
-    using S = SkippedOperation;
-    static const auto all = [] {
-        std::vector<FieldChoice> kinds;
-        for (int i = 0; i <= static_cast<int>(OperationKind::Thread); ++i) {
-            const auto kind = static_cast<OperationKind>(i);
-            kinds.push_back({key(kind), nameOf(kind)});
-        }
-        return described<S>(
-            field("setup", &S::setup, {1, 2},
-                  Label{LT_TEXT("Engine", "Clamping"), LT_TEXT("Engine", "First or second.")}),
-            field("kind", &S::kind, kinds, Label{LT_TEXT("Engine", "Operation"), LT_TEXT("Engine", "What for.")}),
-            field("tool", &S::tool, {0, 99999},
-                  Label{LT_TEXT("Engine", "Tool number"), LT_TEXT("Engine", "As the program calls it.")}));
-    }();
-    return all;
-}
-
 SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped,
-                          const std::vector<OperationStep>& order, const Progress& progress)
+                          const std::vector<OperationStep>& order, const std::vector<DroppedOperation>& dropped,
+                          const Progress& progress)
 {
-    return SetupPlanner(clamping, std::move(stock), skipped, order, progress).run();
+    return SetupPlanner(clamping, std::move(stock), skipped, order, dropped, progress).run();
 }
 
 WorkStock barOf(const Clamping& clamping)

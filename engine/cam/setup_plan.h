@@ -22,6 +22,15 @@ struct RefusedOperation {
     Text reason;
 };
 
+/// A rest operation that the check of the written program found a fault in: it is refused as one that collides.
+struct DroppedOperation {
+    int setup = 1;  ///< clamping, 1 or 2
+    int tool = 0;
+    double z_start_mm = 0;  ///< Operation::rest_z_start_mm
+    RestCause cause = RestCause::Holder;
+    Text reason;
+};
+
 /// Operations that are left out: all of one kind with one tool in one clamping.
 struct SkippedOperation {
     int setup = 1;  ///< clamping, 1 or 2
@@ -41,15 +50,17 @@ struct SetupOperations {
     std::vector<double> depth_mm;     ///< largest depth of cut of each, for its power
     std::vector<Unreached> rest;      ///< predicted from the curves of the tools that are used
     std::vector<RefusedOperation> refused;
-    WorkStock after;  ///< the stock at the end
+    std::vector<DrawnThread> threads_cut;  ///< z of this clamping
+    WorkStock after;                       ///< the stock at the end
     Notes notes;
 };
 
 /// `stock`: before the first operation, in the z of this clamping; operations after `skipped` ones start from the stock
-/// left by them. `order`: as inOrder() takes it (operation_order.h); steps of the other clamping are ignored. Errors
-/// noSetupPossible, orderImpossible. Throws Cancelled.
+/// left by them. `order`: as inOrder() takes it (operation_order.h); steps of the other clamping are ignored, as
+/// `dropped` ones are. Errors noSetupPossible, orderImpossible. Throws Cancelled.
 SetupOperations planSetup(const Clamping& clamping, WorkStock stock, const std::vector<SkippedOperation>& skipped = {},
-                          const std::vector<OperationStep>& order = {}, const Progress& progress = {});
+                          const std::vector<OperationStep>& order = {},
+                          const std::vector<DroppedOperation>& dropped = {}, const Progress& progress = {});
 
 /// The stock of a clamping that begins with the bar.
 WorkStock barOf(const Clamping& clamping);

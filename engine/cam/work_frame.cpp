@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/cam/cutting_data.h"
+#include "engine/cam/ends.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/tailstock.h"
@@ -100,6 +101,15 @@ Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm
     return frame.has_tailstock ? liftedOverTailstock(*frame.job, tool, curve, frame.frontZ_mm()) : curve;
 }
 
+ToolReach faceReachOf(const WorkFrame& frame, const JobTool& tool)
+{
+    CurvePiece face;
+    face.from = {-tool.radius_mm(), 0};
+    face.to = {-tool.radius_mm(), frame.stock_radius_mm};
+    face.touch = Touch::Join;
+    return {tool.number, {face}, tool.radius_mm(), 0};
+}
+
 ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_mm)
 {
     ToolReach reach{tool.number, toolCurve(frame, tool, allowance_mm), tool.radius_mm(), 0};
@@ -108,7 +118,7 @@ ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_
         face.to = reach.curve.front().from;
         face.from = {face.to.x(), 0};
         face.touch = Touch::Join;
-        if (face.to.y() > 0 && frame.faces_end) reach.curve.insert(reach.curve.begin(), face);
+        if (face.to.y() > 0 && frame.faces_end && !leansOverFace(tool)) reach.curve.insert(reach.curve.begin(), face);
     }
     if (tool.isBlade()) {
         reach.radius_mm = std::max(tool.radius_mm(), 1e-6);

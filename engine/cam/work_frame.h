@@ -58,4 +58,7 @@ Curve toolCurve(const WorkFrame& frame, const JobTool& tool, double allowance_mm
 /// The same as a reach. Sharp corners of a blade get a radius of 1e-6 mm.
 ToolReach reachOf(const WorkFrame& frame, const JobTool& tool, double allowance_mm = 0);
 
+/// Of facing alone: the finished face, from the axis to the bar.
+ToolReach faceReachOf(const WorkFrame& frame, const JobTool& tool);
+
 }  // namespace lathelier::cam

@@ -105,9 +105,11 @@ double WorkStock::reachableFromAbove_mm(int number, double z_mm, double x_mm, do
     if (!tool) return x_mm;
     for (double x = x_mm; x < safe_x_mm; x += liftStep_mm) {
         const stock::Corner from{z_mm + parameters_.z_zero_mm, safe_x_mm}, way{0, x - safe_x_mm};
-        bool free = !meets(sweptBy(movedBy(tool->insert, from), way));
-        for (const auto& holder : tool->holders) free = free && !meets(sweptBy(movedBy(holder, from), way));
-        if (free) return x;
+        const auto is_clear = [&](const stock::ConvexPolygon& body) {
+            const stock::ConvexPolygon swept = sweptBy(movedBy(body, from), way);
+            return !columns_.overlap(stock::grownBy(swept, approachClearance_mm)).isThere();
+        };
+        if (is_clear(tool->insert) && std::all_of(tool->holders.begin(), tool->holders.end(), is_clear)) return x;
     }
     return safe_x_mm;
 }

@@ -12,6 +12,8 @@
 
 namespace lathelier::cam {
 
+inline constexpr double approachClearance_mm = 0.1;  ///< of a rapid approach from the stock
+
 /// First collision of an operation.
 struct Refusal {
     stock::FindingKind kind = stock::FindingKind::RapidThroughStock;
@@ -33,7 +35,8 @@ public:
     /// collision.
     std::optional<Refusal> run(const Operation& operation);
 
-    /// Smallest tip radius ≥ `x_mm` that the tool can reach at z by a straight move from `safe_x_mm`.
+    /// Smallest tip radius ≥ `x_mm` that the tool can reach at z by a straight move from `safe_x_mm`, at least
+    /// approachClearance_mm clear of the stock.
     double reachableFromAbove_mm(int tool, double z_mm, double x_mm, double safe_x_mm) const;
 
     /// Largest radius of the stock between two places; 0 without stock.

@@ -28,7 +28,8 @@ std::optional<HeldBar> secondBar(const Shaft& part, const cam::Job& job)
     bar.bores.clear();
     bar.marks.clear();
     ShaftSegment raw;
-    raw.length_mm = job.stock.face_allowance_mm + std::min(raw_mm, face_mm);
+    const double before_face_mm = second.job.stock.face_allowance_mm;
+    raw.length_mm = before_face_mm + std::min(raw_mm, face_mm);
     raw.start_diameter_mm = raw.end_diameter_mm = job.stock.diameter_mm;
     bar.segments = {raw};
     double begin_mm = 0;
@@ -45,7 +46,7 @@ std::optional<HeldBar> secondBar(const Shaft& part, const cam::Job& job)
         }
         begin_mm = end_mm;
     }
-    return HeldBar{std::move(bar), job.stock.face_allowance_mm, true};
+    return HeldBar{std::move(bar), before_face_mm, true};
 }
 
 deflection::TurningSetup setupFor(deflection::TurningSetup setup, const HeldBar& held, const std::string& bar_file)

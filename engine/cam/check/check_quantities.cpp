@@ -50,7 +50,8 @@ const std::vector<QuantityOf<CheckResult>>& quantitiesOf(const CheckResult*)
         quantity<R>("check.left_max_mm", &R::left_max_mm, {LT_TEXT("Engine", "Most that is left"), unit::mm, 4}),
         quantity<R>("check.findings", [](const R& r) { return listed(r.findings); }),
         quantity<R>("check.findings_not_listed", &R::findings_not_listed),
-        quantity<R>("rest", [](const R& r) { return listed(r.rest); }));
+        quantity<R>("rest", [](const R& r) { return listed(r.rest); }),
+        quantity<R>("not_checked", [](const R& r) { return listed(r.not_checked); }));
     return all;
 }
 

@@ -67,14 +67,23 @@ report::Answer answer(const CheckResult& result, const Language&)
     answer.unit = unit::mm;
     answer.decimals = 4;
     answer.verdict = result.verdict;
-    answer.verdict_words = !result.findings.empty() ? LT_TEXT("Engine", "✗ the tool meets what it must not")
-                           : !result.rest.empty()   ? LT_TEXT("Engine", "✗ material stays")
-                                                    : LT_TEXT("Engine", "✓ as drawn");
+    answer.verdict_words = !result.findings.empty()      ? LT_TEXT("Engine", "✗ the tool meets what it must not")
+                           : !result.rest.empty()        ? LT_TEXT("Engine", "✗ material stays")
+                           : !result.not_checked.empty() ? LT_TEXT("Engine", "? not all that is drawn is checked")
+                                                         : LT_TEXT("Engine", "✓ as drawn");
     answer.sentence =
-        LT_TEXT("Engine", "gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings}");
+        result.not_checked.empty()
+            ? LT_TEXT("Engine", "gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings}")
+            : LT_TEXT("Engine",
+                      "gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings} · drawn, but "
+                      "not checked: {not_checked} ({feature})");
     answer.values = {{"gouge_um", result.gouge_um},
                      {"rest", static_cast<std::int64_t>(result.rest.size())},
                      {"findings", static_cast<std::int64_t>(result.findings.size()) + result.findings_not_listed}};
+    if (!result.not_checked.empty()) {
+        set(answer.values, "not_checked", static_cast<std::int64_t>(result.not_checked.size()));
+        set(answer.values, "feature", nameOf(result.not_checked.front()));
+    }
     for (const CheckFinding* found : largestOf(result.findings, [](const CheckFinding& f) { return f.depth_mm; }))
         if (answer.findings.size() < mostReportedFindings) answer.findings.push_back(findingOf(*found));
     for (const RestInterval* rest : largestOf(result.rest, [](const RestInterval& r) { return r.left_mm; }))

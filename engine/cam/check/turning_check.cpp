@@ -1,17 +1,17 @@
 #include "engine/cam/check/turning_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/check/insert_check.h"
+#include "engine/cam/check/second_work.h"
+#include "engine/cam/check/tool_changes.h"
 #include "engine/cam/edges.h"
 #include "engine/cam/job_bodies.h"
 #include "engine/cam/job_library.h"
 #include "engine/cam/job_rules.h"
 #include "engine/cam/post/post.h"
-#include "engine/core/field_within.h"
 #include "engine/core/units.h"
 #include "engine/stock/stock_codes.h"
 
@@ -19,21 +19,6 @@ namespace lathelier::cam {
 namespace {
 
 constexpr std::int32_t mostBetween = 8;  ///< largest number of strokes between the neighbours of a rest
-
-struct NamedCheck {
-    const char* key;
-    Text name;
-};
-
-const std::array<NamedCheck, 5>& checkNames()
-{
-    static const std::array<NamedCheck, 5> all{{{"rapid_through_stock", LT_TEXT("Engine", "rapid move through stock")},
-                                                {"holder_in_stock", LT_TEXT("Engine", "holder in stock")},
-                                                {"insert_below_drawing", LT_TEXT("Engine", "insert below the drawing")},
-                                                {"chuck", LT_TEXT("Engine", "chuck")},
-                                                {"tailstock", LT_TEXT("Engine", "tailstock")}}};
-    return all;
-}
 
 CheckKind kindOf(stock::FindingKind kind)
 {
@@ -120,8 +105,9 @@ public:
         checkSurface(clamping);
         checkBodies(clamping);
         sortFindings();
+        listNotChecked();
         const bool is_clean = result_.findings.empty() && result_.rest.empty();
-        const bool is_blind = contains(result_.notes, notes::toolNotInJob);
+        const bool is_blind = contains(result_.notes, notes::toolNotInJob) || !result_.not_checked.empty();
         result_.verdict = !is_clean ? Verdict::Fail : is_blind ? Verdict::Undecided : Verdict::Pass;
         progress_.report(1);
         return std::move(result_);
@@ -174,9 +160,31 @@ private:
             bar = stock::simulateStock(std::move(bar), read.path.moves, bodies, progress_.part(0.15, 0.3)).left;
             clamping.before = cutterPath(read.path.moves, job_, {0, true, length}, result_.notes);
         }
-        clamping.bar = bar.turnedRound(length + 2 * zero);
+        const double work = workLength_mm(result_.program.text, length, job_, parameters_, result_.notes);
+        clamping.bar = bar.turnedRound(zero + work);
         result_.stock_zero_mm = std::max(0.0, clamping.bar->length_mm() - length - zero);
         clamping.limits.end_z_mm = -result_.stock_zero_mm;
+    }
+
+    /// Features besides the outside within the stretch that is looked at; of threads those that no move cuts.
+    void listNotChecked()
+    {
+        const double length = part_.length_mm();
+        const std::optional<Interval> stretch = lookedAt(length);
+        const bool is_second = parameters_.setup == 2;
+        for (const DrawnFeature& drawn : featuresBesideOutside(part_)) {
+            DrawnFeature feature = drawn;
+            if (is_second && drawn.z_start_mm && drawn.z_end_mm) {
+                feature.z_start_mm = length - *drawn.z_end_mm;
+                feature.z_end_mm = length - *drawn.z_start_mm;
+            }
+            if (isThreaded(feature, result_.path.moves, parameters_.z_zero_mm)) continue;
+            if (stretch && feature.z_start_mm && feature.z_end_mm &&
+                (*feature.z_end_mm <= stretch->from || *feature.z_start_mm >= stretch->to))
+                continue;
+            result_.notes.push_back({notes::drawnNotChecked, valuesOf(feature)});
+            result_.not_checked.push_back(std::move(feature));
+        }
     }
 
     static std::optional<Error> firstErrorOf(const gcode::Toolpath& path)
@@ -263,6 +271,10 @@ private:
         for (const stock::StockFinding& found : met.findings)
             add({found.line, kindOf(found.kind), found.z_mm - zero, found.x_mm, found.depth_mm});
         result_.findings_not_listed += met.findings_not_listed;
+        if (parameters_.setup == 2)
+            if (const auto end = standingEnd(met, zero, job_.stock.face_allowance_mm, moves)) add(*end);
+        const Notes changes = toolChangesNearWork(moves, clamping.bodies, met.length_mm, job_.stock.diameter_mm / 2);
+        result_.notes.insert(result_.notes.end(), changes.begin(), changes.end());
         for (Note note : met.notes) {
             if (isIrrelevant(note, moves)) continue;
             if (const Value* z = lathelier::find(note.values, "z_mm"))
@@ -325,50 +337,6 @@ private:
 };
 
 }  // namespace
-
-const char* key(CheckKind kind)
-{
-    return checkNames().at(static_cast<std::size_t>(kind)).key;
-}
-
-Text nameOf(CheckKind kind)
-{
-    return checkNames().at(static_cast<std::size_t>(kind)).name;
-}
-
-const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
-{
-    using P = CheckParameters;
-    const Range place{-1e5, 1e5};
-    static const auto all = described<P>(
-        within(&P::program, "dialect"), foldedWithin(&P::program, "integer_words"),
-        foldedWithin(&P::program, "arc_tolerance_um"),
-        field("setup", &P::setup, {1, 2},
-              Label{LT_TEXT("Engine", "Clamping"),
-                    LT_TEXT("Engine", "2: the part is turned round, and z counts from its other end.")}),
-        field("z_zero_mm", &P::z_zero_mm, place,
-              Label{LT_TEXT("Engine", "z of the program's zero"),
-                    LT_TEXT("Engine", "z = this less the program's Z; 0: the program's zero is the free end."),
-                    unit::mm}),
-        field("finished_from_mm", &P::finished_from_mm, place,
-              Label{LT_TEXT("Engine", "Finished from z"),
-                    LT_TEXT("Engine", "What is left counts from here; empty: from the free end."), unit::mm}),
-        field("finished_to_mm", &P::finished_to_mm, place,
-              Label{LT_TEXT("Engine", "Finished up to z"),
-                    LT_TEXT("Engine", "What is left counts up to here; empty: to the end of the part."), unit::mm}),
-        field("chuck_face_z_mm", &P::chuck_face_z_mm, place,
-              Label{LT_TEXT("Engine", "z of the chuck face"),
-                    LT_TEXT("Engine",
-                            "In this clamping; empty: as the job states for the first, not looked at in the "
-                            "second."),
-                    unit::mm}),
-        field("dog_leg", &P::dog_leg,
-              Label{LT_TEXT("Engine", "Dog-leg"),
-                    LT_TEXT("Engine", "Try the dog-leg of rapid moves besides the straight line."),
-                    {},
-                    true}));
-    return all;
-}
 
 CheckResult checkTurning(std::string text, const Shaft& part, const Job& stated, const CheckParameters& parameters,
                          const CheckInputs& inputs, const Progress& progress)

@@ -7,6 +7,8 @@
 // the
 //    stated correction.
 // 4. The second clamping is checked on the mirrored part, on the stock that the first program left.
+// 5. What turning the outside does not make (drawn_features.h) is not looked at: it is listed, and nothing is "as
+// drawn" while there is any.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "engine/cam/check/rest_cause.h"
+#include "engine/cam/drawn_features.h"
 #include "engine/cam/job.h"
 #include "engine/core/conformity.h"
 #include "engine/core/error.h"
@@ -33,6 +36,7 @@ struct CheckParameters {
         finished_from_mm;  ///< start of the interval evaluated for residual material; none: the free end
     std::optional<double> finished_to_mm;   ///< end of that interval; none: end of the part
     std::optional<double> chuck_face_z_mm;  ///< none: that of the job (setup 1), not checked (setup 2)
+    std::optional<double> work_length_mm;   ///< workLength_mm() of setup 2; none: as program or job state it
     bool dog_leg = true;                    ///< test the dog-leg of rapid moves too
     bool keeps_outlines =
         false;  ///< stores the stock outline after each pass, not only the last; costs more than the check itself
@@ -47,9 +51,16 @@ struct CheckInputs {
     std::optional<gcode::ControlPtr> before_control;  ///< of `before`, nullptr: from its text; none: as the program
 };
 
-enum class CheckKind : std::uint8_t { RapidThroughStock, HolderInStock, InsertBelowDrawing, Chuck, Tailstock };
+enum class CheckKind : std::uint8_t {
+    RapidThroughStock,
+    HolderInStock,
+    InsertBelowDrawing,
+    Chuck,
+    Tailstock,
+    StandingEnd  ///< of the second clamping: the end beyond the part is still there
+};
 
-/// "rapid_through_stock", "holder_in_stock", "insert_below_drawing", "chuck", "tailstock".
+/// "rapid_through_stock", "holder_in_stock", "insert_below_drawing", "chuck", "tailstock", "standing_end".
 const char* key(CheckKind kind);
 Text nameOf(CheckKind kind);
 
@@ -59,7 +70,7 @@ struct CheckFinding {
     CheckKind kind = CheckKind::RapidThroughStock;
     double z_mm = 0;      ///< from the free end of the clamping
     double x_mm = 0;      ///< radius
-    double depth_mm = 0;  ///< stock: radial; drawing: normal; chuck, tailstock: the smaller extent
+    double depth_mm = 0;  ///< stock: radial; drawing: normal; chuck, tailstock: the smaller extent; end: its length
 };
 
 /// Interval of the contour with residual material.
@@ -91,8 +102,10 @@ struct CheckResult {
     std::int64_t findings_not_listed = 0;     ///< beyond stock::mostFindings
     std::optional<stock::StockResult> stock;  ///< its z counts from the raw end
     double stock_zero_mm = 0;                 ///< z of the stock less z of the part
+    std::vector<DrawnFeature> not_checked;    ///< drawn, but not looked at
     std::optional<Verdict> verdict;           ///< fail: a finding, a gouge, or a rest; none: the program has errors;
-                                              ///< undecided: a tool is missing in the job, no other failure
+                                              ///< undecided, without another failure: a tool is missing in the job, or
+                                              ///< something drawn is not looked at
     Understanding before_understanding;       ///< of the program that ran in the first clamping
     Notes notes;
 };

@@ -1,9 +1,12 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
 #include <string>
 #include <utility>
 
+#include "engine/cam/plan_codes.h"
 #include "engine/cam/post/program_writer.h"
 
 namespace lathelier::cam {
@@ -46,6 +49,16 @@ std::string commentText(const Post& post, const std::string& text)
     if (result.size() > static_cast<std::size_t>(post.comment_length))
         result.resize(static_cast<std::size_t>(post.comment_length));
     return result;
+}
+
+std::string twoDigits(const Post& post, int tool)
+{
+    constexpr int largest = 99;
+    if (tool > largest)
+        throw Error(errors::postCannot, {{"post", post.name},
+                                         {"what", LT_TEXT("Engine", "call a tool by a number above 99")},
+                                         {"tool", std::int64_t{tool}}});
+    return fmt::format("{:02}", tool);
 }
 
 }  // namespace lathelier::cam

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/cam/plan_codes.h"
+#include "engine/cam/post/cut_off_stop.h"
 #include "engine/cam/post/word_text.h"
 #include "engine/cam/work_frame.h"
 
@@ -32,6 +33,7 @@ public:
         for (const std::string& comment : post_.header_comments) addComment(filled(comment));
         for (const std::string& comment : head_.comments) addComment(comment);
         lines(post_.safe_start, true);
+        if (head_.cut_off_mm) stop(cutOffComment(*head_.cut_off_mm));
         findCycle(operations);
         const Operation* before = nullptr;
         for (std::size_t i = 0; i < operations.size(); ++i) {
@@ -57,9 +59,9 @@ public:
     }
 
 private:
-    void stop()
+    void stop(const std::string& what = "bring the tailstock")
     {
-        addComment("bring the tailstock");
+        addComment(what);
         lines(post_.stop, true);
     }
 
@@ -314,7 +316,7 @@ private:
         if (name == "title") return commentText(post_, head_.title);
         if (name == "number") return std::to_string(head_.number);
         if (name == "tool") return std::to_string(tool_);
-        if (name == "tool2") return fmt::format("{:02}", tool_);
+        if (name == "tool2") return twoDigits(post_, tool_);
         if (name == "max_rpm") return whole(std::floor(head_.max_rpm));
         if (name == "vc") return whole(vc_);
         if (name == "rpm") return whole(rpm_.value_or(0));

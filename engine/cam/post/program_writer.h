@@ -22,6 +22,8 @@ struct ProgramHead {
     bool has_tailstock = false;         ///< retract X before Z
     std::vector<std::string> comments;  ///< further lines at the top
     std::optional<CycleData> cycles{};  ///< roughing and finish as cycles; none: as moves
+    std::optional<double>
+        cut_off_mm{};  ///< length that the work is cut off to at a stop before everything; none: no stop
 };
 
 /// Position of an operation in the text.
@@ -45,5 +47,9 @@ WrittenProgram writeProgram(const Post& post, const ProgramHead& head, const std
 /// A text for a comment of this post: ASCII, upper case, without characters that end it, truncated to the allowed
 /// length.
 std::string commentText(const Post& post, const std::string& text);
+
+/// A tool's number for templates such as T{tool2}{tool2}, in which a longer one would be another tool: "07". Error
+/// postCannot above 99, with the tool.
+std::string twoDigits(const Post& post, int tool);
 
 }  // namespace lathelier::cam

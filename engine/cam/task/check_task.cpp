@@ -57,6 +57,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const CheckOutcome>& outcome)
     all.result = outcome;
     all.notes = outcome->notes;
     all.verdict = outcome->result->verdict;
+    all.has_gap = !outcome->result->not_checked.empty();
     if (std::optional<Error> error = gcode::firstError(outcome->result->path)) {
         error->with("path", task::nameOf(outcome->asked.inputs.at(programRole)));
         all.errors.push_back(*error);

@@ -9,6 +9,7 @@
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/plan_files.h"
 #include "engine/cam/plan_outcome.h"
+#include "engine/cam/plan_refusal.h"
 #include "engine/cam/plan_report.h"
 #include "engine/cam/task/job_input.h"
 #include "engine/core/frf_item.h"
@@ -94,6 +95,15 @@ void writeAll(const TurnOutcome& outcome, const std::string& path)
     writePrograms(*outcome.plan, paths);
 }
 
+void writeAllRefused(const TurnOutcome& outcome, const std::string& path)
+{
+    const std::vector<std::string> paths = programPaths(path, outcome.programs.size());
+    std::vector<std::string> written;
+    for (const std::string& planned : paths) written.push_back(refusedPath(planned));
+    refuseInputs(written, outcome.sources.inputs, written.front());
+    writeRefused(*outcome.plan, paths);
+}
+
 }  // namespace
 
 bool TurnOutcome::isVoid() const
@@ -153,7 +163,7 @@ report::Answer answer(const TurnOutcome& outcome, const Language& language)
     }
     const bool is_corrected = std::any_of(outcome.programs.begin(), outcome.programs.end(),
                                           [](const ShownProgram& p) { return p.origin == ProgramOrigin::Corrected; });
-    if (is_corrected && plan.verdict && !plan.is_refused)
+    if (is_corrected && plan.verdict && !plan.is_refused && plan.not_made.empty())
         answer.verdict_words = plan.rest.empty() ? LT_TEXT("Engine", "✓ compensated, checked")
                                                  : LT_TEXT("Engine", "✗ compensated; material stays");
     for (const SetupPlan& setup : plan.setups)
@@ -166,6 +176,16 @@ report::Answer answer(const TurnOutcome& outcome, const Language& language)
             reported.verdict = Verdict::Fail;
             reported.place.line = found.line;
         }
+    for (const DrawnFeature& feature : plan.not_made) {
+        if (answer.findings.size() == mostReportedFindings) break;
+        report::Finding& reported = answer.findings.emplace_back();
+        reported.pattern =
+            LT_TEXT("Engine", "Not in the program: {feature} {designation} · z {z_start_mm:2}-{z_end_mm:2} mm");
+        reported.values = valuesOf(feature);
+        reported.verdict = Verdict::Fail;
+        if (feature.z_start_mm && feature.z_end_mm)
+            reported.place.z_mm = Interval{*feature.z_start_mm, *feature.z_end_mm};
+    }
     std::vector<const RestInterval*> largest;
     for (const RestInterval& rest : plan.rest) largest.push_back(&rest);
     std::stable_sort(largest.begin(), largest.end(),
@@ -202,6 +222,9 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
         throwIfRefused(*outcome->plan);
     } catch (const Error& error) {
         all.errors.push_back(error);
+        all.writers[programExport] = [outcome](const std::string& path, const Progress&) {
+            writeAllRefused(*outcome, path);
+        };
         return settled(turnTask(), std::move(all), outcome->understanding);
     }
     all.json = [outcome] { return toJson(*outcome->plan); };
@@ -242,7 +265,13 @@ const task::Task& turnTask()
         made.inputs.back().item_kind = gcode::correctedItem;
         task::askFor<TurningQuestion>(made);
         made.exports = {
-            {programExport, "Write the program as FILE; two clampings as FILE_1 and FILE_2.", {}, {}, "nc", true}};
+            {programExport,
+             "Write the program as FILE; two clampings as FILE_1 and FILE_2. What the check refuses stands beside as "
+             "FILE.refused, with a stop in its first line.",
+             {},
+             {},
+             "nc",
+             true}};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
                       const Progress& progress) {
             return outcomeOf(std::make_shared<const TurnOutcome>(answerTurn(state, false, stores, sources, progress)));

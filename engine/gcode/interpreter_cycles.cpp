@@ -309,11 +309,11 @@ void Interpreter::contourCycle(BlockWords& words, G which)
               {{"found", named('N', missing)}});
         return;
     }
-    for (const long number : {p, q}) {
-        const std::vector<std::int64_t> lines = linesOf(number);
+    for (const long sequence : {p, q}) {
+        const std::vector<std::int64_t> lines = linesOf(sequence);
         if (lines.size() < 2) continue;
         return error(errors::ncSequenceTwice, nullptr,
-                     {{"found", named('N', number)}, {"first", lines[0]}, {"second", lines[1]}});
+                     {{"found", named('N', sequence)}, {"first", lines[0]}, {"second", lines[1]}});
     }
     const Point start = modal_.at;
     if (which == G::Finish) {

@@ -29,36 +29,72 @@ std::vector<bool> finishing(const WorkPlan& plan, const TurningSetup& setup)
     return result;
 }
 
-double largestOff_um(const CutPlan& asked, std::span<const Station> stations)
+/// Largest error by what is allowed there.
+double shareOff(const CutPlan& asked, const WrittenRun& written, std::span<const Station> stations,
+                const CompensationParameters& parameters)
 {
-    double largest_mm = 0;
+    double largest = 0;
     for (const Station& s : stations) {
         const CutPiece& piece = asked.pieces[s.piece];
-        largest_mm = std::max(largest_mm, std::abs(s.radius_mm - (s.at_start ? piece.start_mm : piece.end_mm)));
+        const double target_mm = std::min(s.at_start ? piece.start_mm : piece.end_mm, s.stock_mm);
+        const double allowed_um =
+            written.is_coarse[s.piece] ? residualOfArcs_um(parameters) : residualOfLines_um(parameters);
+        largest = std::max(largest, um_per_mm_of_diameter * std::abs(s.radius_mm - target_mm) / allowed_um);
     }
-    return um_per_mm_of_diameter * largest_mm;
+    return largest;
 }
 
 /// Corrects one run and removes it from the workpiece.
 WrittenRun correct(const WorkPlan& plan, const CutPlan& cut, std::span<const Station> ideal,
                    const CompensationParameters& parameters, TurningWork& work)
 {
-    const double grid_mm = parameters.grid_um / um_per_mm_of_diameter;
-    const double least_mm = grid_mm / 2 * (1 + 1e-6);
-    double tolerance_mm = acceptedShare * parameters.tolerance_um / um_per_mm_of_diameter;
-    if (!(tolerance_mm > least_mm)) tolerance_mm = least_mm;
+    ArcLimits limits;
+    limits.grid_mm = writtenGrid_um(parameters) / um_per_mm_of_diameter;
+    limits.centre_grid_mm = 2 * limits.grid_mm;
+    limits.coarse_mm = acceptedShare * residualOfArcs_um(parameters) / um_per_mm_of_diameter;
+    const double least_mm = limits.grid_mm / 2 * (1 + 1e-6);
+    limits.tolerance_mm = acceptedShare * residualOfLines_um(parameters) / um_per_mm_of_diameter;
+    if (!(limits.tolerance_mm > least_mm)) limits.tolerance_mm = least_mm;
     std::vector<Station> stations;
     for (int trial = 1;; ++trial) {
-        WrittenRun written = writtenRun(plan, work, cut, ideal, grid_mm, tolerance_mm);
+        WrittenRun written = writtenRun(plan, work, cut, ideal, limits);
         TurningWork tried = work;
         tried.take(written.cut, CutTask::Predict, stations);
-        const double off_um = largestOff_um(cut, stations);
-        if (off_um <= acceptedShare * parameters.tolerance_um || trial == mostTrials || tolerance_mm == least_mm) {
+        const double off = shareOff(cut, written, stations, parameters);
+        if (off <= acceptedShare || trial == mostTrials || limits.tolerance_mm == least_mm) {
             work.take(written.cut, CutTask::Predict, stations);
             return written;
         }
-        tolerance_mm = std::max(least_mm, tolerance_mm * std::min(0.95, parameters.tolerance_um / off_um));
+        const double less = std::min(0.95, 1 / off);
+        limits.tolerance_mm = std::max(least_mm, limits.tolerance_mm * less);
+        limits.coarse_mm = std::max(limits.tolerance_mm, limits.coarse_mm * less);
     }
+}
+
+/// Largest error of the corrected runs, each against its own target; lines that were kept are left out.
+double largestOff_um(const ComparedPlans& plans, const CompensationResult& result)
+{
+    const TurningSetup& setup = result.before.setup;
+    TurningWork work(plans.after, setup);
+    std::vector<Station> stations;
+    double largest_um = 0;
+    auto corrected = result.runs.begin();
+    for (std::size_t i = 0; i < plans.after.cuts.size(); ++i) {
+        const CutPlan& cut = plans.after.cuts[i];
+        const CutPlan& asked = plans.before.cuts[i];
+        work.take(cut, CutTask::Predict, stations);
+        while (corrected != result.runs.end() && corrected->run < i) ++corrected;
+        if (corrected == result.runs.end() || corrected->run != i) continue;
+        for (const Station& s : stations) {
+            const std::size_t node = cut.first + s.piece;
+            if (node < asked.first || node - asked.first >= asked.pieces.size()) continue;
+            const CutPiece& piece = asked.pieces[node - asked.first];
+            if (isKept(result.parameters, piece.line)) continue;
+            const double target_mm = std::min(s.at_start ? piece.start_mm : piece.end_mm, s.stock_mm);
+            largest_um = std::max(largest_um, um_per_mm_of_diameter * std::abs(s.radius_mm - target_mm));
+        }
+    }
+    return largest_um;
 }
 
 void count(const CorrectedRun& run, const CompensationParameters& parameters, CompensationResult& result)
@@ -111,6 +147,34 @@ const std::vector<Field<CompensationParameters>>& fieldsOf(const CompensationPar
     return all;
 }
 
+double writtenGrid_um(const CompensationParameters& parameters)
+{
+    constexpr double inchStep = mm_per_inch / 10;  // 0.0001 in by 0.001 mm
+    return parameters.grid_um * (parameters.is_inch ? inchStep : 1);
+}
+
+double lengthGrid_mm(const CompensationParameters& parameters)
+{
+    return parameters.is_inch ? mm_per_inch * 1e-4 : metricGrid_mm;
+}
+
+double residualOfLines_um(const CompensationParameters& parameters)
+{
+    return parameters.tolerance_um + (parameters.is_inch ? writtenGrid_um(parameters) / 2 : 0);
+}
+
+double residualOfArcs_um(const CompensationParameters& parameters)
+{
+    return parameters.tolerance_um + writtenGrid_um(parameters) / 2;
+}
+
+bool isKept(const CompensationParameters& parameters, std::int64_t line)
+{
+    const auto number = static_cast<double>(line);
+    return std::any_of(parameters.kept_lines.begin(), parameters.kept_lines.end(),
+                       [&](const Interval& lines) { return lines.from <= number && number <= lines.to; });
+}
+
 ComparedPlans comparedPlans(const Shaft& stock, std::span<const ToolRun> programmed, std::span<const ToolRun> written,
                             TurningSetup setup)
 {
@@ -137,11 +201,16 @@ void evaluateWritten(const Shaft& stock, std::span<const ToolRun> programmed, st
     const ComparedPlans plans = comparedPlans(stock, programmed, written, setup);
     result.after = finalContour(plans.after, setup, &plans.before.cuts);
     result.residual = summaryOf(result.after);
+    result.residual.max_um = std::max(result.residual.max_um, largestOff_um(plans, result));
     std::erase_if(result.notes, [](const Note& note) { return note.code == notes::residualAboveTolerance; });
-    if (result.residual.max_um > result.parameters.tolerance_um)
+    const bool has_arcs = std::any_of(result.runs.begin(), result.runs.end(), [](const CorrectedRun& run) {
+        return std::any_of(run.nodes.begin(), run.nodes.end(),
+                           [](const CorrectedNode& node) { return node.arc.has_value(); });
+    });
+    const double promised_um = has_arcs ? residualOfArcs_um(result.parameters) : residualOfLines_um(result.parameters);
+    if (result.residual.max_um > promised_um)
         result.notes.push_back(
-            {notes::residualAboveTolerance,
-             {{"residual_um", result.residual.max_um}, {"tolerance_um", result.parameters.tolerance_um}}});
+            {notes::residualAboveTolerance, {{"residual_um", result.residual.max_um}, {"tolerance_um", promised_um}}});
     if (result.parameters.robustness) result.robustness = robustnessOf(plans.before, plans.after, setup);
 }
 
@@ -180,13 +249,13 @@ std::vector<RobustnessRow> robustnessOf(const WorkPlan& before, const WorkPlan& 
 CompensationResult compensate(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup,
                               const CompensationParameters& parameters, const Progress& progress)
 {
-    if (parameters.tolerance_um < parameters.grid_um / 2)
-        throw Error(errors::cannotBeWritten, {{"grid_um", parameters.grid_um},
-                                              {"residual_um", parameters.grid_um / 2},
-                                              {"tolerance_um", parameters.tolerance_um}});
+    if (const double grid_um = writtenGrid_um(parameters); residualOfLines_um(parameters) < grid_um / 2)
+        throw Error(
+            errors::cannotBeWritten,
+            {{"grid_um", grid_um}, {"residual_um", grid_um / 2}, {"tolerance_um", residualOfLines_um(parameters)}});
     CompensationResult result;
     result.parameters = parameters;
-    const WorkPlan plan = workPlan(stock, runs, setup);
+    const WorkPlan plan = workPlan(stock, runs, setup, lengthGrid_mm(parameters));
     result.before = predictDeflection(plan, setup, progress.part(0, 0.2));
     std::vector<bool> chosen(plan.cuts.size(), true);
     if (parameters.runs == CorrectedRuns::Finish) chosen = finishing(plan, setup);

@@ -28,10 +28,22 @@ struct CompensationParameters {
     double largest_correction_um = 1000;      ///< on diameter; larger ones are refused
     std::vector<Interval> kept_lines;         ///< program lines that are not changed
     bool robustness = true;                   ///< evaluate the corrected path for other springs and forces
+    bool is_inch = false;                     ///< the program counts inches; not a user parameter
     friend bool operator==(const CompensationParameters&, const CompensationParameters&) = default;
 };
 
 const std::vector<Field<CompensationParameters>>& fieldsOf(const CompensationParameters*);
+
+/// Grid of X of the program, on diameter, and of a length in it.
+double writtenGrid_um(const CompensationParameters& parameters);
+double lengthGrid_mm(const CompensationParameters& parameters);
+
+/// The residual that the written program holds, on diameter: of lines, and of arcs.
+double residualOfLines_um(const CompensationParameters& parameters);
+double residualOfArcs_um(const CompensationParameters& parameters);
+
+/// Is this line of the program among those that stay?
+bool isKept(const CompensationParameters& parameters, std::int64_t line);
 
 /// One corrected run.
 struct CorrectedRun {
@@ -52,11 +64,11 @@ struct RobustnessRow {
 
 struct CompensationResult {
     CompensationParameters parameters;
-    DeflectionResult before;         ///< the original program
-    std::vector<CorrectedRun> runs;  ///< runs toward the chuck that cut stock, in order
-    std::vector<ToolRun> written;    ///< all runs after correction
-    FinalContour after;              ///< of the written path, against the original targets
-    ErrorSummary residual;
+    DeflectionResult before;           ///< the original program
+    std::vector<CorrectedRun> runs;    ///< runs toward the chuck that cut stock, in order
+    std::vector<ToolRun> written;      ///< all runs after correction
+    FinalContour after;                ///< of the written path, against the original targets
+    ErrorSummary residual;             ///< of `after`; its max_um is that of all corrected runs
     std::int64_t blocks_changed = 0;   ///< blocks of the original whose end moves
     std::int64_t blocks_added = 0;     ///< additional corners
     double largest_correction_um = 0;  ///< on diameter, with its sign
@@ -64,8 +76,8 @@ struct CompensationResult {
     Notes notes;
 };
 
-/// Errors: those of predictDeflection(); correctionTooLarge; cannotBeWritten (a tolerance below half the grid). Cutting
-/// arcs are replaced by straight blocks. Throws Cancelled.
+/// Errors: those of predictDeflection(); correctionTooLarge; cannotBeWritten (a tolerance below half the grid). Throws
+/// Cancelled.
 CompensationResult compensate(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup,
                               const CompensationParameters& parameters = {}, const Progress& progress = {});
 

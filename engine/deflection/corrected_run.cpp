@@ -15,8 +15,8 @@ namespace {
 class RunWriter {
 public:
     RunWriter(const WorkPlan& plan, const TurningWork& before, const CutPlan& cut, std::span<const Station> ideal,
-              double grid_mm, double tolerance_mm)
-        : plan_(plan), cut_(cut), grid_mm_(grid_mm), tolerance_mm_(tolerance_mm), count_(cut.pieces.size())
+              const ArcLimits& limits)
+        : plan_(plan), cut_(cut), limits_(limits), count_(cut.pieces.size()), arcs_(cut.pieces.size() + 1)
     {
         for (std::vector<const Station*>& side : wanted_) side.assign(count_ + 1, nullptr);
         for (std::vector<double>& side : corner_mm_) side.assign(count_ + 1, notANumber);
@@ -27,6 +27,7 @@ public:
             const bool starts_in = before.outerStart_mm()[k] - piece.start_mm > noDepth_mm;
             if (starts_in && !wanted_[1][i]) wanted_[1][i] = wanted_[0][i];  // one station represents both sides
             const bool ends_in = before.outerEnd_mm()[k] - piece.end_mm > noDepth_mm;
+            if (piece.arc) continue;
             // The cut begins or ends within the piece: its end in air is not corrected.
             if (starts_in && !ends_in) wanted_[0][i + 1] = inAir(z(i + 1), piece.end_mm);
             if (!starts_in && ends_in) wanted_[1][i] = inAir(z(i), piece.start_mm);
@@ -59,25 +60,55 @@ private:
         if (node == 0 || node == count_) return false;
         if (cut_.pieces[node].start_mm != cut_.pieces[node - 1].end_mm) return true;
         const Station *before = wanted_[0][node], *behind = wanted_[1][node];
-        return before && behind && std::abs(before->x_mm - behind->x_mm) > tolerance_mm_;
+        return before && behind && std::abs(before->x_mm - behind->x_mm) > limits_.tolerance_mm;
     }
-    /// A partly cutting arc is replaced over its whole length; its part in air keeps its shape.
+    std::size_t endOfArc(std::size_t piece) const
+    {
+        std::size_t end = piece + 1;
+        while (end < count_ && cut_.pieces[end].arc && !cut_.block_ends[end]) ++end;
+        return end;
+    }
+
+    /// What of an arc is in air, or does no more than rub, moves with the nearest part that is corrected; without one,
+    /// with the corner that it begins at.
     void takeArcsWhole()
     {
         for (std::size_t i = 0; i < count_;) {
-            if (!cut_.pieces[i].in_arc) {
+            if (!cut_.pieces[i].arc) {
                 ++i;
                 continue;
             }
-            std::size_t end = i + 1;
-            while (end < count_ && cut_.pieces[end].in_arc && !cut_.block_ends[end]) ++end;
-            bool cuts = false;
-            for (std::size_t k = i; k < end; ++k) cuts = cuts || isMaterial(k);
-            for (std::size_t k = i; cuts && k < end; ++k) {
-                if (!wanted_[1][k]) wanted_[1][k] = inAir(z(k), cut_.pieces[k].start_mm);
-                if (!wanted_[0][k + 1]) wanted_[0][k + 1] = inAir(z(k + 1), cut_.pieces[k].end_mm);
-            }
+            const std::size_t end = endOfArc(i);
+            moveArc(i, end);
             i = end;
+        }
+    }
+
+    void moveArc(std::size_t from, std::size_t end)
+    {
+        struct Slot {
+            const Station** station;
+            double z_mm, programmed_mm;
+        };
+        std::vector<Slot> slots;
+        slots.reserve(2 * (end - from));
+        for (std::size_t k = from; k < end; ++k) {
+            slots.push_back({&wanted_[1][k], z(k), cut_.pieces[k].start_mm});
+            slots.push_back({&wanted_[0][k + 1], z(k + 1), cut_.pieces[k].end_mm});
+        }
+        const auto corrects = [](const Slot& slot) { return *slot.station && !(*slot.station)->rubs; };
+        const auto first = std::find_if(slots.begin(), slots.end(), corrects);
+        double correction_mm = 0;
+        if (first != slots.end())
+            correction_mm = (*first->station)->x_mm - first->programmed_mm;
+        else if (from > 0 && wanted_[0][from])
+            correction_mm = wanted_[0][from]->x_mm - cut_.pieces[from - 1].end_mm;
+        if (first == slots.end() && std::abs(correction_mm) < limits_.grid_mm / 2) return;
+        for (const Slot& slot : slots) {
+            if (corrects(slot))
+                correction_mm = (*slot.station)->x_mm - slot.programmed_mm;
+            else
+                *slot.station = inAir(slot.z_mm, slot.programmed_mm + correction_mm);
         }
     }
 
@@ -98,22 +129,41 @@ private:
         for (std::size_t node = from; node <= to; ++node)
             places.push_back({z(node), (node == from ? wanted_[1][node] : wanted_[0][node])->x_mm,
                               static_cast<bool>(cut_.block_ends[node])});
-        const auto corners = writtenContour(places, grid_mm_, tolerance_mm_);
+        std::vector<WantedArc> arcs;
+        for (std::size_t k = from; k < to;) {
+            if (!cut_.pieces[k].arc) {
+                ++k;
+                continue;
+            }
+            const std::size_t end = std::min(to, endOfArc(k));
+            arcs.push_back({k - from, end - from, *cut_.pieces[k].arc, isUpper(k)});
+            k = end;
+        }
+        const auto corners = writtenContour(places, arcs, limits_);
         if (!corners)
-            throw Error(errors::cannotBeWritten, {{"grid_um", 2 * um_per_mm * grid_mm_},
-                                                  {"residual_um", um_per_mm * grid_mm_},
-                                                  {"tolerance_um", 2 * um_per_mm * tolerance_mm_}});
+            throw Error(errors::cannotBeWritten, {{"grid_um", 2 * um_per_mm * limits_.grid_mm},
+                                                  {"residual_um", um_per_mm * limits_.grid_mm},
+                                                  {"tolerance_um", 2 * um_per_mm * limits_.tolerance_mm}});
         for (const WrittenCorner& corner : *corners) {
             const std::size_t node = from + corner.place;
             if (node > from) corner_mm_[0][node] = corner.x_mm;
             if (node < to) corner_mm_[1][node] = corner.x_mm;
+            if (node > from) arcs_[node] = corner.arc;
         }
+    }
+
+    /// Does the arc of this piece lie at larger radii than its centre?
+    bool isUpper(std::size_t piece) const
+    {
+        const CutPiece& at = cut_.pieces[piece];
+        return at.start_mm + at.end_mm > 2 * at.arc->x_mm;
     }
 
     /// Interpolates the contour between the corners; unchanged in air.
     void fillContour()
     {
         written_.cut = cut_;
+        written_.is_coarse.assign(count_, false);
         filled_.assign(count_, false);
         for (std::size_t i = 0; i < count_;) {
             if (std::isnan(corner_mm_[1][i])) {
@@ -124,6 +174,8 @@ private:
             while (end < count_ && std::isnan(corner_mm_[0][end])) ++end;
             const double from_mm = corner_mm_[1][i], to_mm = corner_mm_[0][end];
             const auto along = [&](std::size_t node) {
+                if (arcs_[end] && node != i && node != end)
+                    return radiusOnArc_mm(*arcs_[end], isUpper(i), z(i), from_mm, z(node));
                 return from_mm + (to_mm - from_mm) * (z(node) - z(i)) / (z(end) - z(i));
             };
             for (std::size_t k = i; k < end; ++k) {
@@ -131,6 +183,7 @@ private:
                 piece.start_mm = along(k);
                 piece.end_mm = along(k + 1);
                 filled_[k] = true;
+                written_.is_coarse[k] = arcs_[end].has_value();
             }
             i = end;
         }
@@ -159,6 +212,7 @@ private:
         node.programmed_mm = side == 0 ? piece.end_mm : piece.start_mm;
         node.line = point ? point->line : piece.line;
         node.added = !point;
+        if (side == 0) node.arc = arcs_[at];
         node.feed_mm_rev = point ? point->feed_mm_rev : piece.feed_mm_rev;
         node.in_material = true;
         node.dx_um = um_per_mm * s.dx_mm;
@@ -168,7 +222,19 @@ private:
         node.F_ap_N = s.forces.F_ap_N;
         node.stiffness_N_mm = s.stiffness_N_mm;
         written_.nodes.push_back(node);
-        written_.run.points.push_back({node.z_mm, node.x_mm, node.feed_mm_rev, node.line, true});
+        const PathPoint end{node.z_mm, node.x_mm, node.feed_mm_rev, node.line, true, node.arc};
+        if (node.arc && !written_.run.points.empty())
+            appendArc(PathPoint(written_.run.points.back()), end, chordOfArc_mm, written_.run.points);
+        else
+            written_.run.points.push_back(end);
+    }
+
+    /// The step before an arc that begins at another radius than the block before it ends at is added to that block.
+    void emitStep(std::size_t at, const PathPoint& end)
+    {
+        emitCorner(at, 1, nullptr);
+        written_.nodes.back().line = written_.run.points.back().line = end.line;
+        written_.nodes.back().steps_behind = true;
     }
 
     /// True if the original contour at z is replaced by straight blocks between corners.
@@ -213,27 +279,31 @@ private:
         if (before && behind && !isShoulder(i)) return;
         if (!before && i > 0 && isShoulder(i) && first) emitAsItWas(*first);
         for (std::size_t k = 1; k + 1 < here.size(); ++k) emitAsItWas(here[k]);
-        if (behind) emitCorner(i, 1, before && here.size() == 1 ? nullptr : last);
+        if (behind && before && here.size() == 1 && cut_.pieces[i].arc)
+            emitStep(i, here.front());
+        else if (behind)
+            emitCorner(i, 1, before && here.size() == 1 ? nullptr : last);
         if (!behind && here.size() > 1) emitAsItWas(*last);
     }
 
     const WorkPlan& plan_;
     const CutPlan& cut_;
-    double grid_mm_, tolerance_mm_;
+    const ArcLimits& limits_;
     std::size_t count_;
-    std::vector<const Station*> wanted_[2];  ///< target stations of the nodes by side; null: none
-    std::deque<Station> made_;               ///< stations generated here
-    std::vector<double> corner_mm_[2];       ///< corner radius by side; NaN: none
-    std::vector<bool> filled_;               ///< true for replaced pieces
+    std::vector<std::optional<ArcCentre>> arcs_;  ///< that lead to the corner at a node
+    std::vector<const Station*> wanted_[2];       ///< target stations of the nodes by side; null: none
+    std::deque<Station> made_;                    ///< stations generated here
+    std::vector<double> corner_mm_[2];            ///< corner radius by side; NaN: none
+    std::vector<bool> filled_;                    ///< true for replaced pieces
     WrittenRun written_;
 };
 
 }  // namespace
 
 WrittenRun writtenRun(const WorkPlan& plan, const TurningWork& before, const CutPlan& cut,
-                      std::span<const Station> ideal, double grid_mm, double tolerance_mm)
+                      std::span<const Station> ideal, const ArcLimits& limits)
 {
-    return RunWriter(plan, before, cut, ideal, grid_mm, tolerance_mm).write();
+    return RunWriter(plan, before, cut, ideal, limits).write();
 }
 
 }  // namespace lathelier::deflection

@@ -99,11 +99,13 @@ TargetContour::TargetContour(const WorkPlan& plan)
 
 void TargetContour::take(const CutPlan& contour, std::span<const Station> stations)
 {
-    const auto is_cut = [&](std::size_t piece, bool at_start) {
-        const CutPiece& c = contour.pieces[piece];
-        (at_start ? start_mm_ : end_mm_)[contour.first + piece] = at_start ? c.start_mm : c.end_mm;
-    };
     for (const Station& s : stations) {
+        // A corrected cut may begin a little before its target meets the stock, and no more than that can be left.
+        const auto is_cut = [&](std::size_t piece, bool at_start) {
+            const CutPiece& c = contour.pieces[piece];
+            (at_start ? start_mm_ : end_mm_)[contour.first + piece] =
+                std::min(at_start ? c.start_mm : c.end_mm, s.stock_mm);
+        };
         is_cut(s.piece, s.at_start);
         // One station represents both sides of a node without a jump.
         if (!s.at_start && s.piece + 1 < contour.pieces.size() &&

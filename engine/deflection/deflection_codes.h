@@ -62,6 +62,9 @@ inline constexpr ErrorCode measuredOutsideCut{
     LT_TEXT("Engine",
             "The diameter measured at z = {z_mm} mm lies where nothing is cut; expected {from_mm} to {to_mm} mm.")};
 
+inline constexpr ErrorCode notModelled{"not_modelled", ErrorKind::NoAnswer,
+                                       LT_TEXT("Engine", "Not modelled: {what}. Nothing is written on it.")};
+
 }  // namespace errors
 
 namespace notes {
@@ -161,9 +164,17 @@ inline constexpr NoteCode tooFewForStiffness{
     "too_few_for_stiffness", Severity::Info,
     LT_TEXT("Engine", "{found} measured diameters do not determine {expected} unknown stiffnesses; none was sought.")};
 
-inline constexpr NoteCode arcsBecomeLines{
-    "arcs_become_lines", Severity::Info,
-    LT_TEXT("Engine", "Arcs that became straight blocks, so that their ends can move by different amounts: {count}.")};
+inline constexpr NoteCode boreNotPredicted{
+    "bore_not_predicted", Severity::Warning,
+    LT_TEXT("Engine",
+            "Line {line}: a pass in a bore is neither predicted nor corrected; its material stays, and nothing is said "
+            "of its diameter.")};
+
+inline constexpr NoteCode skippedBlocksRun{
+    "skipped_blocks_run", Severity::Warning,
+    LT_TEXT("Engine",
+            "Blocks behind “/”, first in line {line}, are taken as run. Where they are skipped, later passes are "
+            "deeper than those that were corrected.")};
 
 inline constexpr NoteCode correctionCutsDeeper{
     "correction_cuts_deeper", Severity::Info,

@@ -22,29 +22,6 @@ struct Stretch {
     }
 };
 
-void appendArc(const PathPoint& from, const ToolMove& move, double chord_mm, std::vector<Stretch>& stretches)
-{
-    const ArcCentre& c = *move.arc;
-    const double radius_mm = std::hypot(from.z_mm - c.z_mm, from.x_mm - c.x_mm);
-    const double begin = std::atan2(from.x_mm - c.x_mm, from.z_mm - c.z_mm);
-    double sweep = std::atan2(move.x_mm - c.x_mm, move.z_mm - c.z_mm) - begin;
-    if (c.clockwise && sweep >= 0) sweep -= 2 * std::numbers::pi;
-    if (!c.clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
-    const double widest = radius_mm > chord_mm ? 2 * std::acos(1 - chord_mm / radius_mm) : std::numbers::pi;
-    const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / widest), 1.0, double{mostChords}));
-    PathPoint before = from;
-    for (int i = 1; i <= chords; ++i) {
-        PathPoint next{move.z_mm, move.x_mm, move.feed_mm_rev, move.line, i == chords};
-        if (i < chords) {
-            const double angle = begin + sweep * i / chords;
-            next.z_mm = c.z_mm + radius_mm * std::cos(angle);
-            next.x_mm = c.x_mm + radius_mm * std::sin(angle);
-        }
-        stretches.push_back({before, next});
-        before = next;
-    }
-}
-
 /// Joins consecutive stretches to runs.
 class RunMaker {
 public:
@@ -100,23 +77,49 @@ private:
 
 }  // namespace
 
+void appendArc(const PathPoint& from, const PathPoint& end, double chord_mm, std::vector<PathPoint>& points)
+{
+    const ArcCentre& c = *end.arc;
+    const double radius_mm = std::hypot(from.z_mm - c.z_mm, from.x_mm - c.x_mm);
+    const double begin = std::atan2(from.x_mm - c.x_mm, from.z_mm - c.z_mm);
+    double sweep = std::atan2(end.x_mm - c.x_mm, end.z_mm - c.z_mm) - begin;
+    if (c.clockwise && sweep >= 0) sweep -= 2 * std::numbers::pi;
+    if (!c.clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
+    const double widest = radius_mm > chord_mm ? 2 * std::acos(1 - chord_mm / radius_mm) : std::numbers::pi;
+    const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / widest), 1.0, double{mostChords}));
+    for (int i = 1; i <= chords; ++i) {
+        PathPoint next = end;
+        if (i < chords) {
+            next.is_block_end = false;
+            const double angle = begin + sweep * i / chords;
+            next.z_mm = c.z_mm + radius_mm * std::cos(angle);
+            next.x_mm = c.x_mm + radius_mm * std::sin(angle);
+        }
+        points.push_back(next);
+    }
+}
+
 std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm)
 {
     RunMaker maker;
-    std::vector<Stretch> stretches;
+    std::vector<PathPoint> points;
     for (std::size_t i = 1; i < moves.size(); ++i) {
         const ToolMove& move = moves[i];
         if (!move.is_feed) {
             maker.finish();
             continue;
         }
-        const PathPoint from{moves[i - 1].z_mm, moves[i - 1].x_mm, move.feed_mm_rev, moves[i - 1].line};
-        stretches.clear();
+        PathPoint from{moves[i - 1].z_mm, moves[i - 1].x_mm, move.feed_mm_rev, moves[i - 1].line};
+        const PathPoint end{move.z_mm, move.x_mm, move.feed_mm_rev, move.line, true, move.arc};
+        points.clear();
         if (move.arc)
-            appendArc(from, move, chord_mm, stretches);
+            appendArc(from, end, chord_mm, points);
         else
-            stretches.push_back({from, {move.z_mm, move.x_mm, move.feed_mm_rev, move.line}});
-        for (const Stretch& stretch : stretches) maker.add(stretch);
+            points.push_back(end);
+        for (const PathPoint& to : points) {
+            maker.add({from, to});
+            from = to;
+        }
     }
     maker.finish();
     return maker.take();

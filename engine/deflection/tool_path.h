@@ -14,6 +14,7 @@ struct ArcCentre {
     double z_mm = 0;
     double x_mm = 0;
     bool clockwise = false;  ///< in the (z, x) plane
+    bool by_centre = false;  ///< its block states the centre; false: the radius
     friend bool operator==(const ArcCentre&, const ArcCentre&) = default;
 };
 
@@ -34,7 +35,8 @@ struct PathPoint {
     double x_mm = 0;         ///< radius
     double feed_mm_rev = 0;  ///< of the stretch that ends here
     std::int64_t line = 0;   ///< of the block that causes that stretch; of the first point, of the move that leads here
-    bool is_block_end = true;  ///< false: within an arc
+    bool is_block_end = true;        ///< false: within an arc
+    std::optional<ArcCentre> arc{};  ///< of that stretch; none: straight
     friend bool operator==(const PathPoint&, const PathPoint&) = default;
 };
 
@@ -50,8 +52,13 @@ struct ToolRun {
     friend bool operator==(const ToolRun&, const ToolRun&) = default;
 };
 
+inline constexpr double chordOfArc_mm = 1e-5;  ///< most that the chords of an arc leave it by
+
+/// Points along the arc of `end`, from behind `from` up to `end`, whose chords leave it by `chord_mm` at most.
+void appendArc(const PathPoint& from, const PathPoint& end, double chord_mm, std::vector<PathPoint>& points);
+
 /// Arcs become chords that leave them by `chord_mm` at most. Moves along x alone at the start or end of a run are
 /// excluded, as are rapid moves and retracting feed moves.
-std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm = 1e-5);
+std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm = chordOfArc_mm);
 
 }  // namespace lathelier::deflection

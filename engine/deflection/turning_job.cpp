@@ -8,6 +8,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
+#include "engine/deflection/bore_passes.h"
 #include "engine/deflection/deflection_codes.h"
 #include "engine/deflection/deflection_quantities.h"
 #include "engine/gcode/gcode_codes.h"
@@ -17,7 +18,20 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr double mm_per_m = 1000;
-constexpr int decimalsOfDiameter = 3;
+constexpr int leastDecimals = 3;  ///< of a diameter in millimetres
+
+/// Decimals of a diameter in millimetres on this grid.
+int decimalsOf(double grid_um)
+{
+    constexpr int mostDecimals = 6;
+    int decimals = leastDecimals;
+    double steps = grid_um;  // of the last decimal
+    while (decimals < mostDecimals && std::abs(steps - std::round(steps)) > meet_mm) {
+        steps *= 10;
+        ++decimals;
+    }
+    return decimals;
+}
 
 /// In 1/min; NaN: no speed stated.
 double speedOf(const gcode::Move& move)
@@ -86,26 +100,29 @@ private:
 /// Changed blocks of a program, with the corner at the end of each of their parts.
 class BlockPlanner {
 public:
-    BlockPlanner(const TurningJob& job, const std::vector<Interval>& kept_lines)
-        : job_(job), keptLines_(kept_lines), rewriter_(job.program, job.path, decimalsOfDiameter)
+    BlockPlanner(const TurningJob& job, const CompensationParameters& parameters)
+        : job_(job), parameters_(parameters), rewriter_(job.program, job.path, decimalsOf(parameters.grid_um))
     {
     }
 
     void add(const CorrectedRun& run)
     {
         const std::vector<CorrectedNode>& nodes = run.nodes;
-        if (nodes.empty()) return;
+        if (nodes.empty() || std::none_of(nodes.begin(), nodes.end(), isMoved)) return;
+        const Text turns = LT_TEXT("Engine", "it is an arc that turns back along z");
+        if (nodes.front().added) refuse(nodes.front().line, turns);
         if (isMoved(nodes.front())) plan({nodes.front()}, nodes.front());
         std::vector<CorrectedNode> parts;
         for (std::size_t k = 1; k < nodes.size(); ++k) {
             parts.push_back(nodes[k]);
-            if (nodes[k].added) continue;
-            const CorrectedNode& before = nodes[k - parts.size()];
-            const bool is_needed =
-                std::any_of(parts.begin(), parts.end(), isMoved) || (isMoved(before) && parts.size() > 1);
-            if (is_needed) plan(parts, before);
+            const bool is_last = k + 1 == nodes.size() || !nodes[k + 1].steps_behind;
+            if (!is_last || (nodes[k].added && !nodes[k].steps_behind)) continue;
+            planParts(parts, nodes[k - parts.size()]);
             parts.clear();
         }
+        if (!parts.empty()) refuse(parts.back().line, turns);
+        for (std::size_t k = 1; k < nodes.size(); ++k)
+            if (auto error = rewriter_.refusalOfWords(static_cast<std::size_t>(nodes[k].line - 1))) throw Error(*error);
     }
 
     /// Blocks after a changed one that state no X get the original X.
@@ -125,13 +142,13 @@ public:
             if (!gcode::isKnown(state.end) || states('X') || states('U')) change_mm = 0;
             const bool moves = states('Z') || states('W');
             if (std::abs(change_mm) <= meet_mm || !moves || state.is_incremental || rewriter_.refusal(b)) continue;
+            if (state.kind == gcode::MoveKind::Arc) continue;  // the rewriter refuses one that begins elsewhere
             rewriter_.setX(b, state.end.x_mm);
             change_mm = 0;
         }
     }
 
     gcode::RewrittenProgram write() const { return rewriter_.write(); }
-    std::int64_t arcs() const { return arcs_; }
 
     /// The corner that a part of a changed block leads to; null: it follows from another change.
     const CorrectedNode* cornerOf(const gcode::BlockChange& change) const
@@ -143,31 +160,48 @@ public:
 
 private:
     static bool isMoved(const CorrectedNode& node) { return std::abs(node.correction_um()) > meet_mm * mm_per_m; }
-    bool isKept(std::int64_t line) const
+    bool isArc(std::int64_t line) const
     {
-        const auto number = static_cast<double>(line);
-        return std::any_of(keptLines_.begin(), keptLines_.end(),
-                           [&](const Interval& lines) { return lines.from <= number && number <= lines.to; });
+        return job_.path.blocks.at(static_cast<std::size_t>(line - 1)).kind == gcode::MoveKind::Arc;
+    }
+
+    [[noreturn]] void refuse(std::int64_t line, Text reason) const
+    {
+        const gcode::Block& block = job_.program.blocks.at(static_cast<std::size_t>(line - 1));
+        throw Error(errors::ncBlockNotRewritable, {{"line", line},
+                                                   {"block", gcode::shown(job_.program, job_.program.textOf(block))},
+                                                   {"word", Value()},
+                                                   {"reason", reason}});
+    }
+
+    /// The parts of one block; the last but a step behind it is its end.
+    void planParts(const std::vector<CorrectedNode>& parts, const CorrectedNode& before)
+    {
+        const bool follows = isMoved(before) && (parts.size() > 1 || isArc(parts.back().line));
+        if (follows || std::any_of(parts.begin(), parts.end(), isMoved)) plan(parts, before);
     }
 
     void plan(const std::vector<CorrectedNode>& parts, const CorrectedNode& before)
     {
         const std::int64_t line = parts.back().line;
-        if (isKept(line)) return;
+        if (isKept(parameters_, line)) return;
         const auto b = static_cast<std::size_t>(line - 1);
         if (auto error = rewriter_.refusal(b)) throw Error(*error);
-        const bool is_arc = job_.path.blocks[b].kind == gcode::MoveKind::Arc;
+        const bool is_arc = isArc(line);
         if (is_arc && before.line != line && (before.z_mm < -meet_mm || parts.back().z_mm > length_mm() + meet_mm))
-            throw Error(errors::ncBlockNotRewritable,
-                        {{"line", line},
-                         {"block", gcode::shown(job_.program, job_.program.textOf(job_.program.blocks[b]))},
-                         {"reason", LT_TEXT("Engine", "it is an arc that runs beyond the work")}});
-        if (is_arc) ++arcs_;
-        std::vector<gcode::Point> points;
-        points.reserve(parts.size());
-        for (const CorrectedNode& node : parts) points.push_back({node.x_mm, job_.setup.z_zero_mm - node.z_mm});
+            refuse(line, LT_TEXT("Engine", "it is an arc that runs beyond the work"));
+        if (is_arc && parts.size() == 1 && !parts.front().arc)
+            refuse(line, LT_TEXT("Engine", "it is an arc that ends where a corrected pass begins"));
+        const double z_zero_mm = job_.setup.z_zero_mm;
+        std::vector<gcode::PathPart> written;
+        written.reserve(parts.size());
+        for (const CorrectedNode& node : parts) {
+            gcode::PathPart part{{node.x_mm, z_zero_mm - node.z_mm}, {}};
+            if (node.arc) part.centre = gcode::Point{node.arc->x_mm, z_zero_mm - node.arc->z_mm};
+            written.push_back(part);
+        }
         if (parts.size() > 1 || is_arc)
-            rewriter_.split(b, std::move(points));
+            rewriter_.split(b, std::move(written));
         else
             rewriter_.setX(b, parts.front().x_mm);
         corners_[b] = parts;
@@ -181,11 +215,18 @@ private:
     }
 
     const TurningJob& job_;
-    const std::vector<Interval>& keptLines_;
+    const CompensationParameters& parameters_;
     gcode::Rewriter rewriter_;
     std::map<std::size_t, std::vector<CorrectedNode>> corners_;
-    std::int64_t arcs_ = 0;
 };
+
+/// Blocks that a switch of the machine may leave out.
+void noteSkipped(const TurningJob& job, Notes& list)
+{
+    for (std::size_t b = 0; b < job.program.blocks.size(); ++b)
+        if (job.program.blocks[b].has_skip && job.path.blocks[b].runs > 0)
+            return list.push_back({notes::skippedBlocksRun, {{"line", static_cast<std::int64_t>(b) + 1}}});
+}
 
 ProgramChange changeOf(const gcode::BlockChange& change, const CorrectedNode* corner)
 {
@@ -237,19 +278,66 @@ void takeOffAxis(ToolRun& run)
     points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-/// Runs that generate a diameter; not facing and parting off, which end at or beyond the axis.
-std::vector<ToolRun> turningRuns(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes)
+struct TurningRuns {
+    std::vector<ToolRun> runs;
+    std::optional<std::int64_t> bore_line;
+};
+
+/// Do I and K state the arc of this block?
+bool statesCentre(const gcode::Program& program, std::int64_t line)
 {
-    std::vector<ToolRun> runs = toolRuns(toolMoves(path, setup, notes));
+    const gcode::Block& block = program.blocks.at(static_cast<std::size_t>(line - 1));
+    return program.wordOf(block, 'I') || program.wordOf(block, 'K');
+}
+
+/// Takes out what cuts in a bore; the line of its first block.
+std::optional<std::int64_t> leaveOutBores(std::vector<ToolMove>& moves, const Shaft& stock, Notes& notes)
+{
+    const std::vector<bool> in_bore = movesInBores(moves, stock);
+    std::optional<std::int64_t> line;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+        if (!in_bore[i] || !moves[i].is_feed) continue;
+        moves[i].is_feed = false;
+        if (!line) line = moves[i].line;
+    }
+    if (line) notes.push_back({notes::boreNotPredicted, {{"line", *line}}});
+    return line;
+}
+
+/// Runs that generate an outside diameter; not facing and parting off, which end at or beyond the axis.
+TurningRuns turningRuns(const gcode::Program& program, const gcode::Toolpath& path, const Shaft& stock,
+                        const TurningSetup& setup, Notes& notes)
+{
+    std::vector<ToolMove> moves = toolMoves(path, setup, notes);
+    for (ToolMove& move : moves)
+        if (move.arc) move.arc->by_centre = statesCentre(program, move.line);
+    TurningRuns turning;
+    turning.bore_line = leaveOutBores(moves, stock, notes);
+    std::vector<ToolRun>& runs = turning.runs;
+    runs = toolRuns(moves);
     const auto faces = [](const ToolRun& run) {
         return std::any_of(run.points.begin(), run.points.end(), [](const PathPoint& at) { return at.x_mm <= 0; });
     };
     const auto first = std::find_if(runs.begin(), runs.end(), faces);
-    if (first == runs.end()) return runs;
+    if (first == runs.end()) return turning;
     notes.push_back({notes::facingNotPredicted, {{"line", first->points.back().line}}});
     for (ToolRun& run : runs) takeOffAxis(run);
     std::erase_if(runs, [](const ToolRun& run) { return run.points.size() < 2; });
-    return runs;
+    return turning;
+}
+
+[[noreturn]] void refuseBore(std::int64_t line)
+{
+    throw Error(errors::notModelled, {{"what", LT_TEXT("Engine", "a pass in a bore")}, {"line", line}});
+}
+
+/// A feed move that counts inches makes a program of inches.
+bool countsInches(const gcode::Toolpath& path)
+{
+    return std::any_of(path.blocks.begin(), path.blocks.end(), [](const gcode::BlockState& state) {
+        return state.runs > 0 && state.is_inch &&
+               (state.kind == gcode::MoveKind::Feed || state.kind == gcode::MoveKind::Arc);
+    });
 }
 
 }  // namespace
@@ -264,9 +352,21 @@ std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup&
 TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
                       gcode::ToolTable tools)
 {
-    TurningJob job{
-        std::move(program), std::move(path), std::move(stock), std::move(setup), std::move(tools), {}, {}, {}};
-    job.runs = turningRuns(job.path, job.setup, job.notes);
+    TurningJob job{std::move(program),
+                   std::move(path),
+                   std::move(stock),
+                   std::move(setup),
+                   std::move(tools),
+                   {},
+                   {},
+                   {},
+                   false,
+                   {}};
+    TurningRuns turning = turningRuns(job.program, job.path, job.stock, job.setup, job.notes);
+    if (turning.runs.empty() && turning.bore_line) refuseBore(*turning.bore_line);
+    job.runs = std::move(turning.runs);
+    job.bore_line = turning.bore_line;
+    job.is_inch = countsInches(job.path);
     noteOtherMaterial(job.stock, job.setup, job.notes);
     job.plan = workPlan(job.stock, job.runs, job.setup);
     return job;
@@ -287,15 +387,18 @@ std::string reasonOf(const ProgramChange& change)
 CorrectedProgram correctProgram(const TurningJob& job, const CompensationParameters& parameters,
                                 const Progress& progress)
 {
+    if (job.bore_line) refuseBore(*job.bore_line);
     CorrectedProgram corrected;
-    CompensationParameters without = parameters;
+    CompensationParameters asked = parameters;
+    asked.is_inch = job.is_inch;
+    CompensationParameters without = asked;
     without.robustness = false;  // robustness is computed for the written text only
     corrected.compensation = compensate(job.stock, job.runs, job.setup, without, progress.part(0, 0.6));
     CompensationResult& result = corrected.compensation;
-    result.parameters = parameters;
+    result.parameters = asked;
     result.before.notes.insert(result.before.notes.begin(), job.notes.begin(), job.notes.end());
 
-    BlockPlanner planner(job, parameters.kept_lines);
+    BlockPlanner planner(job, asked);
     for (const CorrectedRun& run : result.runs) planner.add(run);
     planner.restore();
     gcode::RewrittenProgram written = planner.write();
@@ -304,14 +407,14 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
         corrected.changes.push_back(changeOf(change, planner.cornerOf(change)));
     result.blocks_changed = written.blocks_changed;
     result.blocks_added = written.blocks_added;
-    if (planner.arcs() > 0) result.notes.push_back({notes::arcsBecomeLines, {{"count", planner.arcs()}}});
+    noteSkipped(job, result.notes);
 
     gcode::Program again = gcode::readProgram(corrected.text, job.program.control, progress.part(0.6, 0.7));
     gcode::ToolpathParameters reading = job.path.parameters;
     reading.dialect = job.program.control->key;
     gcode::Toolpath path = findToolpath(again, reading, job.tools, progress.part(0.7, 0.8));
     Notes known;
-    const std::vector<ToolRun> runs = turningRuns(path, job.setup, known);
+    const std::vector<ToolRun> runs = turningRuns(again, path, job.stock, job.setup, known).runs;
     evaluateWritten(job.stock, job.runs, runs, result);
     result.written = runs;
     corrected.moves = std::move(path.moves);

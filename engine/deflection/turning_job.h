@@ -24,15 +24,18 @@ struct TurningJob {
     gcode::ToolTable tools;     ///< corner radii and tips used for the moves
     std::vector<ToolRun> runs;  ///< of the moves, filled in by turningJob()
     WorkPlan plan;              ///< stock and runs on one row of nodes, filled in by turningJob()
-    Notes notes;                ///< threads, several tools, feeds per minute without a speed, another material
+    Notes notes;                ///< threads, several tools, feeds per minute without a speed, another material, bores
+    bool is_inch = false;       ///< the program counts inches
+    std::optional<std::int64_t> bore_line;  ///< first cutting block in a bore, which is in no run; none: no such block
 };
 
 /// Moves in the coordinates of the work. Feeds per minute become feeds per revolution by the speed at the end of the
 /// move; threads, dwells and moves from or to a reference point do not cut. Notes threadNotPredicted, severalTools,
-/// spindleSpeedUnknown.
+/// spindleSpeedUnknown. Arcs are those of a radius: the moves do not say what their block states.
 std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup& setup, Notes& notes);
 
-/// Errors: those of workPlan(). Precondition: `path` has no errors.
+/// Errors: those of workPlan(); notModelled (`line`) for a program that cuts in bores alone. Precondition: `path` has
+/// no errors.
 TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
                       gcode::ToolTable tools = {});
 
@@ -59,10 +62,11 @@ struct CorrectedProgram {
     std::vector<gcode::Move> moves;  ///< of `text`
 };
 
-/// Only X words change, on a grid of 0.001 mm of diameter, and blocks are divided where a corner is needed. Blocks
-/// behind a changed one that state no X, or count from it, get their original X. Errors: those of compensate();
-/// ncBlockNotRewritable (line, block, reason) under nose radius compensation, in a contour of G70-G73, in blocks
-/// executed more than once. Throws Cancelled.
+/// Only X words and those of the centres and radii of arcs change, on the grid of the program (0.001 mm of diameter,
+/// 0.0001 in), and blocks are divided where a corner is needed. Blocks behind a changed one that state no X, or count
+/// from it, get their original X. Errors: those of compensate(); notModelled (`line`) for passes in a bore;
+/// ncBlockNotRewritable (line, block, word, reason) under nose radius compensation, in a contour of G70-G73, in blocks
+/// executed more than once, for a block of a corrected pass with a word that may shape it. Throws Cancelled.
 CorrectedProgram correctProgram(const TurningJob& job, const CompensationParameters& parameters = {},
                                 const Progress& progress = {});
 

@@ -130,6 +130,7 @@ TurningStudy studyTurning(const TurningJob& job, const StudyParameters& paramete
     append(study.prediction.notes, study.notes);
     if (parameters.tolerance_um)
         study.verdict = study.prediction.summary.max_um <= *parameters.tolerance_um ? Verdict::Pass : Verdict::Fail;
+    if (study.verdict && job.bore_line) study.verdict = Verdict::Undecided;
     study.compliance = staticCompliance(job.stock, job.setup);
     if (parameters.band)
         study.band =

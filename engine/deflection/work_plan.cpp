@@ -13,7 +13,6 @@ namespace lathelier::deflection {
 namespace {
 
 constexpr std::size_t mostPieces = 200000;
-constexpr double programGrid_mm = 0.001;  ///< of the program's Z
 constexpr double coarseEnough_mm = 0.01;  ///< smallest step that may be moved onto the grid
 constexpr double arcChord_mm = 5e-5;
 
@@ -23,7 +22,7 @@ double reachOf(const ToolRun& run)
 }
 
 /// Places along arcs, on the grid of the program, whose chords leave them by arcChord_mm at most.
-void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, std::vector<double>& places)
+void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, double z_grid_mm, std::vector<double>& places)
 {
     const std::vector<PathPoint>& points = run.points;
     const auto off_mm = [&](std::size_t from, std::size_t to) {
@@ -40,7 +39,7 @@ void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, std::vector<double>& 
     for (std::size_t i = 1; i < points.size(); ++i) {
         if (i > from + 1 && off_mm(from, i) > arcChord_mm) {
             from = i - 1;
-            places.push_back(z_zero_mm - std::round((z_zero_mm - points[from].z_mm) / programGrid_mm) * programGrid_mm);
+            places.push_back(z_zero_mm - std::round((z_zero_mm - points[from].z_mm) / z_grid_mm) * z_grid_mm);
         }
         if (points[i].is_block_end) from = i;
     }
@@ -48,7 +47,7 @@ void addPlacesOnArcs(const ToolRun& run, double z_zero_mm, std::vector<double>& 
 
 /// Ends of segments, rests, and of the blocks of the runs: positions that need a node.
 std::vector<double> fixedPlaces(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup,
-                                double length_mm)
+                                double length_mm, double z_grid_mm)
 {
     std::vector<double> places{0, length_mm};
     double z_mm = 0;
@@ -61,7 +60,7 @@ std::vector<double> fixedPlaces(const Shaft& stock, std::span<const ToolRun> run
     for (const ToolRun& run : runs)
         for (const PathPoint& point : run.points)
             if (point.is_block_end) places.push_back(point.z_mm);
-    for (const ToolRun& run : runs) addPlacesOnArcs(run, setup.z_zero_mm, places);
+    for (const ToolRun& run : runs) addPlacesOnArcs(run, setup.z_zero_mm, z_grid_mm, places);
     std::erase_if(places, [&](double place_mm) { return place_mm < 0 || place_mm > length_mm; });
     std::sort(places.begin(), places.end());
     const auto is_same = [](double a, double b) { return b - a < samePlanPlace_mm; };
@@ -70,7 +69,7 @@ std::vector<double> fixedPlaces(const Shaft& stock, std::span<const ToolRun> run
     return places;
 }
 
-std::vector<double> nodesOf(const std::vector<double>& places, const TurningSetup& setup)
+std::vector<double> nodesOf(const std::vector<double>& places, const TurningSetup& setup, double z_grid_mm)
 {
     double count = 0;
     for (std::size_t i = 1; i < places.size(); ++i)
@@ -84,8 +83,7 @@ std::vector<double> nodesOf(const std::vector<double>& places, const TurningSetu
         const double steps = std::max(1.0, std::ceil(width_mm / setup.step_mm - 1e-9));
         for (double k = 1; k < steps; ++k) {
             const double z_mm = from_mm + width_mm * k / steps;
-            const double on_grid_mm =
-                setup.z_zero_mm - std::round((setup.z_zero_mm - z_mm) / programGrid_mm) * programGrid_mm;
+            const double on_grid_mm = setup.z_zero_mm - std::round((setup.z_zero_mm - z_mm) / z_grid_mm) * z_grid_mm;
             nodes.push_back(width_mm / steps >= coarseEnough_mm ? on_grid_mm : z_mm);
         }
         nodes.push_back(places[i]);
@@ -131,6 +129,7 @@ std::vector<PathPoint> ascending(const ToolRun& run)
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         points[i].feed_mm_rev = points[i + 1].feed_mm_rev;
         points[i].line = points[i + 1].line;
+        points[i].arc = points[i + 1].arc;
     }
     std::reverse(points.begin(), points.end());
     return points;
@@ -181,7 +180,7 @@ CutPlan onNodes(const WorkPlan& plan, const ToolRun& run)
         piece.feed_mm_rev = cause.feed_mm_rev;
         piece.line = cause.line;
         piece.slope_rad = std::atan2(piece.end_mm - piece.start_mm, to_mm - from_mm);
-        piece.in_arc = !points[k + 1].is_block_end || !points[k].is_block_end;
+        piece.arc = cause.arc;
         cut.pieces.push_back(piece);
     }
     for (const PathPoint& point : points) {
@@ -195,12 +194,12 @@ CutPlan onNodes(const WorkPlan& plan, const ToolRun& run)
 
 }  // namespace
 
-WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup)
+WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup, double z_grid_mm)
 {
     beam::uniformSegments(stock);  // throws for invalid shafts
     WorkPlan plan;
     const double length_mm = stock.length_mm();
-    plan.z_mm = nodesOf(fixedPlaces(stock, runs, setup, length_mm), setup);
+    plan.z_mm = nodesOf(fixedPlaces(stock, runs, setup, length_mm, z_grid_mm), setup, z_grid_mm);
     if (plan.z_mm.size() < 2) return plan;  // a stock without length: nothing of it can be cut
     addStock(stock, plan);
     plan.rest_nodes.reserve(setup.steady_rests.size());

@@ -3,11 +3,12 @@
 //
 // Nodes lie at both ends of the stock, at shoulders and ends of segments, at rests, at the ends of blocks within the
 // stock, along arcs as their chords need them, and between those no further apart than the step; nodes along arcs and
-// in between on a grid of 0.001 mm of the program's Z, so that a corrected program can have its corners there. Radii
+// in between on the grid of the program's Z, so that a corrected program can have its corners there. Radii
 // belong to the ends of the pieces between nodes: a shoulder is two radii at one node.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,16 +18,17 @@
 
 namespace lathelier::deflection {
 
+inline constexpr double metricGrid_mm = 0.001;    ///< of a length in a program that counts millimetres
 inline constexpr double samePlanPlace_mm = 1e-7;  ///< along z: places no further apart are one node
 
 /// Contour of a run between two nodes.
 struct CutPiece {
-    double start_mm = 0;     ///< radius of the contour at the node before
-    double end_mm = 0;       ///< at the node after
-    double feed_mm_rev = 0;  ///< feed of its block
-    double slope_rad = 0;    ///< of the contour; positive: radius grows toward the chuck
-    std::int64_t line = 0;   ///< line of its block
-    bool in_arc = false;     ///< within an arc
+    double start_mm = 0;             ///< radius of the contour at the node before
+    double end_mm = 0;               ///< at the node after
+    double feed_mm_rev = 0;          ///< feed of its block
+    double slope_rad = 0;            ///< of the contour; positive: radius grows toward the chuck
+    std::int64_t line = 0;           ///< line of its block
+    std::optional<ArcCentre> arc{};  ///< that it belongs to; none: straight
     friend bool operator==(const CutPiece&, const CutPiece&) = default;
 };
 
@@ -55,6 +57,7 @@ struct WorkPlan {
 
 /// Errors: those of beam::uniformSegments(); stockTooShort (`line`) for a run that cuts beyond the chuck face;
 /// feedMissing (`line`); placeOutsideShaft for a rest; tooManySteps.
-WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup);
+WorkPlan workPlan(const Shaft& stock, std::span<const ToolRun> runs, const TurningSetup& setup,
+                  double z_grid_mm = metricGrid_mm);
 
 }  // namespace lathelier::deflection

@@ -115,8 +115,9 @@ inline constexpr ErrorCode ncValue{"nc_value_unusable", ErrorKind::InputRejected
 inline constexpr ErrorCode toolTableMalformed{"tool_table_malformed", ErrorKind::InputRejected,
                                               LT_TEXT("Engine", "Found “{found}”, expected {expected}.")};
 
-inline constexpr ErrorCode ncBlockNotRewritable{"block_not_rewritable", ErrorKind::NoAnswer,
-                                                LT_TEXT("Engine", "The block “{block}” may not be changed: {reason}.")};
+inline constexpr ErrorCode ncBlockNotRewritable{
+    "block_not_rewritable", ErrorKind::NoAnswer,
+    LT_TEXT("Engine", "The block “{block}” may not be changed: {word} {reason}.")};
 
 }  // namespace errors
 

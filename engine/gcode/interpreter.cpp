@@ -407,6 +407,7 @@ void Interpreter::execute(std::size_t block)
         state.is_diameter = modal_.is_diameter && !(modal_.is_diameter_absolute_only && modal_.is_incremental);
         state.is_incremental = modal_.is_incremental;
         state.is_inch = modal_.is_inch;
+        state.arc_is_absolute = modal_.arc_is_absolute;
         state.is_contour = state.is_contour || inContour_;
         state.shift = modal_.frame.isStraight() ? ofWork({0, 0}) : Point{};
         updateNose();

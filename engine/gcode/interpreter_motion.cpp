@@ -171,6 +171,7 @@ void Interpreter::emit(MoveKind kind, const Point& to, const Corner& corner, con
     path_.add(move, modal_.at, corner);
     modal_.at = to;
     result_.blocks[pc_].kind = kind;
+    if (corner.kind != CornerKind::None) result_.blocks[pc_].is_shaped = true;
 }
 
 void Interpreter::emitCycle(const CycleMoves& moves, double lead)

@@ -55,6 +55,8 @@ struct BlockState {
     bool is_compensated = false;      ///< G41 or G42 was active
     bool is_contour = false;          ///< part of the contour of G70…G73
     bool is_cycle = false;            ///< its moves are those of a cycle
+    bool is_shaped = false;           ///< a chamfer or a rounding shapes its end, as a word or modal
+    bool arc_is_absolute = false;     ///< I and K are coordinates
     std::uint32_t runs = 0;           ///< number of executions
     MoveKind kind = MoveKind::Rapid;  ///< of its last move, as programmed
     Point start;                      ///< programmed position before it (radius)

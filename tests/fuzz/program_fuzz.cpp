@@ -31,7 +31,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         gcode::Rewriter rewriter(program, path);
         if (rewriter.write().text != text) std::abort();
         for (std::size_t block = 0; block < program.blocks.size() && block < 20; ++block)
-            if (!rewriter.refusal(block)) rewriter.split(block, {{1, 2}, {3, 4}});
+            if (!rewriter.refusal(block)) rewriter.split(block, {{{1, 2}, {}}, {{3, 4}, {}}});
         rewriter.write();
     } catch (const Error& error) {
         if (error.code().kind != ErrorKind::InputRejected && !(error.code() == errors::ncBlockNotRewritable))

@@ -117,17 +117,22 @@ TEST(Compensation, StagesWithShoulderConeAndArc)
     EXPECT_LE(last.residual.max_um, 0.6);
 }
 
-TEST(Compensation, ArcsBecomeStraightBlocks)
+TEST(Compensation, ArcsStayArcs)
 {
     const std::vector<ToolMove> moves{{-2, 14, false, 0, 1, {}},
                                       {80, 14, true, 0.2, 2, {}},
                                       {83, 17, true, 0.2, 3, ArcCentre{80, 17, false}},
                                       {90, 17.5, true, 0.2, 4, {}}};
     const CompensationResult result = compensate(rod(287.5, 36), toolRuns(moves), caseASetup());
-    EXPECT_LE(result.residual.max_um, 0.6);
-    EXPECT_TRUE(std::any_of(result.runs.front().nodes.begin(), result.runs.front().nodes.end(),
-                            [](const CorrectedNode& node) { return node.added && node.z_mm > 80 && node.z_mm < 83; }));
-    EXPECT_LT(result.blocks_added, 100);
+    EXPECT_LE(result.residual.max_um, residualOfArcs_um(result.parameters));
+    const std::vector<CorrectedNode>& nodes = result.runs.front().nodes;
+    const auto arcs =
+        std::count_if(nodes.begin(), nodes.end(), [](const CorrectedNode& node) { return node.arc.has_value(); });
+    EXPECT_GE(arcs, 1);
+    EXPECT_LE(arcs, 2);
+    for (const CorrectedNode& node : nodes)
+        EXPECT_EQ(node.arc.has_value(), node.z_mm > 80 && node.z_mm <= 83) << node.z_mm;
+    EXPECT_LT(result.blocks_added, 10);
 }
 
 TEST(Compensation, Refusals)

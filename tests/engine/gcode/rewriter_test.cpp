@@ -36,7 +36,7 @@ TEST(Rewriter, SplitsABlock)
 {
     const Read read("G0 X28. Z2.\nN80 G01 Z-280. F0.2 M8 (ROUGH PASS)\nX36.\n");
     Rewriter rewriter(read.program, read.path);
-    rewriter.split(1, {{14, 0}, {13.98, -140}, {13.995, -280}});
+    rewriter.split(1, {{{14, 0}, {}}, {{13.98, -140}, {}}, {{13.995, -280}, {}}});
     const RewrittenProgram out = rewriter.write();
     EXPECT_EQ(out.text, "G0 X28. Z2.\nN80 G01 Z0. F0.2 M8 (ROUGH PASS)\nX27.96 Z-140.\nX27.99 Z-280.\nX36.\n");
     EXPECT_EQ(out.blocks_added, 2);

@@ -261,6 +261,7 @@ std::optional<Error> Rewriter::refusal(std::size_t block) const
                 refuse(block, LT_TEXT("Engine", "its position is computed"));
         checkWords(block);
         if (!isKnown(state.end)) refuse(block, LT_TEXT("Engine", "its position is not known"));
+        if (!isKnown(state.shift)) refuse(block, LT_TEXT("Engine", "its coordinates are turned, scaled or mirrored"));
     } catch (const Error& error) {
         return error;
     }
@@ -283,7 +284,8 @@ Point Rewriter::rounded(std::size_t block, const Point& point) const
     const auto onGrid = [&](double value_mm, bool isX) {
         const double scale = (isX && state.is_diameter ? 2 : 1) / (state.is_inch ? mm_per_inch : 1);
         const double grid = std::pow(10.0, digitsOf(state, isX));
-        return std::round(value_mm * scale * grid) / grid / scale;
+        const double shift_mm = isX ? state.shift.x_mm : state.shift.z_mm;
+        return std::round((value_mm - shift_mm) * scale * grid) / grid / scale + shift_mm;
     };
     return {onGrid(point.x_mm, true), onGrid(point.z_mm, false)};
 }
@@ -324,7 +326,7 @@ std::string Rewriter::centreNumber(std::size_t block, double centre_mm, double f
                                    const Word* like) const
 {
     const BlockState& state = path_.blocks[block];
-    if (state.arc_is_absolute) return number(block, centre_mm, isX, like);
+    if (state.arc_is_absolute) return number(block, centre_mm - (isX ? state.shift.x_mm : state.shift.z_mm), isX, like);
     return formatted((centre_mm - from_mm) / (state.is_inch ? mm_per_inch : 1), digitsOf(state, false),
                      like && like->has_point);
 }
@@ -366,13 +368,15 @@ std::string Rewriter::firstText(std::size_t block, const Point& from, const Path
     if (u)
         replace(*u, number(block, dx_mm, true, u));
     else if (x)
-        replace(*x, number(block, state.is_incremental ? dx_mm : to.end.x_mm, true, x));
-    if (z && isSplit) replace(*z, number(block, state.is_incremental ? dz_mm : to.end.z_mm, false, z));
+        replace(*x, number(block, state.is_incremental ? dx_mm : to.end.x_mm - state.shift.x_mm, true, x));
+    if (z && isSplit)
+        replace(*z, number(block, state.is_incremental ? dz_mm : to.end.z_mm - state.shift.z_mm, false, z));
     if (w && isSplit) replace(*w, number(block, dz_mm, false, w));
     if (!x && !u && std::abs(dx_mm) > 1e-9) {
         const Word* before = z ? z : w;
         if (!before) refuse(block, LT_TEXT("Engine", "it has no place for an X word"));
-        const std::string value = number(block, state.is_incremental ? dx_mm : to.end.x_mm, true, before);
+        const std::string value =
+            number(block, state.is_incremental ? dx_mm : to.end.x_mm - state.shift.x_mm, true, before);
         edits.push_back({before->begin, 0, letter('X', *before) + value + gap});
     }
     if (!z && !w && isSplit && std::abs(dz_mm) > 1e-9) {
@@ -380,7 +384,8 @@ std::string Rewriter::firstText(std::size_t block, const Point& from, const Path
         if (!behind) refuse(block, LT_TEXT("Engine", "it has no place for a Z word"));
         edits.push_back(
             {behind->begin + behind->length, 0,
-             gap + letter('Z', *behind) + number(block, state.is_incremental ? dz_mm : to.end.z_mm, false, behind)});
+             gap + letter('Z', *behind) +
+                 number(block, state.is_incremental ? dz_mm : to.end.z_mm - state.shift.z_mm, false, behind)});
     }
     if (!isSplit || state.kind != MoveKind::Arc) return applied(text, where.begin, std::move(edits));
     const Word* r = radiusWord(program_, where);
@@ -443,8 +448,10 @@ std::string Rewriter::addedText(std::size_t block, const Point& from, const Path
         const char* line = all[g->value_begin] == '0' ? "01" : "1";
         words.push_back(letter('G') + (to.centre ? std::string(program_.valueOf(*g)) : line));
     }
-    words.push_back(letter('X') + number(block, state.is_incremental ? dx_mm : to.end.x_mm, true, nullptr));
-    words.push_back(letter('Z') + number(block, state.is_incremental ? dz_mm : to.end.z_mm, false, nullptr));
+    words.push_back(letter('X') +
+                    number(block, state.is_incremental ? dx_mm : to.end.x_mm - state.shift.x_mm, true, nullptr));
+    words.push_back(letter('Z') +
+                    number(block, state.is_incremental ? dz_mm : to.end.z_mm - state.shift.z_mm, false, nullptr));
     if (to.centre) {
         if (const Word* r = radiusWord(program_, where)) {
             const double radius_mm = std::hypot(to.centre->x_mm - from.x_mm, to.centre->z_mm - from.z_mm);

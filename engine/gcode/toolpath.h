@@ -61,7 +61,7 @@ struct BlockState {
     MoveKind kind = MoveKind::Rapid;  ///< of its last move, as programmed
     Point start;                      ///< programmed position before it (radius)
     Point end;                        ///< programmed position after it
-    Point shift;                      ///< of the work against what the program states; NaN: more than a shift
+    Point shift;  ///< added to what the program states, in coordinates of the work; NaN: more than a shift
 };
 
 struct Toolpath {

@@ -56,6 +56,19 @@ TEST(Rewriter, IncrementsFollow)
     EXPECT_NEAR(pathOf(out.text, "fanuc").moves.back().x_mm, 18, 1e-9);
 }
 
+TEST(Rewriter, WritesWhatTheShiftedZeroNeeds)
+{
+    const Read read("G0 X28. Z2.\nG52 X-2. Z-5.\nN80 G01 X30. Z-280. F0.2\nG52 X0. Z0.\nX36.\n");
+    EXPECT_DOUBLE_EQ(read.path.moves[1].x_mm, 14);
+    Rewriter rewriter(read.program, read.path);
+    rewriter.split(2, {{{13.9, -100}, {}}, {{14, -285}, {}}});
+    const RewrittenProgram out = rewriter.write();
+    EXPECT_EQ(out.text, "G0 X28. Z2.\nG52 X-2. Z-5.\nN80 G01 X29.8 Z-95. F0.2\nX30. Z-280.\nG52 X0. Z0.\nX36.\n");
+    const Toolpath moves = pathOf(out.text, "fanuc");
+    EXPECT_NEAR(moves.moves[1].x_mm, 13.9, 1e-12);
+    EXPECT_NEAR(moves.moves[1].z_mm, -100, 1e-12);
+}
+
 TEST(Rewriter, RefusesWhatItCannotKeep)
 {
     const auto refused = [](const std::string& text, std::size_t block) {

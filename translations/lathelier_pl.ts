@@ -3396,10 +3396,6 @@
         <translation>{key} wynosi {found}; oczekiwano wartości od {minimum} do {maximum}.</translation>
     </message>
     <message>
-        <source>Line {line}, column {column}: the key {key} is not known; it changes nothing.</source>
-        <translation>Wiersz {line}, kolumna {column}: klucz {key} nie jest znany; niczego nie zmienia.</translation>
-    </message>
-    <message>
         <source>a number, a text, true, false, null or a list</source>
         <translation>liczba, tekst, true, false, null albo lista</translation>
     </message>
@@ -5314,10 +5310,6 @@
     <message>
         <source>Identifying</source>
         <translation>Identyfikacja</translation>
-    </message>
-    <message>
-        <source>{path}: it holds {count} frequency responses; the first one is used.</source>
-        <translation>{path}: plik zawiera charakterystyk: {count}; używana jest pierwsza.</translation>
     </message>
     <message>
         <source>computed</source>
@@ -7416,10 +7408,6 @@
         <translation>{found} zmierzonych średnic nie wyznacza {expected} nieznanych sztywności; żadnej nie szukano.</translation>
     </message>
     <message>
-        <source>Arcs that became straight blocks, so that their ends can move by different amounts: {count}.</source>
-        <translation>Łuki zamienione na bloki prostoliniowe, aby ich końce mogły się przesunąć o różne wielkości: {count}.</translation>
-    </message>
-    <message>
         <source>The corrected contour is up to {correction_um} µm on diameter smaller than programmed.</source>
         <translation>Skorygowany kontur jest mniejszy od zaprogramowanego nawet o {correction_um} µm na średnicy.</translation>
     </message>
@@ -8372,10 +8360,6 @@
         <translation>„{found}”: oczekiwano: {expected}.</translation>
     </message>
     <message>
-        <source>The block “{block}” may not be changed: {reason}.</source>
-        <translation>Bloku „{block}” nie wolno zmienić: {reason}.</translation>
-    </message>
-    <message>
         <source>The word “{found}” is not known; it is not modelled.</source>
         <translation>Słowo „{found}” jest nieznane; nie jest modelowane.</translation>
     </message>
@@ -8506,10 +8490,6 @@
     <message>
         <source>a text with one byte for each character</source>
         <translation>tekst z jednym bajtem na znak</translation>
-    </message>
-    <message>
-        <source>Fanuc (G code system A), Haas, Sinumerik or LinuxCNC</source>
-        <translation>Fanuc (system kodów G A), Haas, Sinumerik albo LinuxCNC</translation>
     </message>
     <message>
         <source>NC programs</source>
@@ -10632,10 +10612,6 @@
         <translation>Przecinak {tool} sięga {reach_mm} mm; odcięcie wymaga {needed_mm} mm.</translation>
     </message>
     <message>
-        <source>The program is in Fanuc&apos;s G code system B; it was read with its codes replaced by those of system A.</source>
-        <translation>Program jest w systemie kodów G B firmy Fanuc; odczytano go po zamianie jego kodów na kody systemu A.</translation>
-    </message>
-    <message>
         <source>The job states no highest speed of the spindle.</source>
         <translation>Zadanie nie podaje największej prędkości obrotowej wrzeciona.</translation>
     </message>
@@ -11152,10 +11128,6 @@
         <translation>Części nie można tak zamocować: {reason}; brakuje {missing_mm} mm.</translation>
     </message>
     <message>
-        <source>The check of the written program found {count} findings and a gouge of {gouge_um} µm; no program was written.</source>
-        <translation>Kontrola zapisanego programu wykryła błędy (liczba: {count}) i wcięcie w zarys {gouge_um} µm; nie zapisano żadnego programu.</translation>
-    </message>
-    <message>
         <source>There is no post “{found}”; expected a file or one of: {expected}.</source>
         <translation>Nie ma postprocesora „{found}”; oczekiwano pliku lub jednego z: {expected}.</translation>
     </message>
@@ -11206,10 +11178,6 @@
     <message>
         <source>The finishing tool {tool} reaches where roughing does not and cuts up to {depth_mm} mm there, near z = {z_mm} mm.</source>
         <translation>Narzędzie wykańczające {tool} sięga tam, gdzie obróbka zgrubna nie sięga, i skrawa tam do {depth_mm} mm, w pobliżu z = {z_mm} mm.</translation>
-    </message>
-    <message>
-        <source>Bores of the part are not in the program.</source>
-        <translation>Otworów części nie ma w programie.</translation>
     </message>
     <message>
         <source>no stable speed, that of the job is kept</source>
@@ -11398,10 +11366,6 @@
     <message>
         <source>lines, or css false</source>
         <translation>lines albo css false</translation>
-    </message>
-    <message>
-        <source>a dialect: fanuc, fanuc_b, haas, sinumerik or linuxcnc</source>
-        <translation>dialekt: fanuc, fanuc_b, haas, sinumerik lub linuxcnc</translation>
     </message>
     <message>
         <source>the number</source>
@@ -13748,14 +13712,6 @@
         <translation>Fagor</translation>
     </message>
     <message>
-        <source>Fanuc (G code system B)</source>
-        <translation>Fanuc (system kodów G B)</translation>
-    </message>
-    <message>
-        <source>Fanuc (G code system C)</source>
-        <translation>Fanuc (system kodów G C)</translation>
-    </message>
-    <message>
         <source>Heidenhain</source>
         <translation>Heidenhain</translation>
     </message>
@@ -13822,6 +13778,474 @@
     <message>
         <source>{program}, corrected</source>
         <translation>{program}, skorygowany</translation>
+    </message>
+    <message>
+        <source>its faces are free-form surfaces that are exactly no plane, cylinder, cone, sphere or torus</source>
+        <translation>jej ściany są powierzchniami swobodnymi, które nie są dokładnie płaszczyzną, walcem, stożkiem, kulą ani torusem</translation>
+    </message>
+    <message>
+        <source>The drawing has a feature that the check does not look at: {feature} {designation} at z = {z_start_mm} … {z_end_mm} mm.</source>
+        <translation>Rysunek zawiera element, którego kontrola nie sprawdza: {feature} {designation} przy z = {z_start_mm} … {z_end_mm} mm.</translation>
+    </message>
+    <message>
+        <source>Before line {line}: tool {tool} is called {distance_mm:1} mm from the work or what holds it; the turret is not modelled.</source>
+        <translation>Przed wierszem {line}: narzędzie {tool} jest wywoływane {distance_mm:1} mm od przedmiotu lub jego mocowania; głowica nie jest modelowana.</translation>
+    </message>
+    <message>
+        <source>The program stops for the work to be cut off to {length_mm:2} mm; it is checked with that length.</source>
+        <translation>Program zatrzymuje się, by przedmiot obciąć na {length_mm:2} mm; sprawdza się go z tą długością.</translation>
+    </message>
+    <message>
+        <source>Assumed: the work of the second clamping is cut off to {length_mm:2} mm. Neither the job nor the program says so.</source>
+        <translation>Przyjęto: przedmiot drugiego zamocowania jest obcięty na {length_mm:2} mm. Nie mówi tego ani zadanie, ani program.</translation>
+    </message>
+    <message>
+        <source>end that was not cut off</source>
+        <translation>nieobcięty koniec</translation>
+    </message>
+    <message>
+        <source>Length of the work</source>
+        <translation>Długość przedmiotu</translation>
+    </message>
+    <message>
+        <source>Before the second clamping, from the finished face; empty: as a stop of the program or the job states it.</source>
+        <translation>Przed drugim zamocowaniem, od gotowego czoła; puste: jak podaje zatrzymanie programu lub zadanie.</translation>
+    </message>
+    <message>
+        <source>? not all that is drawn is checked</source>
+        <translation>? nie wszystko z rysunku jest sprawdzone</translation>
+    </message>
+    <message>
+        <source>gouge {gouge_um:2} µm · places with material left: {rest} · findings: {findings} · drawn, but not checked: {not_checked} ({feature})</source>
+        <translation>podcięcie {gouge_um:2} µm · miejsca z pozostawionym materiałem: {rest} · ustalenia: {findings} · na rysunku, lecz niesprawdzone: {not_checked} ({feature})</translation>
+    </message>
+    <message>
+        <source>spline</source>
+        <translation>wielowypust</translation>
+    </message>
+    <message>
+        <source>hexagon</source>
+        <translation>sześciokąt</translation>
+    </message>
+    <message>
+        <source>square</source>
+        <translation>czworokąt</translation>
+    </message>
+    <message>
+        <source>bolt circle</source>
+        <translation>otwory na okręgu</translation>
+    </message>
+    <message>
+        <source>eccentric</source>
+        <translation>mimośród</translation>
+    </message>
+    <message>
+        <source>The check of the written program found {count} finding(s) and a gouge of {gouge_um:2} µm; no program was written. The first: {operation}, tool {tool}, {kind} at z = {z_mm:2} mm, line {program_line}.</source>
+        <translation>Kontrola zapisanego programu: ustalenia: {count}, podcięcie {gouge_um:2} µm; programu nie zapisano. Pierwsze: {operation}, narzędzie {tool}, {kind} przy z = {z_mm:2} mm, wiersz {program_line}.</translation>
+    </message>
+    <message>
+        <source>The end is not faced, {face_mm} mm stay: the main edge of every insert would run below the face (entering angle below 90°).</source>
+        <translation>Czoło nie jest planowane, zostaje {face_mm} mm: główna krawędź każdej płytki szłaby poniżej czoła (kąt przystawienia poniżej 90°).</translation>
+    </message>
+    <message>
+        <source>The bore of ⌀{diameter_mm} mm at z = {z_start_mm} … {z_end_mm} mm is not in the program: nothing that is planned makes it.</source>
+        <translation>Otworu ⌀{diameter_mm} mm przy z = {z_start_mm} … {z_end_mm} mm nie ma w programie: nic z planu go nie wykonuje.</translation>
+    </message>
+    <message>
+        <source>The drawing has a feature that is not in the program: {feature} {designation} at z = {z_start_mm} … {z_end_mm} mm.</source>
+        <translation>Rysunek zawiera element, którego nie ma w programie: {feature} {designation} przy z = {z_start_mm} … {z_end_mm} mm.</translation>
+    </message>
+    <message>
+        <source>The second clamping begins with a stop: the work is to be cut off to {length_mm:2} mm before it, from the finished face; the first program does not part it off.</source>
+        <translation>Drugie zamocowanie zaczyna się zatrzymaniem: przedmiot trzeba przedtem obciąć na {length_mm:2} mm od gotowego czoła; pierwszy program go nie odcina.</translation>
+    </message>
+    <message>
+        <source>Cut off first to</source>
+        <translation>Najpierw obciąć na</translation>
+    </message>
+    <message>
+        <source>its insert would cut into the drawing</source>
+        <translation>jego płytka wcięłaby się w rysunek</translation>
+    </message>
+    <message>
+        <source>a move that was not planned</source>
+        <translation>ruch, którego nie planowano</translation>
+    </message>
+    <message>
+        <source>✗ not all that is drawn is made</source>
+        <translation>✗ nie wszystko z rysunku jest wykonane</translation>
+    </message>
+    <message>
+        <source>{setups} clamping(s) · {time_min:1} min · gouge {gouge_um:2} µm · findings: {findings} · places with material left: {rest} · drawn, but not in the program: {not_made} ({feature})</source>
+        <translation>zamocowania: {setups} · {time_min:1} min · podcięcie {gouge_um:2} µm · ustalenia: {findings} · miejsca z pozostawionym materiałem: {rest} · na rysunku, lecz nie w programie: {not_made} ({feature})</translation>
+    </message>
+    <message>
+        <source>Drawn, but not in the program</source>
+        <translation>Na rysunku, lecz nie w programie</translation>
+    </message>
+    <message>
+        <source>call a tool by a number above 99</source>
+        <translation>wywołać narzędzie o numerze powyżej 99</translation>
+    </message>
+    <message>
+        <source>a dialect: fanuc, fanuc_b, fanuc_c, haas, sinumerik or linuxcnc</source>
+        <translation>dialekt: fanuc, fanuc_b, fanuc_c, haas, sinumerik lub linuxcnc</translation>
+    </message>
+    <message>
+        <source>Not in the program: {feature} {designation} · z {z_start_mm:2}-{z_end_mm:2} mm</source>
+        <translation>Nie w programie: {feature} {designation} · z {z_start_mm:2}-{z_end_mm:2} mm</translation>
+    </message>
+    <message>
+        <source>{place}: “{found}” is not modelled. It could change the result, which is undecided (such places: {count}).</source>
+        <translation>{place}: „{found}” nie jest modelowane. Mogłoby zmienić wynik, który jest nierozstrzygnięty (takich miejsc: {count}).</translation>
+    </message>
+    <message>
+        <source>Line {line}: a pass in a bore is neither predicted nor corrected; its material stays, and nothing is said of its diameter.</source>
+        <translation>Wiersz {line}: przejścia w otworze nie przewiduje się ani nie koryguje; jego materiał zostaje i nic nie mówi się o jego średnicy.</translation>
+    </message>
+    <message>
+        <source>Blocks behind “/”, first in line {line}, are taken as run. Where they are skipped, later passes are deeper than those that were corrected.</source>
+        <translation>Bloki za „/”, pierwszy w wierszu {line}, przyjęto jako wykonane. Gdzie są pomijane, późniejsze przejścia są głębsze niż te skorygowane.</translation>
+    </message>
+    <message>
+        <source>it is an arc that turns back along z</source>
+        <translation>to łuk, który zawraca wzdłuż z</translation>
+    </message>
+    <message>
+        <source>it is an arc that ends where a corrected pass begins</source>
+        <translation>to łuk, który kończy się tam, gdzie zaczyna się skorygowane przejście</translation>
+    </message>
+    <message>
+        <source>a pass in a bore</source>
+        <translation>przejście w otworze</translation>
+    </message>
+    <message>
+        <source>The noise of a point is estimated as {sigma_um} µm. Assumed: what no smooth form explains is noise; state the uncertainty of a point where it is known.</source>
+        <translation>Szum punktu oszacowano na {sigma_um} µm. Przyjęto: co nie jest gładkim kształtem, jest szumem; gdzie niepewność punktu jest znana, należy ją podać.</translation>
+    </message>
+    <message>
+        <source>{value_um} µm exceeds the limit of {limit_um} µm by less than its uncertainty of {uncertainty_um} µm: simple acceptance counts as form what may be noise.</source>
+        <translation>{value_um} µm przekracza granicę {limit_um} µm o mniej niż swoją niepewność {uncertainty_um} µm: prosta akceptacja liczy jako kształt to, co może być szumem.</translation>
+    </message>
+    <message>
+        <source>Points at exactly {x_mm}, {y_mm}, {z_mm} mm, left out: {count}. Programs write one place for all that was not measured.</source>
+        <translation>Punkty dokładnie w {x_mm}, {y_mm}, {z_mm} mm, pominięte: {count}. Programy zapisują jedno miejsce dla wszystkiego, czego nie zmierzono.</translation>
+    </message>
+    <message>
+        <source>Fanuc (G code systems A, B and C), Haas, Sinumerik or LinuxCNC</source>
+        <translation>Fanuc (systemy kodów G: A, B i C), Haas, Sinumerik lub LinuxCNC</translation>
+    </message>
+    <message>
+        <source>Fanuc, system B</source>
+        <translation>Fanuc, system B</translation>
+    </message>
+    <message>
+        <source>Fanuc, system C</source>
+        <translation>Fanuc, system C</translation>
+    </message>
+    <message>
+        <source>Philips CNC 3000</source>
+        <translation>Philips CNC 3000</translation>
+    </message>
+    <message>
+        <source>Sinumerik 810, 820 or 850</source>
+        <translation>Sinumerik 810, 820 lub 850</translation>
+    </message>
+    <message>
+        <source>Sinumerik 802</source>
+        <translation>Sinumerik 802</translation>
+    </message>
+    <message>
+        <source>The program may be for {first} or for {second}, which read its numbers differently; state the control: {choices}.</source>
+        <translation>Program może być dla {first} albo dla {second}, które inaczej czytają jego liczby; proszę podać sterowanie: {choices}.</translation>
+    </message>
+    <message>
+        <source>The block {found} stands in lines {first} and {second}: which one the cycle means is not clear.</source>
+        <translation>Blok {found} stoi w wierszach {first} i {second}: nie wiadomo, który ma na myśli cykl.</translation>
+    </message>
+    <message>
+        <source>“{found}” leads {distance_m:0} m away; at most {most_m:0} m are read.</source>
+        <translation>„{found}” prowadzi {distance_m:0} m dalej; czyta się najwyżej {most_m:0} m.</translation>
+    </message>
+    <message>
+        <source>The cycle makes {found} passes; at most {most} are read.</source>
+        <translation>Liczba przejść cyklu: {found}; czyta się najwyżej {most}.</translation>
+    </message>
+    <message>
+        <source>The file holds no block of a program.</source>
+        <translation>Plik nie zawiera żadnego bloku programu.</translation>
+    </message>
+    <message>
+        <source>“{word}” needs {found}, to which the program gives no value.</source>
+        <translation>„{word}” potrzebuje {found}, której program nie nadaje wartości.</translation>
+    </message>
+    <message>
+        <source>The block “{block}” may not be changed: {word} {reason}.</source>
+        <translation>Bloku „{block}” nie wolno zmienić: {word} {reason}.</translation>
+    </message>
+    <message>
+        <source>P and Q, which name its contour, follow nowhere</source>
+        <translation>nigdzie nie następują P i Q, które wskazują jego kontur</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>as before</source>
+        <translation>jak dotąd</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>cal</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>the line behind it states no angle, X and Z</source>
+        <translation>następna prosta nie podaje kąta, X i Z</translation>
+    </message>
+    <message>
+        <source>both lines are parallel</source>
+        <translation>obie proste są równoległe</translation>
+    </message>
+    <message>
+        <source>the line never reaches its end</source>
+        <translation>prosta nigdy nie osiąga swojego końca</translation>
+    </message>
+    <message>
+        <source>X and Z state another angle</source>
+        <translation>X i Z podają inny kąt</translation>
+    </message>
+    <message>
+        <source>may shape its end or its path</source>
+        <translation>może kształtować jego koniec lub drogę</translation>
+    </message>
+    <message>
+        <source>its coordinates are turned, scaled or mirrored</source>
+        <translation>jego współrzędne są obrócone, przeskalowane lub odbite</translation>
+    </message>
+    <message>
+        <source>its radius is computed</source>
+        <translation>jego promień jest obliczany</translation>
+    </message>
+    <message>
+        <source>it is an arc of more than half a circle</source>
+        <translation>to łuk większy niż półokrąg</translation>
+    </message>
+    <message>
+        <source>neither a radius nor a centre states its arc</source>
+        <translation>łuku nie podaje ani promień, ani środek</translation>
+    </message>
+    <message>
+        <source>its centre is computed</source>
+        <translation>jego środek jest obliczany</translation>
+    </message>
+    <message>
+        <source>where the blocks behind “/” are skipped it begins or ends elsewhere</source>
+        <translation>gdy bloki za „/” są pomijane, zaczyna się lub kończy gdzie indziej</translation>
+    </message>
+    <message>
+        <source>would stop it before its end</source>
+        <translation>zatrzymałoby go przed końcem</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>Tolerancja łuku</translation>
+    </message>
+    <message>
+        <source>An arc may end so far off the circle of its centre; it is a note. Farther off it is an error.</source>
+        <translation>O tyle koniec łuku może leżeć poza okręgiem swojego środka: to uwaga. Dalej to błąd.</translation>
+    </message>
+    <message>
+        <source>The unit “{found}” is not known; expected {expected}.</source>
+        <translation>Jednostka „{found}” nie jest znana; oczekiwano: {expected}.</translation>
+    </message>
+    <message>
+        <source>{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}.</source>
+        <translation>{path}: liczba odpowiedzi częstotliwościowych: {count}; użyto {used} (odpowiedź/siła), nie {others}.</translation>
+    </message>
+    <message>
+        <source>{path}: none of its responses is that of a driving point, where response and force share node and direction. That of {used} is a cross response: depths and speeds by it are not those of the cutting point.</source>
+        <translation>{path}: żadna z odpowiedzi nie jest odpowiedzią punktu wymuszenia, gdzie odpowiedź i siła mają wspólny węzeł i kierunek. {used} to odpowiedź skrośna: głębokości i prędkości z niej nie dotyczą punktu skrawania.</translation>
+    </message>
+    <message>
+        <source>{path}: lines of text outside the data sets, not used: {count}, the first at line {line}.</source>
+        <translation>{path}: wiersze tekstu poza zbiorami danych, nieużyte: {count}, pierwszy w wierszu {line}.</translation>
+    </message>
+    <message>
+        <source>a unit such as m/s^2, g, mm or m/s</source>
+        <translation>jednostki, jak m/s^2, g, mm lub m/s</translation>
+    </message>
+    <message>
+        <source>a unit of force such as N, kN or lbf</source>
+        <translation>jednostki siły, jak N, kN lub lbf</translation>
+    </message>
+    <message>
+        <source>{path}: the file states {um_per_px} µm per pixel; used only when it is given as the scale.</source>
+        <translation>{path}: plik podaje {um_per_px} µm na piksel; używane tylko, gdy podano to jako skalę.</translation>
+    </message>
+    <message>
+        <source>Found the key {found}, expected {key}.</source>
+        <translation>Znaleziono klucz {found}, oczekiwano {key}.</translation>
+    </message>
+    <message>
+        <source>The unit of the angle is not known: found “{found}”, expected {expected}.</source>
+        <translation>Jednostka kąta nie jest znana: znaleziono „{found}”, oczekiwano {expected}.</translation>
+    </message>
+    <message>
+        <source>Line {line}, column {column}: the key {key} is not known; what it states is not used.</source>
+        <translation>Wiersz {line}, kolumna {column}: klucz {key} nie jest znany; to, co podaje, nie jest używane.</translation>
+    </message>
+    <message>
+        <source>The sizes of the two parts differ by about {factor}, as if one were in another unit of length; --reference-unit and --copy-unit rule one file each.</source>
+        <translation>Rozmiary obu części różnią się około {factor} razy, jakby jedna była w innej jednostce długości; --reference-unit i --copy-unit dotyczą po jednym pliku.</translation>
+    </message>
+    <message>
+        <source>{path}: “{found}” is no certain unit of an angle; read as {unit} because it runs over {extent}.</source>
+        <translation>{path}: „{found}” nie jest pewną jednostką kąta; odczytano jako {unit}, bo obejmuje {extent}.</translation>
+    </message>
+    <message>
+        <source>deg, rad, mrad, gon, rev, arcmin or arcsec</source>
+        <translation>deg, rad, mrad, gon, rev, arcmin lub arcsec</translation>
+    </message>
+    <message>
+        <source>a surface height map (SDF, BCR)</source>
+        <translation>mapa wysokości powierzchni (SDF, BCR)</translation>
+    </message>
+    <message>
+        <source>a PTX scan</source>
+        <translation>skan PTX</translation>
+    </message>
+    <message>
+        <source>a TDMS measurement of LabVIEW</source>
+        <translation>pomiar TDMS programu LabVIEW</translation>
+    </message>
+    <message>
+        <source>a NumPy array (NPY)</source>
+        <translation>tablica NumPy (NPY)</translation>
+    </message>
+    <message>
+        <source>an HDF5 file</source>
+        <translation>plik HDF5</translation>
+    </message>
+    <message>
+        <source>a NetCDF file</source>
+        <translation>plik NetCDF</translation>
+    </message>
+    <message>
+        <source>an MDF measurement</source>
+        <translation>pomiar MDF</translation>
+    </message>
+    <message>
+        <source>a FLAC recording</source>
+        <translation>nagranie FLAC</translation>
+    </message>
+    <message>
+        <source>an Ogg recording</source>
+        <translation>nagranie Ogg</translation>
+    </message>
+    <message>
+        <source>a surface of Digital Surf (SUR)</source>
+        <translation>powierzchnia Digital Surf (SUR)</translation>
+    </message>
+    <message>
+        <source>a Gwyddion surface</source>
+        <translation>powierzchnia Gwyddion</translation>
+    </message>
+    <message>
+        <source>an Office document</source>
+        <translation>dokument biurowy</translation>
+    </message>
+    <message>
+        <source>a glTF mesh</source>
+        <translation>siatka glTF</translation>
+    </message>
+    <message>
+        <source>a WAV recording</source>
+        <translation>nagranie WAV</translation>
+    </message>
+    <message>
+        <source>a LabVIEW measurement (LVM)</source>
+        <translation>pomiar programu LabVIEW (LVM)</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nic</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>wartości</translation>
+    </message>
+    <message>
+        <source>the place of what follows</source>
+        <translation>położenie tego, co następuje</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>ruchy</translation>
+    </message>
+    <message>
+        <source>? not all of it was understood</source>
+        <translation>? nie wszystko zrozumiano</translation>
+    </message>
+    <message>
+        <source>Not modelled, by line: {places}. It could change what is shown here.</source>
+        <translation>Niemodelowane, według wierszy: {places}. Mogłoby to zmienić to, co tu widać.</translation>
+    </message>
+    <message>
+        <source>Line {line}: “{word}” is not modelled; it can change {what}</source>
+        <translation>Wiersz {line}: „{word}” nie jest modelowane; może zmienić: {what}</translation>
+    </message>
+    <message>
+        <source>What was not understood, and what was assumed</source>
+        <translation>Czego nie zrozumiano i co przyjęto</translation>
+    </message>
+    <message>
+        <source>Not modelled</source>
+        <translation>Niemodelowane</translation>
+    </message>
+    <message>
+        <source>Word</source>
+        <translation>Słowo</translation>
+    </message>
+    <message>
+        <source>It can change</source>
+        <translation>Może zmienić</translation>
+    </message>
+    <message>
+        <source>Assumed</source>
+        <translation>Przyjęte</translation>
+    </message>
+    <message>
+        <source>Unit of the reference</source>
+        <translation>Jednostka wzorca</translation>
+    </message>
+    <message>
+        <source>Rules over --unit for the reference, where it states none.</source>
+        <translation>Ma pierwszeństwo przed --unit dla wzorca, który nie podaje jednostki.</translation>
+    </message>
+    <message>
+        <source>Unit of the copy</source>
+        <translation>Jednostka kopii</translation>
+    </message>
+    <message>
+        <source>Rules over --unit for the copy, where it states none.</source>
+        <translation>Ma pierwszeństwo przed --unit dla kopii, która nie podaje jednostki.</translation>
+    </message>
+    <message>
+        <source>Without a date</source>
+        <translation>Bez daty</translation>
+    </message>
+    <message>
+        <source>No date in drawing, DXF and STEP: the same shaft gives the same bytes.</source>
+        <translation>Bez daty w rysunku, DXF i STEP: ten sam wał daje te same bajty.</translation>
+    </message>
+    <message>
+        <source>“{found}” is not modelled and could change the result, so nothing is written on it.</source>
+        <translation>„{found}” nie jest modelowane i mogłoby zmienić wynik, więc niczego się na nim nie zapisuje.</translation>
     </message>
 </context>
 <context>

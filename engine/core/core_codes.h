@@ -49,9 +49,7 @@ inline constexpr ErrorCode internal{"internal", ErrorKind::NoAnswer,
 
 inline constexpr ErrorCode notModelled{
     "not_modelled", ErrorKind::NoAnswer,
-    LT_TEXT("Engine",
-            "“{found}” is not modelled and could change the result, so nothing is written on it (such places: "
-            "{count}).")};
+    LT_TEXT("Engine", "“{found}” is not modelled and could change the result, so nothing is written on it.")};
 
 }  // namespace errors
 

@@ -85,10 +85,11 @@ Understanding understandingOf(const Notes& notes)
         if (note.code.role == NoteRole::Assumed)
             found.assumed.push_back({note.code.key, text(note), textOf(values, "path"), numberIn(values, "line")});
         if (note.code.role != NoteRole::NotModelled) continue;
-        const std::string word = textOf(values, "key");
+        std::string word = textOf(values, "key");
+        if (word.empty()) word = textOf(values, "found");
+        if (word.empty()) word = note.code.key;
         found.not_modelled.push_back({textOf(values, "path"), numberIn(values, "line"), numberIn(values, "column"),
-                                      word.empty() ? textOf(values, "found") : word, note.code.key,
-                                      GapEffect::Measures});
+                                      word, note.code.key, GapEffect::Measures});
     }
     return found;
 }

@@ -62,9 +62,6 @@ inline constexpr ErrorCode measuredOutsideCut{
     LT_TEXT("Engine",
             "The diameter measured at z = {z_mm} mm lies where nothing is cut; expected {from_mm} to {to_mm} mm.")};
 
-inline constexpr ErrorCode notModelled{"not_modelled", ErrorKind::NoAnswer,
-                                       LT_TEXT("Engine", "Not modelled: {what}. Nothing is written on it.")};
-
 }  // namespace errors
 
 namespace notes {
@@ -168,7 +165,8 @@ inline constexpr NoteCode boreNotPredicted{
     "bore_not_predicted", Severity::Warning,
     LT_TEXT("Engine",
             "Line {line}: a pass in a bore is neither predicted nor corrected; its material stays, and nothing is said "
-            "of its diameter.")};
+            "of its diameter."),
+    NoteRole::NotModelled};
 
 inline constexpr NoteCode skippedBlocksRun{
     "skipped_blocks_run", Severity::Warning,

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
 #include "engine/deflection/bore_passes.h"
@@ -328,7 +329,7 @@ TurningRuns turningRuns(const gcode::Program& program, const gcode::Toolpath& pa
 
 [[noreturn]] void refuseBore(std::int64_t line)
 {
-    throw Error(errors::notModelled, {{"what", LT_TEXT("Engine", "a pass in a bore")}, {"line", line}});
+    throw Error(errors::notModelled, {{"found", LT_TEXT("Engine", "a pass in a bore")}, {"line", line}});
 }
 
 /// A feed move that counts inches makes a program of inches.

@@ -49,9 +49,10 @@ TEST(ChangePoint, EveryPostLeavesTheWorkFirst)
             EXPECT_FALSE(contains(plan.notes, notes::toolChangeNearWork)) << post;
             const std::vector<gcode::Move>& moves = plan.setups[0].check.path.moves;
             for (std::size_t i = 1; i < moves.size(); ++i)
-                if (moves[i].tool != moves[i - 1].tool)
+                if (moves[i].tool != moves[i - 1].tool) {
                     EXPECT_FALSE(gcode::isKnown(moves[i - 1].x_mm) || gcode::isKnown(moves[i - 1].z_mm))
                         << post << " line " << moves[i].line;
+                }
             EXPECT_FALSE(gcode::isKnown(moves.back().x_mm)) << post << ": the program ends at the change point";
         }
 }

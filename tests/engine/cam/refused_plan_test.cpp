@@ -14,21 +14,17 @@
 namespace lathelier::cam {
 namespace {
 
-/// A plan whose finish was changed to cut 2 mm into the part near z 20.
+/// A plan whose finish was changed: before it leaves the work it feeds 2 mm into the part, up to z 45.
 TurningPlan refusedPlan(const char* post)
 {
     TurningInputs inputs;
     inputs.post = postNamed(post);
     const Job job = jobWith({row(30, 20, 20), row(30, 30, 30)}, 34, 80, {roughC80(), finishC80()});
     const TurningPlan plan = planned(job, post);
-    const PlannedOperation& finish = plan.setups[0].operations.back();
     std::string text = plan.setups[0].text;
-    std::size_t at = 0;
-    for (std::int64_t line = 1; line < finish.first_line; ++line) at = text.find('\n', at) + 1;
-    const std::string from = "Z-30.", to = "Z-31.";  // into the shoulder
-    at = text.find(from, at);
-    EXPECT_NE(at, std::string::npos) << text;
-    text.replace(at, from.size(), to);
+    const std::size_t retract = text.rfind("G0 X", text.rfind("M9"));
+    EXPECT_NE(retract, std::string::npos) << text;
+    text.insert(text.rfind('\n', retract) + 1, "G1 X26. Z-45. F0.1\n");
     return withPrograms(plan, {{0, text, {}, true, true}}, inputs);
 }
 
@@ -43,10 +39,10 @@ TEST(RefusedPlan, NamesOperationToolAndPlace)
         EXPECT_EQ(error.code(), errors::programRefused);
         EXPECT_EQ(std::get<Text>(*find(error.values(), "operation")), nameOf(OperationKind::Finish));
         EXPECT_EQ(std::get<std::int64_t>(*find(error.values(), "tool")), 2);
-        EXPECT_NEAR(std::get<double>(*find(error.values(), "z_mm")), 31, 2);
+        EXPECT_NEAR(std::get<double>(*find(error.values(), "z_mm")), 52, 8.5);
         const std::string sentence = text(error);
         EXPECT_NE(sentence.find("finish, tool 2"), std::string::npos) << sentence;
-        EXPECT_NE(sentence.find("z = 3"), std::string::npos) << sentence;
+        EXPECT_NE(sentence.find("insert below the drawing at z = "), std::string::npos) << sentence;
         const Row& first = std::get<Rows>(*find(error.values(), "findings")).rows.at(0);
         EXPECT_EQ(std::get<std::string>(*find(first.cells, "operation")), "finish");
         EXPECT_EQ(std::get<std::int64_t>(*find(first.cells, "tool")), 2);

@@ -63,7 +63,9 @@ TEST(SecondWork, CheckKnowsWhatStandsBeyondThePart)
     EXPECT_TRUE(hasStandingEnd(check));
     EXPECT_EQ(check.verdict, Verdict::Fail);
     for (const CheckFinding& found : check.findings)
-        if (found.kind == CheckKind::StandingEnd) EXPECT_NEAR(found.depth_mm, 57, 0.1);
+        if (found.kind == CheckKind::StandingEnd) {
+            EXPECT_NEAR(found.depth_mm, 57, 0.1);
+        }
 }
 
 TEST(SecondWork, ShortEndIsFaced)

@@ -31,12 +31,12 @@ std::vector<bool> finishing(const WorkPlan& plan, const TurningSetup& setup)
 
 /// Largest error by what is allowed there.
 double shareOff(const CutPlan& asked, const WrittenRun& written, std::span<const Station> stations,
-                const CompensationParameters& parameters)
+                const CompensationParameters& parameters, const TurningSetup& setup)
 {
     double largest = 0;
     for (const Station& s : stations) {
         const CutPiece& piece = asked.pieces[s.piece];
-        const double target_mm = std::min(s.at_start ? piece.start_mm : piece.end_mm, s.stock_mm);
+        const double target_mm = judgedTarget_mm(piece, s, setup);
         const double allowed_um =
             written.is_coarse[s.piece] ? residualOfArcs_um(parameters) : residualOfLines_um(parameters);
         largest = std::max(largest, um_per_mm_of_diameter * std::abs(s.radius_mm - target_mm) / allowed_um);
@@ -46,7 +46,7 @@ double shareOff(const CutPlan& asked, const WrittenRun& written, std::span<const
 
 /// Corrects one run and removes it from the workpiece.
 WrittenRun correct(const WorkPlan& plan, const CutPlan& cut, std::span<const Station> ideal,
-                   const CompensationParameters& parameters, TurningWork& work)
+                   const CompensationParameters& parameters, const TurningSetup& setup, TurningWork& work)
 {
     ArcLimits limits;
     limits.grid_mm = writtenGrid_um(parameters) / um_per_mm_of_diameter;
@@ -60,7 +60,7 @@ WrittenRun correct(const WorkPlan& plan, const CutPlan& cut, std::span<const Sta
         WrittenRun written = writtenRun(plan, work, cut, ideal, limits);
         TurningWork tried = work;
         tried.take(written.cut, CutTask::Predict, stations);
-        const double off = shareOff(cut, written, stations, parameters);
+        const double off = shareOff(cut, written, stations, parameters, setup);
         if (off <= acceptedShare || trial == mostTrials || limits.tolerance_mm == least_mm) {
             work.take(written.cut, CutTask::Predict, stations);
             return written;
@@ -90,7 +90,7 @@ double largestOff_um(const ComparedPlans& plans, const CompensationResult& resul
             if (node < asked.first || node - asked.first >= asked.pieces.size()) continue;
             const CutPiece& piece = asked.pieces[node - asked.first];
             if (isKept(result.parameters, piece.line)) continue;
-            const double target_mm = std::min(s.at_start ? piece.start_mm : piece.end_mm, s.stock_mm);
+            const double target_mm = judgedTarget_mm(piece, s, setup);
             largest_um = std::max(largest_um, um_per_mm_of_diameter * std::abs(s.radius_mm - target_mm));
         }
     }
@@ -275,7 +275,7 @@ CompensationResult compensate(const Shaft& stock, std::span<const ToolRun> runs,
             result.written.push_back(cut.run);
             continue;
         }
-        WrittenRun written = correct(plan, cut, stations, parameters, work);
+        WrittenRun written = correct(plan, cut, stations, parameters, setup, work);
         result.written.push_back(std::move(written.run));
         CorrectedRun run{i, std::move(written.nodes), false};
         count(run, parameters, result);

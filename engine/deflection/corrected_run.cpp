@@ -19,6 +19,7 @@ public:
         : plan_(plan), cut_(cut), limits_(limits), count_(cut.pieces.size()), arcs_(cut.pieces.size() + 1)
     {
         for (std::vector<const Station*>& side : wanted_) side.assign(count_ + 1, nullptr);
+        for (std::vector<bool>& side : free_) side.assign(count_ + 1, false);
         for (std::vector<double>& side : corner_mm_) side.assign(count_ + 1, notANumber);
         for (const Station& s : ideal) wanted_[s.at_start ? 1 : 0][s.piece + (s.at_start ? 0 : 1)] = &s;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -87,28 +88,32 @@ private:
     void moveArc(std::size_t from, std::size_t end)
     {
         struct Slot {
-            const Station** station;
-            double z_mm, programmed_mm;
+            int side;
+            std::size_t node;
+            double programmed_mm;
         };
         std::vector<Slot> slots;
         slots.reserve(2 * (end - from));
         for (std::size_t k = from; k < end; ++k) {
-            slots.push_back({&wanted_[1][k], z(k), cut_.pieces[k].start_mm});
-            slots.push_back({&wanted_[0][k + 1], z(k + 1), cut_.pieces[k].end_mm});
+            slots.push_back({1, k, cut_.pieces[k].start_mm});
+            slots.push_back({0, k + 1, cut_.pieces[k].end_mm});
         }
-        const auto corrects = [](const Slot& slot) { return *slot.station && !(*slot.station)->rubs; };
+        const auto stationOf = [this](const Slot& slot) { return wanted_[slot.side][slot.node]; };
+        const auto corrects = [&](const Slot& slot) { return stationOf(slot) && !stationOf(slot)->rubs; };
         const auto first = std::find_if(slots.begin(), slots.end(), corrects);
         double correction_mm = 0;
         if (first != slots.end())
-            correction_mm = (*first->station)->x_mm - first->programmed_mm;
+            correction_mm = stationOf(*first)->x_mm - first->programmed_mm;
         else if (from > 0 && wanted_[0][from])
             correction_mm = wanted_[0][from]->x_mm - cut_.pieces[from - 1].end_mm;
         if (first == slots.end() && std::abs(correction_mm) < limits_.grid_mm / 2) return;
         for (const Slot& slot : slots) {
-            if (corrects(slot))
-                correction_mm = (*slot.station)->x_mm - slot.programmed_mm;
-            else
-                *slot.station = inAir(slot.z_mm, slot.programmed_mm + correction_mm);
+            if (corrects(slot)) {
+                correction_mm = stationOf(slot)->x_mm - slot.programmed_mm;
+                continue;
+            }
+            wanted_[slot.side][slot.node] = inAir(z(slot.node), slot.programmed_mm + correction_mm);
+            free_[slot.side][slot.node] = true;
         }
     }
 
@@ -126,9 +131,11 @@ private:
     {
         std::vector<WantedPlace> places;
         places.reserve(to - from + 1);
-        for (std::size_t node = from; node <= to; ++node)
-            places.push_back({z(node), (node == from ? wanted_[1][node] : wanted_[0][node])->x_mm,
-                              static_cast<bool>(cut_.block_ends[node])});
+        for (std::size_t node = from; node <= to; ++node) {
+            const int side = node == from ? 1 : 0;
+            places.push_back({z(node), wanted_[side][node]->x_mm, static_cast<bool>(cut_.block_ends[node]),
+                              static_cast<bool>(free_[side][node])});
+        }
         std::vector<WantedArc> arcs;
         for (std::size_t k = from; k < to;) {
             if (!cut_.pieces[k].arc) {
@@ -292,6 +299,7 @@ private:
     std::size_t count_;
     std::vector<std::optional<ArcCentre>> arcs_;  ///< that lead to the corner at a node
     std::vector<const Station*> wanted_[2];       ///< target stations of the nodes by side; null: none
+    std::vector<bool> free_[2];                   ///< stations within arcs that nothing asks for
     std::deque<Station> made_;                    ///< stations generated here
     std::vector<double> corner_mm_[2];            ///< corner radius by side; NaN: none
     std::vector<bool> filled_;                    ///< true for replaced pieces

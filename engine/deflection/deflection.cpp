@@ -97,20 +97,32 @@ TargetContour::TargetContour(const WorkPlan& plan)
 {
 }
 
-void TargetContour::take(const CutPlan& contour, std::span<const Station> stations)
+double judgedTarget_mm(const CutPiece& asked, const Station& station, const TurningSetup& setup)
+{
+    const double target_mm = station.at_start ? asked.start_mm : asked.end_mm;
+    constexpr double largestScallop_mm = 0.5;
+    if (!asked.arc || station.stock_mm - target_mm > largestScallop_mm) return target_mm;
+    const double scallop_mm = cutting::CuttingEdge(setup.tool, asked.feed_mm_rev, setup.contact).scallop_mm();
+    const double least_mm = std::min(target_mm, station.stock_mm - scallop_mm);
+    return std::clamp(station.radius_mm, least_mm, target_mm);
+}
+
+void TargetContour::take(const CutPlan& contour, std::span<const Station> stations, const TurningSetup* judged_by)
 {
     for (const Station& s : stations) {
-        // A corrected cut may begin a little before its target meets the stock, and no more than that can be left.
         const auto is_cut = [&](std::size_t piece, bool at_start) {
             const CutPiece& c = contour.pieces[piece];
-            (at_start ? start_mm_ : end_mm_)[contour.first + piece] =
-                std::min(at_start ? c.start_mm : c.end_mm, s.stock_mm);
+            double& target_mm = (at_start ? start_mm_ : end_mm_)[contour.first + piece];
+            target_mm = at_start ? c.start_mm : c.end_mm;
+            if (judged_by && piece == s.piece) target_mm = judgedTarget_mm(c, s, *judged_by);
         };
         is_cut(s.piece, s.at_start);
         // One station represents both sides of a node without a jump.
         if (!s.at_start && s.piece + 1 < contour.pieces.size() &&
-            contour.pieces[s.piece + 1].start_mm == contour.pieces[s.piece].end_mm)
+            contour.pieces[s.piece + 1].start_mm == contour.pieces[s.piece].end_mm) {
             is_cut(s.piece + 1, true);
+            if (contour.pieces[s.piece].arc) start_mm_[contour.first + s.piece + 1] = end_mm_[contour.first + s.piece];
+        }
     }
 }
 
@@ -207,7 +219,7 @@ FinalContour finalContour(const WorkPlan& plan, const TurningSetup& setup, const
     std::vector<Station> stations;
     for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
         work.take(plan.cuts[i], CutTask::Predict, stations);
-        asked.take(targets ? (*targets)[i] : plan.cuts[i], stations);
+        asked.take(targets ? (*targets)[i] : plan.cuts[i], stations, targets ? &setup : nullptr);
     }
     return asked.against(plan, work);
 }

@@ -83,11 +83,16 @@ PassResult passResultOf(const CutPlan& cut, std::span<const Station> stations);
 /// Notes on a run: rubbing, steep slopes.
 void noteStations(const CutPlan& cut, std::span<const Station> stations, const TurningSetup& setup, Notes& notes);
 
+/// Radius that a station of a corrected cut is judged against. An arc is corrected beyond where its target leaves the
+/// stock, and an edge that cuts takes off no less than its scallop: what lies between is no error there.
+double judgedTarget_mm(const CutPiece& asked, const Station& station, const TurningSetup& setup);
+
 /// Target contour at the ends of the pieces; NaN where nothing was cut.
 class TargetContour {
 public:
     explicit TargetContour(const WorkPlan& plan);
-    void take(const CutPlan& contour, std::span<const Station> stations);
+    /// `judged_by`: judgedTarget_mm() with this set-up.
+    void take(const CutPlan& contour, std::span<const Station> stations, const TurningSetup* judged_by = nullptr);
     FinalContour against(const WorkPlan& plan, const TurningWork& work) const;
 
 private:

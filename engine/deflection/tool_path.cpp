@@ -87,16 +87,27 @@ void appendArc(const PathPoint& from, const PathPoint& end, double chord_mm, std
     if (!c.clockwise && sweep <= 0) sweep += 2 * std::numbers::pi;
     const double widest = radius_mm > chord_mm ? 2 * std::acos(1 - chord_mm / radius_mm) : std::numbers::pi;
     const int chords = static_cast<int>(std::clamp(std::ceil(std::abs(sweep) / widest), 1.0, double{mostChords}));
-    for (int i = 1; i <= chords; ++i) {
+    const auto at = [&](int i, double growth_mm) {
         PathPoint next = end;
-        if (i < chords) {
-            next.is_block_end = false;
-            const double angle = begin + sweep * i / chords;
-            next.z_mm = c.z_mm + radius_mm * std::cos(angle);
-            next.x_mm = c.x_mm + radius_mm * std::sin(angle);
-        }
-        points.push_back(next);
+        if (i == chords) return next;
+        next.is_block_end = false;
+        const double angle = begin + sweep * i / chords;
+        const double here_mm = radius_mm + growth_mm * i / chords;
+        next.z_mm = c.z_mm + here_mm * std::cos(angle);
+        next.x_mm = c.x_mm + here_mm * std::sin(angle);
+        return next;
+    };
+    // Rounded words put the end beside the circle. Where the circle would lead beyond the end by no more than that, and
+    // back, the radius changes along the arc instead, as controls do it.
+    const double missed_mm = std::hypot(end.z_mm - c.z_mm, end.x_mm - c.x_mm) - radius_mm;
+    const double least_mm = std::min(from.z_mm, end.z_mm), most_mm = std::max(from.z_mm, end.z_mm);
+    double beyond_mm = 0;
+    for (int i = 1; i < chords; ++i) {
+        const double z_mm = at(i, 0).z_mm;
+        beyond_mm = std::max({beyond_mm, z_mm - most_mm, least_mm - z_mm});
     }
+    const bool turns_back = beyond_mm > meet_mm && beyond_mm <= std::abs(missed_mm);
+    for (int i = 1; i <= chords; ++i) points.push_back(at(i, turns_back ? missed_mm : 0));
 }
 
 std::vector<ToolRun> toolRuns(std::span<const ToolMove> moves, double chord_mm)

@@ -75,6 +75,7 @@ private:
         const ArcCentre here = centreOf(ends, radius_mm), beside = centreOf(ends, beside_mm);
         double up = 0, down = 0;
         for (std::size_t k = ends.i + 1; k < ends.j; ++k) {
+            if (wanted_[k].is_free) continue;
             const double x_mm = at(here, radius_mm, k);
             const double slope = (at(beside, beside_mm, k) - x_mm) / (1 / beside_mm - 1 / radius_mm);
             up += slope * (wanted_[k].x_mm - x_mm);
@@ -89,7 +90,8 @@ private:
     {
         double largest_mm = beyondTurn_mm(ends, centre);
         for (std::size_t k = ends.i + 1; k < ends.j && largest_mm < enough_mm; ++k)
-            largest_mm = std::max(largest_mm, std::abs(at(centre, radius_mm, k) - wanted_[k].x_mm));
+            if (!wanted_[k].is_free)
+                largest_mm = std::max(largest_mm, std::abs(at(centre, radius_mm, k) - wanted_[k].x_mm));
         return largest_mm;
     }
 
@@ -202,7 +204,8 @@ ArcChain writtenArc(const std::vector<WantedPlace>& wanted, const WantedArc& arc
     ArcChain two{{}, 2, HUGE_VAL};
     const std::size_t count = arc.last - arc.first;
     const std::size_t step = std::max<std::size_t>(1, count / triedMiddles);
-    for (std::size_t m = arc.first + std::max<std::size_t>(1, step / 2); m < arc.last; m += step)
+    for (std::size_t m = arc.first + std::max<std::size_t>(1, step / 2); m < arc.last; m += step) {
+        if (wanted[m].is_free) continue;
         for (const double x_mm : gridRadii(wanted[m].x_mm, limits)) {
             const ArcFitter::Fit before = fitter.fit(arc.first, from_mm, m, x_mm);
             if (before.off_mm >= two.off_mm) continue;
@@ -212,6 +215,7 @@ ArcChain writtenArc(const std::vector<WantedPlace>& wanted, const WantedArc& arc
             two.off_mm = off_mm;
             two.ends = {{m, x_mm, before.centre}, {arc.last, to_mm, behind.centre}};
         }
+    }
     if (two.off_mm <= limits.tolerance_mm) return two;
     if (one.off_mm <= limits.coarse_mm) {
         single.rank = 3;

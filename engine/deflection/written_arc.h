@@ -18,6 +18,7 @@ struct WantedPlace {
     double z_mm = 0;
     double x_mm = 0;         ///< target radius
     bool is_corner = false;  ///< a corner is required here
+    bool is_free = false;    ///< of an arc in air: the radius is where it is looked for, without a tolerance
     friend bool operator==(const WantedPlace&, const WantedPlace&) = default;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/deflection/written_contour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,16 @@ std::vector<Candidate> candidatesAt(double x_mm, double grid_mm, double toleranc
     return result;
 }
 
+/// Where the radius is free: some to either side.
+std::vector<Candidate> freeCandidatesAt(double x_mm, double grid_mm)
+{
+    constexpr std::array beside_mm{0.0, -0.002, 0.002, -0.005, 0.005, -0.01, 0.01, -0.02, 0.02};
+    std::vector<Candidate> result(beside_mm.size());
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i].x_mm = std::round((x_mm + beside_mm[i]) / grid_mm) * grid_mm;
+    return result;
+}
+
 /// Takes a way to a candidate if it has fewer corners, or the same number and lies nearer.
 bool isShorter(const Candidate& to, std::size_t corners, double squares_mm2)
 {
@@ -50,7 +61,9 @@ std::optional<std::vector<WrittenCorner>> writtenContour(const std::vector<Wante
     if (count == 0) return std::vector<WrittenCorner>{};
     std::vector<std::vector<Candidate>> at;
     at.reserve(count);
-    for (const WantedPlace& place : wanted) at.push_back(candidatesAt(place.x_mm, limits.grid_mm, tolerance_mm));
+    for (const WantedPlace& place : wanted)
+        at.push_back(place.is_free ? freeCandidatesAt(place.x_mm, limits.grid_mm)
+                                   : candidatesAt(place.x_mm, limits.grid_mm, tolerance_mm));
     for (Candidate& start : at.front()) {
         start.corners = 1;
         start.squares_mm2 = (start.x_mm - wanted.front().x_mm) * (start.x_mm - wanted.front().x_mm);

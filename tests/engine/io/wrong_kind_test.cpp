@@ -163,7 +163,7 @@ TEST(WrongKind, recordersAndGridsAreNamed)
     using namespace std::string_literals;
     const std::string binary = std::string(200, '\x01') + std::string(8, '\0');
     const std::string labview =
-        "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\n***End_of_Header***\t\n" + rows3;
+        "LabVIEW Measurement\t\nWriter_Version\t2\nSeparator\tTab\n***End_of_Header***\t\n"s + rows3;
     EXPECT_EQ(foundKind(labview), "a LabVIEW measurement (LVM)");
     EXPECT_EQ(foundKind("\xEF\xBB\xBF\n" + labview), "a LabVIEW measurement (LVM)");
     EXPECT_EQ(foundKind("\"LabVIEW Measurement\"\n" + std::string(rows3)), "a LabVIEW measurement (LVM)");

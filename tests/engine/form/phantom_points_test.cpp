@@ -30,10 +30,10 @@ TEST(PhantomPoints, EqualPointsAtOnePlaceAreLeftOut)
 {
     for (const std::size_t count : {300UL, 60000UL})
         for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(-9999, -9999, -9999), Vector3d(3, 1, 20)}) {
-            std::vector<Vector3d> points = cylinderPoints(count);
             const std::size_t phantoms = count / 2;
-            for (std::size_t i = 0; i < phantoms; ++i)
-                points.insert(points.begin() + static_cast<std::ptrdiff_t>(i), place);
+            const std::vector<Vector3d> measured = cylinderPoints(count);
+            std::vector<Vector3d> points(phantoms, place);
+            points.insert(points.end(), measured.begin(), measured.end());
             const CylindricityResult result = cylindricity(points, {}, {}, NoiseEstimate::LeftOut);
             EXPECT_NEAR(result.LSCY.radius_mm, 10, 1e-9);
             EXPECT_EQ(result.points, points.size());

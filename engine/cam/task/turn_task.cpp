@@ -220,7 +220,10 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
     };
     try {
         throwIfRefused(*outcome->plan);
-    } catch (const Error& error) {
+    } catch (Error& error) {
+        for (std::size_t i = 0; i < outcome->programs.size(); ++i)  // an error of a given program is in its own file
+            if (outcome->plan->setups[i].check.path.has_errors && !outcome->programs[i].name.empty())
+                error.with("path", outcome->programs[i].name);
         all.errors.push_back(error);
         all.writers[programExport] = [outcome](const std::string& path, const Progress&) {
             writeAllRefused(*outcome, path);

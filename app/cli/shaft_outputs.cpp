@@ -48,7 +48,7 @@ std::string today()
     return fmt::format("{:04}-{:02}-{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
 }
 
-bool isSet(const Request& request, const char* key)
+bool isAsked(const Request& request, const char* key)
 {
     const Value* const value = find(request.parameters, key);
     return value && *value == Value(true);
@@ -137,7 +137,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         return found == request.outputs.end() ? nullptr : &found->second;
     };
     if (const std::string* path = wanted(shaftOption)) io::writeFile(*path, io::shaftText(asked.shaft));
-    const bool undated = isSet(request, undatedKey);
+    const bool undated = isAsked(request, undatedKey);
     const bool others = std::any_of(request.outputs.begin(), request.outputs.end(),
                                     [](const auto& output) { return output.first != shaftOption; });
     if (!others) return;
@@ -164,7 +164,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         if (undated) options.time_stamp = std::string();
         io::writeFile(*path, cad::stepText(asked.shaft, options, progress));
     }
-    const bool contour = isSet(request, contourKey);
+    const bool contour = isAsked(request, contourKey);
     if (const std::string* path = wanted(dxfOption))
         io::writeFile(*path,
                       contour ? cad::contourDxf(asked.shaft) : cad::dxfText(cad::dxfOf(drawingOf(asked, undated))));

@@ -48,7 +48,9 @@ public:
     {
         if (!first_) text_ += style_.delimiter;
         first_ = false;
-        if (text.find_first_of(std::string("\"\r\n") + style_.delimiter) == std::string_view::npos) {
+        // A cell that begins with an apostrophe is taken for a quoted one by readers that know both marks.
+        const bool isPlain = text.find_first_of(std::string("\"\r\n") + style_.delimiter) == std::string_view::npos;
+        if (isPlain && !text.starts_with('\'')) {
             text_ += text;
             return;
         }

@@ -30,7 +30,9 @@ bool isBefore(const Vector3d& a, const Vector3d& b)
 std::vector<Place> crowdedPlaces(std::span<const Vector3d> points_mm, std::size_t stride)
 {
     std::vector<Vector3d> searched;
-    for (std::size_t i = 0; i < points_mm.size(); i += stride) searched.push_back(points_mm[i]);
+    for (std::size_t i = 0; i < points_mm.size(); i += stride)
+        if (points_mm[i].allFinite()) searched.push_back(points_mm[i]);  // the fit refuses the others
+    if (searched.empty()) return {};
     std::sort(searched.begin(), searched.end(), isBefore);
     std::vector<Place> places;
     std::vector<std::size_t> counts;

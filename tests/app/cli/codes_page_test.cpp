@@ -22,12 +22,6 @@ struct Code {
     std::string room, kind, text;
 };
 
-std::string contentOf(const fs::path& path)
-{
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// The string literals of `source` one after another, without their quotes.
 std::string joinedLiterals(const std::string& source)
 {
@@ -81,22 +75,10 @@ std::map<std::string, std::string> translations(const std::string& language)
     return result;
 }
 
-/// Heads and words of the page in the language, key and text, from codes_page_<language>.txt beside this file.
-std::map<std::string, std::string> wordsOf(const std::string& language)
+std::string codesPage(const std::string& language)
 {
-    const fs::path path = fs::path(LATHELIER_SOURCE_DIR) / "tests/app/cli" / ("codes_page_" + language + ".txt");
-    std::map<std::string, std::string> words;
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);)
-        if (const auto equals = line.find(" = "); equals != std::string::npos)
-            words[line.substr(0, equals)] = line.substr(equals + 3);
-    EXPECT_EQ(words.size(), 13u) << path << ": the words of a language's page, as in codes_page_en.txt";
-    return words;
-}
-
-std::string page(const std::string& language)
-{
-    std::map<std::string, std::string> words = wordsOf(language);
+    std::map<std::string, std::string> words = wordsOfPage("codes_page", language);
+    EXPECT_EQ(words.size(), 13u) << language << ": the words of a language's page, as in codes_page_en.txt";
     const std::map<std::string, std::string> translated = translations(language);
     const auto table = [&](const std::map<std::string, Code>& codes) {
         std::string lines = "|---|---|---|---|\n";
@@ -122,8 +104,8 @@ class CodesPage : public ::testing::TestWithParam<std::string> {};
 TEST_P(CodesPage, IsThatOfTheHeaders)
 {
     const fs::path path = fs::path(LATHELIER_SOURCE_DIR) / "resources/manual" / GetParam() / "codes.md";
-    if (std::getenv("LATHELIER_WRITE_PAGES")) std::ofstream(path) << page(GetParam());
-    EXPECT_EQ(contentOf(path), page(GetParam())) << "see the head of this test for how to make the page anew";
+    if (std::getenv("LATHELIER_WRITE_PAGES")) std::ofstream(path) << codesPage(GetParam());
+    EXPECT_EQ(contentOf(path), codesPage(GetParam())) << "see the head of this test for how to make the page anew";
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, CodesPage, ::testing::ValuesIn(manualLanguages()));

@@ -20,34 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string contentOf(const fs::path& path)
-{
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Heads and sentences of the page in the language, from not_modelled_<language>.txt beside this file.
-std::map<std::string, std::string> wordsOf(const std::string& language)
-{
-    const fs::path path = fs::path(LATHELIER_SOURCE_DIR) / "tests/app/cli" / ("not_modelled_" + language + ".txt");
-    std::map<std::string, std::string> words;
-    std::ifstream file(path);
-    for (std::string line; std::getline(file, line);)
-        if (const auto equals = line.find(" = "); equals != std::string::npos)
-            words[line.substr(0, equals)] = line.substr(equals + 3);
-    EXPECT_EQ(words.size(), 7u) << path << ": the words of a language's page, as in not_modelled_en.txt";
-    return words;
-}
-
 void append(std::string& list, const std::string& word)
 {
     if (!list.empty()) list += ", ";
     list += "`" + word + "`";
 }
 
-std::string page(const std::string& language)
+std::string notModelledPage(const std::string& language)
 {
-    std::map<std::string, std::string> words = wordsOf(language);
+    std::map<std::string, std::string> words = wordsOfPage("not_modelled", language);
+    EXPECT_EQ(words.size(), 7u) << language << ": the words of a language's page, as in not_modelled_en.txt";
     std::string text = fmt::format("# {}\n\n{}\n\n{}\n\n{}\n\n## {}\n\n{}\n|---|---|---|---|\n", words["title"],
                                    words["about"], words["always"], words["assumed"], words["words"], words["head"]);
     std::string unread;
@@ -76,8 +58,9 @@ class NotModelledPage : public ::testing::TestWithParam<std::string> {};
 TEST_P(NotModelledPage, IsThatOfTheControls)
 {
     const fs::path path = fs::path(LATHELIER_SOURCE_DIR) / "resources/manual" / GetParam() / "not-modelled.md";
-    if (std::getenv("LATHELIER_WRITE_PAGES")) std::ofstream(path) << page(GetParam());
-    EXPECT_EQ(contentOf(path), page(GetParam())) << "see the head of this test for how to make the page anew";
+    if (std::getenv("LATHELIER_WRITE_PAGES")) std::ofstream(path) << notModelledPage(GetParam());
+    EXPECT_EQ(contentOf(path), notModelledPage(GetParam()))
+        << "see the head of this test for how to make the page anew";
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, NotModelledPage, ::testing::ValuesIn(manualLanguages()));

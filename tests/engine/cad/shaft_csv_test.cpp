@@ -118,7 +118,7 @@ TEST(ShaftCsv, NoCellIsAFormula)
         Shaft shaft = tableOne();
         shaft.segments[0].role = role;
         const std::string text = shaftCsv(shaft);
-        EXPECT_NE(text.find(std::string(",'") + role), std::string::npos) << text;
+        EXPECT_NE(text.find(std::string(",\"'").append(role).append("\"")), std::string::npos) << text;
         EXPECT_EQ(read(text).segments[0].role, role);
     }
     Shaft shaft = tableOne();

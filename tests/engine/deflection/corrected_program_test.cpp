@@ -125,7 +125,7 @@ public:
                                 word('I', small_mm), word('K', 0));
         } else
             made += fmt::format("G2 {} {} {}{}\n", x(from_x + rise_mm), z(from_z - run_mm), word('R', small_mm),
-                                chance() ? " " + f(0.1) : "");
+                                chance() ? std::string(" ").append(f(0.1)) : std::string());
         made += fmt::format("G1 {}\nG0 {}\n{}\nM30\n", z(-arc_z), x(20), z(2));
         return made;
     }

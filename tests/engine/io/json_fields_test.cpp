@@ -95,7 +95,7 @@ TEST(JsonFields, SaysWhichKeyIsMissingWhere)
 TEST(JsonFields, NamesTheKeyFoundInPlaceOfTheOneExpected)
 {
     for (const char* found : {"length", "length_in", "lengthMm", "Length_mm"}) {
-        const Error error = problemOf(shaftText, "\"length_mm\": 10", "\"" + std::string(found) + "\": 10");
+        const Error error = problemOf(shaftText, "\"length_mm\": 10", std::string("\"").append(found).append("\": 10"));
         EXPECT_EQ(error.code(), errors::keyMisnamed) << found;
         EXPECT_EQ(*find(error.values(), "found"), Value(std::string(found)));
         EXPECT_EQ(*find(error.values(), "key"), Value("length_mm"));

@@ -55,7 +55,9 @@ void classifyNumber(Program& program, const Block& block, Word& word)
         const M meaning =
             word.value >= 0 && word.value <= 9999 ? meaningOfM(control, static_cast<int>(word.value)) : M::Unknown;
         if (meaning == M::Unknown) mark(program, block, word, notes::ncWordUnknown, effectOfM(program, block));
-        if (meaning == M::NotModelled) mark(program, block, word, notes::ncWordNotModelled, GapEffect::Moves);
+        if (meaning == M::NotModelled)
+            mark(program, block, word,
+                 program.wordOf(block, 'P') ? notes::ncBlockNotModelled : notes::ncWordNotModelled, GapEffect::Moves);
     } else {
         const Letter use = meaningOfLetter(control, word.letter);
         if (use == Letter::Unknown) mark(program, block, word, notes::ncWordUnknown, GapEffect::Moves);

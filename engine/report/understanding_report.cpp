@@ -52,8 +52,11 @@ void settle(Answer& answer, const Understanding& understanding, const Language&)
     answer.sentence = LT_TEXT("Engine", "Not modelled, by line: {places}. It could change what is shown here.");
     answer.values = {{"places", placesOf(understanding)}};
     std::vector<Finding> findings;
+    std::int64_t line = -1;
     for (const NotModelled& gap : understanding.not_modelled) {
         if (gap.effect == GapEffect::None || findings.size() == mostFindings) continue;
+        if (gap.line == line) continue;  // a word and the block that it owns
+        line = gap.line;
         Finding& finding = findings.emplace_back();
         finding.pattern = LT_TEXT("Engine", "Line {line}: “{word}” is not modelled; it can change {what}");
         finding.values = {{"line", gap.line}, {"word", gap.word}, {"what", nameOf(gap.effect)}};

@@ -311,7 +311,7 @@ TEST(Understanding, AControlThatLacksAWordNeverAnswersInSilence)
          "X44. Z-7. R2.\nG52 Z0.\nG1 U2. W-1.\nG71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X30.\nN20 G1 Z-10.\nG70 P10 "
          "Q20\nM98 P2\nG28 U0. W0.\nM30\nO2\nG0 X30.\nM99\n"},
         {"sinumerik",
-         "G18 G90 G95 G71 DIAMON G97 S500 M3\nT1 D1\nG0 X50 Z2\nTRANS Z-1\nG1 Z-5 F0.2\nG2 X54 Z-7 CR=2\nTRANS\nG91 "
+         "G18 G90 G95 G71 DIAMON G97 S500 M3\nT1 D1\nG0 X50 Z2\nTRANS Z-1\nG1 Z-5 F0.2\nG2 X54 Z-7 CR=2\nTRANS\nG91 G1 "
          "X2\nG90\nG33 Z-20 K1.5\nG0 X60\nM30\n"},
         {"linuxcnc",
          "G21 G7 G90 G95 G18 G97 S500 M3\nT1 M6\nG0 X50 Z2\nG92 Z3\nG1 Z-5 F0.2\nG2 X54 Z-7 R2\nG92.1\nG91 G1 "

@@ -149,7 +149,7 @@ void ProgramViews::connectParts()
         });
 }
 
-void ProgramViews::setOutcome(const std::shared_ptr<const ProgramOutcome>& outcome, bool takesText)
+void ProgramViews::setOutcome(const std::shared_ptr<const deflection::ToolpathOutcome>& outcome, bool takesText)
 {
     const bool is_other = !outcome_ || outcome_->file != outcome->file;
     outcome_ = outcome;

@@ -31,7 +31,7 @@ public:
     ~ProgramViews() override;
 
     /// Shows an outcome; its text only with `takesText`, so that pending input is kept.
-    void setOutcome(const std::shared_ptr<const ProgramOutcome>& outcome, bool takesText);
+    void setOutcome(const std::shared_ptr<const deflection::ToolpathOutcome>& outcome, bool takesText);
 
     PrimaryViews* primaryViews() const { return primaryViews_; }
     ProgramEditor* editor() const { return editor_; }
@@ -68,7 +68,7 @@ private:
     std::vector<QPolygonF> toolAt(const QPointF& tip, int number) const;
     void findNext(bool forward);
 
-    std::shared_ptr<const ProgramOutcome> outcome_;
+    std::shared_ptr<const deflection::ToolpathOutcome> outcome_;
     std::optional<std::size_t> pass_;
     PrimaryViews* primaryViews_;
     plot::ChartView* path_;

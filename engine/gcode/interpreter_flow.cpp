@@ -56,9 +56,10 @@ void Interpreter::indexFlow()
 void Interpreter::checkPairs()
 {
     struct Open {
-        std::string keyword;
+        std::string keyword;  ///< that its end asks for
         long label;
         std::size_t block;
+        std::string shown;
     };
     std::vector<Open> open;
     const auto unmatched = [&](std::size_t block, const std::string& keyword) {
@@ -73,7 +74,7 @@ void Interpreter::checkPairs()
         for (std::size_t i = open.size(); i-- > 0;) {
             const bool isIt = std::find(opens.begin(), opens.end(), open[i].keyword) != opens.end();
             if (!isIt || open[i].label != label) continue;
-            for (std::size_t k = i + 1; k < open.size(); ++k) unmatched(open[k].block, open[k].keyword);
+            for (std::size_t k = i + 1; k < open.size(); ++k) unmatched(open[k].block, open[k].shown);
             open.resize(i);
             return;
         }
@@ -86,7 +87,7 @@ void Interpreter::checkPairs()
     for (const FlowStatement& at : statements_) {
         const std::size_t of = sectionOf(at.block).first;
         if (of != section) {
-            for (const Open& one : open) unmatched(one.block, one.keyword);
+            for (const Open& one : open) unmatched(one.block, one.shown);
             open.clear();
             section = of;
         }
@@ -95,7 +96,7 @@ void Interpreter::checkPairs()
             const std::string_view rest = textOf(at);
             const std::size_t where = capitals(rest).rfind("DO");
             if (word == "DO" || (word == "WHILE" && where != std::string::npos))
-                open.push_back({"DO", numberIn(word == "DO" ? rest : rest.substr(where)), at.block});
+                open.push_back({"DO", numberIn(word == "DO" ? rest : rest.substr(where)), at.block, word});
             if (word == "END") close(at, {"DO"}, numberIn(rest));
             continue;
         }
@@ -104,14 +105,14 @@ void Interpreter::checkPairs()
             word == "REPEAT" && !trimmedFront(textOf(at)).empty() && trimmedFront(textOf(at)).front() != ';';
         if (word == "WHILE" || word == "LOOP" || word == "FOR" || (word == "REPEAT" && !repeatsPart) ||
             (word == "IF" && text.find("GOTO") == std::string::npos))
-            open.push_back({word, 0, at.block});
+            open.push_back({word, 0, at.block, word});
         if (word == "ENDWHILE") close(at, {"WHILE"}, 0);
         if (word == "ENDLOOP") close(at, {"LOOP"}, 0);
         if (word == "ENDFOR") close(at, {"FOR"}, 0);
         if (word == "UNTIL") close(at, {"REPEAT"}, 0);
         if (word == "ENDIF") close(at, {"IF"}, 0);
     }
-    for (const Open& one : open) unmatched(one.block, one.keyword);
+    for (const Open& one : open) unmatched(one.block, one.shown);
     pc_ = here;
 }
 

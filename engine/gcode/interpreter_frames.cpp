@@ -174,10 +174,13 @@ void Interpreter::leaveOut(BlockWords& words, const Word* because)
     const bool mayMove =
         hasAxes(words) || words.has('P') || (because && because->letter == 0) || words.hasG(G::ArcThrough);
     for (const char letter : {'X', 'Z', 'U', 'W'}) words.used |= 1U << BlockWords::slot(letter);
-    if (!mayMove) return;
+    // An axis of its own turns or swivels the work; X and Z stay.
+    const bool isAxis =
+        because && !hasAxes(words) && std::string_view("ABCHVYUW").find(because->letter) != std::string_view::npos;
+    if (!mayMove && !isAxis) return;
     const Word& place = because ? *because : program_.words[program_.blocks[pc_].first_word];
     warn(notes::ncBlockNotModelled, &place, {{"found", shownWord(place)}}, GapEffect::Moves);
-    modal_.at = {};
+    if (!isAxis) modal_.at = {};
 }
 
 /// What makes the moves of this block those of a driven tool or of an axis that turning does not have.

@@ -35,6 +35,7 @@ TEST(Understanding, WordsThatMayOwnTheCoordinatesMakeNoMove)
         {"fanuc", "G0 X40. Z2.\nM400\nG0 X30.\nM30\n", 2, GapEffect::None, 2},
         {"fanuc", "G0 X40. Z2.\nM400 X30.\nM30\n", 2, GapEffect::Moves, 1},
         {"fanuc", "G0 X40. Z2.\nM400 P3\nM30\n", 2, GapEffect::Moves, 1},
+        {"fanuc", "G0 X40. Z2. C0.\nM3 S900\nG83 Z-1. R2. F.1\nC90.\nG80\nM30\n", 4, GapEffect::Moves, 4},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nCYCLE999(1,2)\nG0 X30\nM30\n", 2, GapEffect::Moves, 2},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nSCHRUPP\nM30\n", 2, GapEffect::Moves, 1},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nL54\nM30\n", 2, GapEffect::Moves, 1},
@@ -308,7 +309,8 @@ TEST(Understanding, AControlThatLacksAWordNeverAnswersInSilence)
     const Case cases[] = {
         {"fanuc",
          "O1\nG21 G99 G97 S500 M3 T0101\nG0 X50. Z2.\nG90 X44. Z-20. F.2\nX42.\nG0 X40.\nG52 Z-1.\nG1 Z-5. F.1\nG2 "
-         "X44. Z-7. R2.\nG52 Z0.\nG1 U2. W-1.\nG71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X30.\nN20 G1 Z-10.\nG70 P10 "
+         "X44. Z-7. R2.\nG52 Z0.\nG1 U2. W-1.\nG71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.2\nN10 G0 X30.\nN20 G1 Z-10.\nG70 "
+         "P10 "
          "Q20\nM98 P2\nG28 U0. W0.\nM30\nO2\nG0 X30.\nM99\n"},
         {"sinumerik",
          "G18 G90 G95 G71 DIAMON G97 S500 M3\nT1 D1\nG0 X50 Z2\nTRANS Z-1\nG1 Z-5 F0.2\nG2 X54 Z-7 CR=2\nTRANS\nG91 G1 "

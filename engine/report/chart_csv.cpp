@@ -18,7 +18,7 @@ std::string csvNumber(T value)
 std::string csvQuoted(const std::string& written, bool always = false)
 {
     const bool computes = !written.empty() && std::string_view("=+-@").find(written.front()) != std::string_view::npos;
-    const std::string text = computes ? "'" + written : written;
+    std::string text = computes ? "'" + written : written;
     if (!always && text.find_first_of(",\"\n") == std::string::npos) return text;
     std::string result(1, '"');
     for (const char letter : text) {

@@ -99,6 +99,7 @@ void writeAllRefused(const TurnOutcome& outcome, const std::string& path)
 {
     const std::vector<std::string> paths = programPaths(path, outcome.programs.size());
     std::vector<std::string> written;
+    written.reserve(paths.size());
     for (const std::string& planned : paths) written.push_back(refusedPath(planned));
     refuseInputs(written, outcome.sources.inputs, written.front());
     writeRefused(*outcome.plan, paths);

@@ -18,7 +18,7 @@ std::vector<std::string> numbered(const std::string& before, std::size_t most, c
 {
     std::vector<std::string> patterns;
     for (std::size_t digits = 1; digits <= most; ++digits)
-        patterns.push_back(before + std::string(digits, '?') + behind);
+        patterns.push_back(std::string(before).append(digits, '?').append(behind));
     return patterns;
 }
 

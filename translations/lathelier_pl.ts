@@ -14247,6 +14247,10 @@
         <source>“{found}” is not modelled and could change the result, so nothing is written on it.</source>
         <translation>„{found}” nie jest modelowane i mogłoby zmienić wynik, więc niczego się na nim nie zapisuje.</translation>
     </message>
+    <message>
+        <source>“{word}” is not modelled; it can change {what}</source>
+        <translation>„{word}” nie jest modelowane; może zmienić: {what}</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

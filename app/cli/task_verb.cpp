@@ -60,7 +60,6 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     answer.report = [report = outcome.report] { return report({}); };
     if (outcome.summary) answer.summary = report::toPlainText(outcome.summary({}));
     answer.pass = passed(outcome.verdict);
-    answer.has_gap = outcome.has_gap;
     for (const Error& error : outcome.errors) answer.errors.push_back(error);
     for (const auto& [option, path] : request.outputs) {
         const auto writer = outcome.writers.find(exportOf(option));

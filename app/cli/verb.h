@@ -60,7 +60,6 @@ struct Answer {
     Understanding understanding;                   ///< of a task; else what the notes state
     std::vector<Error> errors;                     ///< inputs refused while others could be answered
     std::optional<bool> pass;                      ///< the verdict, where there is one
-    bool has_gap = false;                          ///< task::Outcome::has_gap
     bool always_strict = false;                    ///< a verdict against it is exit code 1 even without --strict
     std::shared_ptr<const task::Sources> sources;  ///< of a task: what it read; null: the inputs of the run
     Values parameters;                             ///< of a task: all of them; empty: those of the request

@@ -1,8 +1,6 @@
 #include "engine/core/understanding.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/core_codes.h"
@@ -27,18 +25,6 @@ std::int64_t numberIn(const Values& values, std::string_view name)
 bool counts(const NotModelled& gap)
 {
     return gap.effect != GapEffect::None;
-}
-
-/// Keys by which people annotate a JSON file.
-bool isRemark(std::string_view key)
-{
-    static constexpr std::array words{"comment", "comments", "remark",  "remarks", "note",  "notes", "description",
-                                      "author",  "date",     "created", "source",  "title", "id"};
-    if (key.empty() || key.front() == '_' || key.front() == '$' || key.front() == '/' || key.front() == '#')
-        return true;
-    std::string small(key);
-    std::transform(small.begin(), small.end(), small.begin(), [](unsigned char c) { return std::tolower(c); });
-    return std::find(words.begin(), words.end(), small) != words.end();
 }
 
 /// Of the note and of the error.
@@ -100,11 +86,12 @@ Understanding understandingOf(const Notes& notes)
             found.assumed.push_back({note.code.key, text(note), textOf(values, "path"), numberIn(values, "line")});
         if (note.code.role != NoteRole::NotModelled) continue;
         std::string word = textOf(values, "key");
-        const bool isAnnotation = find(values, "key") && isRemark(word);
+        // A key that is none of the format changes nothing that is modelled; one that is nearly one was meant to.
+        const bool isForeign = find(values, "key") && !find(values, "meant");
         if (word.empty()) word = textOf(values, "found");
         if (word.empty()) word = note.code.key;
         found.not_modelled.push_back({textOf(values, "path"), numberIn(values, "line"), numberIn(values, "column"),
-                                      word, note.code.key, isAnnotation ? GapEffect::None : GapEffect::Measures});
+                                      word, note.code.key, isForeign ? GapEffect::None : GapEffect::Measures});
     }
     return found;
 }

@@ -58,8 +58,8 @@ struct Understanding {
     void add(const Understanding& other, const std::string& path = {});
 };
 
-/// Gaps and assumptions that the notes state; a key that annotates a JSON file (“comment”, “_…”) changes nothing.
-/// Values of such a note: `path`, `line`, `column`, `key` or `found` (the word), all optional.
+/// Gaps and assumptions that the notes state. Values of such a note: `path`, `line`, `column`, `key` or `found` (the
+/// word), all optional. A `key` that is not known counts where it is nearly another one (`meant`).
 Understanding understandingOf(const Notes& notes);
 
 /// The rule: with gaps that count the verdict is undecided, and the note not_modelled names the first place.

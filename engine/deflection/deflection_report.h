@@ -1,8 +1,8 @@
 // Deflection as answer, tables and report: the setter's sheet.
 #pragma once
 
+#include "engine/deflection/corrected_program.h"
 #include "engine/deflection/deflection_plots.h"
-#include "engine/deflection/turning_job.h"
 #include "engine/report/document.h"
 
 namespace lathelier::deflection {

@@ -1,15 +1,13 @@
-// An NC program with stock and set-up as one job, and the corrected program.
+// An NC program with stock and set-up as one job.
 //
 // The moves of the program are those of the tool's imaginary tip, assumed to be its point of largest depth; z =
-// z_zero_mm - Z. The corrected text is parsed and simulated again, so that the residual is that of the file.
+// z_zero_mm - Z.
 #pragma once
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "engine/core/quantities.h"
 #include "engine/deflection/compensation.h"
 #include "engine/gcode/toolpath.h"
 
@@ -39,38 +37,18 @@ std::vector<ToolMove> toolMoves(const gcode::Toolpath& path, const TurningSetup&
 TurningJob turningJob(gcode::Program program, gcode::Toolpath path, Shaft stock, TurningSetup setup,
                       gcode::ToolTable tools = {});
 
+/// Runs that generate an outside diameter, and the first cutting block in a bore.
+struct TurningRuns {
+    std::vector<ToolRun> runs;  ///< not facing and parting off, which end at or beyond the axis
+    std::optional<std::int64_t> bore_line;
+};
+TurningRuns turningRuns(const gcode::Program& program, const gcode::Toolpath& path, const Shaft& stock,
+                        const TurningSetup& setup, Notes& notes);
+
+/// Error notModelled (`line`): a pass in a bore.
+[[noreturn]] void refuseBore(std::int64_t line);
+
 /// predictDeflection() with the notes of the job.
 DeflectionResult predictJob(const TurningJob& job, const Progress& progress = {});
-
-/// One changed or added block of the corrected program with the reason.
-struct ProgramChange {
-    std::int64_t line = 0;              ///< of the original block; of an added one: the block that it follows
-    std::optional<std::string> before;  ///< text of the block; none: added
-    std::string after;                  ///< text of the block
-    Text reason;                        ///< pattern; {name} is replaced by the named value
-    Values values;                      ///< z_mm, correction_um, dx_um, dy_um, F_t_N, F_ap_N, stiffness_N_mm
-};
-
-/// The reason in English.
-std::string reasonOf(const ProgramChange& change);
-
-/// A corrected program.
-struct CorrectedProgram {
-    CompensationResult compensation;  ///< counts, residual and robustness are those of `text`
-    std::string text;                 ///< the whole program; bytes of unchanged blocks as they were
-    std::vector<ProgramChange> changes;
-    std::vector<gcode::Move> moves;  ///< of `text`
-};
-
-/// Only X words and those of the centres and radii of arcs change, on the grid of the program (0.001 mm of diameter,
-/// 0.0001 in), and blocks are divided where a corner is needed. Blocks behind a changed one that state no X, or count
-/// from it, get their original X. Errors: those of compensate(); notModelled (`line`) for passes in a bore;
-/// ncBlockNotRewritable (line, block, word, reason) under nose radius compensation, in a contour of G70-G73, in blocks
-/// executed more than once, for a block of a corrected pass with a word that may shape it. Throws Cancelled.
-CorrectedProgram correctProgram(const TurningJob& job, const CompensationParameters& parameters = {},
-                                const Progress& progress = {});
-
-const std::vector<QuantityOf<ProgramChange>>& quantitiesOf(const ProgramChange*);
-const std::vector<QuantityOf<CorrectedProgram>>& quantitiesOf(const CorrectedProgram*);
 
 }  // namespace lathelier::deflection

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "engine/deflection/corrected_program.h"
 #include "engine/deflection/deflection_report.h"
 #include "engine/deflection/feed_adjustment.h"
 #include "engine/deflection/static_compliance.h"
 #include "engine/deflection/triage.h"
-#include "engine/deflection/turning_job.h"
 #include "engine/stock/stock_check.h"
 
 namespace lathelier::deflection {

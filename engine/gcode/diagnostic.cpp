@@ -55,10 +55,10 @@ std::vector<Diagnostic> Diagnostics::sorted() const
     return all;
 }
 
-Understanding Diagnostics::understanding() const
+Understanding Diagnostics::understanding(const std::vector<Diagnostic>& of) const
 {
     Understanding found;
-    for (const Diagnostic& one : sorted()) {
+    for (const Diagnostic& one : of) {
         if (!one.gap) continue;
         const Value* const word = find(one.values, "found");
         found.not_modelled.push_back({{}, one.line, one.column, word ? text(*word) : one.block, one.code, *one.gap});

@@ -43,8 +43,8 @@ public:
     bool isNew(const char* code, std::uint64_t place);
     void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
 
-    /// What is not modelled, in the order of sorted(), without a path.
-    Understanding understanding() const;
+    /// What is not modelled among these, which sorted() gave; without a path.
+    Understanding understanding(const std::vector<Diagnostic>& of) const;
 
     /// By line and column, with a summary for each code with omitted positions.
     std::vector<Diagnostic> sorted() const;

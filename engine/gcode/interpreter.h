@@ -40,14 +40,17 @@ struct Modal {
     NoseSide side = NoseSide::Off;
     double nose_radius_mm = notANumber;  ///< of G::NoseLeftByWords
     int nose_tip = 9;
-    double round_mm = 0;              ///< Name::RoundModal
-    Point at;                         ///< programmed position, in coordinates of the work
-    Frame frame;                      ///< of TRANS, ROT…
-    Point coarse{0, 0}, fine{0, 0};   ///< of TranslateCoarse, TranslateFine
-    Point local{0, 0};                ///< LocalShift
-    Point stated{0, 0};               ///< SetPosition
-    Point stated_kept{0, 0};          ///< for SetPositionBack
-    Point zero{0, 0};                 ///< the work offset against that at the start
+    double round_mm = 0;             ///< Name::RoundModal
+    Point at;                        ///< programmed position, in coordinates of the work
+    Frame frame;                     ///< of TRANS, ROT…
+    Point coarse{0, 0}, fine{0, 0};  ///< of TranslateCoarse, TranslateFine
+    Point local{0, 0};               ///< LocalShift
+    Point stated{0, 0};              ///< SetPosition
+    Point stated_kept{0, 0};         ///< for SetPositionBack
+    Point zero{0, 0};                ///< the work offset against that at the start
+    Frame whole;                     ///< of coarse, fine and frame: updateFrame()
+    Point shift{0, 0};               ///< of zero, stated and local: updateFrame()
+    bool is_shifted = false;
     const Word* milled_by = nullptr;  ///< MillOn in force
     const Word* plane_by = nullptr;   ///< another plane than that of turning
     const Word* held_by = nullptr;    ///< the spindle is held at an angle
@@ -74,7 +77,6 @@ struct BlockWords {
     const Word* unknown_m = nullptr;
     const Word* called = nullptr;  ///< a program by its name
     Name frame = Name::Unknown;    ///< the one that the block states
-    Name mill = Name::Unknown;     ///< MillOn, MillOff
     bool has_axis_point = false;   ///< Name::AxisPoint
 
     BlockWords() { named.fill(notANumber); }
@@ -183,12 +185,10 @@ private:
     void setData(BlockWords& words);
     void changeOffset(int number10, const Word* word);
     Point statedShift(BlockWords& words, const Point& otherwise);
-    Frame frame() const;
-    Point shift_mm() const;
-    Point ofWork(const Point& stated) const { return plus(frame().applied(stated), shift_mm()); }
+    void updateFrame();
+    Point ofWork(const Point& stated) const { return plus(modal_.whole.applied(stated), modal_.shift); }
     Point ofProgram(const Point& work) const;
     static Point plus(const Point& a, const Point& b) { return {a.x_mm + b.x_mm, a.z_mm + b.z_mm}; }
-    bool isShifted() const;
     void thread(BlockWords& words);
     void arc(BlockWords& words, const Point& end);
     bool hasAxes(const BlockWords& words) const;

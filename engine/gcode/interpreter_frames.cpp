@@ -7,31 +7,32 @@
 #include "engine/gcode/interpreter.h"
 
 namespace lathelier::gcode {
+namespace {
 
-/// All that the program states in its own words; translations behind it.
-Frame Interpreter::frame() const
+/// Ten times the number of work offset 1, 2…: G54 to G59, G59.1 to G59.3.
+int offsetOf(long number)
+{
+    constexpr long whole = 6, most = 9;
+    const long one = std::clamp(number, 1L, most);
+    return static_cast<int>(one <= whole ? 530 + 10 * one : 590 + one - whole);
+}
+
+}  // namespace
+
+/// What shifts and frames come to, for the blocks that follow: kept, for every coordinate asks for it.
+void Interpreter::updateFrame()
 {
     const Frame by = Frame::translation(modal_.coarse.x_mm + modal_.fine.x_mm, modal_.coarse.z_mm + modal_.fine.z_mm);
-    return by.with(modal_.frame);
-}
-
-/// In coordinates of the work at the start of the program.
-Point Interpreter::shift_mm() const
-{
-    return plus(modal_.zero, plus(modal_.stated, modal_.local));
-}
-
-bool Interpreter::isShifted() const
-{
-    const Frame by = frame();
-    const Point shift = shift_mm();
-    return !by.isStraight() || by.x_mm != 0 || by.z_mm != 0 || shift.x_mm != 0 || shift.z_mm != 0;
+    modal_.whole = by.with(modal_.frame);
+    modal_.shift = plus(modal_.zero, plus(modal_.stated, modal_.local));
+    const Frame& all = modal_.whole;
+    modal_.is_shifted =
+        !all.isStraight() || all.x_mm != 0 || all.z_mm != 0 || modal_.shift.x_mm != 0 || modal_.shift.z_mm != 0;
 }
 
 Point Interpreter::ofProgram(const Point& work) const
 {
-    const Point shift = shift_mm();
-    return frame().inverse({work.x_mm - shift.x_mm, work.z_mm - shift.z_mm});
+    return modal_.whole.inverse({work.x_mm - modal_.shift.x_mm, work.z_mm - modal_.shift.z_mm});
 }
 
 /// X and Z of the block as a shift, each only where it is given.
@@ -74,6 +75,7 @@ void Interpreter::takeFrame(BlockWords& words)
                         words.frame == Name::ScaleMore || words.frame == Name::MirrorMore;
     if (!isMore) modal_.coarse = modal_.fine = none;
     modal_.frame = isMore ? modal_.frame.with(by) : by;
+    updateFrame();
 }
 
 void Interpreter::takeShift(BlockWords& words, G which)
@@ -90,7 +92,8 @@ void Interpreter::takeShift(BlockWords& words, G which)
         case G::TranslateCoarse: modal_.coarse = statedShift(words, modal_.coarse); break;
         case G::TranslateFine: modal_.fine = statedShift(words, modal_.fine); break;
         case G::SetPositionOff:
-            modal_.stated_kept = words.g10[0] == 921 ? none : modal_.stated;
+        case G::SetPositionClear:
+            modal_.stated_kept = which == G::SetPositionClear ? none : modal_.stated;
             modal_.stated = none;
             break;
         case G::SetPositionBack: modal_.stated = modal_.stated_kept; break;
@@ -111,9 +114,9 @@ void Interpreter::takeShift(BlockWords& words, G which)
                 return;
             }
             modal_.stated = plus(modal_.stated, modal_.frame.turned({now.x_mm - stated.x_mm, now.z_mm - stated.z_mm}));
-            return;
         }
     }
+    updateFrame();
 }
 
 /// G10: a work offset; what it states of tools is not modelled.
@@ -130,7 +133,7 @@ void Interpreter::setData(BlockWords& words)
         return;
     }
     const long number = std::lround(plain(words, 'P'));
-    const int of = number == 0 ? modal_.work_offset : static_cast<int>(530 + 10 * std::clamp(number, 1L, 9L));
+    const int of = number == 0 ? modal_.work_offset : offsetOf(number);
     const Point before = offsets_.contains(of) ? offsets_[of] : Point{0, 0};
     if (kind == 2) {
         if (!offsets_.contains(of)) assume("work_offset_before", LT_TEXT("Engine", "0"));
@@ -144,7 +147,9 @@ void Interpreter::setData(BlockWords& words)
         }
         offsets_[of] = plus(before, {now.x_mm - stated.x_mm, now.z_mm - stated.z_mm});
     }
-    if (of == modal_.work_offset) modal_.zero = offsets_[of];
+    if (of != modal_.work_offset) return;
+    modal_.zero = offsets_[of];
+    updateFrame();
 }
 
 /// Another work offset: by how much it shifts is known where the program has set both.
@@ -156,11 +161,10 @@ void Interpreter::changeOffset(int number10, const Word* word)
     modal_.work_offset = number10;
     if (isStated) {
         modal_.zero = offsets_[number10];
-        return;
+        return updateFrame();
     }
-    if (isNamed && (number10 == 5000 || offsets_.empty())) {
-        // The program is taken to state its coordinates in it.
-        if (!result_.moves.empty() && number10 != 5000) assume("work_offset", LT_TEXT("Engine", "as before"));
+    if (isNamed && offsets_.empty()) {  // the program is taken to state its coordinates in it
+        if (!result_.moves.empty()) assume("work_offset", LT_TEXT("Engine", "as before"));
         return;
     }
     if (!isKnown(modal_.at.x_mm) && !isKnown(modal_.at.z_mm)) return;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/core/units.h"
+#include "engine/gcode/changeable_words.h"
 #include "engine/gcode/gcode_codes.h"
 
 namespace lathelier::gcode {
@@ -54,81 +55,6 @@ const Word* incrementOf(const Program& program, const Block& block, char letter)
 bool movesX(const Program& program, const Block& block)
 {
     return program.wordOf(block, 'X') || incrementOf(program, block, 'U');
-}
-
-/// Chamfers, roundings and angles, as comma words or names.
-bool shapesItsEnd(const Program& program, const Word& word)
-{
-    if (word.letter == 'c' || word.letter == 'r' || word.letter == 'a') return true;
-    return word.letter == 0 && word.kind != WordKind::Comment &&
-           shapesCorner(meaningOfName(*program.control, program.textOf(word)));
-}
-
-bool isRadius(const Program& program, const Word& word)
-{
-    return word.letter == 'R' || (word.letter == 0 && word.kind != WordKind::Comment &&
-                                  meaningOfName(*program.control, program.textOf(word)) == Name::ArcRadius);
-}
-
-/// The word that states the radius of an arc; nullptr: I and K state its centre.
-const Word* radiusWord(const Program& program, const Block& block)
-{
-    for (std::uint32_t i = 0; i < block.word_count; ++i)
-        if (const Word& word = program.words[block.first_word + i]; isRadius(program, word)) return &word;
-    return nullptr;
-}
-
-/// Words that select a motion, a unit, a feed or a speed, or have no effect on the path.
-bool leavesThePath(G meaning)
-{
-    switch (meaning) {
-        case G::Rapid:
-        case G::Line:
-        case G::ArcCw:
-        case G::ArcCcw:
-        case G::Inch:
-        case G::InchAll:
-        case G::Metric:
-        case G::PlaneZX:
-        case G::NoseOff:
-        case G::CssOn:
-        case G::CssOff:
-        case G::PerMinute:
-        case G::PerRevolution:
-        case G::Absolute:
-        case G::Incremental:
-        case G::Diameter:
-        case G::Radius:
-        case G::ArcAbsolute:
-        case G::ArcIncremental:
-        case G::CycleOff:
-        case G::NoEffect: return true;
-        default: return false;
-    }
-}
-
-bool leavesThePath(Name meaning)
-{
-    switch (meaning) {
-        case Name::NoEffect:
-        case Name::Uncomputed:
-        case Name::DiameterOn:
-        case Name::DiameterOff:
-        case Name::DiameterAbsolute:
-        case Name::SpeedLimit:
-        case Name::Speed: return true;
-        default: return false;
-    }
-}
-
-/// Ends the program, leaves it or stops it or its spindle: not to be done before the rest of its block.
-bool stops(const Control& control, const Word& word)
-{
-    if (word.letter != 'M') return false;
-    constexpr double stop = 0, optionalStop = 1, spindleStop = 5;
-    const M meaning = meaningOfM(control, static_cast<int>(word.value));
-    return (meaning != M::NoEffect && meaning != M::Unknown) || word.value == stop || word.value == optionalStop ||
-           word.value == spindleStop;
 }
 
 /// The program as a control runs it that skips the blocks behind "/"; lines keep their numbers.
@@ -186,43 +112,6 @@ void Rewriter::refuse(std::size_t block, Text reason, const Word* word) const
     throw error;
 }
 
-/// Of a block that moves; what is not known to be harmless may shape its end, move another axis or call a program.
-bool Rewriter::isHarmless(const Word& word, const BlockState& state) const
-{
-    if (word.kind == WordKind::Comment || word.kind == WordKind::Assignment) return true;
-    if (word.kind == WordKind::Bad || word.kind == WordKind::Flow) return false;
-    const Control& control = *program_.control;
-    const auto number = static_cast<int>(std::lround(std::clamp(word.value, -1.0, 1e6)));
-    switch (word.letter) {
-        case 'N':
-        case 'F':
-        case 'S':
-        case 'T':
-        case 'X':
-        case 'Z': return true;
-        case 'U':
-        case 'W': return control.increments_are_letters;
-        case 'I':
-        case 'K':
-        case 'R': return state.kind == MoveKind::Arc && word.is_understood;
-        case 'M': {
-            const M meaning = meaningOfM(control, number);
-            return word.kind == WordKind::Number && (meaning == M::NoEffect || meaning == M::Unknown);
-        }
-        case 'G': {
-            const auto code10 = static_cast<int>(std::lround(std::clamp(word.value, -1.0, 1e6) * 10));
-            return word.kind == WordKind::Number && leavesThePath(meaningOfG(control, code10));
-        }
-        case 0: {
-            const std::string_view name = program_.textOf(word);
-            if (word.kind == WordKind::Name && name.ends_with(':')) return true;  // a label
-            return leavesThePath(meaningOfName(control, name)) ||
-                   (state.kind == MoveKind::Arc && isRadius(program_, word));
-        }
-        default: return false;
-    }
-}
-
 void Rewriter::checkWords(std::size_t block) const
 {
     const Block& where = program_.blocks.at(block);
@@ -231,7 +120,7 @@ void Rewriter::checkWords(std::size_t block) const
     for (std::uint32_t i = 0; i < where.word_count; ++i)
         if (shapesItsEnd(program_, program_.words[where.first_word + i])) refuse(block, shape);
     for (std::uint32_t i = 0; i < where.word_count; ++i)
-        if (const Word& word = program_.words[where.first_word + i]; !isHarmless(word, state))
+        if (const Word& word = program_.words[where.first_word + i]; !isHarmless(program_, word, state))
             refuse(block, LT_TEXT("Engine", "may shape its end or its path"), &word);
     if (state.is_shaped) refuse(block, shape);
 }

@@ -82,7 +82,6 @@ private:
     int digitsOf(const BlockState& state, bool isX) const;
     [[noreturn]] void refuse(std::size_t block, Text reason, const Word* word = nullptr) const;
     void checkWords(std::size_t block) const;
-    bool isHarmless(const Word& word, const BlockState& state) const;
     std::string formatted(double value, int digits, bool keepsPoint) const;
     std::string number(std::size_t block, double value_mm, bool isX, const Word* like) const;
     std::string centreNumber(std::size_t block, double centre_mm, double from_mm, bool isX, const Word* like) const;

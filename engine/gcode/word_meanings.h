@@ -67,12 +67,13 @@ enum class G : std::uint8_t {
     LocalShift,       ///< the zero by the words of the block, from that of the work offset
     SetData,  ///< L2 P1…: the work offset P; L20 P1…: so that the present position has these coordinates; others:
               ///< of tools, not modelled
-    SetPositionOff,   ///< ends SetPosition
-    SetPositionBack,  ///< after SetPositionOff
-    Translate,        ///< the zero by the words of the block; without them: ends all frames
-    TranslateCoarse,  ///< as Translate, for the axes of the block alone
-    TranslateFine,    ///< in addition to TranslateCoarse
-    MillOn,           ///< moves that follow are those of a driven tool: known, not modelled
+    SetPositionOff,    ///< ends SetPosition, which is kept for SetPositionBack
+    SetPositionClear,  ///< ends SetPosition for good
+    SetPositionBack,   ///< after SetPositionOff
+    Translate,         ///< the zero by the words of the block; without them: ends all frames
+    TranslateCoarse,   ///< as Translate, for the axes of the block alone
+    TranslateFine,     ///< in addition to TranslateCoarse
+    MillOn,            ///< moves that follow are those of a driven tool: known, not modelled
     MillOff,
     MacroCall,
 };

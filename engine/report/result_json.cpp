@@ -4,7 +4,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/understanding.h"
 #include "engine/core/version.h"
 #include "engine/core/visible.h"
 
@@ -103,14 +102,18 @@ Json resultHead(const std::string& command, const std::vector<InputFile>& inputs
     return head;
 }
 
+void addUnderstanding(Json& result, const Understanding& understanding)
+{
+    if (!understanding.isWhole()) result["verdict"] = key(Verdict::Undecided);
+    result["understanding"] = toJson(understanding);
+}
+
 Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,
                  const Json& result, const Notes& notes)
 {
     Json whole = resultHead(command, inputs, parameters);
     whole.update(result);
-    const Understanding understanding = understandingOf(notes);
-    if (!understanding.isWhole() && whole.contains("verdict")) whole["verdict"] = key(Verdict::Undecided);
-    whole["understanding"] = toJson(understanding);
+    addUnderstanding(whole, understandingOf(notes));
     whole["notes"] = toJson(notes);
     return whole;
 }

@@ -7,12 +7,16 @@
 #include <vector>
 
 #include "engine/core/json.h"
+#include "engine/core/understanding.h"
 #include "engine/report/document.h"
 
 namespace lathelier::report {
 
 /// Head of every object: command, version, inputs (path, bytes, sha256), parameters (all of them).
 Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters);
+
+/// Adds `understanding`; with gaps that count the `verdict` is undecided.
+void addUnderstanding(Json& result, const Understanding& understanding);
 
 /// A whole object: head, the keys of `result`, notes.
 Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,

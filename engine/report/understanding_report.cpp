@@ -27,7 +27,7 @@ std::string placesOf(const Understanding& understanding)
     std::size_t count = 0;
     std::int64_t line = -1;
     for (const NotModelled& gap : understanding.not_modelled) {
-        if (gap.effect == GapEffect::None || gap.line == line) continue;
+        if (gap.effect == GapEffect::None || (gap.line > 0 && gap.line == line)) continue;
         line = gap.line;
         if (count++ == mostPlaces) return places + ", …";
         if (!places.empty()) places += ", ";
@@ -44,7 +44,7 @@ Value orNothing(std::int64_t place)
 
 }  // namespace
 
-void settle(Answer& answer, const Understanding& understanding, const Language&)
+void settle(Answer& answer, const Understanding& understanding)
 {
     if (understanding.isWhole()) return;
     answer.verdict = Verdict::Undecided;
@@ -55,10 +55,12 @@ void settle(Answer& answer, const Understanding& understanding, const Language&)
     std::int64_t line = -1;
     for (const NotModelled& gap : understanding.not_modelled) {
         if (gap.effect == GapEffect::None || findings.size() == mostFindings) continue;
-        if (gap.line == line) continue;  // a word and the block that it owns
+        if (gap.line > 0 && gap.line == line) continue;  // a word and the block that it owns
         line = gap.line;
         Finding& finding = findings.emplace_back();
-        finding.pattern = LT_TEXT("Engine", "Line {line}: “{word}” is not modelled; it can change {what}");
+        finding.pattern = gap.line > 0
+                              ? LT_TEXT("Engine", "Line {line}: “{word}” is not modelled; it can change {what}")
+                              : LT_TEXT("Engine", "“{word}” is not modelled; it can change {what}");
         finding.values = {{"line", gap.line}, {"word", gap.word}, {"what", nameOf(gap.effect)}};
         finding.verdict = Verdict::Undecided;
         if (gap.line > 0) finding.place.line = gap.line;

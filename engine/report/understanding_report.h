@@ -8,7 +8,7 @@ namespace lathelier::report {
 
 /// With gaps that count: undecided, and in place of its sentence the places; the first ones are findings. Else
 /// unchanged.
-void settle(Answer& answer, const Understanding& understanding, const Language& language = {});
+void settle(Answer& answer, const Understanding& understanding);
 
 /// Tables of gaps and assumptions; none where there are neither.
 std::optional<Section> understandingSection(const Understanding& understanding);

@@ -11,10 +11,10 @@ namespace lathelier::task {
 
 namespace {
 
-void settleAll(report::Section& section, const Understanding& understanding, const Language& language)
+void settleAll(report::Section& section, const Understanding& understanding)
 {
     for (report::Block& block : section.blocks)
-        if (auto* const answer = std::get_if<report::Answer>(&block)) settle(*answer, understanding, language);
+        if (auto* const answer = std::get_if<report::Answer>(&block)) settle(*answer, understanding);
 }
 
 }  // namespace
@@ -39,28 +39,22 @@ Outcome settled(const Task& task, Outcome outcome, const Understanding& understa
     if (outcome.report)
         outcome.report = [shared, inner = outcome.report](const Language& language) {
             report::Document document = inner(language);
-            for (report::Section& section : document.sections) settleAll(section, *shared, language);
+            for (report::Section& section : document.sections) settleAll(section, *shared);
             if (auto section = report::understandingSection(*shared)) document.sections.push_back(*std::move(section));
             return document;
         };
     if (understanding.isWhole()) return outcome;
     outcome.verdict = Verdict::Undecided;
-    if (outcome.json)
-        outcome.json = [inner = outcome.json] {
-            Json json = inner();
-            json["verdict"] = key(Verdict::Undecided);
-            return json;
-        };
     if (outcome.answer)
         outcome.answer = [shared, inner = outcome.answer](const Language& language) {
             report::Answer answer = inner(language);
-            settle(answer, *shared, language);
+            settle(answer, *shared);
             return answer;
         };
     if (outcome.summary)
         outcome.summary = [shared, inner = outcome.summary](const Language& language) {
             report::Section section = inner(language);
-            settleAll(section, *shared, language);
+            settleAll(section, *shared);
             return section;
         };
     for (const Export& written : task.exports) {
@@ -110,7 +104,7 @@ Json resultOf(const Task& task, const project::PanelState& state, const Sources&
     Json result = report::resultHead(task.key, sources.inputs, parametersOf(task, state));
     if (outcome.json) result.update(outcome.json());
     if (!outcome.errors.empty()) result["error"] = toJson(outcome.errors.front());
-    result["understanding"] = toJson(outcome.understanding);
+    report::addUnderstanding(result, outcome.understanding);
     result["notes"] = toJson(outcome.notes);
     return result;
 }

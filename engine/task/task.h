@@ -48,9 +48,8 @@ struct Outcome {
     Notes notes;                         ///< of the readers and of the result
     Understanding understanding;         ///< what was not understood and what was assumed, likewise
     std::optional<Verdict> verdict;      ///< none: nothing to judge
-    bool has_gap = false;       ///< undecided because something was not looked at: --strict does not take it for a pass
-    std::vector<Error> errors;  ///< answered all the same (a program with errors has its diagnostics)
-    std::function<Json()> json;  ///< keys of the result, without head and notes
+    std::vector<Error> errors;           ///< answered all the same (a program with errors has its diagnostics)
+    std::function<Json()> json;          ///< keys of the result, without head and notes
     std::function<report::Answer(const Language&)> answer;
     std::function<report::Section(const Language&)> summary;
     std::function<report::Document(const Language&)> report;        ///< without inputs; `results` empty

@@ -5,6 +5,7 @@
 #include "engine/cad/part_input.h"
 #include "engine/cam/cam_codes.h"
 #include "engine/cam/check/check_report.h"
+#include "engine/cam/drawn_features.h"
 #include "engine/cam/task/job_input.h"
 #include "engine/cam/task/turn_question.h"
 #include "engine/gcode/program_input.h"
@@ -47,6 +48,11 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     of_programs.add(outcome.result->path.understanding, task::nameOf(state.inputs.at(programRole)));
     if (const project::Source* const before = task::sourceOf(state, beforeRole))
         of_programs.add(outcome.result->before_understanding, task::nameOf(*before));
+    // What is drawn and not looked at cannot turn a failure into a pass.
+    const GapEffect effect = outcome.result->verdict == Verdict::Fail ? GapEffect::None : GapEffect::Measures;
+    const std::string drawing = task::nameOf(state.inputs.at(state.inputs.contains(partRole) ? partRole : jobRole));
+    for (const DrawnFeature& feature : outcome.result->not_checked)
+        of_programs.not_modelled.push_back({drawing, 0, 0, plainText(feature), notes::drawnNotChecked.key, effect});
     outcome.record(state, sources, outcome.result->notes, of_programs);
     return outcome;
 }
@@ -57,7 +63,6 @@ task::Outcome outcomeOf(const std::shared_ptr<const CheckOutcome>& outcome)
     all.result = outcome;
     all.notes = outcome->notes;
     all.verdict = outcome->result->verdict;
-    all.has_gap = !outcome->result->not_checked.empty();
     if (std::optional<Error> error = gcode::firstError(outcome->result->path)) {
         error->with("path", task::nameOf(outcome->asked.inputs.at(programRole)));
         all.errors.push_back(*error);

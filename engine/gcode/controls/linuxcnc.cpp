@@ -58,7 +58,8 @@ std::map<int, G> wordsOfLinuxCnc()
     addWords(g, G::Incremental, {91});
     addWords(g, G::ArcIncremental, {91.1});
     addWords(g, G::SetPosition, {92});
-    addWords(g, G::SetPositionOff, {92.1, 92.2});
+    addWords(g, G::SetPositionClear, {92.1});
+    addWords(g, G::SetPositionOff, {92.2});
     addWords(g, G::SetPositionBack, {92.3});
     addWords(g, G::InverseTime, {93});
     addWords(g, G::PerMinute, {94});

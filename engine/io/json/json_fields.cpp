@@ -108,7 +108,11 @@ private:
                 unknown_.emplace_back(key, member);
                 if (unknownKeys(notes_) >= mostUnknownKeys) return;
                 const JsonPlace here = member.place();
-                notes_.push_back({notes::unknownKey, {{"key", key}, {"line", here.line}, {"column", here.column}}});
+                Values values{{"key", key}, {"line", here.line}, {"column", here.column}};
+                const auto meant = std::find_if(fields_.begin(), fields_.end(),
+                                                [&key](const FieldInfo& one) { return isMisnamed(key, one.key); });
+                if (meant != fields_.end()) values.emplace_back("meant", meant->key);
+                notes_.push_back({notes::unknownKey, std::move(values)});
             }
         });
     }

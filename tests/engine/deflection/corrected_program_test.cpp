@@ -9,8 +9,8 @@
 
 #include "../core/code_of_error.h"
 #include "case_a.h"
+#include "engine/deflection/corrected_program.h"
 #include "engine/deflection/deflection_codes.h"
-#include "engine/deflection/turning_job.h"
 #include "engine/gcode/gcode_codes.h"
 
 namespace lathelier::deflection {

@@ -69,6 +69,15 @@ TEST(Rewriter, WritesWhatTheShiftedZeroNeeds)
     EXPECT_NEAR(moves.moves[1].z_mm, -100, 1e-12);
 }
 
+TEST(Rewriter, AWordThatTurnsTheSpindleIsKept)
+{
+    const Read read("G0 X28. Z2.\nG01 Z-280. F0.2 M3 S900\nX36.\n");
+    Rewriter rewriter(read.program, read.path);
+    EXPECT_FALSE(rewriter.refusal(1));
+    rewriter.split(1, {{{13.98, -140}, {}}, {{14, -280}, {}}});
+    EXPECT_EQ(rewriter.write().text, "G0 X28. Z2.\nG01 X27.96 Z-140. F0.2 M3 S900\nX28. Z-280.\nX36.\n");
+}
+
 TEST(Rewriter, RefusesWhatItCannotKeep)
 {
     const auto refused = [](const std::string& text, std::size_t block) {

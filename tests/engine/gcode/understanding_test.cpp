@@ -94,6 +94,8 @@ TEST(Understanding, ShiftsAndFramesAreFollowed)
         {"linuxcnc", "G7 G0 X40 Z2\nG92 Z7\nG0 Z0\nM2\n", 20, -5},
         {"linuxcnc", "G7 G0 X40 Z2\nG92 Z7\nG92.1\nG0 Z0\nM2\n", 20, 0},
         {"linuxcnc", "G7 G0 X40 Z2\nG10 L2 P0 X4\nG0 X40\nM2\n", 22, 2},
+        {"linuxcnc", "G7 G0 X40 Z2\nG10 L2 P7 Z-3\nG59.1 G0 Z0\nM2\n", 20, -3},
+        {"linuxcnc", "G7 G0 X40 Z2\nG92 Z7\nG92.2\nG92.3\nG0 Z0\nM2\n", 20, -5},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nTRANS Z=-5\nZ0\nM30\n", 20, -5},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nTRANS X-2 Z-5\nX40 Z0\nM30\n", 19, -5},
         {"sinumerik", "G90 DIAMON G0 X40 Z2\nTRANS Z-5\nATRANS Z-1\nZ0\nM30\n", 20, -6},

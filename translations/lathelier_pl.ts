@@ -4640,14 +4640,6 @@
         <translation>Gdzie działa siła, od wolnego końca w stronę uchwytu.</translation>
     </message>
     <message>
-        <source>The first frequency.</source>
-        <translation>Pierwsza częstotliwość.</translation>
-    </message>
-    <message>
-        <source>The last frequency.</source>
-        <translation>Ostatnia częstotliwość.</translation>
-    </message>
-    <message>
         <source>Step</source>
         <translation>Krok</translation>
     </message>
@@ -5228,10 +5220,6 @@
         <translation>Drgania</translation>
     </message>
     <message>
-        <source>Frequency response or modes</source>
-        <translation>Charakterystyka lub postacie</translation>
-    </message>
-    <message>
         <source>Finding lobes</source>
         <translation>Szukanie worków</translation>
     </message>
@@ -5256,24 +5244,12 @@
         <translation>{speed} obr/min · worek {k}, drgania przy {frequency} Hz</translation>
     </message>
     <message>
-        <source>No speed is recommended: {reason}</source>
-        <translation>Żadna prędkość nie jest zalecana: {reason}</translation>
-    </message>
-    <message>
         <source>Modes</source>
         <translation>Postacie</translation>
     </message>
     <message>
-        <source>Of the point that is cut, where there is no measured frequency response.</source>
-        <translation>Skrawanego punktu, gdy nie ma zmierzonej charakterystyki.</translation>
-    </message>
-    <message>
         <source>Of the operating point; drag it in the chart.</source>
         <translation>Punktu pracy; przeciągnij go na wykresie.</translation>
-    </message>
-    <message>
-        <source>Of the operating point, in mm; without a cutting coefficient in multiples of the least limit.</source>
-        <translation>Punktu pracy, w mm; bez współczynnika skrawania w wielokrotnościach najmniejszej granicy.</translation>
     </message>
     <message>
         <source>Computing</source>
@@ -5286,14 +5262,6 @@
     <message>
         <source>Shaft</source>
         <translation>Wał</translation>
-    </message>
-    <message>
-        <source>In place of FRF: a shaft whose receptance is computed, from FILE.json; with --spindle on its machine.</source>
-        <translation>Zamiast FRF: wał, którego receptancja jest obliczana, z FILE.json; z --spindle na jego maszynie.</translation>
-    </message>
-    <message>
-        <source>one of: a file, --mode, --shaft</source>
-        <translation>jednego z: plik, --mode, --shaft</translation>
     </message>
     <message>
         <source>Of the shaft, from FILE.json.</source>
@@ -5502,10 +5470,6 @@
     <message>
         <source>µin</source>
         <translation>µin</translation>
-    </message>
-    <message>
-        <source>Recommended: {speed:0} 1/min</source>
-        <translation>Zalecane: {speed:0} obr/min</translation>
     </message>
     <message>
         <source>Recommended: {speed:0} 1/min, stable up to {limit:3} ×</source>
@@ -6564,14 +6528,6 @@
         <translation>Jeszcze potrzebne: {value}.</translation>
     </message>
     <message>
-        <source>That holds the bar: SPINDLE.json.</source>
-        <translation>Które trzyma pręt: SPINDLE.json.</translation>
-    </message>
-    <message>
-        <source>In place of a plain bar of diameter D and overhang L: SHAFT.json or a stock file.</source>
-        <translation>Zamiast zwykłego pręta o średnicy D i wysięgu L: SHAFT.json albo plik półfabrykatu.</translation>
-    </message>
-    <message>
         <source>Drop the file of a spindle here, then type diameter, overhang and cutting speed.</source>
         <translation>Upuść tu plik wrzeciona, potem podaj średnicę, wysięg i prędkość skrawania.</translation>
     </message>
@@ -6582,10 +6538,6 @@
     <message>
         <source>Overhang L</source>
         <translation>Wysięg L</translation>
-    </message>
-    <message>
-        <source>Of the bar from the chuck to its free end; a shaft given takes its place.</source>
-        <translation>Pręta od uchwytu do swobodnego końca; podany wał go zastępuje.</translation>
     </message>
     <message>
         <source>Least cutting speed</source>
@@ -6612,14 +6564,6 @@
         <translation>{speed} obr/min · najmniejsza granica przy z {z} mm, drgania o częstotliwości {frequency} Hz</translation>
     </message>
     <message>
-        <source>Best over the pass: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
-        <translation>Najlepsza dla przejścia: {speed:0} obr/min, stabilna do {limit_mm:3} mm</translation>
-    </message>
-    <message>
-        <source>Best over the pass: {speed:0} 1/min</source>
-        <translation>Najlepsza dla przejścia: {speed:0} obr/min</translation>
-    </message>
-    <message>
         <source>Stability over a pass</source>
         <translation>Stabilność na przejściu</translation>
     </message>
@@ -6628,20 +6572,8 @@
         <translation>Na każdej stacji wał w swoim ówczesnym kształcie, na wrzecionie, daje granicę drgań regeneracyjnych przy narzędziu.</translation>
     </message>
     <message>
-        <source>Before the pass: SHAFT.json or a stock file.</source>
-        <translation>Przed przejściem: SHAFT.json albo plik półfabrykatu.</translation>
-    </message>
-    <message>
-        <source>That holds the shaft: SPINDLE.json.</source>
-        <translation>Które trzyma wał: SPINDLE.json.</translation>
-    </message>
-    <message>
         <source>Drop a shaft and a spindle here, then state the pass, its depth and the coefficient.</source>
         <translation>Upuść tu wał i wrzeciono, potem podaj przejście, jego głębokość i współczynnik.</translation>
-    </message>
-    <message>
-        <source>That is judged; drag it in the chart. Without it the best over the pass.</source>
-        <translation>Oceniana; przeciągnij ją na wykresie. Bez niej najlepsza dla przejścia.</translation>
     </message>
     <message>
         <source>Depth of cut beyond the limit</source>
@@ -14251,6 +14183,122 @@
         <source>“{word}” is not modelled; it can change {what}</source>
         <translation>„{word}” nie jest modelowane; może zmienić: {what}</translation>
     </message>
+    <message>
+        <source>The first frequency; not stated: that of the spindle&apos;s table, else 50.</source>
+        <translation>Pierwsza częstotliwość; gdy jej nie podano: z tablicy wrzeciona, inaczej 50.</translation>
+    </message>
+    <message>
+        <source>The last frequency; not stated: that of the spindle&apos;s table, else 5000.</source>
+        <translation>Ostatnia częstotliwość; gdy jej nie podano: z tablicy wrzeciona, inaczej 5000.</translation>
+    </message>
+    <message>
+        <source>speeds that the lobes show</source>
+        <translation>prędkości, które pokazują krzywe workowe</translation>
+    </message>
+    <message>
+        <source>Recommended: {speed:0} 1/min, where no lobe limits the depth</source>
+        <translation>Zalecane: {speed:0} 1/min, gdzie żaden worek nie ogranicza głębokości</translation>
+    </message>
+    <message>
+        <source>No speed from {from:0} to {to:0} 1/min is stable at {depth:3} ×; the most is {limit:3} × at {speed:0} 1/min</source>
+        <translation>Żadna prędkość od {from:0} do {to:0} 1/min nie jest stabilna przy {depth:3} ×; najwięcej to {limit:3} × przy {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>No speed from {from:0} to {to:0} 1/min is stable at {depth_mm:3} mm; the most is {limit_mm:3} mm at {speed:0} 1/min</source>
+        <translation>Żadna prędkość od {from:0} do {to:0} 1/min nie jest stabilna przy {depth_mm:3} mm; najwięcej to {limit_mm:3} mm przy {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>At {speed:0} 1/min no deeper than {limit:3} ×</source>
+        <translation>Przy {speed:0} 1/min nie głębiej niż {limit:3} ×</translation>
+    </message>
+    <message>
+        <source>At {speed:0} 1/min no deeper than {limit_mm:3} mm</source>
+        <translation>Przy {speed:0} 1/min nie głębiej niż {limit_mm:3} mm</translation>
+    </message>
+    <message>
+        <source>The most is {limit:3} × at {speed:0} 1/min</source>
+        <translation>Najwięcej to {limit:3} × przy {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>The most is {limit_mm:3} mm at {speed:0} 1/min</source>
+        <translation>Najwięcej to {limit_mm:3} mm przy {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>Limit and lobes (CSV)…</source>
+        <translation>Granica i worki (CSV)…</translation>
+    </message>
+    <message>
+        <source>Its receptance is computed, on its machine where a spindle is given: SHAFT.json or a stock file.</source>
+        <translation>Jego receptancja jest obliczana, na maszynie, gdy podano wrzeciono: SHAFT.json albo plik półfabrykatu.</translation>
+    </message>
+    <message>
+        <source>Frequency response, shaft or modes</source>
+        <translation>Charakterystyka częstotliwościowa, wał albo postacie</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Symulacja</translation>
+    </message>
+    <message>
+        <source>the cutting coefficient for the depth</source>
+        <translation>współczynnik skrawania dla głębokości</translation>
+    </message>
+    <message>
+        <source>the depth of cut for the coefficient</source>
+        <translation>głębokość skrawania dla współczynnika</translation>
+    </message>
+    <message>
+        <source>the diameter of the bar</source>
+        <translation>średnica pręta</translation>
+    </message>
+    <message>
+        <source>the overhang of the bar</source>
+        <translation>wysięg pręta</translation>
+    </message>
+    <message>
+        <source>On the radius: the speed is judged by it, with the cutting coefficient.</source>
+        <translation>Na promieniu: według niej ocenia się prędkość, razem ze współczynnikiem skrawania.</translation>
+    </message>
+    <message>
+        <source>Force along the chip thickness over its area; with the depth.</source>
+        <translation>Siła wzdłuż grubości wióra przez jego przekrój; razem z głębokością.</translation>
+    </message>
+    <message>
+        <source>Of a plain bar of the diameter, from the chuck to its free end; in place of a shaft.</source>
+        <translation>Gładkiego pręta o tej średnicy, od uchwytu do swobodnego końca; zamiast wału.</translation>
+    </message>
+    <message>
+        <source>Speed that bears the most</source>
+        <translation>Prędkość o największej granicy</translation>
+    </message>
+    <message>
+        <source>No lobe limits the depth here · instead of {selected}</source>
+        <translation>Żaden worek nie ogranicza tu głębokości · zamiast {selected}</translation>
+    </message>
+    <message>
+        <source>No speed of the range bears {depth} mm: at most {limit} mm</source>
+        <translation>Żadna prędkość z zakresu nie wytrzymuje {depth} mm: najwyżej {limit} mm</translation>
+    </message>
+    <message>
+        <source>At {depth} mm with a margin of {margin} mm · {selected} is stable too</source>
+        <translation>Przy {depth} mm z zapasem {margin} mm · {selected} też jest stabilna</translation>
+    </message>
+    <message>
+        <source>At {depth} mm with a margin of {margin} mm · at {selected} no deeper than {largest} mm</source>
+        <translation>Przy {depth} mm z zapasem {margin} mm · przy {selected} nie głębiej niż {largest} mm</translation>
+    </message>
+    <message>
+        <source>By the rule of the papers, which knows no depth: {speed:0} 1/min</source>
+        <translation>Według reguły z artykułów, która nie zna głębokości: {speed:0} 1/min</translation>
+    </message>
+    <message>
+        <source>Still needed: {names}.</source>
+        <translation>Brakuje jeszcze: {names}.</translation>
+    </message>
+    <message>
+        <source>Only one of these can be given: {names}.</source>
+        <translation>Można podać tylko jedno z tych: {names}.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -16238,14 +16286,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Move the operating point</source>
         <translation>Przesunięcie punktu pracy</translation>
     </message>
-    <message>
-        <source>Limit and lobes (CSV)…</source>
-        <translation>Granica i worki (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
 </context>
 <context>
     <name>lathelier::lobes_panel::LobesViews</name>
@@ -16566,14 +16606,6 @@ odchyłka %3</translation>
     <message>
         <source>Move the operating point</source>
         <translation>Przesuń punkt pracy</translation>
-    </message>
-    <message>
-        <source>Least limit (CSV)…</source>
-        <translation>Najmniejsza granica (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -17267,10 +17299,6 @@ Wszystkie inne widoki działają.</translation>
 </context>
 <context>
     <name>lathelier::speed_panel::SpeedViews</name>
-    <message>
-        <source>instead of %1 · %2 m/min</source>
-        <translation>zamiast %1 · %2 m/min</translation>
-    </message>
     <message>
         <source>Operator</source>
         <translation>Operator</translation>

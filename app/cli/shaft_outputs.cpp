@@ -15,6 +15,7 @@
 #include "engine/cad/solidworks_macro.h"
 #include "engine/cad/step_writer.h"
 #include "engine/cad/steps_view.h"
+#include "engine/core/understanding.h"
 #include "engine/core/visible.h"
 #include "engine/drawing/drawing_svg.h"
 #include "engine/drawing/shaft_drawing.h"
@@ -63,6 +64,13 @@ drawing::Drawing drawingOf(const ShaftToWrite& asked, bool undated)
     options.bore_uncertainties = asked.bore_uncertainties;
     if (!undated) options.date = today();
     return drawing::drawShaft(asked.shaft, options);
+}
+
+/// What a part is made by: not written where something of it was not understood. Error not_modelled.
+void requireUnderstoodFor(const Request& request, const Notes& notes)
+{
+    for (const char* option : {stepOption, dxfOption, freecadOption, solidworksOption, drawingOption})
+        if (request.outputs.count(option) > 0) return requireUnderstood(understandingOf(notes));
 }
 
 }  // namespace
@@ -136,6 +144,7 @@ void writeShaftOutputs(const Request& request, const ShaftToWrite& asked, const 
         const auto found = request.outputs.find(option);
         return found == request.outputs.end() ? nullptr : &found->second;
     };
+    requireUnderstoodFor(request, answer.notes);
     if (const std::string* path = wanted(shaftOption)) io::writeFile(*path, io::shaftText(asked.shaft));
     const bool undated = isAsked(request, undatedKey);
     const bool others = std::any_of(request.outputs.begin(), request.outputs.end(),

@@ -8,6 +8,7 @@
 #include "app/cli/verb_answer.h"
 #include "engine/core/core_codes.h"
 #include "engine/report/plain_text.h"
+#include "engine/task/task_codes.h"
 
 namespace lathelier::cli {
 namespace {
@@ -38,6 +39,21 @@ FieldInfo fileOption(const task::Input& input)
     return info;
 }
 
+/// Where inputs stand in each other's place, exactly one of them.
+void requireOne(const task::Task& task, const project::PanelState& state)
+{
+    if (task.one_of.keys.empty()) return;
+    const std::size_t given = givenOf(task, state).size();
+    if (given == 1) return;
+    std::string names;
+    for (const std::string& key : task.one_of.keys) {
+        const task::Input* const input = task.input(key);
+        if (!names.empty()) names += ", ";
+        names += !input ? optionName(key) : input->option.empty() ? operandName(*input) : optionName(input->option);
+    }
+    throw Error(given == 0 ? errors::oneNeeded : errors::oneOnly, {{"names", names}});
+}
+
 void runTask(const task::Task& task, const Request& request, const Progress& progress, Answer& answer)
 {
     const project::PanelState state = stateOf(task, request);
@@ -57,7 +73,7 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     answer.notes = outcome.notes;
     answer.understanding = outcome.understanding;
     answer.json = outcome.json;
-    answer.report = [report = outcome.report] { return report({}); };
+    if (outcome.report) answer.report = [report = outcome.report] { return report({}); };
     if (outcome.summary) answer.summary = report::toPlainText(outcome.summary({}));
     answer.pass = passed(outcome.verdict);
     for (const Error& error : outcome.errors) answer.errors.push_back(error);
@@ -76,6 +92,7 @@ Verb verbOf(const task::Task& task)
     verb.summary = task.summary;
     verb.has_report = true;
     for (const task::Input& input : task.inputs) {
+        if (!input.takes_files) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
             verb.operands.push_back({operandName(input), input.help.english, false, false, !input.required});
@@ -97,6 +114,7 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
     project::PanelState state;
     std::size_t operand = 0;
     for (const task::Input& input : task.inputs) {
+        if (!input.takes_files) continue;
         std::string path;
         if (input.option.empty()) {
             if (operand < request.operands.size()) path = request.operands[operand++];
@@ -119,6 +137,7 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
             continue;
         for (auto& [role, source] : state.inputs) set(source.import, key, value);
     }
+    requireOne(task, state);
     return state;
 }
 

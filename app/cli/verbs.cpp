@@ -9,6 +9,9 @@
 #include "engine/deflection/toolpath_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/stability/task/lobes_task.h"
+#include "engine/stability/task/simulate_task.h"
+#include "engine/stability/task/speed_task.h"
 
 namespace lathelier::cli {
 
@@ -22,9 +25,9 @@ const std::vector<Verb>& verbs()
                                 trajectoryVerb(),
                                 frfVerb(),
                                 spindleVerb(),
-                                lobesVerb(),
-                                speedVerb(),
-                                simulateVerb(),
+                                verbOf(stability::lobesTask()),
+                                verbOf(stability::speedTask()),
+                                verbOf(stability::simulateTask()),
                                 verbOf(deflection::toolpathTask()),
                                 verbOf(cam::turnTask()),
                                 verbOf(cam::checkTask()),

@@ -79,9 +79,8 @@ ChosenSpeed chosenFor(const Shaft& body, const std::optional<Material>& material
     chosen.speed_rpm = std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
     receptance::ReceptanceParameters parameters;
     parameters.respond_z_mm = parameters.excite_z_mm = std::clamp(z_mm, 0.0, body.length_mm());
-    parameters.from_hz = sectionFrom_hz;
-    parameters.to_hz = sectionTo_hz;
     parameters.step_hz = sectionStep_hz;
+    parameters = receptance::withinLines(parameters, request.spindle, {sectionFrom_hz, sectionTo_hz});
     chosen.receptance = std::make_shared<const Frf>(
         receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress));
     const Frf& frf = *chosen.receptance;

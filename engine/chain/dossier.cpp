@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
+#include "engine/core/understanding.h"
 #include "engine/io/file.h"
 #include "engine/io/json/json_document.h"
 #include "engine/report/result_json.h"
@@ -216,6 +217,26 @@ std::optional<Error> Dossier::error() const
     return std::nullopt;
 }
 
+std::optional<Verdict> Dossier::settledVerdict() const
+{
+    const Json found = understandingOf(*this);
+    for (const Json& gap : found["not_modelled"])
+        if (gap.value("effect", std::string()) != lathelier::key(GapEffect::None)) return Verdict::Undecided;
+    return verdict;
+}
+
+Json understandingOf(const Dossier& dossier)
+{
+    Json whole = lathelier::toJson(Understanding{});
+    for (const ChainStep& step : dossier.steps) {
+        if (!step.understanding) continue;
+        for (auto& [name, list] : whole.items())
+            if (step.understanding->contains(name))
+                for (const Json& entry : (*step.understanding)[name]) list.push_back(entry);
+    }
+    return whole;
+}
+
 std::vector<report::Section> Dossier::sections() const
 {
     std::vector<report::Section> all;
@@ -228,6 +249,12 @@ void add(Dossier& dossier, ChainStep step, const Json& result)
     for (Note note : step.notes) {
         lathelier::set(note.values, "step", step.id);
         dossier.notes.push_back(std::move(note));
+    }
+    if (result.contains("understanding")) {
+        Json understanding = result["understanding"];
+        for (Json& list : understanding)
+            for (Json& entry : list) entry["step"] = step.id;
+        step.understanding = std::make_shared<const Json>(std::move(understanding));
     }
     if (step.state == StepState::Done && !step.result.empty())
         for (TracedNumber& number : numbersOf(step.id, result, step.result))
@@ -245,7 +272,8 @@ Json toJson(const Dossier& dossier)
     for (const Confirmation& word : dossier.confirmed)
         confirmed.push_back(
             {{"what", word.what}, {"file", word.file}, {"by", word.by.empty() ? Json(nullptr) : Json(word.by)}});
-    return {{"schema", dossierSchema}, {"verdict", dossier.verdict ? Json(key(*dossier.verdict)) : Json(nullptr)},
+    const std::optional<Verdict> verdict = dossier.settledVerdict();
+    return {{"schema", dossierSchema}, {"verdict", verdict ? Json(key(*verdict)) : Json(nullptr)},
             {"steps", steps},          {"numbers", numbers},
             {"assumed", assumed},      {"confirmed", confirmed}};
 }
@@ -253,6 +281,7 @@ Json toJson(const Dossier& dossier)
 Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters)
 {
     Json whole = report::wholeResult("remanufacture", inputs, parameters, toJson(dossier), {});
+    whole["understanding"] = understandingOf(dossier);
     whole["notes"] = notesOf(dossier);
     return whole;
 }

@@ -40,12 +40,13 @@ struct ChainStep {
     std::vector<InputFile> outputs;  ///< by their path within the folder of the chain
     std::string result;              ///< the output that is its JSON result; empty: none
     Values parameters;
-    Notes notes;                             ///< empty if the step was not run by this process
-    std::optional<Error> error;              ///< of a failed or missing step
-    std::string request;                     ///< SHA-256 of the request; a different one makes the step out of date
-    std::vector<report::Section> sections;   ///< of its report; empty if not run by this process
-    std::vector<std::string> remarks;        ///< notes and error of a step read from a dossier, in English
-    std::shared_ptr<const Json> past_notes;  ///< notes as written in the earlier dossier; null if `notes` has them
+    Notes notes;                                ///< empty if the step was not run by this process
+    std::optional<Error> error;                 ///< of a failed or missing step
+    std::string request;                        ///< SHA-256 of the request; a different one makes the step out of date
+    std::vector<report::Section> sections;      ///< of its report; empty if not run by this process
+    std::vector<std::string> remarks;           ///< notes and error of a step read from a dossier, in English
+    std::shared_ptr<const Json> understanding;  ///< of its result, each entry with `step`; null: no result
+    std::shared_ptr<const Json> past_notes;     ///< notes as written in the earlier dossier; null if `notes` has them
 };
 
 /// A person's confirmation of an input that the chain does not compute.
@@ -59,12 +60,13 @@ struct Dossier {
     std::vector<ChainStep> steps;
     std::vector<TracedNumber> numbers;    ///< ordered by step
     std::vector<Confirmation> confirmed;  ///< inputs confirmed by persons
-    std::optional<Verdict> verdict;       ///< of the copy; none: no copy or no tolerance
+    std::optional<Verdict> verdict;       ///< of the copy; none: no copy or no tolerance. See settledVerdict()
     Notes notes;                          ///< of the steps, each with `step`
     std::string version;                  ///< of the program that made it
 
     const ChainStep* step(const std::string& id) const;  ///< null: not found
     std::optional<Error> error() const;                  ///< of the failed step
+    std::optional<Verdict> settledVerdict() const;       ///< undecided where a step did not understand what counts
     std::vector<report::Section> sections() const;       ///< of the reports of all steps
 };
 
@@ -78,7 +80,10 @@ void add(Dossier& dossier, ChainStep step, const Json& result);
 /// `schema`, `verdict`, `steps`, `numbers`, `assumed` (notes on assumed values), `confirmed`.
 Json toJson(const Dossier& dossier);
 
-/// Content of dossier.json: the head of a result, toJson(), the notes of all steps.
+/// {`not_modelled`, `assumed`} of all steps, each entry with `step`.
+Json understandingOf(const Dossier& dossier);
+
+/// Content of dossier.json: the head of a result, toJson(), what was not understood and the notes of all steps.
 Json wholeDossier(const Dossier& dossier, const std::vector<InputFile>& inputs, const Values& parameters);
 
 /// A difference between dossier and disk.

@@ -83,6 +83,17 @@ void addAsWritten(const Json& root, Dossier& dossier)
             for (const Json& note : root["notes"])
                 if (note.is_object() && note.contains("step") && note["step"] == dossier.steps[i].id)
                     notes.push_back(note);
+        Json understanding = Json::object();
+        for (const char* name : {"not_modelled", "assumed"}) {
+            understanding[name] = Json::array();
+            if (!root.contains("understanding") || !root["understanding"].is_object() ||
+                !root["understanding"].contains(name) || !root["understanding"][name].is_array())
+                continue;
+            for (const Json& entry : root["understanding"][name])
+                if (entry.is_object() && entry.contains("step") && entry["step"] == dossier.steps[i].id)
+                    understanding[name].push_back(entry);
+        }
+        dossier.steps[i].understanding = std::make_shared<const Json>(std::move(understanding));
         dossier.steps[i].past_notes = std::make_shared<const Json>(std::move(notes));
     }
 }

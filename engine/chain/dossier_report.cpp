@@ -141,7 +141,7 @@ report::Answer answer(const Dossier& dossier)
 {
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Copy of a part");
-    answer.verdict = dossier.verdict;
+    answer.verdict = dossier.settledVerdict();
     addCopy(dossier, answer);
     answer.sentence = LT_TEXT("Engine", "{done} of {steps} steps done, {missing} missing, {failed} failed.");
     answer.values = {{"done", countOf(dossier, StepState::Done)},
@@ -168,7 +168,7 @@ std::optional<report::Finding> copyFinding(const Dossier& dossier)
     if (const auto tolerance_mm = toleranceOf(dossier)) {
         finding.pattern = LT_TEXT("Engine", "The copy: largest deviation {worst:3} mm, limit ± {tolerance:3} mm");
         finding.values.emplace_back("tolerance", *tolerance_mm);
-        finding.verdict = dossier.verdict;
+        finding.verdict = dossier.settledVerdict();
     } else {
         finding.pattern =
             LT_TEXT("Engine", "The copy: largest deviation {worst:3} mm; no limit is given, so it is not judged");

@@ -9,7 +9,7 @@ namespace lathelier::project {
 
 /// The format version this program writes. Increment it and add a step whenever an older program would misread the
 /// file.
-inline constexpr int projectVersion = 5;
+inline constexpr int projectVersion = 6;
 
 /// Turns one format version into the next.
 using MigrationStep = void (*)(Json&);

@@ -56,21 +56,33 @@ beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, co
     return result;
 }
 
+ReceptanceParameters withinLines(ReceptanceParameters asked, const std::optional<SpindleReceptance>& spindle,
+                                 const Interval& usual)
+{
+    const auto* const table = spindle ? std::get_if<SpindleTable>(&spindle->source) : nullptr;
+    const bool has_lines = table && !table->frequency_hz.empty();
+    if (!asked.from_hz) asked.from_hz = has_lines ? table->frequency_hz.front() : usual.from;
+    if (!asked.to_hz) asked.to_hz = has_lines ? table->frequency_hz.back() : usual.to;
+    return asked;
+}
+
 std::vector<double> linesOf(const ReceptanceParameters& parameters)
 {
     const auto reject = [](const char* parameter, double found, Text expected) {
         throw Error(errors::valueNotUnderstood, {{"parameter", parameter}, {"found", found}, {"expected", expected}});
     };
     if (!(parameters.step_hz > 0)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "more than 0"));
-    if (!(parameters.from_hz >= 0)) reject("from_hz", parameters.from_hz, LT_TEXT("Engine", "0 or more"));
-    if (!(parameters.to_hz >= parameters.from_hz) || !std::isfinite(parameters.to_hz))
-        reject("to_hz", parameters.to_hz, LT_TEXT("Engine", "not less than the first frequency"));
+    const double from_hz = parameters.from_hz.value_or(usualLines_hz.from);
+    const double to_hz = parameters.to_hz.value_or(usualLines_hz.to);
+    if (!(from_hz >= 0)) reject("from_hz", from_hz, LT_TEXT("Engine", "0 or more"));
+    if (!(to_hz >= from_hz) || !std::isfinite(to_hz))
+        reject("to_hz", to_hz, LT_TEXT("Engine", "not less than the first frequency"));
     constexpr double rounding = 1e-9;
-    const double steps = std::floor((parameters.to_hz - parameters.from_hz) / parameters.step_hz * (1 + rounding));
+    const double steps = std::floor((to_hz - from_hz) / parameters.step_hz * (1 + rounding));
     if (!(steps < mostShaftLines)) reject("step_hz", parameters.step_hz, LT_TEXT("Engine", "at most a million lines"));
     std::vector<double> result;
     result.reserve(static_cast<std::size_t>(steps) + 1);
-    for (double i = 0; i <= steps; ++i) result.push_back(parameters.from_hz + i * parameters.step_hz);
+    for (double i = 0; i <= steps; ++i) result.push_back(from_hz + i * parameters.step_hz);
     return result;
 }
 
@@ -94,7 +106,7 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     Frf frf;
     frf.name = shaft.name;
-    frf.frequency_hz = linesOf(parameters);
+    frf.frequency_hz = linesOf(withinLines(parameters, spindle));
     if (spindle) checkReach(*spindle, frf.frequency_hz);
     const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, shaft.length_mm()};
     const beam::BeamReceptance prepared(
@@ -129,7 +141,7 @@ ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptancePa
 {
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     ShaftReceptanceResult result;
-    result.parameters = parameters;
+    result.parameters = withinLines(parameters, spindle);
     result.length_mm = shaft.length_mm();
     const Material material = materialOf(shaft, result.used, result.notes);
     result.frf = receptanceOf(shaft, material, parameters, holding, progress);
@@ -137,7 +149,7 @@ ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptancePa
     if (!spindle || spindle->springs())
         result.natural_frequencies_hz = beam::naturalFrequencies(
             beam::beamModel(shaft, material, beamParametersOf(parameters, holding, result.length_mm, true), {}),
-            parameters.to_hz, progress.part(0.7, 1));
+            *result.parameters.to_hz, progress.part(0.7, 1));
     else
         result.notes.push_back({notes::spindleHasNoModes, {}});
     progress.report(1);

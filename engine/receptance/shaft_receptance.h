@@ -10,6 +10,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
 #include "engine/core/progress.h"
+#include "engine/core/units.h"
 #include "engine/core/used_value.h"
 #include "engine/receptance/spindle_receptance.h"
 #include "engine/shaft/shaft.h"
@@ -20,8 +21,8 @@ namespace lathelier::receptance {
 struct ReceptanceParameters {
     double respond_z_mm = 0;                                ///< z of the deflection
     double excite_z_mm = 0;                                 ///< z of the force
-    double from_hz = 50;                                    ///< first frequency
-    double to_hz = 5000;                                    ///< upper limit of the frequency
+    std::optional<double> from_hz;                          ///< first frequency; none: see withinLines()
+    std::optional<double> to_hz;                            ///< upper limit of the frequency; none: likewise
     double step_hz = 1;                                     ///< frequency step
     beam::ShearModel shear = beam::ShearModel::Hutchinson;  ///< formula of the shear coefficient κ
     beam::BeamMethod method = beam::BeamMethod::Exact;      ///< motion within a uniform piece
@@ -32,16 +33,25 @@ struct ReceptanceParameters {
 const std::vector<Field<ReceptanceParameters>>& fieldsOf(const ReceptanceParameters*);
 
 struct ShaftReceptanceResult {
-    ReceptanceParameters parameters;
-    double length_mm = 0;  ///< length of the shaft; the chuck face is at this z
-    Frf frf;               ///< receptance, mm/N; NaN where undefined: a free shaft at 0 Hz
+    ReceptanceParameters parameters;  ///< with the range that was computed
+    double length_mm = 0;             ///< length of the shaft; the chuck face is at this z
+    Frf frf;                          ///< receptance, mm/N; NaN where undefined: a free shaft at 0 Hz
     std::optional<std::vector<double>> natural_frequencies_hz;  ///< undamped, up to the last frequency; with a spindle
                                                                 ///< those on its springs; none for a spindle table
     UsedValues used;                                            ///< the material with its origin
     Notes notes;                                                ///< codes materialAssumed, spindleHasNoModes
 };
 
-/// The frequency lines of the parameters. Error valueNotUnderstood for more than a million, or a range reversed.
+/// Lines where none were asked for and no table says which there are.
+inline constexpr Interval usualLines_hz{50, 5000};
+
+/// The parameters with their range. An end that was not asked for is that of the spindle's table, which says which
+/// frequencies are known, else that of `usual`. An end that was asked for stays, also where the table does not reach.
+ReceptanceParameters withinLines(ReceptanceParameters asked, const std::optional<SpindleReceptance>& spindle,
+                                 const Interval& usual = usualLines_hz);
+
+/// The frequency lines of the parameters; see withinLines(). Error valueNotUnderstood for more than a million, or a
+/// range reversed.
 std::vector<double> linesOf(const ReceptanceParameters& parameters);
 
 /// Supports of a shaft.

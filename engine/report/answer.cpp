@@ -101,7 +101,8 @@ std::string findingText(const Finding& finding, const Language& language)
 std::string plainText(const Answer& answer, const Language& language)
 {
     std::string result = valueLine(answer, language);
-    if (answer.verdict) result += " · " + limitText(answer, language) + "  " + verdictText(answer, language);
+    if (answer.verdict && (answer.lower_limit || answer.upper_limit)) result += " · " + limitText(answer, language);
+    if (answer.verdict) result += "  " + verdictText(answer, language);
     result += "\n";
     if (const std::string sentence = sentenceText(answer, language); !sentence.empty()) result += sentence + "\n";
     for (const Finding& finding : answer.findings) {

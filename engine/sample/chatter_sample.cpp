@@ -148,7 +148,7 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     SamplePanel speed_panel;
     speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
     speed_panel.parameters = {
-        {"diameter_mm", 30.0}, {"cutting_speed_m_min", 190.0}, {"lowest_m_min", 120.0}, {"highest_m_min", 400.0}};
+        {"diameter_mm", 30.0}, {"cutting_speed_m_min", 190.0}, {"range_m_min", std::vector<Interval>{{120, 400}}}};
     content.panels["speed"] = std::move(speed_panel);
     progress.report(1);
     return content;

@@ -12,9 +12,6 @@ inline constexpr ErrorCode noStableSpeed{
     "no_stable_speed", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "No stable speed can be recommended for {selected_rpm} 1/min: {reason}.")};
 
-inline constexpr ErrorCode valueNeeded{"value_needed", ErrorKind::WrongUsage,
-                                       LT_TEXT("Engine", "Still needed: {value}.")};
-
 inline constexpr ErrorCode tooFewLines{
     "too_few_lines", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The frequency response has {found} lines; at least {minimum} are needed.")};

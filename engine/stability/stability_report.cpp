@@ -127,7 +127,7 @@ report::Document lobesReport(const LobeResult& result, const Frf& frf, const Spe
     return document;
 }
 
-report::Document speedReport(const SpeedResult& result, const Frf& frf, const UsedValues& used,
+report::Document speedReport(const SpeedResult& result, const LobeResult& near, const Frf& frf, const UsedValues& used,
                              const Language& language)
 {
     report::Document document;
@@ -135,14 +135,7 @@ report::Document speedReport(const SpeedResult& result, const Frf& frf, const Us
     document.verification = {&stabilityVerification()};
     document.sections.push_back(speedSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
-    LobeParameters shown;
-    shown.relation = result.parameters.relation;
-    shown.direction_factor = result.parameters.direction_factor;
-    double low = std::fmin(result.selected_rpm, result.recommended_rpm),
-           high = std::fmax(result.selected_rpm, result.recommended_rpm);
-    shown.speed_rpm = {{0.6 * low, 1.5 * high}};
-    document.sections.push_back(
-        {LT_TEXT("Engine", "Lobes"), {lobesPlot(findLobes(frf, shown), &result, {}, language)}});
+    document.sections.push_back({LT_TEXT("Engine", "Lobes"), {lobesPlot(near, &result, {}, language)}});
     document.sections.push_back(responseSection(frf, result.frequency_hz, language));
     document.sections.push_back(
         methodSection(result.parameters.relation, report::parametersTable(result.parameters, language)));

@@ -22,7 +22,8 @@ report::Section speedSummary(const SpeedResult& result, const Language& language
 /// parameters. `used`: values assumed for the frequency response.
 report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
                              const Language& language = {}, const std::optional<OperatingPoint>& point = {});
-report::Document speedReport(const SpeedResult& result, const Frf& frf, const UsedValues& used,
+/// `near`: lobes about the selected and the recommended speed.
+report::Document speedReport(const SpeedResult& result, const LobeResult& near, const Frf& frf, const UsedValues& used,
                              const Language& language = {});
 
 }  // namespace lathelier::stability

@@ -47,6 +47,7 @@ struct Input {
     bool required = true;
     io::FileKinds kinds = {};    ///< of its files
     std::string item_kind = {};  ///< kind of project items accepted instead of a file; empty: files only
+    bool takes_files = true;     ///< false: items only, and nothing of the command line
     /// Reads it where it is given, for the facts that a window shows before all inputs are there. Errors of the reader.
     std::function<void(const project::PanelState&, Stores&, const Progress&)> read = {};
 };

@@ -77,6 +77,18 @@ const Input* Task::input(const std::string& role) const
     return found == inputs.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> givenOf(const Task& task, const project::PanelState& state)
+{
+    std::vector<std::string> given;
+    for (const std::string& key : task.one_of.keys) {
+        const Value* const value = find(state.parameters, key);
+        const auto* const rows = value ? std::get_if<Rows>(value) : nullptr;
+        const bool is_field = value && !std::holds_alternative<std::monostate>(*value) && !(rows && rows->rows.empty());
+        if (is_field || state.inputs.count(key) > 0) given.push_back(key);
+    }
+    return given;
+}
+
 Values parametersOf(const Task& task, const project::PanelState& state)
 {
     Values all, reading = toValues(io::ImportOptions{});

@@ -52,7 +52,8 @@ struct Outcome {
     std::function<Json()> json;          ///< keys of the result, without head and notes
     std::function<report::Answer(const Language&)> answer;
     std::function<report::Section(const Language&)> summary;
-    std::function<report::Document(const Language&)> report;        ///< without inputs; `results` empty
+    /// Without inputs; `results` empty. None where an error leaves nothing to report.
+    std::function<report::Document(const Language&)> report;
     std::map<std::string, WriteExport> writers;                     ///< by Export::option: those possible
     std::function<std::vector<Product>(const Language&)> products;  ///< those possible; none: nothing is kept
 };
@@ -77,12 +78,20 @@ struct Wanted {
     bool has(const std::string& option) const;
 };
 
+/// Inputs and fields that stand in each other's place: one of them is needed. The command line takes exactly one; of
+/// what a window keeps the first that is given is taken.
+struct OneOf {
+    std::vector<std::string> keys;  ///< roles and keys of fields, in this order; none: nothing of the kind
+    Text label;                     ///< what they are
+};
+
 struct Task {
     std::string key;        ///< of the verb and in JSON: "deflection"
     Text title;             ///< of its panel
     std::string summary;    ///< of the help page, English
     std::string workspace;  ///< where its panels stand: "chatter"
     std::vector<Input> inputs;
+    OneOf one_of = {};
     std::vector<FieldInfo> fields;  ///< of its question
     Values defaults;                ///< of the fields
     std::vector<Export> exports;
@@ -95,6 +104,9 @@ struct Task {
 
     const Input* input(const std::string& role) const;  ///< nullptr: none
 };
+
+/// Those of task.one_of that the state has, in their order.
+std::vector<std::string> givenOf(const Task& task, const project::PanelState& state);
 
 /// Fields and defaults of the question Q.
 template <class Q>

@@ -1,18 +1,11 @@
 // Cache of frequency response files.
 #pragma once
 
-#include "engine/io/frf/frf_reader.h"
-#include "engine/task/file_cache.h"
+#include "engine/io/frf/frf_input.h"
+#include "engine/task/inputs.h"
 
 namespace lathelier::chatter_common {
 
-/// Source::import are ImportOptions and FrfOptions; errors as readFrf().
-class FrfStore : public FileCache<io::FrfFile> {
-public:
-    FrfStore() : FileCache(20) {}
-
-protected:
-    io::FrfFile read(const project::Source& source, io::InputFiles& inputs, const Progress& progress) const override;
-};
+using FrfStore = task::CacheOf<io::FrfInput>;
 
 }  // namespace lathelier::chatter_common

@@ -4,11 +4,7 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/core/json.h"
-#include "engine/io/frf/frf_choice.h"
-#include "engine/io/io_codes.h"
-#include "engine/receptance/frf_checks.h"
-#include "engine/stability/stability_codes.h"
-#include "widgets/chatter_common/frf_files.h"
+#include "engine/stability/task/point_response.h"
 #include "widgets/chatter_common/shaft_files.h"
 
 namespace lathelier::chatter_common {
@@ -44,16 +40,6 @@ std::optional<InputValue<receptance::SpindleReceptance>> takeSpindle(const proje
     return takeInput<receptance::SpindleInput>(state, spindleRole, stores, progress);
 }
 
-receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters asked,
-                                             const receptance::SpindleReceptance& spindle)
-{
-    if (const auto* table = std::get_if<receptance::SpindleTable>(&spindle.source)) {
-        asked.from_hz = table->frequency_hz.front();
-        asked.to_hz = table->frequency_hz.back();
-    }
-    return asked;
-}
-
 std::optional<InputValue<Frf>> takeResponseItem(const project::PanelState& state)
 {
     const project::Source* const source = task::sourceOf(state, frfRole);
@@ -68,23 +54,10 @@ std::optional<InputValue<Frf>> takeResponseItem(const project::PanelState& state
 
 std::optional<ResponseInput> takeResponse(const project::PanelState& state, Stores& stores, const Progress& progress)
 {
-    const project::Source* const source = task::sourceOf(state, frfRole);
-    if (!source) return std::nullopt;
-    if (auto item = takeResponseItem(state)) {
-        std::string basis = item->input.sha256;
-        return ResponseInput{*std::move(item), std::move(basis)};
-    }
-    const auto loaded = stores.of<FrfStore>()->load(*source, progress);
-    const io::MeasuredFrf& used = io::preferredResponse(loaded->file.frfs);
-    ResponseInput found{{io::toReceptance(used.frf), loaded->inputs.front(), loaded->file.notes,
-                         source->synthetic || contains(loaded->file.notes, notes::syntheticData)},
-                        loaded->digest() + toJson(source->import).dump()};
-    Notes& readingNotes = found.taken.notes;
-    const Notes checked = receptance::checkResponse(used, source->path);
-    readingNotes.insert(readingNotes.end(), checked.begin(), checked.end());
-    const Notes chosen = io::notesOfChoice(loaded->file.frfs, used, source->path);
-    readingNotes.insert(readingNotes.end(), chosen.begin(), chosen.end());
-    return found;
+    if (!task::sourceOf(state, frfRole)) return std::nullopt;
+    task::Sources sources;
+    stability::PointResponse response = stability::takeResponse(state, {}, 0, std::nullopt, stores, sources, progress);
+    return ResponseInput{inputValue(*response.frf, std::move(sources)), std::move(response.basis)};
 }
 
 }  // namespace lathelier::chatter_common

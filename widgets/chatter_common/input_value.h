@@ -43,10 +43,6 @@ std::optional<InputValue<Shaft>> takeShaft(const project::PanelState& state, Sto
 std::optional<InputValue<receptance::SpindleReceptance>> takeSpindle(const project::PanelState& state, Stores& stores,
                                                                      const Progress& progress);
 
-/// Limits the frequency range to that of the spindle's table, if it is a table.
-receptance::ReceptanceParameters withinTable(receptance::ReceptanceParameters asked,
-                                             const receptance::SpindleReceptance& spindle);
-
 /// A receptance that another panel made. None when the input is not given or is a file, whose response is selected by
 /// the panel. Error itemNotThere.
 std::optional<InputValue<Frf>> takeResponseItem(const project::PanelState& state);

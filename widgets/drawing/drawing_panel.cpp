@@ -1,6 +1,7 @@
 #include "widgets/drawing/drawing_panel.h"
 
 #include "engine/cad/step_kind.h"
+#include "engine/core/understanding.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/shaft/shaft_rules.h"
@@ -205,6 +206,7 @@ std::vector<PanelExport> DrawingPanel::exports() const
     if (!outcome) return {};
     part_common::PartToWrite part{outcome->shaft, outcome->shaft,
                                   [outcome](const Language& language) { return drawingOf(*outcome, language); }};
+    part.require_complete = [outcome] { requireUnderstood(understandingOf(outcome->notes)); };
     return part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
 }
 

@@ -14,7 +14,7 @@
 #include "engine/receptance/modal/modal_report.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/result_json.h"
-#include "widgets/core/task/memo.h"
+#include "engine/task/memo.h"
 
 namespace lathelier::frf_panel {
 namespace {
@@ -76,20 +76,21 @@ bool isOfComputing(const std::string& key)
     return std::any_of(all.begin(), all.end(), [&](const FieldInfo& info) { return info.key == key; });
 }
 
-/// The lines of the measured response, evenly spaced; else those of the range asked for.
-void chooseLines(receptance::ReceptanceParameters& computing, const FrfOutcome& outcome)
+/// The lines of the measured response, evenly spaced; else those of the range asked for. A spindle's table rules over
+/// their range.
+void chooseLines(receptance::ReceptanceParameters& computing, const FrfOutcome& outcome,
+                 const std::optional<receptance::SpindleReceptance>& machine)
 {
     if (outcome.study.measured && outcome.study.measured->frequency_hz.size() > 1) {
         const std::vector<double>& lines = outcome.study.measured->frequency_hz;
         const double steps = std::min(mostLines, static_cast<double>(lines.size()) - 1);
         computing.step_hz = (lines.back() - lines.front()) / steps;
-        computing.from_hz = lines.front() > 0 ? lines.front() : computing.step_hz;
-        computing.to_hz = lines.back();
+        computing = receptance::withinLines(computing, machine,
+                                            {lines.front() > 0 ? lines.front() : computing.step_hz, lines.back()});
     } else if (!outcome.question.modal.range_hz.empty()) {
         const Interval& range = outcome.question.modal.range_hz.front();
         computing.step_hz = std::max(1e-3, (range.to - range.from) / mostLines * 2);
-        computing.from_hz = std::max(range.from, computing.step_hz);
-        computing.to_hz = range.to;
+        computing = receptance::withinLines(computing, machine, {std::max(range.from, computing.step_hz), range.to});
     }
 }
 
@@ -103,7 +104,7 @@ std::string takeComputed(FrfOutcome& outcome, const project::PanelState& state, 
     std::optional<receptance::SpindleReceptance> machine;
     if (spindle) machine = chatter_common::recordInput(outcome, *spindle);
     receptance::ReceptanceParameters computing = outcome.question.computing;
-    chooseLines(computing, outcome);
+    chooseLines(computing, outcome, machine);
     std::string key = shaft->input.sha256 + (spindle ? spindle->input.sha256 : "") + toJson(toValues(computing)).dump();
     const auto found = stores.of<ComputedMemo>()->find(key, progress.part(0.2, 1), [&](const Progress& part) {
         return receptance::shaftReceptance(held, computing, machine, part);

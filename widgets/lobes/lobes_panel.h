@@ -1,8 +1,8 @@
 // The panel "Lobes": stable depth of cut over the speed, and a better speed.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/lobes/lobes_outcome.h"
+#include "engine/stability/task/lobes_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::lobes_panel {
 
@@ -11,7 +11,7 @@ class LobesViews;
 /// The panel's line of the panel table.
 PanelFacts lobesPanelFacts();
 
-class LobesPanel : public Panel<LobesOutcome> {
+class LobesPanel : public TaskPanel<stability::LobesOutcome> {
     Q_OBJECT
 
 public:
@@ -20,13 +20,7 @@ public:
     LobesViews& views() const { return *views_; }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const LobesOutcome>& outcome) override;
-    report::Answer answer(const LobesOutcome& outcome) const override;
-    Notes notes(const LobesOutcome& outcome) const override;
-    report::Document document(const LobesOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const stability::LobesOutcome>& outcome) override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void retranslate() override;
 

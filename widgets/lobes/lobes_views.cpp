@@ -35,8 +35,8 @@ LobesViews::LobesViews(QWidget* parent)
                 if (key == stability::operatingPointKey) emit operatingPointMoved(speed_rpm, depth, dropped);
             });
     connect(candidates_, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
-        if (!outcome_ || !outcome_->speed) return;
-        const auto& list = outcome_->speed->candidates;
+        if (!outcome_ || !outcome_->candidates) return;
+        const auto& list = outcome_->candidates->candidates;
         if (row >= 0 && static_cast<std::size_t>(row) < list.size())
             emit speedRequested(list[static_cast<std::size_t>(row)].speed_rpm);
     });
@@ -45,10 +45,10 @@ LobesViews::LobesViews(QWidget* parent)
     retranslate();
 }
 
-void LobesViews::setOutcome(const std::shared_ptr<const LobesOutcome>& outcome)
+void LobesViews::setOutcome(const std::shared_ptr<const stability::LobesOutcome>& outcome)
 {
     outcome_ = outcome;
-    primaryViews_->setAvailable("candidates", outcome->speed.has_value());
+    primaryViews_->setAvailable("candidates", outcome->candidates.has_value());
     show();
 }
 
@@ -57,7 +57,7 @@ void LobesViews::show()
     if (!outcome_) return;
     const stability::LobeResult& result = *outcome_->lobes;
     report::Plot lobes =
-        lobesPlot(result, outcome_->speed ? &*outcome_->speed : nullptr, outcome_->point, screenLanguage());
+        lobesPlot(result, outcome_->candidates ? &*outcome_->candidates : nullptr, outcome_->point, screenLanguage());
     report::Plot frequencies = chatterFrequencyPlot(result);
     if (outcome_->marks) {
         drawMarks(lobes, *outcome_->marks, screenLanguage());
@@ -65,9 +65,10 @@ void LobesViews::show()
     }
     lobes_->setData(std::move(lobes));
     chatter_->setData(std::move(frequencies));
-    parts_->setData(receptance::realImaginaryPlot(*outcome_->frf, result.frequency_of_minimum_hz, screenLanguage()));
-    magnitude_->setData(receptance::magnitudePlot(*outcome_->frf));
-    if (outcome_->speed) candidates_->setTable(stability::candidatesTable(*outcome_->speed));
+    parts_->setData(
+        receptance::realImaginaryPlot(*outcome_->response.frf, result.frequency_of_minimum_hz, screenLanguage()));
+    magnitude_->setData(receptance::magnitudePlot(*outcome_->response.frf));
+    if (outcome_->candidates) candidates_->setTable(stability::candidatesTable(*outcome_->candidates));
 }
 
 void LobesViews::retranslate()

@@ -4,9 +4,9 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/stability/task/lobes_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/lobes/lobes_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::lobes_panel {
@@ -17,7 +17,7 @@ class LobesViews : public QWidget {
 public:
     explicit LobesViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const LobesOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const stability::LobesOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* chart() const { return lobes_; }
     void retranslate();
@@ -30,7 +30,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const LobesOutcome> outcome_;
+    std::shared_ptr<const stability::LobesOutcome> outcome_;
     PrimaryViews* primaryViews_;
     plot::ChartView* lobes_;
     plot::ChartView* chatter_;

@@ -1,8 +1,9 @@
-// The panel "Pass": is a whole pass stable, while the shaft behind the tool gets thinner, and at which speed?
+// The panel "Pass": is a whole pass stable, while the shaft behind the tool gets thinner, and at which speed? The task
+// lobes with a pass.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/pass/pass_outcome.h"
+#include "engine/stability/task/lobes_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::pass_panel {
 
@@ -11,7 +12,7 @@ class PassViews;
 /// The panel's line of the panel table.
 PanelFacts passPanelFacts();
 
-class PassPanel : public Panel<PassOutcome> {
+class PassPanel : public TaskPanel<stability::LobesOutcome> {
     Q_OBJECT
 
 public:
@@ -20,13 +21,7 @@ public:
     PassViews& views() const { return *views_; }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const PassOutcome>& outcome) override;
-    report::Answer answer(const PassOutcome& outcome) const override;
-    Notes notes(const PassOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const PassOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
-    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
+    void showResult(const std::shared_ptr<const stability::LobesOutcome>& outcome) override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void retranslate() override;
 

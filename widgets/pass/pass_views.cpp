@@ -36,7 +36,7 @@ PassViews::PassViews(QWidget* parent)
     retranslate();
 }
 
-void PassViews::setOutcome(const std::shared_ptr<const PassOutcome>& outcome)
+void PassViews::setOutcome(const std::shared_ptr<const stability::LobesOutcome>& outcome)
 {
     outcome_ = outcome;
     show();
@@ -45,7 +45,7 @@ void PassViews::setOutcome(const std::shared_ptr<const PassOutcome>& outcome)
 void PassViews::show()
 {
     if (!outcome_) return;
-    limit_->setData(passPlot(*outcome_->pass, outcome_->speed_rpm));
+    limit_->setData(passPlot(*outcome_->pass, outcome_->safe));
     report::ColourMap map = passMap(*outcome_->pass);
     const double limit = map.limit;
     map_->setData(std::move(map));

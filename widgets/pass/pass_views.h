@@ -6,9 +6,9 @@
 #include <memory>
 #include <optional>
 
+#include "engine/stability/task/lobes_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/pass/pass_outcome.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 
@@ -20,7 +20,7 @@ class PassViews : public QWidget {
 public:
     explicit PassViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const PassOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const stability::LobesOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* limit() const { return limit_; }
     plot::MapView* map() const { return map_; }
@@ -33,7 +33,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const PassOutcome> outcome_;
+    std::shared_ptr<const stability::LobesOutcome> outcome_;
     std::optional<double> limit_mm_;  ///< limit of the map's colour scale set by the user
     PrimaryViews* primaryViews_;
     plot::ChartView* limit_;

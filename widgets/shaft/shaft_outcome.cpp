@@ -47,16 +47,6 @@ void chooseHolding(ShaftOutcome& outcome, const project::PanelState& state, Stor
         holding.spindle = chatter_common::recordInput(outcome, *std::move(spindle));
 }
 
-/// A spindle table limits the frequency range.
-receptance::ReceptanceParameters responseAsked(const ShaftOutcome& outcome)
-{
-    receptance::ReceptanceParameters asked = outcome.question.response;
-    if (outcome.holding.spindle) asked = chatter_common::withinTable(asked, *outcome.holding.spindle);
-    asked.from_hz = outcome.question.from_hz.value_or(asked.from_hz);
-    asked.to_hz = outcome.question.to_hz.value_or(asked.to_hz);
-    return asked;
-}
-
 }  // namespace
 
 ShaftOutcome shaftOutcome(const project::PanelState& state, Stores& stores, const Progress& progress)
@@ -66,7 +56,7 @@ ShaftOutcome shaftOutcome(const project::PanelState& state, Stores& stores, cons
     chooseShaft(outcome, state, stores, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")));
     const ValueOrigin origin = chooseMaterial(outcome);
     chooseHolding(outcome, state, stores, progress.part(0.1, 0.2));
-    outcome.study = studyShaft(outcome.shaft, responseAsked(outcome), outcome.holding,
+    outcome.study = studyShaft(outcome.shaft, outcome.question.response, outcome.holding,
                                progress.part(0.2, 1, LT_TEXT("Engine", "Computing")));
     for (UsedValue& used : outcome.study.response.used) used.origin = origin;
     const Notes& found = outcome.study.response.notes;

@@ -54,13 +54,9 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
         rows("rests", &Q::rests, Range{0, 20},
              Label{LT_TEXT("Engine", "Tailstock and rests"),
                    LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
-        within(&Q::response, "respond_z_mm"), within(&Q::response, "excite_z_mm"),
-        field("from_hz", &Q::from_hz, Range{0, 1e6},
-              Label{LT_TEXT("Engine", "From"), LT_TEXT("Engine", "The first frequency."), unit::hz}),
-        field("to_hz", &Q::to_hz, Range{0, 1e6},
-              Label{LT_TEXT("Engine", "To"), LT_TEXT("Engine", "The last frequency."), unit::hz}),
-        within(&Q::response, "step_hz"), within(&Q::response, "shear"), within(&Q::response, "method"),
-        within(&Q::response, "step_correction")));
+        within(&Q::response, "respond_z_mm"), within(&Q::response, "excite_z_mm"), within(&Q::response, "from_hz"),
+        within(&Q::response, "to_hz"), within(&Q::response, "step_hz"), within(&Q::response, "shear"),
+        within(&Q::response, "method"), within(&Q::response, "step_correction")));
     return all;
 }
 

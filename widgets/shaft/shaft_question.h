@@ -33,9 +33,7 @@ struct ShaftQuestion {
     Hold hold = Hold::Given;                    ///< at the chuck face
     receptance::SpindleSprings springs;         ///< of Hold::Springs
     std::vector<Rest> rests;                    ///< additional supports
-    std::optional<double> from_hz;              ///< none: 50, or where the spindle's table begins
-    std::optional<double> to_hz;                ///< none: 5000, or where the spindle's table ends
-    receptance::ReceptanceParameters response;  ///< places, step, method; not its range
+    receptance::ReceptanceParameters response;  ///< places, range, step, method
 };
 
 const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*);

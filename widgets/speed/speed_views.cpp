@@ -6,26 +6,15 @@
 #include "engine/receptance/frf_plots.h"
 #include "engine/stability/stability_report.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/task_panel.h"
+#include "widgets/speed/speed_range.h"
 
 namespace lathelier::speed_panel {
-namespace {
-
-/// The values of the operator's screen, in its order.
-std::vector<FieldInfo> askedValues()
-{
-    std::vector<FieldInfo> asked;
-    for (const char* key : {diameterKey, lengthKey, cuttingSpeedKey, lowestKey, highestKey})
-        for (const FieldInfo& info : infos<SpeedQuestion>())
-            if (info.key == key) asked.push_back(info);
-    return asked;
-}
-
-}  // namespace
 
 SpeedViews::SpeedViews(QWidget* parent)
     : QWidget(parent),
       primaryViews_(new PrimaryViews),
-      keys_(new OperatorKeys(askedValues(), {"D", "L", "v_c", "v_c min", "v_c max"})),
+      keys_(new OperatorKeys(screenFields(), {"D", "L", "v_c", "v_c min", "v_c max"})),
       lobes_(new plot::ChartView),
       parts_(new plot::ChartView),
       candidates_(new CopyTable)
@@ -48,33 +37,34 @@ SpeedViews::SpeedViews(QWidget* parent)
     retranslate();
 }
 
-void SpeedViews::setOutcome(const std::shared_ptr<const SpeedOutcome>& outcome)
+void SpeedViews::setOutcome(const std::shared_ptr<const stability::SpeedOutcome>& outcome)
 {
     outcome_ = outcome;
-    for (const char* key : {"lobes", "parts"}) primaryViews_->setAvailable(key, outcome->lobes != nullptr);
-    primaryViews_->setAvailable("candidates", outcome->speed.has_value());
+    for (const char* key : {"lobes", "parts"}) primaryViews_->setAvailable(key, outcome->near != nullptr);
+    primaryViews_->setAvailable("candidates", outcome->published.has_value());
     show();
 }
 
 void SpeedViews::show()
 {
     if (!outcome_) return;
-    keys_->setValues(toValues(outcome_->question));
-    if (outcome_->speed) {
-        const stability::SpeedResult& speed = *outcome_->speed;
-        keys_->setReading(
-            screenNumber(speed.recommended_rpm, 0), screenText(unit::rpm),
-            tr("instead of %1 · %2 m/min")
-                .arg(screenNumber(speed.selected_rpm, 0), screenNumber(speed.recommended_cutting_speed_m_min, 0)),
-            true);
-        candidates_->setTable(stability::candidatesTable(speed));
-    } else if (outcome_->problem) {
-        keys_->setReading("–", {}, screenText(*outcome_->problem), false);
-    }
-    if (!outcome_->lobes) return;
-    lobes_->setData(lobesPlot(*outcome_->lobes, outcome_->speed ? &*outcome_->speed : nullptr, {}, screenLanguage()));
+    keys_->setValues(screenValues(outcome_->asked.parameters));
+    const report::Answer told = answer(*outcome_, screenLanguage());
+    if (outcome_->problem && !outcome_->safe)
+        keys_->setReading("–", {}, screenText(neededBy(stability::speedTask(), *outcome_->problem)), false);
+    else
+        keys_->setReading(screenNumber(told.value.value_or(0), 0), screenText(unit::rpm),
+                          QString::fromStdString(report::sentenceText(told, screenLanguage())),
+                          outcome_->recommended_rpm().has_value());
+    if (outcome_->published) candidates_->setTable(stability::candidatesTable(*outcome_->published));
+    if (!outcome_->near) return;
+    const stability::LobeResult& near = *outcome_->near;
+    std::optional<stability::OperatingPoint> point;
+    if (outcome_->safe)
+        point = stability::OperatingPoint{outcome_->safe->best.speed_rpm, outcome_->safe->question.depth};
+    lobes_->setData(lobesPlot(near, outcome_->published ? &*outcome_->published : nullptr, point, screenLanguage()));
     parts_->setData(
-        receptance::realImaginaryPlot(*outcome_->frf, outcome_->lobes->frequency_of_minimum_hz, screenLanguage()));
+        receptance::realImaginaryPlot(*outcome_->response.frf, near.frequency_of_minimum_hz, screenLanguage()));
 }
 
 void SpeedViews::retranslate()

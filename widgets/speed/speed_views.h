@@ -4,11 +4,11 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/stability/task/speed_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/speed/operator_keys.h"
-#include "widgets/speed/speed_outcome.h"
 
 namespace lathelier::speed_panel {
 
@@ -18,7 +18,7 @@ class SpeedViews : public QWidget {
 public:
     explicit SpeedViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const SpeedOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const stability::SpeedOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     OperatorKeys* keys() const { return keys_; }
     void retranslate();
@@ -31,7 +31,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const SpeedOutcome> outcome_;
+    std::shared_ptr<const stability::SpeedOutcome> outcome_;
     PrimaryViews* primaryViews_;
     OperatorKeys* keys_;
     plot::ChartView* lobes_;

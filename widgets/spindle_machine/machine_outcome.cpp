@@ -11,7 +11,7 @@
 #include "engine/report/parameters_table.h"
 #include "engine/report/result_json.h"
 #include "widgets/chatter_common/shaft_files.h"
-#include "widgets/core/task/memo.h"
+#include "engine/task/memo.h"
 
 namespace lathelier::machine_panel {
 namespace {

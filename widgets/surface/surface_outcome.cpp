@@ -12,7 +12,7 @@
 #include "engine/surface/surface_codes.h"
 #include "engine/surface/surface_plots.h"
 #include "widgets/chatter_common/input_value.h"
-#include "widgets/core/task/memo.h"
+#include "engine/task/memo.h"
 #include "widgets/surface/image_store.h"
 #include "widgets/surface/next_speed.h"
 

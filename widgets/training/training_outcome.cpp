@@ -15,7 +15,7 @@
 #include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_codes.h"
 #include "engine/stability/stability_verification.h"
-#include "widgets/core/task/memo.h"
+#include "engine/task/memo.h"
 
 namespace lathelier::training_panel {
 namespace {

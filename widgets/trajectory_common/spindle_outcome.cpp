@@ -8,7 +8,7 @@
 #include "engine/form/roundness/roundness_plots.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/panel_facts.h"
-#include "widgets/core/task/memo.h"
+#include "engine/task/memo.h"
 #include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier::trajectory_common {

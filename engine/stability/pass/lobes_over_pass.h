@@ -13,6 +13,7 @@
 #include "engine/report/document.h"
 #include "engine/shaft/shaft.h"
 #include "engine/stability/lobes.h"
+#include "engine/stability/safe_speed.h"
 
 namespace lathelier::stability {
 
@@ -64,19 +65,20 @@ struct PassPoint {
 /// The limit is linear between columns. Precondition: the speed lies within those of the result.
 PassPoint pointOfPass(const PassResult& result, double speed_rpm);
 
-/// The speed with the highest least limit over the pass.
-PassPoint bestOfPass(const PassResult& result);
+/// The speed to use for the depth of the pass, among speeds of `range_rpm`. `selected_rpm`: judged; none: the best one.
+/// Errors as safeSpeedOn().
+SafeSpeed safeOverPass(const PassResult& result, const std::optional<double>& selected_rpm, const Interval& range_rpm);
 
 /// Excess of the depth of cut over the limit, over speed and z; above 0 the pass chatters.
 report::ColourMap passMap(const PassResult& result);
-/// The least limit over the pass; speed and depth of the pass as a handle, if a speed is given.
-report::Plot passPlot(const PassResult& result, const std::optional<double>& speed_rpm = {});
+/// The least limit over the pass; speed and depth of the pass as a handle.
+report::Plot passPlot(const PassResult& result, const SafeSpeed& safe);
 report::Table stationsTable(const PassResult& result);
-report::Section passSection(const PassResult& result, const Language& language = {});
+report::Section passSection(const PassResult& result, const SafeSpeed& safe, const Language& language = {});
 
-/// The depth of the pass against the least limit at a speed, and the best speed.
-report::Answer passAnswer(const PassResult& result, double speed_rpm, const Language& language = {});
-report::Document passReport(const PassResult& result, double speed_rpm, const LobeParameters& lobes,
+/// The depth of the pass against the least limit at the selected speed, and the speed to use.
+report::Answer passAnswer(const PassResult& result, const SafeSpeed& safe, const Language& language = {});
+report::Document passReport(const PassResult& result, const SafeSpeed& safe, const LobeParameters& lobes,
                             const Language& language = {});
 
 /// {z_mm, diameter_mm, minimum_depth_mm: for each station; speed_rpm, depth_mm: rows by station; worst {depth_mm, z_mm,

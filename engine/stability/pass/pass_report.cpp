@@ -62,13 +62,16 @@ PassPoint pointOfPass(const PassResult& result, double speed_rpm)
     return point;
 }
 
-PassPoint bestOfPass(const PassResult& result)
+SafeSpeed safeOverPass(const PassResult& result, const std::optional<double>& selected_rpm, const Interval& range_rpm)
 {
-    std::size_t best = 0;
-    const auto height = [&](std::size_t i) { return result.worst.k[i] < 0 ? HUGE_VAL : result.worst.depth_mm[i]; };
-    for (std::size_t i = 1; i < result.speed_rpm.size(); ++i)
-        if (height(i) > height(best)) best = i;
-    return pointOfColumn(result, best);
+    SafeSpeedQuestion question;
+    question.depth = *result.parameters.pass_depth_mm;
+    question.range_rpm = range_rpm;
+    question.selected_rpm = selected_rpm.value_or(result.speed_rpm.front());
+    const SafeSpeed safe = safeSpeedOn(result.worst, question);
+    if (selected_rpm) return safe;
+    question.selected_rpm = safe.best.speed_rpm;
+    return safeSpeedOn(result.worst, question);
 }
 
 report::ColourMap passMap(const PassResult& result)
@@ -97,7 +100,7 @@ report::ColourMap passMap(const PassResult& result)
     return map;
 }
 
-report::Plot passPlot(const PassResult& result, const std::optional<double>& speed_rpm)
+report::Plot passPlot(const PassResult& result, const SafeSpeed& safe)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Least limit over the pass");
@@ -109,18 +112,15 @@ report::Plot passPlot(const PassResult& result, const std::optional<double>& spe
     shadeStability(plot, result.speed_rpm, result.worst.depth_mm);
     // Scaled to include the limit of the best speed, bounded so that the depth of the pass remains visible.
     const double depth_mm = *result.parameters.pass_depth_mm;
-    const double best_mm = bestOfPass(result).limit_mm;
-    plot.y.range =
-        Interval{0, std::clamp(std::isnan(best_mm) ? HUGE_VAL : 1.2 * best_mm, 1.6 * depth_mm, 6 * depth_mm)};
+    const double best_mm = safe.best.limit.value_or(HUGE_VAL);
+    plot.y.range = Interval{0, std::clamp(1.2 * best_mm, 1.6 * depth_mm, 6 * depth_mm)};
     plot.limits = {{report::Limit::Direction::Horizontal, depth_mm, LT_TEXT("Engine", "depth of the pass")}};
-    if (speed_rpm) {
-        report::Handle handle;
-        handle.key = operatingPointKey;
-        handle.x = *speed_rpm;
-        handle.y = depth_mm;
-        handle.x_range = plot.x.range;
-        plot.handles = {handle};
-    }
+    report::Handle handle;
+    handle.key = operatingPointKey;
+    handle.x = safe.question.selected_rpm;
+    handle.y = depth_mm;
+    handle.x_range = plot.x.range;
+    plot.handles = {handle};
     return plot;
 }
 
@@ -138,21 +138,21 @@ report::Table stationsTable(const PassResult& result)
     return table;
 }
 
-report::Section passSection(const PassResult& result, const Language& language)
+report::Section passSection(const PassResult& result, const SafeSpeed& safe, const Language& language)
 {
-    const PassPoint best = bestOfPass(result);
     report::Paragraph words{
         LT_TEXT("Engine",
                 "The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the "
                 "most over the whole pass: {depth} mm."),
-        {{"speed", fixed(best.speed_rpm, 0, language)},
-         {"depth", std::isnan(best.limit_mm) ? std::string("∞") : fixed(best.limit_mm, 3, language)}}};
+        {{"speed", fixed(safe.best.speed_rpm, 0, language)},
+         {"depth", safe.best.limit ? fixed(*safe.best.limit, 3, language) : std::string("∞")}}};
     return {LT_TEXT("Engine", "Lobes over the pass"),
-            {std::move(words), passMap(result), passPlot(result), stationsTable(result)}};
+            {std::move(words), passMap(result), passPlot(result, safe), stationsTable(result)}};
 }
 
-report::Answer passAnswer(const PassResult& result, double speed_rpm, const Language& language)
+report::Answer passAnswer(const PassResult& result, const SafeSpeed& safe, const Language& language)
 {
+    const double speed_rpm = safe.question.selected_rpm;
     const PassPoint point = pointOfPass(result, speed_rpm);
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Depth of the pass");
@@ -167,26 +167,19 @@ report::Answer passAnswer(const PassResult& result, double speed_rpm, const Lang
     answer.values = {{"speed", fixed(speed_rpm, 0, language)},
                      {"z", fixed(point.z_mm, 1, language)},
                      {"frequency", fixed(point.frequency_hz, 1, language)}};
-    const PassPoint best = bestOfPass(result);
-    report::Finding finding;
-    finding.pattern = std::isfinite(best.limit_mm)
-                          ? LT_TEXT("Engine", "Best over the pass: {speed:0} 1/min, stable up to {limit_mm:3} mm")
-                          : LT_TEXT("Engine", "Best over the pass: {speed:0} 1/min");
-    finding.values = {{"speed", best.speed_rpm}, {"limit_mm", best.limit_mm}};
-    finding.offer = {{"operating_speed_rpm", std::round(best.speed_rpm)}};
-    answer.findings.push_back(std::move(finding));
+    answer.findings = findingsOf(safe, false, "operating_speed_rpm");
     return answer;
 }
 
-report::Document passReport(const PassResult& result, double speed_rpm, const LobeParameters& lobes,
+report::Document passReport(const PassResult& result, const SafeSpeed& safe, const LobeParameters& lobes,
                             const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Stability over a pass");
     document.verification = {&stabilityVerification()};
-    report::Section first{LT_TEXT("Engine", "Result"), {passAnswer(result, speed_rpm, language)}};
+    report::Section first{LT_TEXT("Engine", "Result"), {passAnswer(result, safe, language)}};
     if (!result.notes.empty()) first.blocks.push_back(result.notes);
-    document.sections = {std::move(first), passSection(result, language)};
+    document.sections = {std::move(first), passSection(result, safe, language)};
     document.sections.push_back(
         {LT_TEXT("Engine", "Method and parameters"),
          {report::Paragraph{LT_TEXT("Engine",

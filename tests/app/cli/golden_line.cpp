@@ -1,5 +1,6 @@
 #include "tests/app/cli/golden_line.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -87,6 +88,11 @@ std::vector<Line> readLines(const std::string& path)
         const std::size_t arrow = rest.find("=> ");
         if (arrow == std::string::npos) throw std::runtime_error(line.name + ": => is missing");
         line.run.words = split(rest.substr(0, arrow));
+        for (auto joint = std::find(line.run.words.begin(), line.run.words.end(), "&&"); joint != line.run.words.end();
+             joint = std::find(line.run.words.begin(), line.run.words.end(), "&&")) {
+            line.before.emplace_back(line.run.words.begin(), joint);
+            line.run.words.erase(line.run.words.begin(), joint + 1);
+        }
         std::size_t used = 0;
         line.exit_code = std::stoi(rest.substr(arrow + 3), &used);
         rest = rest.substr(arrow + 3 + used);

@@ -1,5 +1,6 @@
 // One line of tests/golden/*.txt:
 //   [directive]… word… => EXIT | expectation | expectation
+// Commands joined by && run one after the other in the same {out}; those before the last one must answer (exit 0).
 // Words and expectations may hold {data} (files made by the test), {out} (an empty folder of this line's own), {kept}
 // (tests/data) and "quoted words".
 // Directives: [env NAME=VALUE] [stdout FILE] [interrupt MILLISECONDS] [limit BYTES] (largest file) [feed PIPE FILE]
@@ -38,6 +39,7 @@ struct Run {
 struct Line {
     std::string name;    ///< "compare.txt:12"
     std::string source;  ///< as written
+    std::vector<std::vector<std::string>> before;  ///< words of the commands before it
     Run run;
     int exit_code = 0;
     std::vector<std::string> expectations;

@@ -40,6 +40,12 @@ public:
         for (std::string* text : {&line_.run.stdout_file, &line_.run.feed_pipe, &line_.run.feed_file})
             *text = fill(*text);
         for (std::string& word : line_.run.words) word = fill(word);
+        for (const std::vector<std::string>& words : line_.before) {
+            golden::Run before;
+            for (const std::string& word : words) before.words.push_back(fill(word));
+            const Outcome outcome = runProgram(LATHELIER_CLI, before);
+            ASSERT_EQ(outcome.exit_code, 0) << line_.source << "\n" << words.front() << "\n" << outcome.standard_error;
+        }
         const Outcome outcome = runProgram(LATHELIER_CLI, line_.run);
         ASSERT_EQ(outcome.exit_code, line_.exit_code) << line_.source << "\n" << outcome.standard_error;
         const Evidence evidence{line_, outcome, out.string(), (madeFolder / "data").string(),

@@ -34,6 +34,16 @@ TEST(ProjectVersions, TheFourthHasATitleBlock)
     EXPECT_TRUE(project::readProject(keptProject(3)).project.title_block.empty());
 }
 
+TEST(ProjectVersions, TheSixthHasTheKeysOfTheCommandLine)
+{
+    const project::Project former = project::readProject(keptProject(5)).project;
+    const project::Project present = project::readProject(keptProject(6)).project;
+    EXPECT_EQ(former.panels.at("lobes").parameters, present.panels.at("lobes").parameters);
+    EXPECT_NE(find(present.panels.at("lobes").parameters, "mode"), nullptr);
+    EXPECT_EQ(former.panels.at("speed").parameters, present.panels.at("speed").parameters);
+    EXPECT_EQ(*find(present.panels.at("speed").parameters, "range_m_min"), Value(std::vector<Interval>{{120, 400}}));
+}
+
 TEST(ProjectItems, AreReadByTheirDescription)
 {
     const project::Project project = project::readProject(keptProject(2)).project;

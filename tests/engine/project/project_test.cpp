@@ -172,11 +172,11 @@ TEST(ProjectText, HostileTextIsRefusedWithItsPlace)
 TEST(ProjectText, ANewerVersionIsRefusedByItsNumber)
 {
     try {
-        project::parseProject(R"({"format": "lathelier-project", "version": 6, "unheard_of": 1})", "/");
+        project::parseProject(R"({"format": "lathelier-project", "version": 7, "unheard_of": 1})", "/");
         FAIL();
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), errors::versionTooNew);
-        EXPECT_STREQ(error.what(), "The project has format version 6; this program reads up to version 5.");
+        EXPECT_STREQ(error.what(), "The project has format version 7; this program reads up to version 6.");
     }
 }
 

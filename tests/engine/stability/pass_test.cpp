@@ -69,9 +69,9 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
     const report::ColourMap map = passMap(result);
     ASSERT_EQ(map.values.size(), std::size_t{303});
     EXPECT_NEAR(static_cast<double>(map.values[150]), *result.parameters.pass_depth_mm - result.at(1, 49), 1e-6);
-    const PassPoint best = bestOfPass(result);
-    EXPECT_EQ(best.limit_mm, *std::max_element(result.worst.depth_mm.begin(), result.worst.depth_mm.end()));
-    EXPECT_EQ(pointOfPass(result, best.speed_rpm + 1e-6).speed_rpm, best.speed_rpm);
+    const SafeSpeed safe = safeOverPass(result, {}, {result.speed_rpm.front(), result.speed_rpm.back()});
+    EXPECT_EQ(safe.selected.speed_rpm, safe.best.speed_rpm);
+    EXPECT_EQ(pointOfPass(result, safe.best.speed_rpm + 1e-6).speed_rpm, safe.best.speed_rpm);
     const double between = (result.speed_rpm[20] + result.speed_rpm[21]) / 2;
     EXPECT_NEAR(pointOfPass(result, between).limit_mm, (result.worst.depth_mm[20] + result.worst.depth_mm[21]) / 2,
                 1e-12);

@@ -23,12 +23,12 @@ class LobesPanelTest : public QObject, PanelFixture<LobesPanel> {
 
     void askPaperA()
     {
-        LobesQuestion question;
-        question.modes = {{223, 0.03, 1e4}};
+        stability::LobesQuestion question;
+        question.response.mode = {{223, 0.03, 1e4}};
         question.lobes.cutting_coefficient_N_mm2 = 2000;
         question.lobes.speed_rpm = {{2000, 6000}};
-        question.operating_speed_rpm = 2885;
-        question.operating_depth = 0.5;
+        question.point.operating_speed_rpm = 2885;
+        question.point.operating_depth = 0.5;
         session_->edit("Ask",
                        [&](project::Project& project) { project.panels["lobes"].parameters = toValues(question); });
         settle();
@@ -43,11 +43,11 @@ private slots:
     {
         QVERIFY(!panel_->hasResult());
         askPaperA();
-        const LobesOutcome& outcome = *panel_->result();
+        const stability::LobesOutcome& outcome = *panel_->result();
         QVERIFY(std::abs(*outcome.lobes->minimum_depth_mm - 0.309) < 1e-3);
-        QVERIFY(!outcome.work.stable);  // a lobe's foot
+        QVERIFY(!outcome.safe.selected.is_stable);  // a lobe's foot
         QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("chatter"));
-        QVERIFY(outcome.speed.has_value());
+        QVERIFY(outcome.candidates.has_value());
         const report::Plot& chart = panel_->views().chart()->data();
         QCOMPARE(chart.handles.size(), std::size_t{1});
         QCOMPARE(chart.handles[0].x, 2885.0);
@@ -81,25 +81,40 @@ private slots:
         emit panel_->views().operatingPointMoved(3237, 0.25, true);
         settle();
         QCOMPARE(session_->undoStack().count(), steps + 1);
-        QVERIFY(panel_->result()->work.stable);
+        QVERIFY(panel_->result()->safe.selected.is_stable);
         QVERIFY(panel_->result()->lobes == lobes);  // nothing of them was computed anew
         session_->undoStack().undo();
         settle();
-        QVERIFY(!panel_->result()->work.stable);
+        QVERIFY(!panel_->result()->safe.selected.is_stable);
     }
 
-    void theRecommendedSpeedIsTakenByAClick()
+    void theRecommendedSpeedIsStableAtTheDepthAndTakenByAClick()
     {
         askPaperA();
-        set("relation", std::string("published"));
-        settle();
-        const double recommended = panel_->result()->speed->recommended_rpm;
-        QVERIFY(std::abs(recommended - 3237) < 1);
+        const stability::SafeSpeed safe = panel_->result()->safe;
+        QVERIFY(safe.best.is_stable && *safe.best.limit > 0.5);
+        const double recommended = std::round(safe.best.speed_rpm);
         auto* finding = panel_->findChild<FindingLink*>("finding1");
-        QVERIFY(finding && finding->text().contains("3237"));
+        QVERIFY(finding && finding->text().contains(QString::number(recommended)));
         emit finding->clicked();
         settle();
-        QCOMPARE(panel_->result()->point.speed_rpm, 3237.0);
+        QCOMPARE(panel_->result()->point.speed_rpm, recommended);
+        QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("stable"));
+        QVERIFY(panel_->result()->safe.selected.is_stable);
+    }
+
+    void wherePointIsNotStatedNothingIsJudged()
+    {
+        askPaperA();
+        set("operating_speed_rpm", Value());
+        set("operating_depth", Value());
+        settle();
+        QVERIFY(!panel_->result()->is_judged);
+        QVERIFY(panel_->findChild<QLabel*>("verdict")->text().contains("computed"));
+        set("operating_speed_rpm", 2885.0);  // the depth is assumed then, and said
+        settle();
+        QCOMPARE(panel_->result()->understanding.assumed.size(), std::size_t{1});
+        QCOMPARE(panel_->result()->understanding.assumed.front().what, std::string("operating_depth"));
     }
 
     void aFileTakesThePlaceOfModes()
@@ -108,7 +123,8 @@ private slots:
         response.frf = stability::frfOf({{400, 0.02, 2e4}}, 6000);
         const std::string path = folder_.filePath("response.csv").toStdString();
         io::writeFrfCsv(path, response.frf);
-        session_->edit("Open", [&](project::Project& project) { project.panels["lobes"].inputs[frfRole].path = path; });
+        session_->edit(
+            "Open", [&](project::Project& project) { project.panels["lobes"].inputs[stability::frfRole].path = path; });
         settle();
         QVERIFY(std::abs(*panel_->result()->lobes->frequency_of_minimum_hz - 400 * std::sqrt(1.04)) < 0.5);
         QVERIFY(panel_->result()->lobes->isRelative());
@@ -123,7 +139,7 @@ private slots:
         set("speed_rpm", std::vector<Interval>{{2000, 20000}});
         set("operating_speed_rpm", 19000.0);
         settle();
-        QVERIFY(!panel_->result()->speed);
+        QVERIFY(!panel_->result()->candidates);
         QVERIFY(!panel_->views().primaryViews()->keys().contains("candidates"));
     }
 };

@@ -4,12 +4,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
-#include <algorithm>
 #include <cmath>
 
 #include "engine/io/file.h"
 #include "engine/receptance/spindle_file.h"
-#include "engine/stability/stability_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
@@ -30,8 +28,9 @@ class SpeedPanelTest : public QObject, PanelFixture<SpeedPanel> {
         spindle.source = receptance::SpindleSprings{14850, 198.3e6, 0.06};
         const std::string path = folder_.filePath("spindle.json").toStdString();
         io::writeFile(path, receptance::spindleText(spindle));
-        session_->edit("Open",
-                       [&](project::Project& project) { project.panels["speed"].inputs[spindleRole].path = path; });
+        session_->edit("Open", [&](project::Project& project) {
+            project.panels["speed"].inputs[stability::spindleRole].path = path;
+        });
         QTRY_VERIFY_WITH_TIMEOUT(panel_->hasResult() && !panel_->isBusy(), 60000);
     }
 
@@ -78,8 +77,8 @@ private slots:
     void typedValuesGiveTheSpeedOfThePaper()
     {
         typeTheRod();
-        const SpeedOutcome& outcome = *panel_->result();
-        const stability::SpeedResult& speed = *outcome.speed;
+        const stability::SpeedOutcome& outcome = *panel_->result();
+        const stability::SpeedResult& speed = *outcome.published;
         QVERIFY(std::abs(speed.selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
         // Equation 24 by hand.
         const double k = std::ceil(60 * speed.frequency_hz / speed.selected_rpm);
@@ -91,18 +90,13 @@ private slots:
         QVERIFY(line().contains("1592"));
         const auto document = panel_->reportDocument();
         QVERIFY(document.has_value());
-        const auto& blocks = document->sections.at(0).blocks;
-        QVERIFY(std::any_of(blocks.begin(), blocks.end(), [](const report::Block& block) {
-            const Notes* const notes = std::get_if<Notes>(&block);
-            return notes && contains(*notes, notes::publishedRelation);
-        }));
-        QCOMPARE(panel_->result()->used.empty(), false);  // steel is assumed, and said
+        QCOMPARE(panel_->result()->response.used.empty(), false);  // steel is assumed, and said
     }
 
     void anotherCuttingSpeedComputesNoResponseAnew()
     {
         typeTheRod();
-        const auto before = panel_->result()->speed->frequency_hz;
+        const auto before = panel_->result()->published->frequency_hz;
         auto* keys = panel_->views().keys();
         keys->setFocus();
         QTest::keyClick(keys, Qt::Key_Up);  // from the least cutting speed back to v_c
@@ -110,21 +104,21 @@ private slots:
         QCOMPARE(keys->entry(), QString("290"));
         QTest::keyClick(keys, Qt::Key_Return);
         settle();
-        QVERIFY(std::abs(panel_->result()->speed->selected_rpm - 1000 * 290 / (M_PI * 40)) < 1e-6);
-        QCOMPARE(panel_->result()->speed->frequency_hz, before);
+        QVERIFY(std::abs(panel_->result()->published->selected_rpm - 1000 * 290 / (M_PI * 40)) < 1e-6);
+        QCOMPARE(panel_->result()->published->frequency_hz, before);
         session_->undoStack().undo();
         settle();
-        QVERIFY(std::abs(panel_->result()->speed->selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
+        QVERIFY(std::abs(panel_->result()->published->selected_rpm - 1000 * 200 / (M_PI * 40)) < 1e-6);
     }
 
     void theToolsRangeBinds()
     {
         typeTheRod();
-        const double free = panel_->result()->speed->recommended_rpm;
+        const double free = panel_->result()->published->recommended_rpm;
         const double most = std::floor(free * M_PI * 40 / 1000) - 1;  // just below the recommended speed
         touch(QString("100e%1e").arg(most));
         settle();
-        QVERIFY(panel_->result()->speed->recommended_rpm < free);
+        QVERIFY(panel_->result()->published->recommended_rpm < free);
         touch("e");  // D stays
         QCOMPARE(panel_->views().keys()->chosen(), std::size_t{1});
         QTest::keyClick(panel_->views().keys(), Qt::Key_Down);
@@ -132,22 +126,39 @@ private slots:
         QTest::keyClick(panel_->views().keys(), Qt::Key_Delete);
         QTest::keyClick(panel_->views().keys(), Qt::Key_Return);  // no least speed any more
         settle();
-        QVERIFY(!panel_->result()->question.lowest_m_min);
-        QVERIFY(panel_->result()->question.highest_m_min.has_value());
+        const std::vector<Interval>& range = panel_->result()->question.speed.range_m_min;
+        QCOMPARE(range.size(), std::size_t{1});
+        QVERIFY(range.front().from < 1 && range.front().to == most);
+    }
+
+    void withADepthTheSpeedIsStableThere()
+    {
+        typeTheRod();
+        set("depth_mm", 0.05);
+        QTRY_VERIFY(line().contains("Cutting coefficient"));
+        set("cutting_coefficient_N_mm2", 2000.0);
+        QTRY_VERIFY(panel_->result()->safe.has_value());
+        const stability::SpeedOutcome& outcome = *panel_->result();
+        QVERIFY(outcome.safe && outcome.safe->best.is_stable && *outcome.safe->best.limit > 0.05);
+        QCOMPARE(reading(), QString("%1 1/min").arg(std::round(outcome.safe->best.speed_rpm)));
+        set("depth_mm", 200.0);  // deeper than any lobe
+        QTRY_COMPARE(panel_->result()->safe->question.depth, 200.0);
+        QVERIFY(!panel_->result()->recommended_rpm());
+        QVERIFY(line().contains("No speed"));
     }
 
     void noStableSpeedIsSaidAndKeysStay()
     {
         giveSpindle();
         touch("40e250e3000e");  // above the last lobe
-        QTRY_VERIFY(panel_->result() && panel_->result()->problem && panel_->result()->frf);
+        QTRY_VERIFY(panel_->result() && panel_->result()->problem && panel_->result()->response.frf);
         QCOMPARE(reading(), QString("–"));
         QVERIFY(line().contains("No stable speed"));
-        QVERIFY(panel_->result()->lobes != nullptr);  // where it was looked for
+        QVERIFY(panel_->result()->near != nullptr);  // where it was looked for
         QTest::keyClick(panel_->views().keys(), Qt::Key_Up);
         touch("200e");
         settle();
-        QVERIFY(panel_->result()->speed.has_value());
+        QVERIFY(panel_->result()->published.has_value());
     }
 
     void aNumberOutOfRangeIsNotTaken()

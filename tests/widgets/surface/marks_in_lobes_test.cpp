@@ -35,7 +35,7 @@ private slots:
         modes.rows.push_back({toValues(stability::Mode{350, 0.03, 1e4})});
         session_->edit("Modes", [&](project::Project& project) {
             Values& p = project.panels["lobes"].parameters;
-            lathelier::set(p, "modes", modes);
+            lathelier::set(p, stability::modeKey, modes);
             lathelier::set(p, "speed_rpm", std::vector<Interval>{{1500, 3000}});
         });
         settle();
@@ -47,14 +47,14 @@ private slots:
                 stability::marksItem, toValues(stability::SurfaceMarks{"a.png", 2016, 361, 1.8, {}}), {}};
             project::Source source;
             source.item = "Marks of a.png";
-            project.panels["lobes"].inputs[marksRole] = source;
+            project.panels["lobes"].inputs[stability::marksRole] = source;
         });
         settle();
         QVERIFY(panel_->result()->marks && panel_->result()->marks->frequency_hz == 361);
         QVERIFY(hasLine(panel_->views().chart()->data()));
         QCOMPARE(frequencies()->data().marks.size(), before + 1);
         QCOMPARE(frequencies()->data().marks.back().y, 361.0);
-        const report::Answer panelAnswer = lobes_panel::answer(*panel_->result());
+        const report::Answer panelAnswer = stability::answer(*panel_->result());
         QVERIFY(
             std::any_of(panelAnswer.findings.begin(), panelAnswer.findings.end(), [](const report::Finding& finding) {
                 return report::findingText(finding).find("Your marks say 361.0") != std::string::npos;
@@ -70,10 +70,10 @@ private slots:
             project.items["x"] = {stability::marksItem, {{"speed_rpm", 2016.0}}, {}};
             Rows modes;
             modes.rows.push_back({toValues(stability::Mode{350, 0.03, 1e4})});
-            lathelier::set(project.panels["lobes"].parameters, "modes", modes);
+            lathelier::set(project.panels["lobes"].parameters, stability::modeKey, modes);
             project::Source source;
             source.item = "x";
-            project.panels["lobes"].inputs[marksRole] = source;
+            project.panels["lobes"].inputs[stability::marksRole] = source;
         });
         QTRY_VERIFY(panel_->error().has_value());
         QCOMPARE(std::string(panel_->error()->code().key), std::string("item_not_there"));

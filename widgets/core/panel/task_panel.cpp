@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/core/core_codes.h"
+#include "engine/task/task_codes.h"
 #include "widgets/core/form/input_column.h"
 
 namespace lathelier {
@@ -24,7 +26,8 @@ std::vector<InputRole> rolesOf(const task::Task& task, const std::vector<std::st
 }
 
 PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& roles,
-                     const std::vector<std::string>& unfolded, bool rest, Text invitation)
+                     const std::vector<std::string>& unfolded, bool rest, Text invitation,
+                     const std::vector<std::string>& without)
 {
     PanelInputs inputs;
     inputs.roles = rolesOf(task, roles);
@@ -38,8 +41,10 @@ PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& rol
             }
     if (!rest) return inputs;
     for (const FieldInfo& info : task.fields) {
-        const bool is_open = std::find(unfolded.begin(), unfolded.end(), info.key) != unfolded.end();
-        if (is_open || info.is_kept) continue;
+        const auto isOf = [&info](const std::vector<std::string>& keys) {
+            return std::find(keys.begin(), keys.end(), info.key) != keys.end();
+        };
+        if (isOf(unfolded) || isOf(without) || info.is_kept) continue;
         inputs.fields.push_back(info);
         inputs.fields.back().advanced = true;
     }
@@ -58,11 +63,22 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
     facts.kinds = kindsOf(facts.roles);
     for (const InputRole& role : facts.roles)
         if (!role.item_kind.empty()) facts.item_inputs.emplace(role.item_kind, role.role);
+    if (!task.one_of.keys.empty())
+        facts.missing = [&task, required = missingOf(facts.roles)](const project::PanelState& state) {
+            std::vector<Text> labels = required(state);
+            if (givenOf(task, state).empty()) labels.push_back(task.one_of.label);
+            return labels;
+        };
+    if (!task.one_of.keys.empty())
+        facts.has_work = [&task](const project::PanelState& state) {
+            return !state.inputs.empty() || !givenOf(task, state).empty();
+        };
     facts.report = [&task, wanted, begins_with](const project::PanelState& state, Stores& stores,
                                                 const Language& language, const Progress& progress) {
         const project::PanelState asked = filledWith(state, begins_with);
         task::Sources sources;
         const task::Outcome outcome = task.run(asked, wanted, stores, sources, progress);
+        if (!outcome.report) throw Error(outcome.errors.front());
         return documentOf(task, asked, sources, outcome, language);
     };
     return facts;
@@ -94,6 +110,18 @@ Worker::Job readingOf(const task::Task& task, const project::PanelState& state, 
         for (const task::Input& input : task.inputs) input.read(state, *stores, part);
         return nullptr;
     };
+}
+
+Error neededBy(const task::Task& task, const Error& error)
+{
+    const Value* const found = find(error.values(), "found");
+    const Value* const parameter = find(error.values(), "parameter");
+    if (!(error.code() == errors::valueNotUnderstood) || !found || !std::holds_alternative<std::monostate>(*found) ||
+        !parameter)
+        return error;
+    for (const FieldInfo& field : task.fields)
+        if (*parameter == Value(field.key)) return Error(errors::oneNeeded, {{"names", field.label}});
+    return error;
 }
 
 std::optional<task::Product> productOf(const task::Outcome& outcome, const std::string& kind, const std::string& part)

@@ -16,10 +16,11 @@ namespace lathelier {
 /// Inputs of the task as those of a panel, in this order.
 std::vector<InputRole> rolesOf(const task::Task& task, const std::vector<std::string>& roles);
 
-/// The left column. `unfolded`: keys of the fields that are open, in order; `rest`: whether the others follow, folded.
-/// Fields that a window keeps are not in the form.
+/// The left column. `unfolded`: keys of the fields that are open, in order; `rest`: whether the others follow, folded,
+/// but for those of `without`. Fields that a window keeps are not in the form.
 PanelInputs inputsOf(const task::Task& task, const std::vector<std::string>& roles,
-                     const std::vector<std::string>& unfolded, bool rest, Text invitation);
+                     const std::vector<std::string>& unfolded, bool rest, Text invitation,
+                     const std::vector<std::string>& without = {});
 
 /// Id, title, kinds, roles, items and the report of a panel with these inputs. `begins_with`: values that the panel
 /// begins with in place of the task's defaults.
@@ -34,6 +35,9 @@ void assignByKind(project::PanelState& state, const std::vector<InputRole>& role
 
 /// Reads the inputs that are given.
 Worker::Job readingOf(const task::Task& task, const project::PanelState& state, std::shared_ptr<Stores> stores);
+
+/// A parameter that an answer lacks, by its label in place of its key; other errors as they are.
+Error neededBy(const task::Task& task, const Error& error);
 
 /// The exports that the outcome can be written as.
 std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr<const task::Outcome>& outcome);

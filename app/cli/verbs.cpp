@@ -9,6 +9,8 @@
 #include "engine/deflection/toolpath_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/task/shaft_task.h"
+#include "engine/receptance/task/spindle_task.h"
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
@@ -23,8 +25,8 @@ const std::vector<Verb>& verbs()
                                 roundnessVerb(),
                                 cylindricityVerb(),
                                 trajectoryVerb(),
-                                frfVerb(),
-                                spindleVerb(),
+                                verbOf(receptance::shaftTask()),
+                                verbOf(receptance::spindleTask()),
                                 verbOf(stability::lobesTask()),
                                 verbOf(stability::speedTask()),
                                 verbOf(stability::simulateTask()),

@@ -11,8 +11,6 @@ Verb compareVerb();
 Verb roundnessVerb();
 Verb cylindricityVerb();
 Verb trajectoryVerb();
-Verb frfVerb();
-Verb spindleVerb();
 Verb remanufactureVerb();
 Verb recognizeVerb();
 Verb drawVerb();

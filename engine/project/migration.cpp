@@ -18,12 +18,22 @@ Json* parametersOf(Json& json, const char* panel)
 /// Panels of cutting speeds took over the keys of the command line.
 void namesOfTasks(Json& json)
 {
-    if (Json* const lobes = parametersOf(json, "lobes"); lobes && lobes->contains("modes")) {
-        (*lobes)["mode"] = (*lobes)["modes"];
-        lobes->erase("modes");
-    }
+    const auto rename = [](Json* parameters, const std::string& from, const std::string& to) {
+        if (!parameters || !parameters->contains(from)) return;
+        (*parameters)[to] = (*parameters)[from];
+        parameters->erase(from);
+    };
+    rename(parametersOf(json, "lobes"), "modes", "mode");
+    rename(parametersOf(json, "shaft"), "material", "library_material");
     Json* const speed = parametersOf(json, "speed");
     if (!speed) return;
+    const std::vector<std::string> keys = [&] {
+        std::vector<std::string> all;
+        for (const auto& [key, value] : speed->items())
+            if (key == "material" || key.starts_with("material.")) all.push_back(key);
+        return all;
+    }();
+    for (const std::string& key : keys) rename(speed, key, "bar_" + key);
     const auto end = [&](const char* key, double open) {
         const Json value = speed->value(key, Json());
         speed->erase(key);

@@ -1,5 +1,7 @@
 #include "engine/receptance/library.h"
 
+#include "engine/receptance/receptance_codes.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -85,6 +87,15 @@ std::vector<FieldChoice> materialChoices(Text stated)
 std::vector<FieldChoice> machineChoices(Text stated)
 {
     return choicesOf(machines(), stated, nameOfMachine);
+}
+
+bool chooseMaterial(const std::string& choice, Shaft& shaft, Notes& notes)
+{
+    const auto* const entry = entryOf(materials(), choice);
+    if (!entry) return false;
+    shaft.material = entry->value;
+    notes.push_back({notes::materialOfLibrary, {{"material", nameOfMaterial(choice)}, {"source", entry->source}}});
+    return true;
 }
 
 }  // namespace lathelier::receptance

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "engine/core/built_in_text.h"
+#include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/library.h"
 #include "engine/core/material.h"
 #include "engine/receptance/spindle_receptance.h"
+#include "engine/shaft/shaft.h"
 
 namespace lathelier::receptance {
 
@@ -27,6 +29,9 @@ const std::vector<LibraryEntry<SpindleSprings>>& machines();
 /// Shown name of an entry: of a known key in the reader's language, else the key.
 Text nameOfMaterial(const std::string& key);
 Text nameOfMachine(const std::string& key);
+
+/// The material of the library where one is chosen by its key, with the note materialOfLibrary.
+bool chooseMaterial(const std::string& choice, Shaft& shaft, Notes& notes);
 
 /// Entries as choices of a field; the first one, "stated", is called `stated`.
 std::vector<FieldChoice> materialChoices(Text stated);

@@ -57,10 +57,6 @@ inline constexpr NoteCode machineOfLibrary{
     "machine_of_library", Severity::Info,
     LT_TEXT("Engine", "The springs are taken from the library, not from this machine (source: {source}).")};
 
-inline constexpr NoteCode shaftChanged{
-    "shaft_changed", Severity::Info,
-    LT_TEXT("Engine", "The shaft is that of the table, which was changed since {source} was opened.")};
-
 inline constexpr NoteCode spindleHasNoModes{
     "spindle_has_no_modes", Severity::Info,
     LT_TEXT("Engine", "The spindle is a table of receptances: natural frequencies do not follow from it.")};

@@ -55,13 +55,13 @@ DrawingOutcome drawingOutcome(const project::PanelState& state, Stores& stores, 
     DrawingOutcome outcome;
     outcome.question = fromValues<DrawingQuestion>(state.parameters);
     const DrawingQuestion& question = outcome.question;
-    part_common::chooseSegments(
-        question.segments, question.segments_of, state, outcome.shaft, outcome.notes, [&](const project::Source&) {
-            takeShaft(outcome, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
-        });
+    task::chooseSegments(question.segments, question.segments_of, state, shaftRole, outcome.shaft, outcome.notes,
+                         [&](const project::Source&) {
+                             takeShaft(outcome, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
+                         });
     if (question.bores_of == boresOf(state)) outcome.shaft.bores = boresOfRows(question.bores);
     if (!question.name.empty()) outcome.shaft.name = question.name;
-    part_common::chooseMaterial(question.material, outcome.shaft, outcome.notes);
+    receptance::chooseMaterial(question.material, outcome.shaft, outcome.notes);
     outcome.remarks = checkShaft(outcome.shaft);
     const Notes left_out = cad::cadNotes(outcome.shaft);
     outcome.remarks.insert(outcome.remarks.end(), left_out.begin(), left_out.end());

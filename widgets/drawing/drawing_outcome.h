@@ -15,9 +15,6 @@
 
 namespace lathelier::drawing_panel {
 
-using part_common::identity;
-using part_common::shaftRole;
-
 struct DrawingOutcome {
     DrawingQuestion question;                ///< question of the request
     Shaft shaft;                             ///< shaft that satisfies checkShaft()

@@ -9,6 +9,7 @@
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
+#include "widgets/core/panel/task_panel.h"
 #include "widgets/core/session.h"
 #include "widgets/drawing/drawing_views.h"
 #include "widgets/part_common/part_exports.h"
@@ -60,10 +61,10 @@ PanelFacts drawingPanelFacts()
     facts.item_inputs = {{shaftItem, shaftRole}};
     facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };
     facts.missing = [](const project::PanelState& state) {
-        return part_common::hasShaft(state) ? std::vector<Text>{}
-                                            : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
+        return task::hasShaft(state, shaftRole) ? std::vector<Text>{}
+                                                : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
     };
-    facts.has_work = part_common::hasShaft;
+    facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, shaftRole); };
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) { return reportOf(drawingOutcome(state, stores, progress), language); };
     return facts;
@@ -93,7 +94,7 @@ void DrawingPanel::editRows(const QString& step, const RowsChange& change, const
         if (outcome->question.measured) shaft.segments = keepMeasured(before, std::move(shaft.segments));
         checkShaft(shaft);
         editState(
-            step, [&](project::PanelState& state) { part_common::setTable(state, shaft.segments); }, merge_key);
+            step, [&](project::PanelState& state) { task::setTable(state, shaftRole, shaft.segments); }, merge_key);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -128,9 +129,9 @@ void DrawingPanel::followTable(const std::string& key, const Value& table, int g
         step,
         [&](project::PanelState& state) {
             if (outcome && typed)
-                part_common::setTable(state, followTies(outcome->shaft.segments, *typed));
+                task::setTable(state, shaftRole, followTies(outcome->shaft.segments, *typed));
             else
-                part_common::takeTable(state);
+                task::takeTable(state, shaftRole);
         },
         QString("drawing/segments/%1").arg(gesture));
 }
@@ -152,7 +153,7 @@ void DrawingPanel::keepShaft()
 void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     for (const FoundFile& file : files) {
-        part_common::openShaft(state, file.path);
+        openShaft(state, shaftRole, file.path);
         lathelier::set(state.parameters, boresOfKey, std::string());
     }
 }
@@ -179,7 +180,7 @@ void DrawingPanel::showResult(const std::shared_ptr<const DrawingOutcome>& outco
 {
     DrawingQuestion rows;
     rows.bores = rowsOfBores(outcome->shaft.bores);
-    inputColumn().form().setValues({{segmentsKey, part_common::rowsOf(outcome->shaft.segments)},
+    inputColumn().form().setValues({{segmentsKey, task::rowsOf(outcome->shaft.segments)},
                                     // also for those of a file
                                     {boresKey, *lathelier::find(toValues(rows), boresKey)}});
     views_->setOutcome(outcome);

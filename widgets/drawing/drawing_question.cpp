@@ -48,7 +48,7 @@ std::vector<ShaftBore> boresOfRows(const std::vector<BoreRow>& rows)
 
 std::string boresOf(const project::PanelState& state)
 {
-    return "of " + part_common::identity(state);
+    return "of " + task::identity(state, shaftRole);
 }
 
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores)
@@ -63,8 +63,8 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
 {
     using Q = DrawingQuestion;
     static const auto all = described<Q>(
-        rows(segmentsKey, &Q::segments, Range{0, 10000}, part_common::segmentsLabel()),
-        field(segmentsOfKey, &Q::segments_of, part_common::segmentsOfLabel()),
+        rows(segmentsKey, &Q::segments, Range{0, 10000}, task::segmentsLabel()),
+        field(segmentsOfKey, &Q::segments_of, task::segmentsOfLabel()),
         rows(boresKey, &Q::bores, Range{0, 1000}, Label{boresLabel, boresHelp}),
         field(boresOfKey, &Q::bores_of,
               Label{LT_TEXT("Engine", "Bores changed from"),

@@ -8,7 +8,7 @@
 #include "engine/project/project.h"
 #include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
-#include "widgets/part_common/shaft_table.h"
+#include "engine/task/edited_segments.h"
 
 namespace lathelier::drawing_panel {
 
@@ -52,7 +52,9 @@ struct DrawingQuestion {
 
 const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*);
 
-using part_common::segmentsKey;
-using part_common::segmentsOfKey;
+using task::segmentsKey;
+using task::segmentsOfKey;
+
+inline constexpr const char* shaftRole = "shaft";
 
 }  // namespace lathelier::drawing_panel

@@ -1,8 +1,8 @@
 // The panel "Shaft": natural frequencies, response and compliance of a shaft.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/shaft/shaft_outcome.h"
+#include "engine/receptance/task/shaft_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::shaft_panel {
 
@@ -13,7 +13,7 @@ PanelFacts shaftPanelFacts();
 
 /// A file or item fills the table of segments; once the table is changed, by hand or in the drawing, it rules until
 /// another input is chosen or the table is emptied.
-class ShaftPanel : public Panel<ShaftOutcome> {
+class ShaftPanel : public TaskPanel<receptance::ShaftOutcome> {
     Q_OBJECT
 
 public:
@@ -23,13 +23,7 @@ public:
     void setPresenting(bool presenting) override;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ShaftOutcome>& outcome) override;
-    report::Answer answer(const ShaftOutcome& outcome) const override;
-    Notes notes(const ShaftOutcome& outcome) const override;
-    report::Document document(const ShaftOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const receptance::ShaftOutcome>& outcome) override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     void retranslate() override;
@@ -37,7 +31,6 @@ protected:
 private:
     void moveEnd(std::size_t segment, double z_mm, double radius_mm, bool dropped);
     void keepShaft();
-    void offerResponse();
 
     ShaftViews* views_;
     int gesture_ = 0;  ///< drags so far: one undo step each

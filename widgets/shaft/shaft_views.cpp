@@ -74,7 +74,7 @@ ShaftViews::ShaftViews(QWidget* parent)
     retranslate();
 }
 
-void ShaftViews::setOutcome(const std::shared_ptr<const ShaftOutcome>& outcome)
+void ShaftViews::setOutcome(const std::shared_ptr<const receptance::ShaftOutcome>& outcome)
 {
     outcome_ = outcome;
     const bool has_modes = !outcome->study.modes.empty();

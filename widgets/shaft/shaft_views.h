@@ -7,10 +7,10 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/receptance/task/shaft_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/shaft/shaft_outcome.h"
 
 namespace lathelier::shaft_panel {
 
@@ -20,7 +20,7 @@ class ShaftViews : public QWidget {
 public:
     explicit ShaftViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const ShaftOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const receptance::ShaftOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* drawing() const { return drawing_; }
     plot::ChartView* shapes() const { return shapes_; }
@@ -38,7 +38,7 @@ private:
     void play(bool on);
     void swing();
 
-    std::shared_ptr<const ShaftOutcome> outcome_;
+    std::shared_ptr<const receptance::ShaftOutcome> outcome_;
     PrimaryViews* primaryViews_;
     plot::ChartView* drawing_;
     plot::ChartView* shapes_;

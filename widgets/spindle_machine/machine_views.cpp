@@ -41,7 +41,7 @@ MachineViews::MachineViews(QWidget* parent)
     retranslate();
 }
 
-void MachineViews::setOutcome(const std::shared_ptr<const MachineOutcome>& outcome)
+void MachineViews::setOutcome(const std::shared_ptr<const receptance::SpindleOutcome>& outcome)
 {
     outcome_ = outcome;
     const bool measured = outcome->check != nullptr;

@@ -5,10 +5,10 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/receptance/task/spindle_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/spindle_machine/machine_outcome.h"
 
 namespace lathelier::machine_panel {
 
@@ -18,7 +18,7 @@ class MachineViews : public QWidget {
 public:
     explicit MachineViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const MachineOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const receptance::SpindleOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* magnitude() const { return magnitude_; }
     plot::ChartView* heldOut() const { return heldOut_; }
@@ -32,7 +32,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const MachineOutcome> outcome_;
+    std::shared_ptr<const receptance::SpindleOutcome> outcome_;
     PrimaryViews* primaryViews_;
     plot::ChartView* magnitude_;
     plot::ChartView* phase_;

@@ -40,6 +40,8 @@ TEST(ProjectVersions, TheSixthHasTheKeysOfTheCommandLine)
     const project::Project present = project::readProject(keptProject(6)).project;
     EXPECT_EQ(former.panels.at("lobes").parameters, present.panels.at("lobes").parameters);
     EXPECT_NE(find(present.panels.at("lobes").parameters, "mode"), nullptr);
+    EXPECT_EQ(former.panels.at("shaft").parameters, present.panels.at("shaft").parameters);
+    EXPECT_NE(find(present.panels.at("shaft").parameters, "library_material"), nullptr);
     EXPECT_EQ(former.panels.at("speed").parameters, present.panels.at("speed").parameters);
     EXPECT_EQ(*find(present.panels.at("speed").parameters, "range_m_min"), Value(std::vector<Interval>{{120, 400}}));
 }

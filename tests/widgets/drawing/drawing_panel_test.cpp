@@ -69,7 +69,7 @@ class DrawingPanelTest : public QObject, PanelFixture<DrawingPanel> {
         session_->edit("Set", [&](project::Project& project) {
             project::PanelState& state = project.panels["drawing"];
             lathelier::set(state.parameters, segmentsKey, rows);
-            lathelier::set(state.parameters, segmentsOfKey, identity(state));
+            lathelier::set(state.parameters, segmentsOfKey, task::identity(state, shaftRole));
         });
     }
 
@@ -102,7 +102,7 @@ class DrawingPanelTest : public QObject, PanelFixture<DrawingPanel> {
     {
         ShaftRows all = rows();
         all[row].start_diameter_mm = all[row].end_diameter_mm = diameter_mm;
-        return part_common::rowsOf(all);
+        return task::rowsOf(all);
     }
 
 private slots:

@@ -14,6 +14,7 @@
 #include "engine/receptance/spindle_file.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
+#include "engine/task/task_codes.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/primary_views.h"
@@ -112,7 +113,7 @@ private slots:
         table()->item(1, 0)->setText("100");
         QTRY_VERIFY(panel_->isCurrent() && panel_->result()->table_rules);
         session_->edit("Choose", [&](project::Project& project) {
-            project.panels["shaft"].inputs[shaftRole].path = other.toStdString();
+            project.panels["shaft"].inputs[receptance::shaftRole].path = other.toStdString();
         });
         QTRY_VERIFY(panel_->isCurrent() && !panel_->result()->table_rules);
         QCOMPARE(panel_->result()->shaft.segments.size(), std::size_t{1});
@@ -121,14 +122,14 @@ private slots:
 
     void segmentsAreEnough()
     {
-        set(segmentsKey, Rows{{{toValues(ShaftSegment{250, 40, 40, 0, {}, {}})}}});
+        set(task::segmentsKey, Rows{{{toValues(ShaftSegment{250, 40, 40, 0, {}, {}})}}});
         settle();
         QVERIFY(std::abs(first_hz() - 2771) < 10);
         set("hold", std::string("clamped"));
         settle();
         QVERIFY(panel_->result()->study.static_mm_N.has_value());
         QVERIFY(first_hz() < 800);
-        set("material", std::string("aluminium"));
+        set("library_material", std::string("aluminium"));
         settle();
         QVERIFY(contains(panel_->result()->notes, notes::materialOfLibrary));
         QCOMPARE(panel_->result()->study.response.used.front().origin, ValueOrigin::Assumed);
@@ -186,7 +187,7 @@ private slots:
         session_->edit("Use", [&](project::Project& project) {
             project.items["machine"].kind = receptance::spindleItem;
             project.items["machine"].values = receptance::toValues(receptance::SpindleReceptance{table});
-            project.panels["shaft"].inputs[spindleRole].item = "machine";
+            project.panels["shaft"].inputs[receptance::spindleRole].item = "machine";
         });
         settle();
         QCOMPARE(panel_->result()->study.response.frf.frequency_hz.back(), 400.0);

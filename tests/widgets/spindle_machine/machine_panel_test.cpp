@@ -48,11 +48,11 @@ private slots:
     {
         QVERIFY(!panel_->hasResult());
         open();
-        const MachineOutcome& outcome = *panel_->result();
+        const receptance::SpindleOutcome& outcome = *panel_->result();
         QVERIFY(outcome.identified != nullptr);
         QCOMPARE(outcome.identified->frfs, std::size_t{18});
         QVERIFY(outcome.identified->residual_rms_percent < 2);  // noise of 1 %
-        QCOMPARE(outcome.inputs.size(), std::size_t{2});        // the responses too
+        QCOMPARE(outcome.sources.inputs.size(), std::size_t{2});        // the responses too
         const receptance::Complex H = outcome.spindle.at(500)(0, 0);
         QVERIFY(std::abs(H - 1.0 / (14850.0 * receptance::Complex(1, 0.06))) < 0.05 / 14850);
         QCOMPARE(panel_->views().magnitude()->data().curves.size(), std::size_t{3});
@@ -85,13 +85,13 @@ private slots:
 
     void springsAndMachinesNeedNoFile()
     {
-        set(sourceKey, std::string("stiff"));
+        set(receptance::sourceKey, std::string("stiff"));
         settle();
         QVERIFY(contains(panel_->result()->notes, notes::machineOfLibrary));
         QCOMPARE(panel_->result()->spindle.springs()->radial_N_mm, 60000.0);
         QCOMPARE(panel_->result()->used.front().origin, ValueOrigin::Assumed);
         QVERIFY(!panel_->views().primaryViews()->keys().contains("residual"));
-        set(sourceKey, std::string("springs"));
+        set(receptance::sourceKey, std::string("springs"));
         set("springs.radial_N_mm", 20000.0);
         settle();
         QCOMPARE(*answer(*panel_->result()).value, 50.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/core_codes.h"
+#include "engine/task/edited_segments.h"
 #include "engine/task/task_codes.h"
 #include "widgets/core/form/input_column.h"
 
@@ -89,6 +90,12 @@ project::PanelState filledWith(project::PanelState state, const Values& values)
     for (const auto& [key, value] : values)
         if (!find(state.parameters, key)) set(state.parameters, key, value);
     return state;
+}
+
+void openShaft(project::PanelState& state, const std::string& role, const std::string& path)
+{
+    state.inputs[role] = newSource(QString::fromStdString(path));
+    set(state.parameters, task::segmentsKey, Rows{});
 }
 
 void assignByKind(project::PanelState& state, const std::vector<InputRole>& roles, const std::vector<FoundFile>& files)

@@ -30,6 +30,9 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
 /// The state with what is not given yet.
 project::PanelState filledWith(project::PanelState state, const Values& values);
 
+/// Opens a shaft; a table of segments, which would rule over it, is emptied.
+void openShaft(project::PanelState& state, const std::string& role, const std::string& path);
+
 /// Assigns files to the inputs that take their kind; those of no kind to the last one.
 void assignByKind(project::PanelState& state, const std::vector<InputRole>& roles, const std::vector<FoundFile>& files);
 

@@ -126,8 +126,7 @@ void Interpreter::returnOrRepeat(BlockWords& words)
 
 void Interpreter::takeM(BlockWords& words)
 {
-    if (control_.call_letter != 0 && words.has(control_.call_letter)) callByLetter(words);
-    if (words.called) callByName(*words.called, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L));
+    takeCalls(words);
     for (int i = 0; i < words.m_count; ++i) {
         const int m = words.m[static_cast<std::size_t>(i)];
         const M meaning = meaningOfM(control_, m);
@@ -135,6 +134,7 @@ void Interpreter::takeM(BlockWords& words)
             warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}}, GapEffect::Moves);
             continue;
         }
+        if (endsNothing_ && (meaning == M::End || meaning == M::EndOrReturn)) continue;
         switch (meaning) {
             case M::EndOrReturn:
                 if (calls_.empty())

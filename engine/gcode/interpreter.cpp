@@ -76,7 +76,10 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
 
 void Interpreter::assume(const char* what, const Text& value)
 {
-    assumed_.push_back({what, text(value), {}, static_cast<std::int64_t>(pc_) + 1});
+    const auto line = static_cast<std::int64_t>(pc_) + 1;
+    const bool isStated = std::any_of(assumed_.begin(), assumed_.end(),
+                                      [&](const Assumed& one) { return one.line == line && one.what == what; });
+    if (!isStated) assumed_.push_back({what, text(value), {}, line});
 }
 
 void Interpreter::notUnderstood(const Word* word)

@@ -89,7 +89,8 @@ void Interpreter::runCalled(const Word& word, long repeats)
     const Name meaning = meaningOfName(control_, text);
     if (word.letter != 0 || !isCalledCycle(meaning) || program_.names.contains(nameOf(text)))
         return callByName(word, repeats);
-    if (!modal_.whole.isStraight() || modal_.milled_by || modal_.side != NoseSide::Off) return leaveCycleOut(word);
+    if (!modal_.whole.isStraight() || modal_.milled_by || modal_.plane_by || modal_.side != NoseSide::Off)
+        return leaveCycleOut(word);
     try {
         const CycleArguments given(text, variables_);
         if (!given.unknown().empty()) {
@@ -151,6 +152,7 @@ std::optional<std::pair<std::size_t, std::size_t>> Interpreter::contourNamed(con
 /// starts is not known.
 std::vector<ContourPiece> Interpreter::contourBetween(std::size_t first, std::size_t last)
 {
+    bool isStarted = isKnown(modal_.at);
     for (std::size_t b = first; b <= last; ++b) {
         const Block& block = program_.blocks[b];
         bool hasX = false, hasZ = false;
@@ -158,16 +160,18 @@ std::vector<ContourPiece> Interpreter::contourBetween(std::size_t first, std::si
             const Word& word = program_.words[block.first_word + i];
             hasX = hasX || word.letter == 'X';
             hasZ = hasZ || word.letter == 'Z';
+            const G meaning =
+                word.letter == 'G' && word.kind == WordKind::Number
+                    ? meaningOfG(control_, static_cast<int>(std::lround(std::clamp(word.value, -1.0, 1e6) * 10)))
+                    : G::Unknown;
+            if (meaning == G::NoseLeft || meaning == G::NoseRight) return {};
         }
-        if (!hasX && !hasZ) continue;
-        if (!isKnown(modal_.at) && !(hasX && hasZ)) return {};
-        break;
+        if (!isStarted && hasX != hasZ) return {};
+        isStarted = isStarted || hasX;
     }
-    const NoseSide kept = modal_.side;
     endsNothing_ = true;
     std::vector<ContourPiece> all = collect(first, last);
     endsNothing_ = false;
-    modal_.side = kept;
     std::vector<ContourPiece> contour;
     for (const ContourPiece& part : all)
         if (contour.empty() || part.piece.isArc() || distance_mm(part.piece.from, part.piece.to) > 1e-9)
@@ -193,7 +197,12 @@ void Interpreter::stockRemovalCycle(const Word& word, const CycleArguments& give
     if (given.isNegative({2, 3, 4, 5, 6, 7, 9, 10, 11}) || given.hasMore(12)) return leaveCycleOut(word);
     const auto blocks = contourNamed(word, given.text(0));
     if (!blocks) return;
-    const std::vector<ContourPiece> contour = contourBetween(blocks->first, blocks->second);
+    // Does a move in the block of the second label belong to the contour? The guide does not say.
+    const Block& end = program_.blocks[blocks->second];
+    const bool isOpen =
+        given.text(0).find(':') != std::string::npos && (program_.wordOf(end, 'X') || program_.wordOf(end, 'Z'));
+    const std::vector<ContourPiece> contour =
+        isOpen ? std::vector<ContourPiece>{} : contourBetween(blocks->first, blocks->second);
     if (contour.empty()) return leaveCycleOut(word);
     if (contour.size() < 2) return unusable(LT_TEXT("Engine", "its contour has fewer than two moves"));
     // Along the contour or in both axes: the guide says both, and on slopes they differ.

@@ -221,28 +221,59 @@ TEST(StockRemoval, AllowancesStandOnBothFlanksOfAPocket)
     EXPECT_FALSE(narrow.understanding.isWhole());
 }
 
+struct Compensated {
+    const char* kind;
+    const char* nose;
+    int tip;
+    const char* before;  ///< in front of the contour, on the line of its first piece
+    const char* start;
+    const char* contour;  ///< behind its start
+};
+
 TEST(StockRemoval, TheNoseIsCompensated)
 {
-    const ToolTable tools{{1, {.number = 1, .tip = 3, .corner_radius_mm = 0.8}}};
-    const std::string contour = "G1 X20 Z2\nZ-20\nX40 Z-30\nZ-40\nX50\n";
-    const Toolpath cycle = pathOf(removalOf("2,0,0,,0.2,0.1,0.2,5", contour), "sinumerik", {}, tools);
-    // On the cone of 45° the tip stays (1 - tan 22.5°) r beside where it meets the cylinder; on cylinders it is on
-    // them.
-    const Toolpath twin = pathOf(turningHead + "G0 X20 Z3\nG42 G1 X20 Z2 F0.2\nZ-20\nX40 Z-30\nZ-40\nX50\nG40\nM30\n",
-                                 "sinumerik", {}, tools);
-    ASSERT_TRUE(cycle.understanding.isWhole());
-    std::vector<Point> both[2];
-    for (const Move& move : cycle.moves)
-        if (move.kind != MoveKind::Rapid) both[0].push_back({move.x_mm, move.z_mm});
-    for (const Move& move : twin.moves)
-        if (move.kind != MoveKind::Rapid) both[1].push_back({move.x_mm, move.z_mm});
-    ASSERT_GE(both[1].size(), both[0].size());
-    for (std::size_t i = 0; i < both[0].size(); ++i) {
-        const Point& other = both[1][both[1].size() - both[0].size() + i];
-        EXPECT_NEAR(both[0][i].x_mm, other.x_mm, 1e-9);
-        EXPECT_NEAR(both[0][i].z_mm, other.z_mm, 1e-9);
+    const Compensated all[] = {
+        {"5", "G42", 3, "X20 Z3", "X20 Z2", "Z-20\nX40 Z-30\nZ-40\nX50\n"},
+        {"5", "G41", 3, "X51 Z-40", "X50 Z-40", "X40\nZ-30\nG3 X32 Z-26 CR=4\nG1 Z2\n"},
+        {"7", "G41", 2, "X60 Z3", "X60 Z2", "Z-20\nX40 Z-30\nZ-40\nX30\n"},
+        {"6", "G41", 3, "X62 Z-6", "X60 Z-6", "X30\nX20 Z-2\nX10\nZ1\n"},
+    };
+    for (const Compensated& one : all) {
+        const ToolTable tools{{1, {.number = 1, .tip = one.tip, .corner_radius_mm = 0.8}}};
+        const std::string start = one.start, contour = one.contour;
+        const Toolpath cycle =
+            pathOf(removalOf(std::string("2,0,0,,0.2,0.1,0.2,").append(one.kind), "G1 " + start + "\n" + contour),
+                   "sinumerik", {}, tools);
+        const Toolpath twin = pathOf(
+            turningHead + "G0 " + one.before + "\n" + one.nose + " G1 " + start + " F0.2\n" + contour + "G40\nM30\n",
+            "sinumerik", {}, tools);
+        ASSERT_TRUE(cycle.understanding.isWhole()) << one.kind;
+        std::vector<Point> both[2];
+        for (const Move& move : cycle.moves)
+            if (move.kind != MoveKind::Rapid) both[0].push_back({move.x_mm, move.z_mm});
+        for (const Move& move : twin.moves)
+            if (move.kind != MoveKind::Rapid) both[1].push_back({move.x_mm, move.z_mm});
+        ASSERT_EQ(both[1].size(), both[0].size() + 1) << one.kind;  // and the block that starts it up
+        for (std::size_t i = 0; i < both[0].size(); ++i) {
+            EXPECT_NEAR(both[0][i].x_mm, both[1][i + 1].x_mm, 1e-9) << one.kind << i;
+            EXPECT_NEAR(both[0][i].z_mm, both[1][i + 1].z_mm, 1e-9) << one.kind << i;
+        }
     }
-    EXPECT_NEAR(both[0][0].x_mm, 10, 1e-9);
+}
+
+TEST(StockRemoval, UnitsAndShiftsOfTheProgramCount)
+{
+    const auto withHead = [](const char* first, const char* cycle) {
+        return pathOf(std::string(first) + "DIAMON G95 G97 S900 M3 F0.1\nT1 D1\n" + cycle, "sinumerik");
+    };
+    const char* const plain = "CYCLE95(\"AA:BB\",2,0.1,0.2,,0.25,,,1)\nM30\nAA:\nG1 X28 Z2\nZ-50\nX34\nBB:\n";
+    const char* const lower = "CYCLE95(\"AA:BB\",2,0.1,0.2,,0.25,,,1)\nM30\nAA:\nG1 X28 Z-3\nZ-55\nX34\nBB:\n";
+    const char* const inch =
+        "CYCLE95(\"AA:BB\",2/25.4,0.1/25.4,0.2/25.4,,0.25,,,1,,,1/25.4)\nM30\nAA:\nG1 X=28/25.4 Z=2/25.4\n"
+        "Z=-50/25.4\nX=34/25.4\nBB:\n";
+    EXPECT_EQ(placesOf(withHead("TRANS Z-5\n", plain)), placesOf(withHead("", lower)));
+    EXPECT_EQ(placesOf(withHead("G70\n", inch)), placesOf(withHead("", plain)));
+    EXPECT_FALSE(withHead("ROT RPL=10\n", plain).understanding.isWhole());
 }
 
 TEST(StockRemoval, TheContourIsAProgramOrStandsBetweenLabels)

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "engine/gcode/nose_path.h"
 
 namespace lathelier::gcode {
 namespace {
@@ -30,9 +33,10 @@ public:
         }
         const double near = groove_.near_z_mm, far = groove_.far_z_mm - groove_.blade_mm;
         const double middle = (near + far) / 2;
-        finishWall(groove_.is_from_far ? far : near, middle);
-        finishWall(groove_.is_from_far ? near : far, middle);
+        finishWall(groove_.is_from_far, middle);
+        finishWall(!groove_.is_from_far, middle);
         go(MoveKind::Rapid, clear_, groove_.is_from_far ? far : near);
+        if (!fits_) moves_.clear();
         return std::move(moves_);
     }
 
@@ -52,12 +56,53 @@ private:
         go(MoveKind::Rapid, clear_, z);
     }
 
-    void finishWall(double z, double middle)
+    /// From the surface over the edge along the wall, and along the bottom to the middle.
+    void finishWall(bool isFar, double middle)
     {
-        go(MoveKind::Rapid, clear_, z);
-        go(MoveKind::Feed, at(groove_.depth_mm), z);
-        if (std::abs(middle - z) > 1e-9) go(MoveKind::Feed, at(groove_.depth_mm), middle);
-        go(MoveKind::Rapid, clear_, middle);
+        const GrooveEdge& edge = isFar ? groove_.far_edge : groove_.near_edge;
+        const double wall = isFar ? groove_.far_z_mm : groove_.near_z_mm, away = isFar ? 1 : -1;
+        const double size = std::max(edge.chamfer_mm, edge.rounding_mm);
+        const double end = isFar ? middle + groove_.blade_mm : middle;  // of the corner that cuts
+        const double blade = isFar ? groove_.blade_mm : 0;
+        std::vector<ContourPiece> path;
+        const auto add = [&](double x, double z, const Point& centre = {}) {
+            const Point to{x, z}, from = path.empty() ? to : path.back().piece.to;
+            // An edge is rounded toward the axis outside, and on the way to larger Z.
+            const bool clockwise = (outward_ > 0) != isFar;
+            path.push_back({{from, to, centre, clockwise}, path.empty(), 0});
+        };
+        const double level = groove_.surface_mm;
+        if (size > 0) {
+            add(level, wall + away * (size + groove_.corner_mm + groove_.retreat_mm));
+            add(level, wall + away * size);
+            add(at(size), wall, edge.rounding_mm > 0 ? Point{at(size), wall + away * size} : Point{});
+        } else {
+            add(level, wall);
+        }
+        add(at(groove_.depth_mm), wall);
+        add(at(groove_.depth_mm), end);
+        if (std::abs(end - wall) < 1e-9) path.pop_back();
+        if (size > 0) path = compensated(path, isFar);
+        go(MoveKind::Rapid, clear_, path.front().piece.to.z_mm - blade);
+        if (size > 0) go(MoveKind::Feed, path.front().piece.to.x_mm, path.front().piece.to.z_mm - blade);
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            const Piece& piece = path[i].piece;
+            go(piece.isArc() ? MoveKind::Arc : MoveKind::Feed, piece.to.x_mm, piece.to.z_mm - blade);
+            if (!piece.isArc()) continue;
+            moves_.back().centre = {piece.centre.x_mm, piece.centre.z_mm - blade + corner_};
+            moves_.back().clockwise = piece.clockwise;
+        }
+        go(MoveKind::Rapid, clear_, moves_.back().to.z_mm - corner_);
+    }
+
+    /// Of the corner of the blade at this wall.
+    std::vector<ContourPiece> compensated(const std::vector<ContourPiece>& path, bool isFar)
+    {
+        const bool isLeft = (outward_ > 0) != isFar;
+        const int tip = groove_.is_inner ? (isFar ? 1 : 2) : (isFar ? 4 : 3);
+        const auto found = nosePath(path, isLeft ? NoseSide::Left : NoseSide::Right, groove_.corner_mm, tip);
+        fits_ = fits_ && found.has_value();
+        return found.value_or(path);
     }
 
     void rest(double z)
@@ -82,6 +127,7 @@ private:
     double outward_;
     double corner_;
     double clear_;
+    bool fits_ = true;
     CycleMoves moves_;
 };
 

@@ -2,7 +2,7 @@
 //
 // Source: SINUMERIK 840D/840Di/810D Programming Guide, Cycles (11.02), 4.2. Cuts side by side, at most 95 % of the
 // width of the blade less its corners apart, down to the allowances; then along walls and bottom, from both sides to
-// the middle. The order of the cuts does not change what is left.
+// the middle. The order of the cuts does not change what is left. Chamfers and roundings lie outside of the width.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,12 @@
 #include "engine/gcode/cycles.h"
 
 namespace lathelier::gcode {
+
+/// An edge between surface and wall.
+struct GrooveEdge {
+    double chamfer_mm = 0;   ///< leg at 45°; 0: none
+    double rounding_mm = 0;  ///< radius; 0: none
+};
 
 /// Lengths in mm, on radius.
 struct Grooving {
@@ -19,6 +25,8 @@ struct Grooving {
     bool is_inner = false;           ///< into a bore
     bool is_from_far = false;        ///< the cuts begin at the wall of the larger Z
     double depth_mm = 0;             ///< of the groove
+    GrooveEdge near_edge;            ///< at the wall of the smaller Z
+    GrooveEdge far_edge;             ///< at that of the larger Z
     double allowance_bottom_mm = 0;  ///< for the finishing cut
     double allowance_wall_mm = 0;    ///< for the finishing cut
     double infeed_mm = 0;            ///< depth after which the blade retracts; 0: in one go
@@ -31,7 +39,8 @@ struct Grooving {
 
 /// Number of cuts side by side; 0: the blade is too wide.
 std::int64_t cutsOf(const Grooving& groove);
-/// Ends above the surface, at the wall where the cuts begin. None where the blade is too wide.
+/// Ends above the surface, at the wall where the cuts begin. None where the blade is too wide or its corner does not
+/// fit.
 CycleMoves grooving(const Grooving& groove);
 
 }  // namespace lathelier::gcode

@@ -32,6 +32,12 @@ double clearanceOf(double stated_mm)
     return stated_mm > 0 ? stated_mm : 1;
 }
 
+/// A rounding, or, negative, a chamfer.
+GrooveEdge edgeOf(double stated, double unit, double leg)
+{
+    return {std::max(-stated * leg, 0.0), std::max(stated * unit, 0.0)};
+}
+
 double feedOf(double stated, double unit)
 {
     return stated > 0 ? stated * unit : notANumber;
@@ -276,7 +282,8 @@ void Interpreter::threadTurningCycle(const Word& word, const CycleArguments& giv
 
 /// CYCLE93: diameter and place of its start, width, depth, angle of the surface, of the walls, corners outside and
 /// inside, allowances of bottom and walls, infeed, dwell, kind (odd: across the axis; 3, 4, 7, 8: inside; 1 to 4: from
-/// the smaller Z), retreat. Modelled: straight walls with sharp corners in a cylinder.
+/// the smaller Z; above 10: chamfers by their legs), retreat. Modelled: straight walls in a cylinder, sharp corners
+/// inside.
 void Interpreter::groovingCycle(const Word& word, const CycleArguments& given)
 {
     const auto unusable = [&](Text reason) {
@@ -293,7 +300,7 @@ void Interpreter::groovingCycle(const Word& word, const CycleArguments& given)
     if (!(width_mm > 0) || !(cut.depth_mm > 0))
         return unusable(LT_TEXT("Engine", "the width or the depth of the groove is missing"));
     bool isPlain = kind % 2 == 1;
-    for (std::size_t at = 4; at <= 10; ++at) isPlain = isPlain && given.number(at) == 0;
+    for (const std::size_t at : {4U, 5U, 6U, 9U, 10U}) isPlain = isPlain && given.number(at) == 0;
     const std::optional<Tool> tool = noseTool();
     cut.is_inner = (kind - 1) % 4 >= 2;
     cut.is_far_corner = tool && tool->tip == (cut.is_inner ? 1 : 4);
@@ -309,6 +316,9 @@ void Interpreter::groovingCycle(const Word& word, const CycleArguments& given)
     cut.allowance_bottom_mm = given.number(11) * unit;
     cut.allowance_wall_mm = given.number(12) * unit;
     cut.infeed_mm = given.number(13) * unit;
+    const double leg = vari > 10 ? unit : unit / std::sqrt(2.0);  // chamfers by their legs, or by their length
+    (cut.is_from_far ? cut.far_edge : cut.near_edge) = edgeOf(given.number(7), unit, leg);
+    (cut.is_from_far ? cut.near_edge : cut.far_edge) = edgeOf(given.number(8), unit, leg);
     cut.dwell_s = given.number(14);
     cut.retreat_mm = clearanceOf(given.number(16) * unit);
     cut.blade_mm = *tool->width_mm;
@@ -320,7 +330,9 @@ void Interpreter::groovingCycle(const Word& word, const CycleArguments& given)
     if (const double passes = static_cast<double>(cuts) * pecks; passes > static_cast<double>(mostPasses))
         return error(errors::ncPasses, nullptr,
                      {{"found", static_cast<std::int64_t>(std::min(passes, 1e15))}, {"most", mostPasses}});
-    emitCycle(grooving(cut));
+    const CycleMoves moves = grooving(cut);
+    if (moves.empty()) return leaveCycleOut(word);
+    emitCycle(moves);
 }
 
 }  // namespace lathelier::gcode

@@ -402,6 +402,40 @@ TEST(Grooving, ABladeLeavesAPlainGroove)
                              "nc_cycle_incomplete"));
 }
 
+TEST(Grooving, EdgesAreChamferedAndRounded)
+{
+    const ToolTable sharp{{1, {.number = 1, .kind = ToolKind::Blade, .tip = 3, .width_mm = 3}}};
+    const Toolpath path = pathOf(turningHead + "CYCLE93(40,-20,8,4,,,,-1,0.5,,,,,,,15)\nM30\n", "sinumerik", {}, sharp);
+    ASSERT_TRUE(path.understanding.isWhole());
+    EXPECT_TRUE(placesOf(path).ends_with(  // 1 mm at the wall Z-20, then 0.5 mm at the wall Z-28
+        "f20,-21 f20,-22 f19,-23 f16,-23 f16,-25.5 r21,-25.5 "
+        "r21,-29.5 f20,-29.5 f20,-28.5 a19.5,-28 f16,-28 f16,-25.5 r21,-25.5 r21,-23 "))
+        << placesOf(path);
+    for (const Move& move : path.moves)
+        if (move.kind == MoveKind::Arc) {
+            EXPECT_EQ(move.centre_x_mm, 19.5);
+            EXPECT_EQ(move.centre_z_mm, -28.5);
+            EXPECT_TRUE(move.clockwise);
+        }
+    // A chamfer by its length: 1 mm is 0.7071 mm along each leg.
+    const Toolpath chord = pathOf(turningHead + "CYCLE93(40,-20,8,4,,,,-1,,,,,,,,5)\nM30\n", "sinumerik", {}, sharp);
+    EXPECT_NE(placesOf(chord).find("f19.2929,-23 "), std::string::npos);
+    const ToolTable round{
+        {1, {.number = 1, .kind = ToolKind::Blade, .tip = 3, .corner_radius_mm = 0.2, .width_mm = 3}}};
+    const Toolpath compensated =
+        pathOf(turningHead + "CYCLE93(40,-20,8,4,,,,-1,-1,,,,,,,15)\nM30\n", "sinumerik", {}, round);
+    ASSERT_TRUE(compensated.understanding.isWhole());
+    // The chamfer at the wall Z-28 lies on x + z = -9; the centre of the corner r beside it, the tip r below and
+    // behind.
+    int ends = 0;
+    for (const Move& move : compensated.moves) {
+        if (move.kind != MoveKind::Feed || move.x_mm < 18.5 || move.x_mm > 19.5 || move.z_mm > -27.5) continue;
+        EXPECT_NEAR(move.x_mm + move.z_mm, -9 + 0.2 * (std::sqrt(2.0) - 2), 1e-9);
+        ++ends;
+    }
+    EXPECT_EQ(ends, 1);
+}
+
 TEST(CalledCycles, ModalCallsRunBehindEveryBlockThatMoves)
 {
     const std::string pocket = "%_N_NUT_SPF\nG91 G1 X-4 F0.1\nX4\nG90\nM17\n";

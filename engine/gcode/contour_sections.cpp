@@ -66,8 +66,10 @@ Envelope envelopeFrom(double level, const Stretches& parts)
     return result;
 }
 
-void addPocket(const Stretches& pocket, std::vector<Section>& sections)
+/// False: nested too deep.
+bool addPocket(const Stretches& pocket, int depth, std::vector<Section>& sections)
 {
+    if (depth > deepestPockets) return false;
     Section section;
     section.top = pocket.front().from.p;
     std::size_t lowest = 0;
@@ -81,8 +83,9 @@ void addPocket(const Stretches& pocket, std::vector<Section>& sections)
     section.rising = back.rising;
     sections.push_back(std::move(section));
     for (auto inner = front.pockets.rbegin(); inner != front.pockets.rend(); ++inner)
-        addPocket(reversedAll(*inner), sections);
-    for (const Stretches& inner : back.pockets) addPocket(inner, sections);
+        if (!addPocket(reversedAll(*inner), depth + 1, sections)) return false;
+    return std::all_of(back.pockets.begin(), back.pockets.end(),
+                       [&](const Stretches& inner) { return addPocket(inner, depth + 1, sections); });
 }
 
 /// 1: rises along the cut; -1: falls; 0: constant.
@@ -119,7 +122,8 @@ std::vector<Section> sectionsOf(const Stretches& contour)
     for (const Stretch& part : front.rising) open.top = std::max(open.top, part.to.p);
     open.rising = front.rising;
     sections.push_back(std::move(open));
-    for (const Stretches& pocket : front.pockets) addPocket(pocket, sections);
+    for (const Stretches& pocket : front.pockets)
+        if (!addPocket(pocket, 1, sections)) return {};
     return sections;
 }
 

@@ -15,8 +15,11 @@ struct Section {
     double bottom = 0;
 };
 
+/// Pockets within pockets are followed to this depth.
+inline constexpr int deepestPockets = 50;
+
 /// The front with its pockets filled, then the pockets, each before those within it. A pocket that is open at the end
-/// of the contour ends there with a wall.
+/// of the contour ends there with a wall. Empty: no contour, or pockets are nested deeper than deepestPockets.
 std::vector<Section> sectionsOf(const std::vector<Stretch>& contour);
 
 /// The stretch run backwards.

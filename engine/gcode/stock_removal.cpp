@@ -89,6 +89,7 @@ private:
         const std::vector<Stretch> path = stretchesOf(*tip, axes_);
         if (overhangs(path)) return fail(StockRemovalProblem::NoseFit);
         std::vector<Section> sections = sectionsOf(path);
+        if (sections.empty()) return fail(StockRemovalProblem::Nesting);
         sections.front().top = std::max(sections.front().top, top_);
         for (const Section& section : sections) {
             const double count = std::ceil((section.top - section.bottom) / cut_.depth_mm - 1e-9);

@@ -38,6 +38,7 @@ enum class StockRemovalProblem : std::uint8_t {
     Allowance,  ///< a pocket is narrower than its allowances, or they meet nowhere
     NoseFit,    ///< the nose does not fit into a corner
     Passes,     ///< more than `most_passes`
+    Nesting,    ///< pockets within pockets, deeper than deepestPockets
 };
 
 struct StockRemovalMoves {

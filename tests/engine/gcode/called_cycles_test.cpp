@@ -296,6 +296,19 @@ TEST(StockRemoval, TheContourIsAProgramOrStandsBetweenLabels)
     EXPECT_EQ(missing.understanding.first()->code, "nc_subprogram_missing");
 }
 
+TEST(StockRemoval, PocketsNestedTooDeepAreAGap)
+{
+    for (const int count : {20, 90}) {
+        std::string contour = "G1 X60 Z0\n";
+        for (int i = 0; i < count; ++i)
+            contour += fmt::format("X{:.1f} Z{}\nX{:.1f} Z{}\n", 20 + 0.2 * i, -2 * i - 1, 59 - 0.2 * i, -2 * i - 2);
+        contour += fmt::format("X60 Z{}\n", -2 * count - 1);
+        const Toolpath path = pathOf(removalOf("2,0,0,,0.2,0.1,0.2,1", contour), "sinumerik");
+        EXPECT_FALSE(path.has_errors);
+        EXPECT_EQ(path.understanding.isWhole(), count == 20);
+    }
+}
+
 struct RefusedCycle {
     const char* arguments;
     const char* code;  ///< of the error; nullptr: a gap

@@ -228,6 +228,7 @@ private:
 
     // cycles and programs that are called by their names (interpreter_called_cycles.cpp)
     void takeCalls(BlockWords& words);
+    void callModally();
     void runCalled(const Word& word, long repeats);
     void stockRemovalCycle(const Word& word, const CycleArguments& given);
     void threadTurningCycle(const Word& word, const CycleArguments& given);
@@ -286,7 +287,8 @@ private:
     struct ModalCall {
         const Word* word = nullptr;
         long repeats = 1;
-        std::size_t depth = 0;  ///< of the calls in which it stands
+        std::size_t depth = 0;    ///< of the calls in which it stands
+        std::size_t running = 0;  ///< depth of what it calls while that runs; 0: it does not
     };
     std::optional<ModalCall> modalCall_;
     bool endsNothing_ = false;  ///< the end of a program that holds a contour is no end

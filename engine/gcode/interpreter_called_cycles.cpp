@@ -80,13 +80,26 @@ void Interpreter::takeCalls(BlockWords& words)
     const long repeats = words.called || hasLetter ? std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L) : 1;
     if (words.is_modal_call) {
         modalCall_.reset();
-        if (word && !words.blocker) modalCall_ = {word, repeats, calls_.size()};
+        if (word && !words.blocker) modalCall_ = ModalCall{word, repeats, calls_.size(), 0};
         return;
     }
     if (word) return runCalled(*word, repeats);
     const bool moves = hasAxes(words) && !words.blocker && words.frame == Name::Unknown && !words.hasG(G::Dwell);
-    if (moves && modalCall_ && modalCall_->depth == calls_.size() && !inContour_ && !inFinish_)
-        runCalled(*modalCall_->word, modalCall_->repeats);
+    if (moves && modalCall_ && !inContour_ && !inFinish_) callModally();
+}
+
+/// Behind a block that moves. What a modal call does in programs that are called meanwhile is a gap.
+void Interpreter::callModally()
+{
+    ModalCall& modal = *modalCall_;
+    if (modal.running > 0) return;  // within what is called
+    const auto isProgram = [](const CallFrame& frame) { return frame.last == std::string::npos; };
+    if (calls_.size() < modal.depth ||
+        std::any_of(calls_.begin() + static_cast<std::ptrdiff_t>(modal.depth), calls_.end(), isProgram))
+        return warn(notes::ncBlockNotModelled, nullptr, {{"found", shownWord(*modal.word)}}, GapEffect::Moves);
+    const std::size_t before = calls_.size();
+    runCalled(*modal.word, modal.repeats);
+    if (calls_.size() > before) modal.running = calls_.size();
 }
 
 void Interpreter::runCalled(const Word& word, long repeats)

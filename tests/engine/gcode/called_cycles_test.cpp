@@ -460,6 +460,18 @@ TEST(CalledCycles, ModalCallsRunBehindEveryBlockThatMoves)
     std::string with = placesOf(modal), without = placesOf(plain);
     EXPECT_EQ(std::count(with.begin(), with.end(), 'f'), 6);  // G1 stays in force behind it
     EXPECT_EQ(modal.moves.size(), plain.moves.size());
+    // In a repeated part too; in a program that is called meanwhile it is a gap.
+    const Toolpath repeated =
+        pathOf(turningHead + "G0 X42 Z-5\nMCALL NUT\nAA: G0 Z-10\nBB: G0 Z-20\nREPEAT AA BB\nMCALL\nM30\n" + pocket,
+               "sinumerik");
+    ASSERT_TRUE(repeated.understanding.isWhole() && !repeated.has_errors);
+    const std::string four = placesOf(repeated);
+    EXPECT_EQ(std::count(four.begin(), four.end(), 'f'), 8);
+    const Toolpath within =
+        pathOf(turningHead + "G0 X42 Z-5\nMCALL NUT\nANDERE\nMCALL\nM30\n%_N_ANDERE_SPF\nG0 Z-10\nM17\n" + pocket,
+               "sinumerik");
+    EXPECT_FALSE(within.understanding.isWhole());
+    EXPECT_EQ(within.understanding.first()->line, 11);
     const Toolpath missing = pathOf(turningHead + "MCALL CYCLE82(10,0,2,-5)\nZ-10\nM30\n", "sinumerik");
     EXPECT_FALSE(missing.understanding.isWhole());
 }

@@ -9,14 +9,15 @@
 
 namespace lathelier::gcode {
 
-/// A move of a cycle; feed, speed and tool are those of the modal state.
+/// A move of a cycle; speed, tool and, unless it states one, feed are those of the modal state.
 struct CycleMove {
     MoveKind kind = MoveKind::Rapid;
     Point to;
-    Point centre;            ///< of an arc
-    bool clockwise = false;  ///< of an arc
-    double dwell_s = 0;      ///< of a dwell
-    std::int64_t line = 0;   ///< 0: that of the cycle
+    Point centre;              ///< of an arc
+    bool clockwise = false;    ///< of an arc
+    double dwell_s = 0;        ///< of a dwell
+    double feed = notANumber;  ///< of its own, in mm, per revolution or minute as the modal one
+    std::int64_t line = 0;     ///< 0: that of the cycle
 };
 using CycleMoves = std::vector<CycleMove>;
 

@@ -240,7 +240,9 @@ private:
     {
         const bool isNumber = found.number >= 0;
         if (unknown.empty() && (isNumber ? variables_.isUnknown(found.number) : variables_.isUnknown(found.name)))
-            unknown = isNumber ? (rules_.has_named_variables ? "R" : "#") + std::to_string(found.number) : found.name;
+            unknown = isNumber
+                          ? std::string(1, rules_.has_named_variables ? 'R' : '#').append(std::to_string(found.number))
+                          : found.name;
         return isNumber ? variables_.get(found.number) : variables_.get(found.name);
     }
 

@@ -14,13 +14,6 @@ std::optional<std::size_t> Interpreter::programNamed(const std::string& name) co
     return found == programs_.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// L100 P2: the program %_N_L100_SPF of the same file, twice.
-void Interpreter::callByLetter(BlockWords& words)
-{
-    const Word& word = *words.word[static_cast<std::size_t>(BlockWords::slot(control_.call_letter))];
-    callByName(word, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L));
-}
-
 /// NAME, NAME(40, -8), CALL "NAME": a program of the same file, by its head or its PROC.
 void Interpreter::callByName(const Word& word, long repeats)
 {

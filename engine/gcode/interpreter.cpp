@@ -76,7 +76,10 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
 
 void Interpreter::assume(const char* what, const Text& value)
 {
-    assumed_.push_back({what, text(value), {}, static_cast<std::int64_t>(pc_) + 1});
+    const auto line = static_cast<std::int64_t>(pc_) + 1;
+    const bool isStated = std::any_of(assumed_.begin(), assumed_.end(),
+                                      [&](const Assumed& one) { return one.line == line && one.what == what; });
+    if (!isStated) assumed_.push_back({what, text(value), {}, line});
 }
 
 void Interpreter::notUnderstood(const Word* word)
@@ -126,8 +129,7 @@ void Interpreter::returnOrRepeat(BlockWords& words)
 
 void Interpreter::takeM(BlockWords& words)
 {
-    if (control_.call_letter != 0 && words.has(control_.call_letter)) callByLetter(words);
-    if (words.called) callByName(*words.called, std::clamp(std::lround(plain(words, 'P', 1)), 1L, 9999L));
+    takeCalls(words);
     for (int i = 0; i < words.m_count; ++i) {
         const int m = words.m[static_cast<std::size_t>(i)];
         const M meaning = meaningOfM(control_, m);
@@ -135,6 +137,7 @@ void Interpreter::takeM(BlockWords& words)
             warn(notes::ncBlockNotModelled, nullptr, {{"found", named('M', m)}}, GapEffect::Moves);
             continue;
         }
+        if (endsNothing_ && (meaning == M::End || meaning == M::EndOrReturn)) continue;
         switch (meaning) {
             case M::EndOrReturn:
                 if (calls_.empty())

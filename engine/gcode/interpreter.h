@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/units.h"
+#include "engine/gcode/cycle_arguments.h"
 #include "engine/gcode/cycles.h"
 #include "engine/gcode/expression.h"
 #include "engine/gcode/frame.h"
@@ -69,13 +70,15 @@ struct BlockWords {
     int g_count = 0;
     std::array<int, 8> m{};
     int m_count = 0;
-    std::uint32_t incremental = 0;   ///< letters given as IC(…)
-    std::uint32_t absolute = 0;      ///< given as AC(…)
-    std::array<double, 32> named{};  ///< values of names, by Name; NaN: not given
-    bool is_machine = false;         ///< Name::MachineMove
-    const Word* blocker = nullptr;   ///< a word that is not understood and may own the coordinates
+    std::uint32_t incremental = 0;  ///< letters given as IC(…)
+    std::uint32_t absolute = 0;     ///< given as AC(…)
+    /// Values of names, by Name; NaN: not given.
+    std::array<double, static_cast<std::size_t>(Name::EndAngle) + 1> named{};
+    bool is_machine = false;        ///< Name::MachineMove
+    const Word* blocker = nullptr;  ///< a word that is not understood and may own the coordinates
     const Word* unknown_m = nullptr;
-    const Word* called = nullptr;  ///< a program by its name
+    const Word* called = nullptr;  ///< a program or a cycle by its name
+    bool is_modal_call = false;    ///< Name::CallModal
     Name frame = Name::Unknown;    ///< the one that the block states
     bool has_axis_point = false;   ///< Name::AxisPoint
 
@@ -145,7 +148,6 @@ private:
     void call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments = {});
     void returnFromCall();
     void callProgram(BlockWords& words, bool isMacro);
-    void callByLetter(BlockWords& words);
     void callByName(const Word& word, long repeats);
     void callMissing(const Word* word, const std::string& name);
     std::optional<std::size_t> programNamed(const std::string& name) const;
@@ -207,6 +209,7 @@ private:
               bool clockwise = false, double lead = notANumber);
     void emitCycle(const CycleMoves& moves, double lead = notANumber);
     void updateNose();
+    std::optional<Tool> noseTool() const;
     Move filled(MoveKind kind, const Point& to) const;
 
     // cycles (interpreter_cycles.cpp)
@@ -222,6 +225,17 @@ private:
     int passesOf(double stated);
     std::vector<std::int64_t> linesOf(long number) const;
     std::vector<ContourPiece> collect(std::size_t first, std::size_t last);
+
+    // cycles and programs that are called by their names (interpreter_called_cycles.cpp)
+    void takeCalls(BlockWords& words);
+    void callModally();
+    void runCalled(const Word& word, long repeats);
+    void stockRemovalCycle(const Word& word, const CycleArguments& given);
+    void threadTurningCycle(const Word& word, const CycleArguments& given);
+    void groovingCycle(const Word& word, const CycleArguments& given);
+    void leaveCycleOut(const Word& word);
+    std::optional<std::pair<std::size_t, std::size_t>> contourNamed(const Word& word, const std::string& name);
+    std::vector<ContourPiece> contourBetween(std::size_t first, std::size_t last);
     void finishContour(std::size_t first, std::size_t last);
 
     std::uint32_t placeOf(const Word* word) const;
@@ -269,6 +283,15 @@ private:
     std::unordered_map<long, std::vector<std::size_t>> sequences_;
     bool isIndexed_ = false;
     std::vector<CallFrame> calls_;
+    /// Of Name::CallModal.
+    struct ModalCall {
+        const Word* word = nullptr;
+        long repeats = 1;
+        std::size_t depth = 0;    ///< of the calls in which it stands
+        std::size_t running = 0;  ///< depth of what it calls while that runs; 0: it does not
+    };
+    std::optional<ModalCall> modalCall_;
+    bool endsNothing_ = false;  ///< the end of a program that holds a contour is no end
     std::vector<Loop> open_;
 
     // state of modal and two-block cycles

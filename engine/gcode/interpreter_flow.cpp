@@ -191,6 +191,9 @@ void Interpreter::returnFromCall()
     next_ = frame.back;
     if (frame.has_variables) variables_.leave();
     calls_.pop_back();
+    if (modalCall_ && calls_.size() < modalCall_->running) modalCall_->running = 0;
+    // The call may have been the last block of a repeated part.
+    if (!calls_.empty() && calls_.back().last != std::string::npos && next_ == calls_.back().last + 1) returnFromCall();
 }
 
 /// M98 P…, G65 P…

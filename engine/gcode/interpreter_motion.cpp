@@ -177,7 +177,10 @@ void Interpreter::emitCycle(const CycleMoves& moves, double lead)
             move.dwell_s = part.dwell_s;
             path_.add(move, modal_.at);
         } else {
+            const double kept = modal_.feed;
+            if (isKnown(part.feed)) modal_.feed = part.feed;
             emit(part.kind, part.to, {}, part.centre, part.clockwise, lead);
+            modal_.feed = kept;
         }
         pc_ = here;
         if (result_.moves.size() > mostMoves) return;
@@ -191,23 +194,20 @@ void Interpreter::updateNose()
         path_.setNose(NoseSide::Off, 0, 3);
         return;
     }
-    double radius_mm = 0;
-    int tip = 3;
-    const auto take = [&](const Tool& tool) {
-        radius_mm = tool.corner_radius_mm.value_or(0);
-        tip = tool.tip;
-    };
-    if (parameters_.nose_radius_mm)
-        take({.tip = parameters_.tip, .corner_radius_mm = parameters_.nose_radius_mm});
-    else if (isKnown(modal_.nose_radius_mm))
-        take({.tip = modal_.nose_tip, .corner_radius_mm = modal_.nose_radius_mm});
-    else if (const auto found = tools_.find(modal_.offset); found != tools_.end())
-        take(found->second);
-    else if (const auto tool = tools_.find(modal_.tool); tool != tools_.end())
-        take(tool->second);
-    else
-        reportNose();
-    path_.setNose(modal_.side, radius_mm, tip);
+    if (isKnown(modal_.nose_radius_mm) && !parameters_.nose_radius_mm)
+        return path_.setNose(modal_.side, modal_.nose_radius_mm, modal_.nose_tip);
+    const std::optional<Tool> tool = noseTool();
+    if (!tool) reportNose();
+    path_.setNose(modal_.side, tool ? tool->corner_radius_mm.value_or(0) : 0, tool ? tool->tip : 3);
+}
+
+/// The tool in force, as far as its nose is known.
+std::optional<Tool> Interpreter::noseTool() const
+{
+    if (parameters_.nose_radius_mm) return Tool{.tip = parameters_.tip, .corner_radius_mm = parameters_.nose_radius_mm};
+    for (const int number : {modal_.offset, modal_.tool})
+        if (const auto found = tools_.find(number); found != tools_.end()) return found->second;
+    return std::nullopt;
 }
 
 void Interpreter::reportNose()

@@ -94,6 +94,10 @@ void Interpreter::takeName(const Word& word, BlockWords& words)
 {
     if (program_.textOf(word).ends_with(':')) return;
     const Name meaning = meaningOfName(control_, program_.textOf(word));
+    if (isCalledCycle(meaning)) {
+        words.called = &word;
+        return;
+    }
     if (isFrame(meaning)) {
         words.frame = meaning;
         return;
@@ -103,6 +107,7 @@ void Interpreter::takeName(const Word& word, BlockWords& words)
             if (!takeProgramName(word, words)) words.blocker = &word;
             return;
         case Name::CallText: words.called = &word; return;
+        case Name::CallModal: words.is_modal_call = true; return;
         case Name::MillOn:
         case Name::MillOff: modal_.milled_by = meaning == Name::MillOn ? &word : nullptr; return;
         case Name::DiameterOn:

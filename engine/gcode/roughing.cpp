@@ -3,42 +3,27 @@
 #include <cmath>
 
 #include "engine/gcode/cycles.h"
+#include "engine/gcode/level_contour.h"
 
 namespace lathelier::gcode {
 namespace {
-
-constexpr double sameLevel_mm = 1e-7;
-
-/// A point by depth axis (p falls with the depth) and feed axis (q falls along the cut).
-struct Place {
-    double p = 0;
-    double q = 0;
-};
-
-/// A part of the contour along which p is monotonic.
-struct Stretch {
-    Place from;
-    Place to;
-    Place centre;  ///< of an arc
-    double radius = 0;
-    bool is_upper = false;  ///< of an arc: q = centre + root, else centre - root
-    std::int64_t line = 0;
-};
 
 class Rougher {
 public:
     Rougher(const Point& start, const std::vector<ContourPiece>& contour, const Roughing& rough)
         : start_(start), contour_(contour), rough_(rough)
     {
+        axes_.is_face = rough.is_face;
         const Point first = shifted(contour.front().piece.to), last = shifted(contour.back().piece.to);
         double sum = 0;
-        for (const ContourPiece& part : contour) sum += depthAxis(shifted(part.piece.to)) - depthAxis(start);
-        signP_ = sum <= 0 ? 1 : -1;
-        const double along = feedAxis(last) - feedAxis(start);
-        signQ_ = along <= 0 ? 1 : -1;
+        for (const ContourPiece& part : contour)
+            sum += axes_.depthAxis(shifted(part.piece.to)) - axes_.depthAxis(start);
+        axes_.sign_p = sum <= 0 ? 1 : -1;
+        const double along = axes_.feedAxis(last) - axes_.feedAxis(start);
+        axes_.sign_q = along <= 0 ? 1 : -1;
         begin_ = place(first);
         home_ = place(start);
-        makeStretches();
+        stretches_ = stretchesOf(contour, axes_, {rough.allowance_x_mm, rough.allowance_z_mm});
     }
 
     CycleMoves run()
@@ -57,74 +42,12 @@ public:
     }
 
 private:
-    double depthAxis(const Point& point) const { return rough_.is_face ? point.z_mm : point.x_mm; }
-    double feedAxis(const Point& point) const { return rough_.is_face ? point.x_mm : point.z_mm; }
     Point shifted(const Point& point) const
     {
         return {point.x_mm + rough_.allowance_x_mm, point.z_mm + rough_.allowance_z_mm};
     }
-    Place place(const Point& point) const { return {signP_ * depthAxis(point), signQ_ * feedAxis(point)}; }
-    Point point(const Place& at) const
-    {
-        return rough_.is_face ? Point{signQ_ * at.q, signP_ * at.p} : Point{signP_ * at.p, signQ_ * at.q};
-    }
-
-    void makeStretches()
-    {
-        stretches_.reserve(contour_.size() * 2);
-        for (std::size_t i = 1; i < contour_.size(); ++i) {
-            const Piece& piece = contour_[i].piece;
-            Stretch part{place(shifted(piece.from)), place(shifted(piece.to)), {}, 0, false, contour_[i].line};
-            if (!piece.isArc()) {
-                stretches_.push_back(part);
-                continue;
-            }
-            part.centre = place(shifted(piece.centre));
-            part.radius = piece.radius_mm();
-            // In (q, p) the sense of rotation changes with each mirrored or exchanged axis.
-            const bool isMirrored = (signP_ * signQ_ < 0) != rough_.is_face;
-            addArc(part, piece.clockwise != isMirrored);
-        }
-    }
-
-    /// Splits an arc where p is largest or smallest: above or below its centre, seen with q to the right.
-    void addArc(const Stretch& arc, bool clockwise)
-    {
-        const double pi = std::acos(-1.0);
-        double from = std::atan2(arc.from.p - arc.centre.p, arc.from.q - arc.centre.q);
-        double to = std::atan2(arc.to.p - arc.centre.p, arc.to.q - arc.centre.q);
-        if (clockwise && to >= from) to -= 2 * pi;
-        if (!clockwise && to <= from) to += 2 * pi;
-        std::vector<double> cuts{from};
-        for (int k = -3; k <= 3; ++k) {
-            const double extreme = pi / 2 + k * pi;
-            if ((extreme - from) * (extreme - to) < -1e-12) cuts.push_back(extreme);
-        }
-        cuts.push_back(to);
-        std::sort(cuts.begin() + 1, cuts.end() - 1,
-                  [clockwise](double a, double b) { return clockwise ? a > b : a < b; });
-        for (std::size_t i = 1; i < cuts.size(); ++i) {
-            Stretch part = arc;
-            const auto at = [&arc](double angle) {
-                return Place{arc.centre.p + arc.radius * std::sin(angle), arc.centre.q + arc.radius * std::cos(angle)};
-            };
-            if (i > 1) part.from = at(cuts[i - 1]);
-            if (i + 1 < cuts.size()) part.to = at(cuts[i]);
-            part.is_upper = std::cos((cuts[i - 1] + cuts[i]) / 2) > 0;
-            stretches_.push_back(part);
-        }
-    }
-
-    static double crossing(const Stretch& part, double level)
-    {
-        if (part.radius > 0) {
-            const double height = level - part.centre.p;
-            const double root = std::sqrt(std::max(part.radius * part.radius - height * height, 0.0));
-            return part.is_upper ? part.centre.q + root : part.centre.q - root;
-        }
-        const double rise = part.to.p - part.from.p;
-        return rise == 0 ? part.to.q : part.from.q + (part.to.q - part.from.q) * (level - part.from.p) / rise;
-    }
+    Place place(const Point& point) const { return axes_.place(point); }
+    Point point(const Place& at) const { return axes_.point(at); }
 
     void go(MoveKind kind, const Place& at)
     {
@@ -206,8 +129,7 @@ private:
     Point start_;
     const std::vector<ContourPiece>& contour_;
     Roughing rough_;
-    double signP_ = 1;
-    double signQ_ = 1;
+    LevelAxes axes_;
     Place begin_;
     Place home_;
     Place now_;

@@ -114,7 +114,11 @@ enum class Name : std::uint8_t {
     MirrorMore,
     MillOn,  ///< moves that follow are those of a driven tool: known, not modelled
     MillOff,
-    CallText,  ///< the program whose name follows in quotes
+    CallText,       ///< the program whose name follows in quotes
+    CallModal,      ///< the program called in this block is called behind every block that moves; alone: ends that
+    StockRemoval,   ///< called with its arguments: a contour in passes
+    ThreadTurning,  ///< likewise: a thread in passes
+    Grooving,       ///< likewise: a groove by a blade
     DiameterOn,
     DiameterOff,
     DiameterAbsolute,  ///< diameters for absolute coordinates, radii for incremental ones
@@ -145,6 +149,12 @@ constexpr bool shapesCorner(Name name)
 constexpr bool isFrame(Name name)
 {
     return name >= Name::Translate && name <= Name::MirrorMore;
+}
+
+/// Are these cycles that are called with their arguments?
+constexpr bool isCalledCycle(Name name)
+{
+    return name >= Name::StockRemoval && name <= Name::Grooving;
 }
 
 constexpr bool isDrilling(G meaning)

@@ -35,7 +35,7 @@ gcode::ToolTable toolTableOf(const Job& job)
 {
     gcode::ToolTable tools;
     for (const JobTool& tool : job.tools)
-        if (tool.isProfile()) tools[tool.number] = tool;
+        if (tool.isProfile() || tool.isBlade()) tools[tool.number] = tool;
     return tools;
 }
 

@@ -95,6 +95,10 @@ std::map<std::string, Name, std::less<>> namesOfSinumerik()
     addWords(names, Name::MillOn, {"TRANSMIT", "TRACYL"});
     addWords(names, Name::MillOff, {"TRAFOOF"});
     addWords(names, Name::CallText, {"CALL"});
+    addWords(names, Name::CallModal, {"MCALL"});
+    addWords(names, Name::Grooving, {"CYCLE93"});
+    addWords(names, Name::StockRemoval, {"CYCLE95"});
+    addWords(names, Name::ThreadTurning, {"CYCLE97"});
     addWords(names, Name::Uncomputed, {"T"});
     addWords(names, Name::NoEffect,
              {"MSG",  "SF",    "FP",    "STOPRE", "D",       "M1",      "S2",     "M2",        "G",

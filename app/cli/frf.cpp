@@ -19,8 +19,11 @@ void runFrf(const Request& request, io::InputFiles& inputs, const Progress& prog
     const auto parameters = fromValues<receptance::ReceptanceParameters>(request.parameters);
     const Shaft shaft = readShaft(request.operands.at(0), request, inputs, progress.part(0, 0.05), answer);
     const auto spindle = readSpindle(request, inputs, progress.part(0.05, 0.1), answer);
-    const auto result = std::make_shared<receptance::ShaftReceptanceResult>(
-        receptance::shaftReceptance(shaft, parameters, spindle, progress.part(0.1, 1, LT_TEXT("Engine", "Computing"))));
+    const auto result =
+        std::make_shared<receptance::ShaftReceptanceResult>(namingShaft(request.operands.at(0), shaft, [&] {
+            return receptance::shaftReceptance(shaft, parameters, spindle,
+                                               progress.part(0.1, 1, LT_TEXT("Engine", "Computing")));
+        }));
     answerWith(
         answer, result, [](const auto& found) { return nestedJson(describedValues(found)); },
         [](const auto& found) { return frfReport(found); },

@@ -44,9 +44,10 @@ FrfSource fromShaft(const std::string& path, const Request& request, io::InputFi
 {
     const Shaft shaft = readShaft(path, request, inputs, progress.part(0, 0.05), answer);
     const auto spindle = readSpindle(request, inputs, progress.part(0.05, 0.1), answer);
-    receptance::ShaftReceptanceResult result =
-        shaftReceptance(shaft, fromValues<receptance::ReceptanceParameters>(request.parameters), spindle,
-                        progress.part(0.1, 1, LT_TEXT("Engine", "Computing")));
+    receptance::ShaftReceptanceResult result = namingShaft(path, shaft, [&] {
+        return shaftReceptance(shaft, fromValues<receptance::ReceptanceParameters>(request.parameters), spindle,
+                               progress.part(0.1, 1, LT_TEXT("Engine", "Computing")));
+    });
     answer.notes.insert(answer.notes.end(), result.notes.begin(), result.notes.end());
     return {std::move(result.frf), std::move(result.used)};
 }

@@ -8,6 +8,10 @@
 
 namespace lathelier::cli {
 
+/// Gives an error of a row of the shaft the path of its file, and the place of the row where the file holds the rows as
+/// they were computed (bores divide them). Other errors stay as they are.
+void locateSegment(Error& error, const std::string& path, const Shaft& shaft);
+
 /// The options --material and --spindle, and those that say how a shaft is computed.
 std::vector<Option> shaftOptions();
 
@@ -15,6 +19,18 @@ std::vector<Option> shaftOptions();
 /// Errors carry `path`.
 Shaft readShaft(const std::string& path, const Request& request, io::InputFiles& inputs, const Progress& progress,
                 Answer& answer);
+
+/// Calls `work`, with locateSegment() for its errors.
+template <class Work>
+auto namingShaft(const std::string& path, const Shaft& shaft, Work work)
+{
+    try {
+        return work();
+    } catch (Error& error) {
+        locateSegment(error, path, shaft);
+        throw;
+    }
+}
 
 /// The machine of --spindle; none when it is not given. Errors carry `path`.
 std::optional<receptance::SpindleReceptance> readSpindle(const Request& request, io::InputFiles& inputs,

@@ -76,7 +76,8 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
 
 void Interpreter::assume(const char* what, const Text& value)
 {
-    assumed_.push_back({what, text(value), {}, static_cast<std::int64_t>(pc_) + 1});
+    LinePlace place = program_.placeOf(static_cast<std::int64_t>(pc_) + 1);
+    assumed_.push_back({what, text(value), std::move(place.path), place.line});
 }
 
 void Interpreter::notUnderstood(const Word* word)

@@ -46,6 +46,7 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     auto parameters = fromValues<CheckParameters>(state.parameters);
     parameters.program.file_name = task::nameOf(state.inputs.at(programRole));
     gcode::ProgramText program = *task::take<gcode::ProgramInput>(state, programRole, stores, reading, sources);
+    gcode::takeSubprograms(program.text, parameters.program, {}, progress, sources);
     try {
         outcome.result = std::make_shared<const CheckResult>(
             checkTurning(std::move(program.text), outcome.part, job, parameters, further, progress.part(0.08, 1)));

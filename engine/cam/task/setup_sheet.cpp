@@ -263,7 +263,7 @@ report::Document setupSheet(const TurnOutcome& outcome, const Language& language
     if (!plan.not_made.empty()) left.blocks.emplace_back(notMadeTable(plan));
     if (!outcome.notes.empty()) left.blocks.emplace_back(outcome.notes);
     if (left.blocks.empty())
-        left.blocks.emplace_back(report::Paragraph{LT_TEXT("Engine", "Nothing: the part is as drawn."), {}});
+        left.blocks.emplace_back(report::Paragraph{LT_TEXT("Engine", "Nothing stays on the drawing."), {}});
     sheet.sections.push_back(std::move(left));
     if (auto understood = report::understandingSection(outcome.understanding))
         sheet.sections.push_back(*std::move(understood));

@@ -11,6 +11,7 @@
 #include "engine/features/shaft_comparison.h"
 #include "engine/io/cloud/unit_choice.h"
 #include "engine/io/io_codes.h"
+#include "engine/io/json/json_locate.h"
 #include "engine/registration/compare_quantities.h"
 #include "engine/registration/compare_report.h"
 #include "engine/registration/deviation_file.h"
@@ -144,6 +145,7 @@ Shaft drawnShaft(std::string_view bytes, const std::string& path, const Progress
         answer.notes.insert(answer.notes.end(), remarks.begin(), remarks.end());
         return shaft;
     } catch (Error& error) {
+        io::locateRow(error, path);
         throw error.with("path", path);
     }
 }

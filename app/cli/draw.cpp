@@ -4,6 +4,7 @@
 #include "app/cli/any_shaft.h"
 #include "app/cli/shaft_outputs.h"
 #include "app/cli/verbs.h"
+#include "engine/io/json/json_locate.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
 
@@ -42,6 +43,7 @@ void runDraw(const Request& request, io::InputFiles& inputs, const Progress& pro
         const Notes remarks = checkShaft(shaft);
         answer.notes.insert(answer.notes.end(), remarks.begin(), remarks.end());
     } catch (Error& error) {
+        io::locateRow(error, path);
         error.with("path", path);
         throw;
     }

@@ -117,6 +117,8 @@ private:
                         count,    {}};
         head.comments = headComments(facts, inputs_.post);
         head.cycles = cycles(clamping);
+        head.has_optional_stops = parameters_.optional_stops;
+        head.states_offset = parameters_.work_offset;
         WrittenProgram written = writeProgram(inputs_.post, head, planned.operations);
         const GivenProgram program{index, written.text, {}, true, true};
         const GivenProgram first{0, clamping.is_mirrored ? plan.setups.front().text : std::string(), {}, true, true};
@@ -237,6 +239,7 @@ private:
             described.first_line = written.operations[i].first_line;
             described.contour_first_line = written.operations[i].contour_first_line;
             described.contour_last_line = written.operations[i].contour_last_line;
+            described.depth_mm = planned.depth_mm[i];
             described.volume_cm3 = planned.removed_mm3[i] / mm3PerCm3;
             const std::int64_t end =
                 i + 1 < written.operations.size() ? written.operations[i + 1].first_line : INT64_MAX;

@@ -38,6 +38,8 @@ struct TurningParameters {
     stability::SpeedRelation relation = stability::SpeedRelation::Published;  ///< of lobes and speeds
     PartModel part_model = PartModel::Finished;                               ///< body for the speeds of finishing
     CycleChoice cycles = CycleChoice::AsPost;                                 ///< of roughing and finish
+    bool optional_stops = false;                                              ///< a stop (M1) between tools
+    bool work_offset = false;                                                 ///< the work offset (G54) is stated
     double tool_change_s = 3;
     std::vector<SkippedOperation> skipped;  ///< switched off
     std::vector<OperationStep> order;       ///< wanted order, see operation_order.h
@@ -65,6 +67,7 @@ struct PlannedOperation {
     double feed_length_mm = 0;           ///< of feed moves
     double time_s = 0;                   ///< feed and rapid moves
     double volume_cm3 = 0;               ///< volume removed
+    double depth_mm = 0;                 ///< largest depth of cut, on radius
     std::optional<double> power_max_kW;  ///< at the cut, ± 25 %; none: the material is not known
 
     /// True if the line belongs to it; `next_line`: first line of the next operation.

@@ -50,6 +50,12 @@ const std::vector<Field<TurningParameters>>& fieldsOf(const TurningParameters*)
                     LT_TEXT("Engine",
                             "In cycles the control lays the passes itself; the check reads them as this program "
                             "expands them.")}),
+        field("optional_stops", &P::optional_stops,
+              Label{LT_TEXT("Engine", "Optional stops"),
+                    LT_TEXT("Engine", "A stop (M1) before each further tool, where the control's post knows one.")}),
+        field("work_offset", &P::work_offset,
+              Label{LT_TEXT("Engine", "State the work offset"),
+                    LT_TEXT("Engine", "G54 at the start, where the control's post knows it.")}),
         field("tool_change_s", &P::tool_change_s, {0, 600},
               Label{LT_TEXT("Engine", "Tool change"), LT_TEXT("Engine", "Time of a tool change."), unit::s}),
         rows("skipped", &P::skipped, Range{0, 100},

@@ -182,6 +182,20 @@ ProgramChange changeOf(const gcode::BlockChange& change, const CorrectedNode* co
     return made;
 }
 
+/// A correction changes one file: the first cut of another one is named, else its first move or its first line.
+void refuseOtherFiles(const TurningJob& job)
+{
+    const std::vector<gcode::PartPlace>& parts = job.program.parts;
+    if (parts.empty()) return;
+    const auto own = static_cast<std::int64_t>(parts.front().first_block);
+    std::int64_t line = 0;
+    for (const bool only_cuts : {true, false})
+        for (const gcode::Move& move : job.path.moves)
+            if (line == 0 && move.line > own && (!only_cuts || move.kind != gcode::MoveKind::Rapid)) line = move.line;
+    const gcode::LinePlace place = job.program.placeOf(line > 0 ? line : own + 1);
+    throw Error(errors::passInOtherFile, {{"path", place.path}, {"line", place.line}});
+}
+
 }  // namespace
 
 std::string reasonOf(const ProgramChange& change)
@@ -193,6 +207,7 @@ CorrectedProgram correctProgram(const TurningJob& job, const CompensationParamet
                                 const Progress& progress)
 {
     if (job.bore_line) refuseBore(*job.bore_line);
+    refuseOtherFiles(job);
     CorrectedProgram corrected;
     CompensationParameters asked = parameters;
     asked.is_inch = job.is_inch;

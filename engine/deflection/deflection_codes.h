@@ -50,6 +50,12 @@ inline constexpr ErrorCode writtenRunsDiffer{
     "written_runs_differ", ErrorKind::NoAnswer,
     LT_TEXT("Engine", "The corrected program makes {found} cuts through the stock, the original {expected}.")};
 
+inline constexpr ErrorCode passInOtherFile{
+    "pass_in_other_file", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "This block is in a file of its own, and a correction changes the program alone. Put it into the program "
+            "that calls it.")};
+
 inline constexpr ErrorCode stockMissing{"stock_missing", ErrorKind::InputRejected,
                                         LT_TEXT("Engine", "The set-up names no stock. State a stock file.")};
 

@@ -65,9 +65,11 @@ TurningJob jobOf(const project::PanelState& state, Stores& stores, const Progres
         sources.notes.push_back({notes::barOfProgram, {{"length_mm", stated.stock->length_mm()}}});
     }
     if (!stated.stock) throw Error(errors::stockMissing, {{"path", state.inputs.at(setupRole).path}});
-    gcode::ProgramRun run =
-        gcode::runProgram(std::move(taken.text), task::nameOf(state.inputs.at(gcode::programRole)),
-                          outcome.question.reading, tools, progress.part(0.5, 1, LT_TEXT("Engine", "Reading")));
+    const std::string name = task::nameOf(state.inputs.at(gcode::programRole));
+    outcome.question.reading.file_name = name;
+    gcode::takeSubprograms(taken.text, outcome.question.reading, tools, progress, sources);
+    gcode::ProgramRun run = gcode::runProgram(std::move(taken.text), name, outcome.question.reading, tools,
+                                              progress.part(0.5, 1, LT_TEXT("Engine", "Reading")));
     return turningJob(std::move(run.program), std::move(run.path), *std::move(stated.stock),
                       changed(std::move(stated.setup), outcome.question.changes, sources.notes), tools);
 }

@@ -68,6 +68,7 @@ ToolpathOutcome answerToolpath(const project::PanelState& state, Stores& stores,
     const std::optional<stock::CheckedStock> stock =
         takeCheckedStock(state, stores, reading.part(0.5, 1), taken, sources, outcome);
     outcome.question.reading.file_name = taken.name;
+    gcode::takeSubprograms(taken.text, outcome.question.reading, tools, progress, sources);
     try {
         outcome.check = std::make_shared<const stock::ProgramCheck>(
             stock::checkProgram(std::move(taken.text), outcome.question.reading, stock, tools, progress.part(0.2, 1)));
@@ -104,7 +105,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome)
         return stock::programReport(*outcome->check, outcome->notes, language);
     };
     all.writers[rewriteExport] = [check](const std::string& path, const Progress&) {
-        io::writeFile(path, check->program.text);
+        io::writeFile(path, check->program.ownText());
     };
     if (!all.errors.empty()) return settled(toolpathTask(), std::move(all), outcome->understanding);
     all.writers[movesExport] = [check](const std::string& path, const Progress& progress) {

@@ -35,7 +35,7 @@ std::vector<Diagnostic> Diagnostics::sorted() const
 {
     std::vector<Diagnostic> all = list_;
     std::stable_sort(all.begin(), all.end(), [](const Diagnostic& a, const Diagnostic& b) {
-        return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+        return std::tie(a.order, a.column) < std::tie(b.order, b.column);
     });
     for (const auto& place : placesByCode_) {
         const std::string& code = place.first;
@@ -44,7 +44,9 @@ std::vector<Diagnostic> Diagnostics::sorted() const
         Diagnostic more;
         const auto last = std::find_if(all.rbegin(), all.rend(), [&](const Diagnostic& d) { return d.code == code; });
         if (last != all.rend()) {
+            more.path = last->path;
             more.line = last->line;
+            more.order = last->order;
             more.column = last->column;
         }
         more.code = notes::ncMoreDiagnostics.key;
@@ -61,7 +63,8 @@ Understanding Diagnostics::understanding(const std::vector<Diagnostic>& of) cons
     for (const Diagnostic& one : of) {
         if (!one.gap) continue;
         const Value* const word = find(one.values, "found");
-        found.not_modelled.push_back({{}, one.line, one.column, word ? text(*word) : one.block, one.code, *one.gap});
+        found.not_modelled.push_back(
+            {one.path, one.line, one.column, word ? text(*word) : one.block, one.code, *one.gap});
     }
     for (const auto& [code, seen] : placesByCode_)
         if (std::any_of(list_.begin(), list_.end(),

@@ -15,6 +15,7 @@ namespace lathelier::gcode {
 
 /// One error or warning at one position of a program.
 struct Diagnostic {
+    std::string path;              ///< of a called program in a file of its own; empty: the program itself
     std::int64_t line = 0;         ///< from 1
     std::int64_t column = 0;       ///< in characters, from 1
     bool is_error = false;         ///< severity error: the moves of the program are invalid; false: warning
@@ -22,6 +23,7 @@ struct Diagnostic {
     Text pattern;                  ///< English; {name} is replaced by the named value
     Values values;                 ///< fill in the pattern
     std::optional<GapEffect> gap;  ///< what is not modelled here can change this; none: it is modelled
+    std::int64_t order = 0;        ///< line counted on through all files
     std::string block;             ///< text of the block, without control characters, at most 40 characters
     /// The error as thrown if a caller reports the first one alone: `code` with line, column and block.
     std::optional<Error> error;

@@ -23,6 +23,10 @@ inline constexpr ErrorCode ncTooLong{
     "nc_program_too_long", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The program has {found_MiB} MiB; at most {most_MiB} are read.")};
 
+inline constexpr ErrorCode subprogramsTooLarge{
+    "subprograms_too_large", ErrorKind::InputRejected,
+    LT_TEXT("Engine", "The folder of subprograms holds {found} {unit}; at most {most} are looked at.")};
+
 inline constexpr ErrorCode ncCharacter{"nc_character_unexpected", ErrorKind::InputRejected,
                                        LT_TEXT("Engine", "“{found}” begins no word of an NC program.")};
 
@@ -164,6 +168,10 @@ inline constexpr NoteCode ncPositionUnknown{"nc_position_unknown", Severity::War
 inline constexpr NoteCode ncOffsetUnknown{
     "nc_offset_unknown", Severity::Warning,
     LT_TEXT("Engine", "“{found}” shifts the coordinates by an amount that the program does not state.")};
+
+inline constexpr NoteCode ncSubprogramRead{
+    "nc_subprogram_read", Severity::Info,
+    LT_TEXT("Engine", "Lines {first_line} to {last_line} of this answer are lines 1 to {lines} of {path}.")};
 
 inline constexpr NoteCode ncSubprogramMissing{
     "nc_subprogram_missing", Severity::Warning,

@@ -76,10 +76,11 @@ void Interpreter::warn(const NoteCode& code, const Word* word, Values values, st
 
 void Interpreter::assume(const char* what, const Text& value)
 {
-    const auto line = static_cast<std::int64_t>(pc_) + 1;
-    const bool isStated = std::any_of(assumed_.begin(), assumed_.end(),
-                                      [&](const Assumed& one) { return one.line == line && one.what == what; });
-    if (!isStated) assumed_.push_back({what, text(value), {}, line});
+    LinePlace place = program_.placeOf(static_cast<std::int64_t>(pc_) + 1);
+    const bool isStated = std::any_of(assumed_.begin(), assumed_.end(), [&](const Assumed& one) {
+        return one.line == place.line && one.path == place.path && one.what == what;
+    });
+    if (!isStated) assumed_.push_back({what, text(value), std::move(place.path), place.line});
 }
 
 void Interpreter::notUnderstood(const Word* word)

@@ -148,6 +148,7 @@ private:
     void call(std::size_t first, long repeats, bool withVariables, std::unordered_map<long, double> arguments = {});
     void returnFromCall();
     void callProgram(BlockWords& words, bool isMacro);
+    std::unordered_map<long, double> argumentsOf(BlockWords& words);
     void callByName(const Word& word, long repeats);
     void callMissing(const Word* word, const std::string& name);
     std::optional<std::size_t> programNamed(const std::string& name) const;

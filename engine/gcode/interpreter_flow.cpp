@@ -16,7 +16,9 @@ void Interpreter::indexFlow()
     isIndexed_ = true;
     statementAt_.assign(program_.blocks.size(), std::string::npos);
     sections_.push_back(0);
+    auto part = program_.parts.begin();
     for (std::size_t b = 0; b < program_.blocks.size(); ++b) {
+        for (; part != program_.parts.end() && part->first_block == b; ++part) sections_.push_back(b);
         const Block& block = program_.blocks[b];
         for (std::uint32_t i = 0; i < block.word_count; ++i) {
             const Word& word = program_.words[block.first_word + i];
@@ -49,6 +51,7 @@ void Interpreter::indexFlow()
             programs_.emplace(name.substr(0, name.rfind('_')), b + 1);
         }
     }
+    for (const PartPlace& named : program_.parts) programs_.emplace(named.name, named.first_block);
     checkPairs();
 }
 
@@ -208,6 +211,7 @@ void Interpreter::callProgram(BlockWords& words, bool isMacro)
         number %= 10000;
     }
     if (repeats == 0) return;
+    std::optional<std::size_t> found;
     for (const std::size_t section : sections_) {
         const Word* const head = program_.wordOf(program_.blocks[section], 'O');
         std::size_t first = section;
@@ -219,27 +223,36 @@ void Interpreter::callProgram(BlockWords& words, bool isMacro)
                     first = b;
                 }
         if (!isIt) continue;
-        std::unordered_map<long, double> arguments;
-        if (isMacro) {
-            static constexpr int numberOf[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
-                                                 0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
-            for (int slot = 0; slot < 26; ++slot)
-                if ((words.given >> slot & 1U) != 0 && numberOf[slot] > 0) {
-                    arguments[numberOf[slot]] = words.value[static_cast<std::size_t>(slot)];
-                    words.used |= 1U << slot;
-                    if (const Word* word = words.word[static_cast<std::size_t>(slot)])
-                        program_.words[static_cast<std::size_t>(word - program_.words.data())].is_understood = true;
-                }
-        }
-        call(first, repeats, isMacro, std::move(arguments));
-        return;
+        found = first;
+        break;
     }
-    callMissing(words.word['P' - 'A'], named('O', number));
+    if (!found) found = programNamed(named('O', number));  // a file of this name
+    if (!found) return callMissing(words.word['P' - 'A'], named('O', number));
+    call(*found, repeats, isMacro, isMacro ? argumentsOf(words) : std::unordered_map<long, double>{});
+}
+
+/// G65 A… B…: #1, #2….
+std::unordered_map<long, double> Interpreter::argumentsOf(BlockWords& words)
+{
+    std::unordered_map<long, double> arguments;
+    static constexpr int numberOf[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
+                                         0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+    for (int slot = 0; slot < 26; ++slot) {
+        if ((words.given >> slot & 1U) == 0 || numberOf[slot] == 0) continue;
+        arguments[numberOf[slot]] = words.value[static_cast<std::size_t>(slot)];
+        words.used |= 1U << slot;
+        if (const Word* word = words.word[static_cast<std::size_t>(slot)])
+            program_.words[static_cast<std::size_t>(word - program_.words.data())].is_understood = true;
+    }
+    return arguments;
 }
 
 /// A program that is not in the file: what it does is not known.
 void Interpreter::callMissing(const Word* word, const std::string& name)
 {
+    if (result_.missing.size() < mostMissing &&
+        std::find(result_.missing.begin(), result_.missing.end(), name) == result_.missing.end())
+        result_.missing.push_back(name);
     notUnderstood(word);
     warn(notes::ncSubprogramMissing, word, {{"found", shown(program_, name)}}, GapEffect::Moves);
     modal_.at = {};

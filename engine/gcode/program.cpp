@@ -30,7 +30,34 @@ void refuseUnreadable(const std::string& text)
                                LT_TEXT("Engine", "a text with one byte for each character"));
 }
 
+/// The texts of the parts behind that of the program, each on lines of its own.
+void append(const std::vector<ProgramPart>& parts, Program& program)
+{
+    for (const ProgramPart& part : parts) {
+        try {
+            refuseUnreadable(part.text);
+        } catch (Error& error) {
+            throw error.with("path", part.path);
+        }
+        if (program.text.back() != '\n') program.text += '\n';
+        program.parts.push_back({part.name, part.path, static_cast<std::uint32_t>(program.text.size())});
+        program.text += part.text.starts_with("\xEF\xBB\xBF") ? part.text.substr(3) : part.text;
+        if (program.text.size() > largestProgram_bytes)
+            throw Error(errors::ncTooLong, {{"found_MiB", static_cast<std::int64_t>(program.text.size() >> 20)},
+                                            {"most_MiB", static_cast<std::int64_t>(largestProgram_bytes >> 20)}});
+    }
+}
+
 }  // namespace
+
+LinePlace Program::placeOf(std::int64_t line) const
+{
+    LinePlace place{{}, line};
+    for (const PartPlace& part : parts)
+        if (line > static_cast<std::int64_t>(part.first_block))
+            place = {part.path, line - static_cast<std::int64_t>(part.first_block)};
+    return place;
+}
 
 std::int64_t Program::columnOf(const Block& block, std::uint32_t offset) const
 {
@@ -79,12 +106,13 @@ std::int64_t countUnderstood(const Program& program)
     });
 }
 
-Program readProgram(std::string text, const ControlPtr& control, const Progress& progress, std::string_view name)
+Program readProgram(std::string text, const ControlPtr& control, const Progress& progress, std::string_view name,
+                    const std::vector<ProgramPart>& parts)
 {
     refuseUnreadable(text);
     Program program;
     program.text = std::move(text);
-    program.is_utf8 = isUtf8(program.text);
+    program.own_bytes = program.text.size();
     const ControlFound found = control ? ControlFound{control, {}} : detectControl(program.text, name);
     if (!found.control->is_read)
         throw Error(errors::ncDialectNotRead, {{"line", std::max<std::int64_t>(found.line, 1)},
@@ -97,14 +125,19 @@ Program readProgram(std::string text, const ControlPtr& control, const Progress&
                                              {"second", found.rival->label},
                                              {"choices", found.control->key + ", " + found.rival->key}});
     program.control = found.control;
+    append(parts, program);
+    program.is_utf8 = isUtf8(program.text);
     program.names = declaredNames(program.text, *program.control);
+    for (const PartPlace& part : program.parts) program.names.insert(part.name);
     const std::string& all = program.text;
     const auto lines = static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1;
     program.blocks.reserve(lines);
     program.words.reserve(lines * 3);
     BlockScanner scanner(program);
-    std::size_t at = 0;
+    std::size_t at = 0, next_part = 0;
     while (at < all.size()) {
+        if (next_part < program.parts.size() && at >= program.parts[next_part].begin)
+            program.parts[next_part++].first_block = program.blocks.size();
         const std::size_t end = std::min(all.find_first_of("\r\n", at), all.size());
         Block block;
         block.begin = static_cast<std::uint32_t>(at);
@@ -136,7 +169,10 @@ namespace {
 Diagnostic located(const Program& program, const Block& block, std::uint32_t offset)
 {
     Diagnostic diagnostic;
-    diagnostic.line = program.lineOf(block);
+    const LinePlace place = program.placeOf(program.lineOf(block));
+    diagnostic.order = program.lineOf(block);
+    diagnostic.path = place.path;
+    diagnostic.line = place.line;
     diagnostic.column = program.columnOf(block, offset);
     diagnostic.block = shown(program, program.textOf(block));
     return diagnostic;
@@ -154,6 +190,7 @@ void report(const Program& program, Diagnostics& list, const Block& block, std::
     diagnostic.pattern = code.pattern;
     diagnostic.values = values;
     diagnostic.error.emplace(code, std::move(values));
+    if (!diagnostic.path.empty()) diagnostic.error->with("path", diagnostic.path);
     diagnostic.error->with("line", diagnostic.line).with("column", diagnostic.column).with("block", diagnostic.block);
     list.add(std::move(diagnostic));
 }

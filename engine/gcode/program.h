@@ -46,8 +46,32 @@ struct Block {
     bool is_malformed = false;     ///< contains text that is not a word: not executed
 };
 
+/// A program of another file that stands behind the one that calls it, as if it were of the same file.
+struct ProgramPart {
+    std::string name;  ///< by which it is called: "O1234", "L54"; where its text declares none
+    std::string path;
+    std::string text;
+};
+
+/// Where the blocks of a part begin.
+struct PartPlace {
+    std::string name, path;
+    std::uint32_t begin = 0;               ///< first byte, in Program::text
+    std::size_t first_block = notReached;  ///< in Program::blocks
+
+    static constexpr std::size_t notReached = INT64_MAX;  ///< while the blocks before it are read
+};
+
+/// A line of one of the files.
+struct LinePlace {
+    std::string path;       ///< of a part; empty: the program itself
+    std::int64_t line = 0;  ///< from 1
+};
+
 struct Program {
-    std::string text;                     ///< every byte as it was read
+    std::string text;                     ///< every byte as it was read; behind it those of the parts
+    std::size_t own_bytes = 0;            ///< of the program itself
+    std::vector<PartPlace> parts;         ///< programs of other files
     ControlPtr control = usualControl();  ///< what it was read with; never nullptr
     bool is_utf8 = true;                  ///< columns count characters of UTF-8; else bytes
     std::vector<Block> blocks;            ///< lines, from the first to the last
@@ -65,7 +89,10 @@ struct Program {
     {
         return std::string_view(text).substr(word.value_begin, word.begin + word.length - word.value_begin);
     }
+    /// Lines count on through the parts.
     std::int64_t lineOf(const Block& block) const { return &block - blocks.data() + 1; }
+    LinePlace placeOf(std::int64_t line) const;
+    std::string_view ownText() const { return std::string_view(text).substr(0, own_bytes); }
     /// Characters from the beginning of the block, from 1.
     std::int64_t columnOf(const Block& block, std::uint32_t offset) const;
     /// The last word with this letter in a block, as controls use it; nullptr: none.
@@ -82,10 +109,10 @@ std::int64_t countUnderstood(const Program& program);
 /// Splits a program into blocks and words and classifies each word by the tables of its control, which may be any
 /// Control that is read; nullptr: that of detectControl(), to which `name` is the name of the file.
 /// Throws Error ncDialectNotRead (line, found), dialectUnclear (line, first, second, choices), ncTooLong, formatUnknown
-/// (UTF-16, binary), fileEmpty; all other problems are diagnostics. Cost: one pass, about 0.3 µs a word; 24 bytes for
-/// each word and 20 for each block.
+/// (UTF-16, binary), fileEmpty; those of a part with its path. All other problems are diagnostics. Cost: one pass,
+/// about 0.3 µs a word; 24 bytes for each word and 20 for each block.
 Program readProgram(std::string text, const ControlPtr& control = nullptr, const Progress& progress = {},
-                    std::string_view name = {});
+                    std::string_view name = {}, const std::vector<ProgramPart>& parts = {});
 
 /// The words of one line alone, classified as in readProgram(): for an editor that shows few lines. Offsets are those
 /// in `line`.

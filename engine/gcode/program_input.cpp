@@ -1,6 +1,7 @@
 #include "engine/gcode/program_input.h"
 
 #include "engine/gcode/program_item_codes.h"
+#include "engine/gcode/subprograms.h"
 #include "engine/gcode/tool_table.h"
 #include "engine/io/file.h"
 
@@ -73,12 +74,23 @@ ProgramTaken takeProgram(const project::PanelState& state, std::vector<ProgramDr
     return taken;
 }
 
+void takeSubprograms(const std::string& text, ToolpathParameters& parameters, const ToolTable& tools,
+                     const Progress& progress, task::Sources& sources)
+{
+    if (parameters.subprograms.empty()) return;
+    FoundSubprograms found = findSubprograms(text, parameters, tools, progress);
+    parameters.parts = std::make_shared<const std::vector<ProgramPart>>(std::move(found.parts));
+    sources.inputs.insert(sources.inputs.end(), found.files.begin(), found.files.end());
+    sources.notes.insert(sources.notes.end(), found.notes.begin(), found.notes.end());
+}
+
 ProgramRun runProgram(std::string text, const std::string& name, const ToolpathParameters& parameters,
                       const ToolTable& tools, const Progress& progress)
 {
     try {
         ProgramRun run;
-        run.program = readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.5), name);
+        run.program =
+            readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.5), name, partsOf(parameters));
         run.path = findToolpath(run.program, parameters, tools,
                                 progress.part(0.5, 1, LT_TEXT("Engine", "Following the program")));
         if (const std::optional<Error> error = firstError(run.path)) throw Error(*error);

@@ -79,6 +79,12 @@ struct ProgramTaken {
     std::optional<ProgramItem> item;  ///< none: a file
 };
 
+/// Looks for the programs that `text` calls in the folder of the parameters (subprograms.h), and enters them there.
+/// What is read is listed in the sources, and a note says which lines are those of which file. Without a folder
+/// nothing. Errors of findSubprograms().
+void takeSubprograms(const std::string& text, ToolpathParameters& parameters, const ToolTable& tools,
+                     const Progress& progress, task::Sources& sources);
+
 /// With the note programEdited where a draft stands in place of the original; `drafts` keeps that one only. Errors of
 /// the reader with the path; itemNotThere. Precondition: the input is given.
 ProgramTaken takeProgram(const project::PanelState& state, std::vector<ProgramDraft>& drafts, Stores& stores,

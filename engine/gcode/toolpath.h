@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,6 +25,7 @@ inline constexpr std::int64_t mostBlocksRun = 2500000;  ///< default of Toolpath
 inline constexpr std::size_t mostMoves = 4000000;       ///< of a program
 inline constexpr std::int64_t mostPasses = 10000;       ///< of one cycle
 inline constexpr double farthest_mm = 1e5;              ///< of a coordinate
+inline constexpr std::size_t mostMissing = 1000;        ///< programs that are listed as missing
 inline constexpr int deepestCalls = 32;                 ///< nesting depth of subprograms and loops
 
 enum class IntegerWords { Millimetre, Micrometre };
@@ -35,11 +37,16 @@ struct ToolpathParameters {
     IntegerWords integer_words = IntegerWords::Millimetre;  ///< meaning of X50 for Fanuc and Haas: 50 mm or 50 µm
     double arc_tolerance_um = 10;                           ///< an arc may end so far off its circle, with a note
     std::int64_t most_blocks_run = mostBlocksRun;           ///< in addition to one run per block; not a user parameter
+    std::string subprograms;  ///< folder of programs that are called and not in the file; empty: none
+    std::shared_ptr<const std::vector<ProgramPart>> parts;  ///< that were found there; not a user parameter
     std::string file_name;  ///< of the program: one of what tells its control; not a user parameter
     ControlPtr control;     ///< read with this one, which may be in no list, instead; not a user parameter
 };
 
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*);
+
+/// Those of the parameters; none where there are none.
+const std::vector<ProgramPart>& partsOf(const ToolpathParameters& parameters);
 
 /// The control to read a program with; nullptr: from the text.
 ControlPtr controlOf(const ToolpathParameters& parameters);
@@ -70,8 +77,9 @@ struct Toolpath {
     std::vector<Diagnostic> diagnostics;  ///< of parsing and interpretation, by position
     std::int64_t words = 0;
     std::int64_t words_understood = 0;
-    Understanding understanding;  ///< what is not modelled and what is assumed; paths are left to the caller
-    bool has_errors = false;      ///< a diagnostic is an error: the moves are invalid
+    std::vector<std::string> missing;  ///< programs that are called and not there, each once, at most mostMissing
+    Understanding understanding;       ///< what is not modelled and what is assumed; paths are left to the caller
+    bool has_errors = false;           ///< a diagnostic is an error: the moves are invalid
     ToolpathParameters parameters;
 };
 

@@ -9,6 +9,12 @@ ControlPtr controlOf(const ToolpathParameters& parameters)
     return parameters.control ? parameters.control : controlNamed(parameters.dialect);
 }
 
+const std::vector<ProgramPart>& partsOf(const ToolpathParameters& parameters)
+{
+    static const std::vector<ProgramPart> none;
+    return parameters.parts ? *parameters.parts : none;
+}
+
 const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*)
 {
     using P = ToolpathParameters;
@@ -31,7 +37,11 @@ const std::vector<Field<ToolpathParameters>>& fieldsOf(const ToolpathParameters*
                     LT_TEXT("Engine",
                             "An arc may end so far off the circle of its centre; it is a note. Farther off it is an "
                             "error."),
-                    unit::um})};
+                    unit::um}),
+        field("subprograms", &P::subprograms,
+              Label{LT_TEXT("Engine", "Folder of subprograms"),
+                    LT_TEXT("Engine",
+                            "Programs that are called and not in the file are looked for there, by their names.")})};
     return all;
 }
 

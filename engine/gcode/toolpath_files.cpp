@@ -48,9 +48,10 @@ void addNumber(std::string& line, double value)
 const std::vector<QuantityOf<Diagnostic>>& quantitiesOf(const Diagnostic*)
 {
     using D = Diagnostic;
-    static const auto all = describedBy<D>(quantity<D>("line", &D::line), quantity<D>("column", &D::column),
-                                           quantity<D>("severity", severityKey), quantity<D>("code", &D::code),
-                                           quantity<D>("text", sentence), quantity<D>("block", &D::block));
+    static const auto all = describedBy<D>(
+        quantity<D>("line", &D::line), quantity<D>("column", &D::column), quantity<D>("severity", severityKey),
+        quantity<D>("code", &D::code), quantity<D>("text", sentence), quantity<D>("block", &D::block),
+        quantity<D>("path", [](const D& d) { return d.path.empty() ? Value() : Value(d.path); }));
     return all;
 }
 
@@ -105,7 +106,7 @@ report::Table diagnosticTable(const std::vector<Diagnostic>& diagnostics, const 
                         {0, 0}};
     for (const Diagnostic& remark : diagnostics) {
         if (table.rows.size() >= mostTabled) break;
-        table.rows.push_back({remark.line, remark.column,
+        table.rows.push_back({remark.order, remark.column,
                               remark.is_error ? LT_TEXT("Engine", "error") : LT_TEXT("Engine", "warning"),
                               fill(text(remark.pattern, language), remark.values, language), remark.block});
     }

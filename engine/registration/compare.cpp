@@ -15,6 +15,7 @@
 #include "engine/registration/revolution/revolution_deviation.h"
 #include "engine/registration/revolution/revolution_refusal.h"
 #include "engine/registration/statistics.h"
+#include "engine/registration/surface/drawn_surface.h"
 #include "engine/registration/surface/facet_sagitta.h"
 #include "engine/registration/surface/surface_deviation.h"
 #include "engine/registration/surface/surface_samples.h"
@@ -164,14 +165,10 @@ void measureDrawn(const Contour& meridian, const std::vector<Vector3d>& moved_co
     direction.assign(moved_copy.size(), Eigen::Vector3f::Zero());
     parallelFor(moved_copy.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Vector3d& p = moved_copy[i];
-            const double r = std::hypot(p.x(), p.y());
-            const auto foot = distance.footOf(p.z(), r);
-            if (!foot) continue;
-            result.deviation_mm[i] = static_cast<float>(foot->distance_mm);
-            const Eigen::Vector2d across = r > 0 ? Eigen::Vector2d(p.head<2>() / r) : Eigen::Vector2d::UnitX();
-            direction[i] = Vector3d(foot->outward.y() * across.x(), foot->outward.y() * across.y(), foot->outward.x())
-                               .cast<float>();
+            const SurfacePlace place = placeOn(distance, moved_copy[i]);
+            if (!place.found()) continue;
+            result.deviation_mm[i] = static_cast<float>(place.distance_mm);
+            direction[i] = place.normal.cast<float>();
         }
     });
 }
@@ -265,7 +262,8 @@ CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, cons
             throw Error(errors::notConverged,
                         {{"iterations", std::int64_t{result.alignment.iterations}}, {"role", std::string("copy")}});
     } else {
-        prepared = prepareReference(reference_scan, aligning.part(0, 0.4));
+        prepared = drawn ? prepareReference(reference_scan, *drawn, aligning.part(0, 0.4))
+                         : prepareReference(reference_scan, aligning.part(0, 0.4));
         result.alignment = alignGeneral(*prepared, copy_scan, plan.method, parameters.initial, aligning.part(0.4, 1));
         if (plan.reference_turned) {
             plan.reference.shoulders =

@@ -21,10 +21,10 @@ constexpr int paper_px = 2000;  ///< resolution of printed drawings
 report::Finding findingOf(const gcode::Diagnostic& remark, const Language& language)
 {
     report::Place place;
-    place.line = remark.line;
+    place.line = remark.order;
     report::Finding finding{
         LT_TEXT("Engine", "Line {line}: {remark}"),
-        {{"line", remark.line}, {"remark", fill(text(remark.pattern, language), remark.values, language)}},
+        {{"line", remark.order}, {"remark", fill(text(remark.pattern, language), remark.values, language)}},
         remark.is_error ? std::optional<Verdict>(Verdict::Fail) : std::nullopt,
         place};
     return finding;
@@ -71,8 +71,9 @@ ProgramCheck checkProgram(std::string text, const gcode::ToolpathParameters& par
                           const Progress& progress)
 {
     ProgramCheck check;
-    check.program = gcode::readProgram(std::move(text), controlOf(parameters),
-                                       progress.part(0, 0.3, LT_TEXT("Engine", "Reading")), parameters.file_name);
+    check.program =
+        gcode::readProgram(std::move(text), controlOf(parameters), progress.part(0, 0.3, LT_TEXT("Engine", "Reading")),
+                           parameters.file_name, partsOf(parameters));
     check.path = gcode::findToolpath(check.program, parameters, tools,
                                      progress.part(0.3, 0.5, LT_TEXT("Engine", "Running the program")));
     const gcode::RapidRates rates =
@@ -158,7 +159,7 @@ std::vector<Remark> remarksOf(const ProgramCheck& check, const Language& languag
 {
     std::vector<Remark> remarks;
     for (const gcode::Diagnostic& found : check.path.diagnostics)
-        remarks.push_back({found.line, found.column, found.is_error,
+        remarks.push_back({found.order, found.column, found.is_error,
                            fill(text(found.pattern, language), found.values, language), found.block});
     if (check.stock)
         for (const StockFinding& found : check.stock->findings) {

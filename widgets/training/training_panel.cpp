@@ -14,6 +14,7 @@
 #include "engine/io/io_codes.h"
 #include "engine/report/html.h"
 #include "engine/stability/simulation/simulation_files.h"
+#include "engine/training/lesson_kind.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
@@ -50,7 +51,7 @@ PanelFacts trainingPanelFacts()
     facts.title = LT_TEXT("Engine", "Training");
     facts.icon = "training";
     facts.workspaces = {workspaceOf("training")};
-    facts.kinds = {&io::frfFiles()};
+    facts.kinds = {&io::frfFiles(), &training::lessonFiles()};
     facts.roles = panelInputs().roles;
     facts.item_inputs = {{frfItem, frfRole}};
     facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
@@ -287,10 +288,27 @@ void TrainingPanel::writeDemonstration(const QString& path) const
                    [this, length_s](int frame) { transport_->setTime(length_s * frame / demonstrationFrames); });
 }
 
+/// A lesson is no input: it opens in the tour.
+void TrainingPanel::openFound(const std::vector<FoundFile>& files)
+{
+    std::vector<FoundFile> others;
+    for (const FoundFile& file : files)
+        if (io::findKind({&training::lessonFiles()}, file.path).likeness >= io::Likeness::Likely)
+            openLesson(QString::fromStdString(file.path));
+        else
+            others.push_back(file);
+    if (!others.empty()) Panel::openFound(others);
+}
+
 void TrainingPanel::askForLesson()
 {
     const QString path = QFileDialog::getOpenFileName(this, tr("Open a lesson"), {}, tr("Lesson (*.md)"));
-    if (path.isEmpty()) return;
+    if (!path.isEmpty()) openLesson(path);
+}
+
+void TrainingPanel::openLesson(const QString& path)
+{
+    panes_->setCurrentWidget(tour_);
     try {
         tour_->open(path);
     } catch (const Error& error) {

@@ -29,6 +29,7 @@ public:
     TransportBar& transport() const { return *transport_; }
     SoundPlayer& player() { return player_; }
     void setPresenting(bool presenting) override;
+    void openFound(const std::vector<FoundFile>& files) override;
 
 protected:
     Compute compute(const project::PanelState& state) const override;
@@ -48,6 +49,7 @@ private:
     void updateTour();
     void playCut(const stability::SimulationResult& cut, const std::vector<stability::Mode>& modes);
     void playPicture();
+    void openLesson(const QString& path);
     void askForLesson();
     void askForSheet();
     void writeDemonstration(const QString& path) const;

@@ -4,6 +4,7 @@
 
 #include "engine/cad/part_input.h"
 #include "engine/cam/task/job_input.h"
+#include "engine/cam/task/setup_sheet.h"
 #include "engine/core/frf_item.h"
 #include "engine/gcode/controls/controls.h"
 #include "engine/gcode/program_input.h"
@@ -217,6 +218,9 @@ std::vector<PanelExport> TurningPanel::exports() const
         {two ? tr("Programs of both clampings…") : tr("Turning program…"), tr("NC program (*.nc *.ngc *.mpf *.tap)"),
          QString::fromStdString(gcode::extensionOf(outcome->plan->setups.front().check.program.control)).mid(1),
          [this, outcome](const QString& path) { writePrograms(*outcome, path, window()); }}};
+    all.push_back({tr("Set-up sheet (HTML)…"), tr("Page (*.html)"), "html", [outcome](const QString& path) {
+                       writeSetupSheet(*outcome, path.toStdString(), screenLanguage());
+                   }});
     for (std::size_t i = 0; i < outcome->plan->setups.size(); ++i)
         all.push_back({two ? tr("Moves of the tool, clamping %1 (CSV)…").arg(i + 1) : tr("Moves of the tool (CSV)…"),
                        tr("Table (*.csv)"), "csv",

@@ -42,7 +42,7 @@ const std::vector<Field<CheckParameters>>& fieldsOf(const CheckParameters*)
     const Range place{-1e5, 1e5};
     static const auto all = described<P>(
         within(&P::program, "dialect"), foldedWithin(&P::program, "integer_words"),
-        foldedWithin(&P::program, "arc_tolerance_um"),
+        foldedWithin(&P::program, "arc_tolerance_um"), foldedWithin(&P::program, "subprograms"),
         field("setup", &P::setup, {1, 2},
               Label{LT_TEXT("Engine", "Clamping"),
                     LT_TEXT("Engine", "2: the part is turned round, and z counts from its other end.")}),

@@ -49,7 +49,7 @@ ReadProgram readText(std::string text, const Job& job, const CheckParameters& pa
 {
     ReadProgram read;
     read.program = gcode::readProgram(std::move(text), gcode::controlOf(parameters.program), progress.part(0, 0.5),
-                                      parameters.program.file_name);
+                                      parameters.program.file_name, gcode::partsOf(parameters.program));
     read.path = gcode::findToolpath(read.program, parameters.program, toolTableOf(job), progress.part(0.5, 1));
     return read;
 }

@@ -75,6 +75,8 @@ public:
         for (const auto& [key, member] : demanded) post_.*member = templates(root_.at(key, listExpected));
         static const std::pair<const char*, Templates Post::*> offered[]{
             {"stop", &Post::stop},
+            {"optional_stop", &Post::optional_stop},
+            {"work_offset", &Post::work_offset},
             {"tool_start_tailstock", &Post::tool_start_tailstock},
             {"program_end_tailstock", &Post::program_end_tailstock}};
         for (const auto& [key, member] : offered)
@@ -202,6 +204,8 @@ private:
                                              "coolant_on",
                                              "program_end",
                                              "stop",
+                                             "optional_stop",
+                                             "work_offset",
                                              "rapid",
                                              "tool_start_tailstock",
                                              "program_end_tailstock",
@@ -236,6 +240,30 @@ private:
 
 }  // namespace
 
+std::ptrdiff_t linesBeforeTool(const Templates& templates)
+{
+    return std::find_if(templates.begin(), templates.end(),
+                        [](const std::string& line) { return line.find("{tool") != std::string::npos; }) -
+           templates.begin();
+}
+
+const Templates& optionalStop(const Post& post)
+{
+    if (post.optional_stop.empty())
+        throw Error(errors::postCannot, {{"post", post.name}, {"what", LT_TEXT("Engine", "stop optionally")}});
+    return post.optional_stop;
+}
+
+Templates statedOffset(const Post& post)
+{
+    if (post.work_offset.empty())
+        throw Error(errors::postCannot, {{"post", post.name}, {"what", LT_TEXT("Engine", "state the work offset")}});
+    const auto holds = [&](const std::string& line) {
+        return line.find(post.work_offset.front()) != std::string::npos;
+    };
+    return std::any_of(post.safe_start.begin(), post.safe_start.end(), holds) ? Templates{} : post.work_offset;
+}
+
 Post readPost(const std::string& json, Notes& notes)
 {
     const io::JsonDocument document{json};
@@ -259,6 +287,8 @@ std::string postText(const Post& post)
     json["speed_change"] = post.speed_change;
     json["coolant_on"] = post.coolant_on;
     json["stop"] = post.stop;
+    if (!post.optional_stop.empty()) json["optional_stop"] = post.optional_stop;
+    if (!post.work_offset.empty()) json["work_offset"] = post.work_offset;
     json["program_end"] = post.program_end;
     json["program_end_tailstock"] = post.program_end_tailstock;
     json["cycles"] = post.cycles ? "g71_g70" : "none";

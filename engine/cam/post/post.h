@@ -5,6 +5,7 @@
 // "spindle_css",
 //  "spindle_rpm", "speed_change", "coolant_on", "stop", "program_end": lists of templates,
 //  "tool_start_tailstock"?, "program_end_tailstock"?: instead of those with a tailstock,
+//  "optional_stop"?, "work_offset"?: lists of templates, written where a plan asks for them,
 //  "cycles"?: "none" | "g71_g70", "rough_cycle"?, "finish_cycle"?: lists of templates; without them those of Fanuc,
 //  "rapid", "line", "arc_cw", "arc_ccw": words, "arc": "ik" | "r" | "cr", "thread"?: word, "thread_lead"?: "F" | "K",
 //  "words": {"X": {"diameter", "decimals"}, "Z": {"decimals"}, "F": {"decimals"}, "style": "point" | "plain"},
@@ -51,6 +52,8 @@ struct Post {
     Templates speed_change;                               ///< another fixed speed while cutting
     Templates coolant_on;                                 ///< before the first move
     Templates stop{"M0"};                                 ///< program stop for the operator
+    Templates optional_stop;                              ///< between tools, where it is asked for; empty: none
+    Templates work_offset;                                ///< states the zero point, where it is asked for; empty: none
     Templates program_end;                                ///< without block numbers
     Templates program_end_tailstock;                      ///< the same with a tailstock; empty: program_end
     bool cycles = false;                                  ///< roughing and finish as cycles rather than as moves
@@ -74,6 +77,14 @@ struct Post {
     std::string end_of_line = "\n";
     friend bool operator==(const Post&, const Post&) = default;
 };
+
+/// How many of the lines stand before the first one that names a tool: by then the tool before has been retracted.
+std::ptrdiff_t linesBeforeTool(const Templates& templates);
+
+/// Lines of an optional stop, and those that state the work offset, which are none where the modes at the start do.
+/// Error postCannot where the post has none.
+const Templates& optionalStop(const Post& post);
+Templates statedOffset(const Post& post);
 
 inline constexpr int leastDecimals = 3;  ///< with two decimals, rounding gouges up to 10 µm
 

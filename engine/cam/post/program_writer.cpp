@@ -33,6 +33,7 @@ public:
         for (const std::string& comment : post_.header_comments) addComment(filled(comment));
         for (const std::string& comment : head_.comments) addComment(comment);
         lines(post_.safe_start, true);
+        if (head_.states_offset) lines(statedOffset(post_), true);
         if (head_.cut_off_mm) stop(cutOffComment(*head_.cut_off_mm));
         findCycle(operations);
         const Operation* before = nullptr;
@@ -41,8 +42,7 @@ public:
             tool_ = operation.tool;
             if (!before || before->tool != operation.tool) {
                 if (before) lines(post_.tool_end, true);
-                const bool alone = head_.has_tailstock && !post_.tool_start_tailstock.empty();
-                lines(alone ? post_.tool_start_tailstock : post_.tool_start, true);
+                callTool(before != nullptr);
                 if (operation.stops_before) stop();
                 forget();
             } else if (operation.stops_before) {
@@ -63,6 +63,17 @@ private:
     {
         addComment(what);
         lines(post_.stop, true);
+    }
+
+    /// An optional stop stands where the tool before is at the change point.
+    void callTool(bool is_further)
+    {
+        const bool alone = head_.has_tailstock && !post_.tool_start_tailstock.empty();
+        const Templates& templates = alone ? post_.tool_start_tailstock : post_.tool_start;
+        const auto call = templates.begin() + linesBeforeTool(templates);
+        lines({templates.begin(), call}, true);
+        if (is_further && head_.has_optional_stops) lines(optionalStop(post_), true);
+        lines({call, templates.end()}, true);
     }
 
     void findCycle(const std::vector<Operation>& operations)

@@ -23,7 +23,9 @@ struct ProgramHead {
     std::vector<std::string> comments;  ///< further lines at the top
     std::optional<CycleData> cycles{};  ///< roughing and finish as cycles; none: as moves
     std::optional<double>
-        cut_off_mm{};  ///< length that the work is cut off to at a stop before everything; none: no stop
+        cut_off_mm{};                 ///< length that the work is cut off to at a stop before everything; none: no stop
+    bool has_optional_stops = false;  ///< one before each further tool is called
+    bool states_offset = false;       ///< the work offset is stated with the modes at the start
 };
 
 /// Position of an operation in the text.
@@ -41,7 +43,7 @@ struct WrittenProgram {
 };
 
 /// A fixed speed replaces constant cutting speed where the control lacks it: that of the largest diameter cut. Error
-/// postCannot (feed per minute without a speed).
+/// postCannot (feed per minute without a speed; optional stops or a work offset that the post does not know).
 WrittenProgram writeProgram(const Post& post, const ProgramHead& head, const std::vector<Operation>& operations);
 
 /// A text for a comment of this post: ASCII, upper case, without characters that end it, truncated to the allowed

@@ -7,6 +7,7 @@
 #include "engine/cam/check/check_report.h"
 #include "engine/cam/drawn_features.h"
 #include "engine/cam/task/job_input.h"
+#include "engine/cam/task/job_places.h"
 #include "engine/cam/task/turn_question.h"
 #include "engine/gcode/program_input.h"
 
@@ -15,6 +16,13 @@ namespace {
 
 constexpr const char* correctionRole = "correction";
 constexpr const char* beforeRole = "before";
+
+[[noreturn]] void throwWithoutShaft(const project::PanelState& state, const Job& job)
+{
+    Error error(errors::jobWithoutShaft, {{"path", task::nameOf(state.inputs.at(jobRole))}});
+    locateInJob(error, state, job);
+    throw Error(error);
+}
 
 }  // namespace
 
@@ -29,7 +37,7 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     else if (job.shaft)
         outcome.part = *job.shaft;
     else
-        throw Error(errors::jobWithoutShaft, {{"path", task::nameOf(state.inputs.at(jobRole))}});
+        throwWithoutShaft(state, job);
     CheckInputs further;
     further.correction = task::take<CorrectionInput>(state, correctionRole, stores, reading, sources)
                              .value_or(gcode::StatedCorrection{});
@@ -38,10 +46,12 @@ CheckOutcome answerCheck(const project::PanelState& state, Stores& stores, task:
     auto parameters = fromValues<CheckParameters>(state.parameters);
     parameters.program.file_name = task::nameOf(state.inputs.at(programRole));
     gcode::ProgramText program = *task::take<gcode::ProgramInput>(state, programRole, stores, reading, sources);
+    gcode::takeSubprograms(program.text, parameters.program, {}, progress, sources);
     try {
         outcome.result = std::make_shared<const CheckResult>(
             checkTurning(std::move(program.text), outcome.part, job, parameters, further, progress.part(0.08, 1)));
     } catch (Error& error) {
+        locateInJob(error, state, job);
         throw error.with("path", task::nameOf(state.inputs.at(programRole)));
     }
     Understanding of_programs;

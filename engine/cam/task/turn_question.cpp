@@ -40,7 +40,8 @@ std::vector<Field<TurningQuestion>> turningFields()
         for (FieldInfo& column : info.columns)
             column.advanced = column.kind == FieldInfo::Kind::Rows || column.key == "back_margin_deg";
     }
-    for (const char* key : {"relation", "part_model", "cycles", "tool_change_s", skippedKey, orderKey})
+    for (const char* key :
+         {"relation", "part_model", "cycles", "optional_stops", "work_offset", "tool_change_s", skippedKey, orderKey})
         all.push_back(foldedWithin(&Q::plan, key));
     all.push_back(field(
         jobOfKey, &Q::job_of,

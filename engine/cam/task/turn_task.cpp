@@ -12,6 +12,8 @@
 #include "engine/cam/plan_refusal.h"
 #include "engine/cam/plan_report.h"
 #include "engine/cam/task/job_input.h"
+#include "engine/cam/task/job_places.h"
+#include "engine/cam/task/setup_sheet.h"
 #include "engine/core/frf_item.h"
 #include "engine/gcode/program_input.h"
 #include "engine/gcode/program_item.h"
@@ -120,13 +122,22 @@ TurnOutcome answerTurn(const project::PanelState& stated, bool keeps_outlines, S
     outcome.question = fromValues<TurningQuestion>(state.parameters);
     const Progress reading = progress.part(0, 0.1, LT_TEXT("Engine", "Reading"));
     const Job job = takeJob(outcome, state, stores, sources, reading.part(0, 0.2));
-    const Shaft part = takePart(job, state, stores, sources, reading.part(0.2, 0.6));
+    const auto located = [&](auto work) {
+        try {
+            return work();
+        } catch (Error& error) {
+            if (!outcome.is_changed) locateInJob(error, state, job);
+            throw;
+        }
+    };
+    const Shaft part = located([&] { return takePart(job, state, stores, sources, reading.part(0.2, 0.6)); });
     TurningInputs inputs;
     inputs.post = takePost(outcome, state, stores, sources, reading.part(0.6, 0.7));
     inputs.keeps_outlines = keeps_outlines;
     inputs.spindle = task::take<receptance::SpindleInput>(state, spindleRole, stores, reading.part(0.7, 1), sources);
     inputs.origin = originOf(state, sources);
-    TurningPlan planned = planTurning(part, job, inputs, outcome.question.plan, progress.part(0.1, 0.8));
+    TurningPlan planned =
+        located([&] { return planTurning(part, job, inputs, outcome.question.plan, progress.part(0.1, 0.8)); });
     const std::vector<GivenProgram> given = chooseProgram(outcome, planned, state, stores, sources, reading);
     outcome.plan =
         std::make_shared<TurningPlan>(withPrograms(std::move(planned), given, inputs, progress.part(0.8, 1)));
@@ -235,6 +246,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
     all.summary = [outcome](const Language& language) { return planSummary(*outcome->plan, language); };
     all.products = [outcome](const Language& language) { return productsOf(outcome, language); };
     all.writers[programExport] = [outcome](const std::string& path, const Progress&) { writeAll(*outcome, path); };
+    all.writers[sheetExport] = [outcome](const std::string& path, const Progress&) { writeSetupSheet(*outcome, path); };
     return settled(turnTask(), std::move(all), outcome->understanding);
 }
 
@@ -275,6 +287,12 @@ const task::Task& turnTask()
              {},
              {},
              "nc",
+             true},
+            {sheetExport,
+             "Write the set-up sheet as FILE.html: clamping, zero, tools, operations, stops, what is left.",
+             {},
+             {},
+             "html",
              true}};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
                       const Progress& progress) {

@@ -40,6 +40,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome);
 void requireWritable(const TurnOutcome& outcome);
 
 inline constexpr const char* programExport = "out";
+inline constexpr const char* sheetExport = "setup-sheet";
 
 const task::Task& turnTask();
 

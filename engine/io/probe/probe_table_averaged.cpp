@@ -56,7 +56,8 @@ double micrometresPer(const ProbeTable& table, int k)
         double largest = 0;
         for (std::size_t i = 0; i < table.rows.rows; ++i)
             largest = std::max(largest, std::abs(table.at(i, static_cast<std::size_t>(k))));
-        throw Error(errors::unitUnknown, {{"extent", largest}});
+        throw Error(errors::unitUnknown,
+                    {{"line", table.layout.body_line}, {"column", std::int64_t{1}}, {"extent", largest}});
     }
     return unit->key == "um" ? 1 : unit->scale * 1000;
 }

@@ -166,6 +166,22 @@ std::optional<double> nominalRadius(const RawProfile& raw, const ProfileOptions&
                                                {"maximum", extent.largest}});
 }
 
+/// Error unitUnknown at the first line of numbers.
+[[noreturn]] void throwUnitUnknown(const RawProfile& raw, double extent)
+{
+    throw Error(errors::unitUnknown, {{"line", raw.layout.body_line}, {"column", std::int64_t{1}}, {"extent", extent}});
+}
+
+LengthScale chosenUnit(RawProfile& raw, const std::optional<LengthScale>& stated, const ImportOptions& import,
+                       double extent)
+{
+    try {
+        return chooseLengthUnit(stated, import, extent, raw.file.facts, raw.file.notes);
+    } catch (Error& error) {
+        throw error.with("line", raw.layout.body_line).with("column", std::int64_t{1});
+    }
+}
+
 /// Determines whether the last column contains radii or deviations, and its unit. Returns the offset added to each
 /// value, in mm.
 double resolveRadii(RawProfile& raw, const ImportOptions& import, const ProfileOptions& options, LengthScale& unit)
@@ -180,15 +196,15 @@ double resolveRadii(RawProfile& raw, const ImportOptions& import, const ProfileO
         // Without a unit, strongly varying radii may be deviations with an offset.
         const double share = raw.choice.shape == Shape::Trace ? 0.1 : 0.5;
         if (!isUnitKnown && extent.span() > share * extent.largest) throwNominalMissing(raw, extent);
-        unit = chooseLengthUnit(stated, import, 2 * extent.largest, facts, raw.file.notes);
+        unit = chosenUnit(raw, stated, import, 2 * extent.largest);
         areDeviations = areDeviations || extent.largest * unit.mm < smallestRadius_mm ||
                         (nominal && extent.largest * unit.mm < largestDeviationShare * *nominal);
     } else {
         if (!nominal) throwNominalMissing(raw, extent);
         // The extent does not decide between micrometres and millimetres here.
-        throw Error(errors::unitUnknown, {{"extent", extent.span()}});
+        throwUnitUnknown(raw, extent.span());
     }
-    if (facts.unit_source == "guessed" && areDeviations) throw Error(errors::unitUnknown, {{"extent", extent.span()}});
+    if (facts.unit_source == "guessed" && areDeviations) throwUnitUnknown(raw, extent.span());
     if (!areDeviations) {
         if (options.nominal_radius_mm)
             raw.file.notes.push_back({notes::nominalNotUsed, {{"radius_mm", *options.nominal_radius_mm}}});
@@ -247,7 +263,7 @@ void layXy(RawProfile& raw, const ImportOptions& import, const Progress& progres
     const std::optional<LengthScale> stated = statedUnit(raw);
     double largest = 0;
     for (std::size_t k = 0; k < raw.width(); ++k) largest = std::max(largest, extentOf(raw, k).span());
-    const LengthScale unit = chooseLengthUnit(stated, import, largest, raw.file.facts, raw.file.notes);
+    const LengthScale unit = chosenUnit(raw, stated, import, largest);
     if (raw.choice.shape == Shape::Xyz) projectToSectionPlane(raw, unit.mm);
     progress.check();
     std::vector<Eigen::Vector2d>& points = raw.file.profile.points_mm;

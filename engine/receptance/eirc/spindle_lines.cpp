@@ -42,7 +42,10 @@ void checkMeasurements(const SpindleMeasurements& measurements)
                                                       {"second", static_cast<std::int64_t>(one.point_b) + 1}});
         const Frf& first = measurements.frfs.front().frf;
         if (one.frf.frequency_hz != first.frequency_hz || one.frf.value.size() != one.frf.frequency_hz.size())
-            throw Error(errors::frfLinesDiffer, {{"first", first.name}, {"second", one.frf.name}});
+            throw Error(errors::frfLinesDiffer, {{"first", first.name},
+                                                 {"second", one.frf.name},
+                                                 {"rod", static_cast<std::int64_t>(one.rod) + 1},
+                                                 {"point", static_cast<std::int64_t>(one.point_a) + 1}});
     }
     if (points < 2 || measurements.frfs.empty() || measurements.frfs.front().frf.frequency_hz.empty())
         throw Error(errors::tooFewMeasuredPoints, {{"points", static_cast<std::int64_t>(points)},

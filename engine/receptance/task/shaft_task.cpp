@@ -17,6 +17,7 @@
 #include "engine/io/shaft/shaft_input.h"
 #include "engine/receptance/receptance_quantities.h"
 #include "engine/receptance/receptance_report.h"
+#include "engine/receptance/shaft_place.h"
 #include "engine/receptance/shaft_report.h"
 #include "engine/receptance/spindle_input.h"
 #include "engine/shaft/shaft_item.h"
@@ -149,8 +150,11 @@ ShaftOutcome answerShaft(const project::PanelState& state, Stores& stores, task:
     takeSegments(outcome, state, stores, sources, progress.part(0, 0.1, LT_TEXT("Engine", "Reading")));
     const ValueOrigin origin = takeMaterial(outcome, state, stores, sources, progress.part(0.1, 0.12));
     takeHolding(outcome, state, stores, sources, progress.part(0.12, 0.2));
-    outcome.study = studyShaft(outcome.shaft, outcome.question.response, outcome.holding,
-                               progress.part(0.2, 1, LT_TEXT("Engine", "Computing")));
+    const project::Source* const source = task::sourceOf(state, shaftRole);
+    outcome.study = namingShaft(source && !outcome.table_rules ? source->path : std::string(), outcome.shaft, [&] {
+        return studyShaft(outcome.shaft, outcome.question.response, outcome.holding,
+                          progress.part(0.2, 1, LT_TEXT("Engine", "Computing")));
+    });
     for (UsedValue& used : outcome.study.response.used) used.origin = origin;
     outcome.record(state, sources, outcome.study.response.notes);
     return outcome;

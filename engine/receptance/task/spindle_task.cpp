@@ -7,6 +7,7 @@
 #include "engine/core/json.h"
 #include "engine/core/units.h"
 #include "engine/io/file.h"
+#include "engine/io/json/json_locate.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/receptance_quantities.h"
 #include "engine/receptance/receptance_report.h"
@@ -40,6 +41,26 @@ std::vector<FieldChoice> spindleSources()
     return choices;
 }
 
+/// Calls `work`; an error of a rod or of a point on it (from 1) gets its place in the file.
+template <class Work>
+auto namingRods(const std::string& path, Work work)
+{
+    try {
+        return work();
+    } catch (Error& error) {
+        if (error.code().kind != ErrorKind::InputRejected) throw;
+        io::JsonPath where{"rods"};
+        for (const auto& [name, list] : {std::pair("rod", ""), std::pair("point", "points")}) {
+            const Value* const number = find(error.values(), name);
+            if (!number) break;
+            if (*list != '\0') where.emplace_back(list);
+            where.push_back(std::to_string(std::get<std::int64_t>(*number) - 1));
+        }
+        if (where.size() > 1) io::locateInFile(error, path, where);
+        throw;
+    }
+}
+
 Notes identify(SpindleOutcome& outcome, const project::PanelState& state, Stores& stores, task::Sources& sources,
                const Progress& progress)
 {
@@ -52,7 +73,9 @@ Notes identify(SpindleOutcome& outcome, const project::PanelState& state, Stores
         loaded->digest() + toJson(state.inputs.at(measurementsRole).import).dump() +
             toJson(lathelier::toValues(asked)).dump(),
         progress.part(0.1, 1, LT_TEXT("Engine", "Identifying")), [&](const Progress& identifying) {
-            Identified result{identifySpindle(measured, asked, identifying.part(0, 0.9)), {}};
+            Identified result{namingRods(loaded->inputs.front().path,
+                                         [&] { return identifySpindle(measured, asked, identifying.part(0, 0.9)); }),
+                              {}};
             result.check = checkSpindle(measured, result.spindle, identifying.part(0.9, 1));
             return result;
         });

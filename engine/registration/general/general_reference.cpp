@@ -5,6 +5,7 @@
 #include "engine/core/error.h"
 #include "engine/core/statistics.h"
 #include "engine/registration/point_checks.h"
+#include "engine/registration/surface/drawn_surface.h"
 #include "engine/registration/surface/surface_samples.h"
 
 namespace lathelier::registration {
@@ -59,6 +60,14 @@ GeneralReference prepareReference(const Scan& reference, const Progress& progres
         for (auto& p : shifted.points_mm) p -= result.points.middle_mm;
     }
     result.surface = makeSurface(shifted, progress.part(0.1, 1));
+    return result;
+}
+
+GeneralReference prepareReference(const Scan& mesh, const Contour& meridian, const Progress& progress)
+{
+    GeneralReference result;
+    result.points = centrePoints(mesh, "reference", progress);
+    result.surface = std::make_shared<DrawnSurface>(meridian, result.points.middle_mm);
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
 #include "engine/registration/surface/surface.h"
+#include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::registration {
 
@@ -32,5 +33,8 @@ struct GeneralReference {
 
 /// Errors: tooFewPoints (fewer than 4), pointsDegenerate (in one place or on a line). Throws Cancelled.
 GeneralReference prepareReference(const Scan& reference, const Progress& progress = {});
+
+/// The same of a drawing: `mesh` is that of the meridian, in one frame.
+GeneralReference prepareReference(const Scan& mesh, const Contour& meridian, const Progress& progress = {});
 
 }  // namespace lathelier::registration

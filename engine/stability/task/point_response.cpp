@@ -8,6 +8,7 @@
 #include "engine/io/shaft/material_input.h"
 #include "engine/io/shaft/shaft_input.h"
 #include "engine/receptance/frf_checks.h"
+#include "engine/receptance/shaft_place.h"
 #include "engine/receptance/spindle_input.h"
 #include "engine/task/memo.h"
 #include "engine/task/task_codes.h"
@@ -68,7 +69,10 @@ PointResponse computed(const project::PanelState& state, const ResponseQuestion&
     if (bar && !task::sourceOf(state, shaftRole)) found.basis += toJson(lathelier::toValues(*bar)).dump();
     const auto response = stores.of<ComputedResponses>()->find(
         found.basis, progress.part(0.1, 1, LT_TEXT("Engine", "Computing")), [&](const Progress& part) {
-            return receptance::shaftReceptance(*found.shaft, question.computing, found.spindle, part);
+            const project::Source* const source = task::sourceOf(state, shaftRole);
+            return receptance::namingShaft(source ? source->path : std::string(), *found.shaft, [&] {
+                return receptance::shaftReceptance(*found.shaft, question.computing, found.spindle, part);
+            });
         });
     append(sources.notes, response->notes);
     found.used = response->used;

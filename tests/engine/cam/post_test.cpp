@@ -133,5 +133,28 @@ TEST(Post, CyclesOfNoTemplatesAreThoseOfTheControl)
     EXPECT_THROW(readPost(text, notes), Error);
 }
 
+/// M1 stands where the tool before is retracted, before each further tool only; G54 with the modes, and once.
+TEST(Post, OptionalStopsAndWorkOffset)
+{
+    Operation first = smallOperation(), second = smallOperation();
+    first.tool = 1;
+    ProgramHead head{"T", 1, 3000, false, {}};
+    head.has_optional_stops = head.states_offset = true;
+    const std::string fanuc = writeProgram(postNamed("fanuc_a"), head, {first, second}).text;
+    EXPECT_NE(fanuc.find("N20 G54\nN30 G28 U0. W0.\nN40 T0101\n"), std::string::npos) << fanuc;
+    const std::size_t stop = fanuc.find(" M1\n");
+    ASSERT_NE(stop, std::string::npos) << fanuc;
+    EXPECT_EQ(fanuc.find(" M1\n", stop + 1), std::string::npos);
+    EXPECT_EQ(fanuc.substr(fanuc.rfind('N', stop - 2) - 15, 15).find("G28 U0. W0.") != std::string::npos, true)
+        << fanuc;
+    EXPECT_LT(stop, fanuc.find("T0202"));
+    const std::string siemens = writeProgram(postNamed("sinumerik"), head, {first, second}).text;
+    EXPECT_EQ(siemens.find("G54"), siemens.rfind("G54")) << siemens;
+    EXPECT_THROW(writeProgram(postNamed("grbl"), head, {first, second}), Error);
+    Post bare = postNamed("fanuc_a");
+    bare.work_offset.clear();
+    EXPECT_THROW(statedOffset(bare), Error);
+}
+
 }  // namespace
 }  // namespace lathelier::cam

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
+#include <vector>
 
+#include "engine/core/random.h"
 #include "engine/features/shaft_mesh.h"
+#include "engine/registration/surface/drawn_surface.h"
 #include "made_scan.h"
 
 namespace lathelier::features {
@@ -69,6 +73,56 @@ TEST(DrawnReference, KnownOversize)
         registration::compare(registration::DrawnReference{shaftMesh(shaft).scan, closedContour(shaft)}, copy);
     EXPECT_NEAR(result.statistics.median_mm, 0.020, 1e-3);
     EXPECT_NEAR(result.statistics.mad_sigma_mm, 0.05, 2e-3);
+}
+
+/// The exact surface of the alignment beside the triangles: the distance differs by less than their sagitta.
+TEST(DrawnReference, SurfaceIsThatOfItsMesh)
+{
+    const Shaft shaft = featureShaft();
+    const ShaftMesh mesh = shaftMesh(shaft);
+    const Eigen::Vector3d middle(3, -2, 40);
+    Scan shifted = mesh.scan;
+    for (Eigen::Vector3d& point : shifted.points_mm) point -= middle;
+    const auto triangles = registration::makeSurface(shifted, {});
+    ASSERT_TRUE(triangles->orient({}));
+    const registration::DrawnSurface drawn(closedContour(shaft), middle);
+    std::vector<Eigen::Vector3d> queries;
+    for (std::uint64_t i = 0; i < 2000; ++i)
+        queries.push_back(Eigen::Vector3d(30 * (randomUniform(1, 0, i) - 0.5), 30 * (randomUniform(1, 1, i) - 0.5),
+                                          130 * randomUniform(1, 2, i) - 10) -
+                          middle);
+    constexpr double reach_mm = 4;
+    std::vector<registration::SurfacePlace> exact(queries.size()), meshed(queries.size());
+    drawn.place(queries, reach_mm, exact, {});
+    triangles->place(queries, reach_mm, meshed, {});
+    std::size_t both = 0;
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        if (std::abs(exact[i].distance_mm) > reach_mm - 1e-3 || !exact[i].found()) continue;
+        ASSERT_TRUE(meshed[i].found()) << i;
+        ++both;
+        EXPECT_NEAR(exact[i].distance_mm, meshed[i].distance_mm, 2 * mesh.sagitta_mm) << queries[i].transpose();
+        EXPECT_NEAR(exact[i].normal.norm(), 1, 1e-12);
+    }
+    EXPECT_GT(both, 300U);
+    EXPECT_LT(both, queries.size());
+}
+
+/// The work for a cone follows its rows and not its size: with triangles this took minutes.
+TEST(DrawnReference, HugeConeIsAligned)
+{
+    Shaft shaft;
+    shaft.segments = {row(98, 30, 30000), row(10, 37, 37)};
+    const Scan copy = sample::scanShaft(sample::nominalShaft(), askew(6));
+    registration::CompareParameters parameters;
+    parameters.method = registration::CompareMethod::Plane;
+    const auto begin = std::clock();
+    try {
+        registration::compare(registration::DrawnReference{shaftMesh(shaft).scan, closedContour(shaft)}, copy,
+                              parameters);
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.code().key, "parts_do_not_match");
+    }
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 30);
 }
 
 }  // namespace

@@ -96,6 +96,24 @@ private slots:
         player.setOn(false);
     }
 
+    /// As the window gives a file that was named on its command line.
+    void aLessonOpensInTheTour()
+    {
+        const QString path = folder_.filePath("own.md");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("# Own\n\nWords.\n\n## One\n\nText.\n\n## Two\n\nText.\n");
+        file.close();
+        const int steps = session_->undoStack().count();
+        panel_->openFound({{path.toStdString()}});
+        QCOMPARE(panel_->tour().path(), path);
+        QCOMPARE(panel_->tour().steps(), 2);
+        QCOMPARE(session_->undoStack().count(), steps);
+        QVERIFY(panel_->error() == std::nullopt);
+        const io::FileKinds& kinds = trainingPanelFacts().kinds;
+        QCOMPARE(io::findKind(kinds, path.toStdString()).kind->key, std::string("lesson"));
+    }
+
     void theTourIsSteppedInEveryLanguage()
     {
         Languages languages;

@@ -44,7 +44,7 @@ public:
     /// Assigns `paths` to the inputs: empty ones first, in order. One undo step. If the panel accepts several kinds of
     /// file, their heads are read first, in the background.
     void openFiles(const QStringList& paths);
-    void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
+    virtual void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
     void askForFiles();                                   ///< openFiles() with a file dialog
     void cancel();
     void recompute();  ///< recomputes although the state is unchanged (a file on disk may have changed)

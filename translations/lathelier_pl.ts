@@ -6524,10 +6524,6 @@
         <translation>Postacie dopasowane do charakterystyki częstotliwościowej, na których opiera się symulacja: {count}; nie oddają z niej {error_percent} %.</translation>
     </message>
     <message>
-        <source>Still needed: {value}.</source>
-        <translation>Jeszcze potrzebne: {value}.</translation>
-    </message>
-    <message>
         <source>Drop the file of a spindle here, then type diameter, overhang and cutting speed.</source>
         <translation>Upuść tu plik wrzeciona, potem podaj średnicę, wysięg i prędkość skrawania.</translation>
     </message>
@@ -8322,10 +8318,6 @@
     <message>
         <source>The program does not state {what}; assumed: {assumed}.</source>
         <translation>Program nie podaje: {what}; przyjęto: {assumed}.</translation>
-    </message>
-    <message>
-        <source>Nose radius compensation without a known radius: the programmed contour is shown.</source>
-        <translation>Kompensacja promienia naroża bez znanego promienia: pokazany jest zaprogramowany kontur.</translation>
     </message>
     <message>
         <source>The move starts from a position that is not known.</source>
@@ -14299,6 +14291,326 @@
         <source>Only one of these can be given: {names}.</source>
         <translation>Można podać tylko jedno z tych: {names}.</translation>
     </message>
+    <message>
+        <source>Optional stops</source>
+        <translation>Zatrzymania opcjonalne</translation>
+    </message>
+    <message>
+        <source>A stop (M1) before each further tool, where the control&apos;s post knows one.</source>
+        <translation>Zatrzymanie (M1) przed każdym dalszym narzędziem, jeśli postprocesor sterowania je zna.</translation>
+    </message>
+    <message>
+        <source>State the work offset</source>
+        <translation>Podanie przesunięcia zera</translation>
+    </message>
+    <message>
+        <source>G54 at the start, where the control&apos;s post knows it.</source>
+        <translation>G54 na początku, jeśli postprocesor sterowania je zna.</translation>
+    </message>
+    <message>
+        <source>stop optionally</source>
+        <translation>zatrzymać opcjonalnie</translation>
+    </message>
+    <message>
+        <source>state the work offset</source>
+        <translation>podać przesunięcia zera</translation>
+    </message>
+    <message>
+        <source>Stops</source>
+        <translation>Zatrzymania</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Zatrzymanie</translation>
+    </message>
+    <message>
+        <source>What is done there</source>
+        <translation>Co się wtedy robi</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>zatrzymanie</translation>
+    </message>
+    <message>
+        <source>optional stop</source>
+        <translation>zatrzymanie opcjonalne</translation>
+    </message>
+    <message>
+        <source>clockwise (M3)</source>
+        <translation>w prawo (M3)</translation>
+    </message>
+    <message>
+        <source>anticlockwise (M4)</source>
+        <translation>w lewo (M4)</translation>
+    </message>
+    <message>
+        <source>Call in the program</source>
+        <translation>Wywołanie w programie</translation>
+    </message>
+    <message>
+        <source>Width, diameter</source>
+        <translation>Szerokość, średnica</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Skrawa</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr</translation>
+    </message>
+    <message>
+        <source>Largest feed, lead</source>
+        <translation>Największy posuw, skok</translation>
+    </message>
+    <message>
+        <source>Part and stock</source>
+        <translation>Część i półfabrykat</translation>
+    </message>
+    <message>
+        <source>Bar diameter</source>
+        <translation>Średnica pręta</translation>
+    </message>
+    <message>
+        <source>Bar length</source>
+        <translation>Długość pręta</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nie podano</translation>
+    </message>
+    <message>
+        <source>Faced off</source>
+        <translation>Naddatek na czole</translation>
+    </message>
+    <message>
+        <source>End that is turned</source>
+        <translation>Toczony koniec</translation>
+    </message>
+    <message>
+        <source>the other end: the work is turned round</source>
+        <translation>drugi koniec: przedmiot jest odwrócony</translation>
+    </message>
+    <message>
+        <source>the free end of the drawing</source>
+        <translation>wolny koniec z rysunku</translation>
+    </message>
+    <message>
+        <source>Zero point Z0</source>
+        <translation>Punkt zerowy Z0</translation>
+    </message>
+    <message>
+        <source>Chuck face at Z</source>
+        <translation>Czoło uchwytu na Z</translation>
+    </message>
+    <message>
+        <source>Stands out of the chuck before facing</source>
+        <translation>Wysunięcie z uchwytu przed planowaniem</translation>
+    </message>
+    <message>
+        <source>Diameter of the jaws</source>
+        <translation>Średnica szczęk</translation>
+    </message>
+    <message>
+        <source>Clamped at least</source>
+        <translation>Zamocowane co najmniej</translation>
+    </message>
+    <message>
+        <source>Tailstock, centre hole up to</source>
+        <translation>Konik, nakiełek do średnicy</translation>
+    </message>
+    <message>
+        <source>Cut off at Z</source>
+        <translation>Odcięcie na Z</translation>
+    </message>
+    <message>
+        <source>Speed limit of the spindle</source>
+        <translation>Granica prędkości wrzeciona</translation>
+    </message>
+    <message>
+        <source>Speed limit of the spindle (assumed)</source>
+        <translation>Granica prędkości wrzeciona (przyjęta)</translation>
+    </message>
+    <message>
+        <source>not written</source>
+        <translation>nie zapisany</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Wiersze</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Przedmiot</translation>
+    </message>
+    <message>
+        <source>What is left</source>
+        <translation>Co zostaje</translation>
+    </message>
+    <message>
+        <source>Nothing stays on the drawing.</source>
+        <translation>Nic nie zostaje na rysunku.</translation>
+    </message>
+    <message>
+        <source>This block is in a file of its own, and a correction changes the program alone. Put it into the program that calls it.</source>
+        <translation>Ten blok jest w osobnym pliku, a korekta zmienia tylko sam program. Umieść go w programie, który go wywołuje.</translation>
+    </message>
+    <message>
+        <source>The folder of subprograms holds {found} {unit}; at most {most} are looked at.</source>
+        <translation>Katalog podprogramów zawiera {found} {unit}; przeglądanych jest najwyżej {most}.</translation>
+    </message>
+    <message>
+        <source>Nose radius compensation without a known radius, up to line {last}: the programmed contour is shown.</source>
+        <translation>Kompensacja promienia naroża bez znanego promienia, aż do wiersza {last}: pokazano zaprogramowany kontur.</translation>
+    </message>
+    <message>
+        <source>The cycle starts at a radius of {start_mm:4} mm, within its contour, which reaches {reach_mm:4} mm: its rapid moves lead through the work.</source>
+        <translation>Cykl zaczyna się na promieniu {start_mm:4} mm, wewnątrz swojego konturu, który sięga {reach_mm:4} mm: jego ruchy szybkie prowadzą przez materiał.</translation>
+    </message>
+    <message>
+        <source>Lines {first_line} to {last_line} of this answer are lines 1 to {lines} of {path}.</source>
+        <translation>Wiersze od {first_line} do {last_line} w tej odpowiedzi to wiersze od 1 do {lines} pliku {path}.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>wyłączone</translation>
+    </message>
+    <message>
+        <source>its kind of machining is none of 1 to 12 and 201 to 212</source>
+        <translation>jego rodzaj obróbki nie jest żadnym z 1 do 12 i 201 do 212</translation>
+    </message>
+    <message>
+        <source>the name of its contour is missing</source>
+        <translation>brakuje nazwy jego konturu</translation>
+    </message>
+    <message>
+        <source>the feed in force</source>
+        <translation>obowiązujący posuw</translation>
+    </message>
+    <message>
+        <source>on radius</source>
+        <translation>na promieniu</translation>
+    </message>
+    <message>
+        <source>on, in roughing and in finishing</source>
+        <translation>włączona, przy obróbce zgrubnej i wykańczającej</translation>
+    </message>
+    <message>
+        <source>its kind of machining is none of 1 to 4</source>
+        <translation>jego rodzaj obróbki nie jest żadnym z 1 do 4</translation>
+    </message>
+    <message>
+        <source>it states no pitch, or two that differ</source>
+        <translation>nie podaje skoku albo podaje dwa różne</translation>
+    </message>
+    <message>
+        <source>the depth of the thread is missing</source>
+        <translation>brakuje głębokości gwintu</translation>
+    </message>
+    <message>
+        <source>its kind of machining is none of 1 to 8 and 11 to 18</source>
+        <translation>jego rodzaj obróbki nie jest żadnym z 1 do 8 i 11 do 18</translation>
+    </message>
+    <message>
+        <source>the width or the depth of the groove is missing</source>
+        <translation>brakuje szerokości lub głębokości rowka</translation>
+    </message>
+    <message>
+        <source>the blade is wider than the groove</source>
+        <translation>ostrze jest szersze niż rowek</translation>
+    </message>
+    <message>
+        <source>its words are those of another control (Mach3)</source>
+        <translation>jego słowa należą do innego sterowania (Mach3)</translation>
+    </message>
+    <message>
+        <source>the subroutine that Q names is not in the program before it</source>
+        <translation>podprogramu wskazanego przez Q nie ma w programie przed tym cyklem</translation>
+    </message>
+    <message>
+        <source>it needs absolute coordinates (G90)</source>
+        <translation>wymaga współrzędnych absolutnych (G90)</translation>
+    </message>
+    <message>
+        <source>nose radius compensation is on</source>
+        <translation>kompensacja promienia naroża jest włączona</translation>
+    </message>
+    <message>
+        <source>its contour leads back along the passes</source>
+        <translation>jego kontur cofa się wzdłuż przejść</translation>
+    </message>
+    <message>
+        <source>a folder that exists</source>
+        <translation>istniejący katalog</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>plików</translation>
+    </message>
+    <message>
+        <source>Folder of subprograms</source>
+        <translation>Katalog podprogramów</translation>
+    </message>
+    <message>
+        <source>Programs that are called and not in the file are looked for there, by their names.</source>
+        <translation>Tam szukane są po nazwach programy, które są wywoływane, a nie ma ich w pliku.</translation>
+    </message>
+    <message>
+        <source>shaft, {length} mm</source>
+        <translation>wał, {length} mm</translation>
+    </message>
+    <message>
+        <source>response of {shaft}</source>
+        <translation>odpowiedź: {shaft}</translation>
+    </message>
+    <message>
+        <source>Shaft (SHAFT.json)…</source>
+        <translation>Wał (SHAFT.json)…</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Stock text…</source>
+        <translation>Tekst półfabrykatu…</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>Receptance (CSV)…</source>
+        <translation>Receptancja (CSV)…</translation>
+    </message>
+    <message>
+        <source>Receptance (UFF)…</source>
+        <translation>Receptancja (UFF)…</translation>
+    </message>
+    <message>
+        <source>Universal file (*.uff)</source>
+        <translation>Plik uniwersalny (*.uff)</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>wrzeciono</translation>
+    </message>
+    <message>
+        <source>spindle of {file}</source>
+        <translation>wrzeciono z {file}</translation>
+    </message>
+    <message>
+        <source>Spindle (SPINDLE.json)…</source>
+        <translation>Wrzeciono (SPINDLE.json)…</translation>
+    </message>
+    <message>
+        <source>Magnitude over frequency (CSV)…</source>
+        <translation>Moduł w funkcji częstotliwości (CSV)…</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lekcje</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -16400,32 +16712,8 @@ odchyłka %3</translation>
 <context>
     <name>lathelier::machine_panel::MachinePanel</name>
     <message>
-        <source>spindle</source>
-        <translation>wrzeciono</translation>
-    </message>
-    <message>
-        <source>spindle of %1</source>
-        <translation>wrzeciono z %1</translation>
-    </message>
-    <message>
         <source>%L1 rods, %L2 responses</source>
         <translation>Prętów: %L1, charakterystyk: %L2</translation>
-    </message>
-    <message>
-        <source>Spindle (SPINDLE.json)…</source>
-        <translation>Wrzeciono (SPINDLE.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Magnitude over frequency (CSV)…</source>
-        <translation>Moduł w funkcji częstotliwości (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -17172,48 +17460,8 @@ Wszystkie inne widoki działają.</translation>
 <context>
     <name>lathelier::shaft_panel::ShaftPanel</name>
     <message>
-        <source>shaft, %1 mm</source>
-        <translation>wał, %1 mm</translation>
-    </message>
-    <message>
         <source>Move the end of segment %1</source>
         <translation>Przesuń koniec odcinka %1</translation>
-    </message>
-    <message>
-        <source>response of %1</source>
-        <translation>charakterystyka: %1</translation>
-    </message>
-    <message>
-        <source>Shaft (SHAFT.json)…</source>
-        <translation>Wał (SHAFT.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Stock text…</source>
-        <translation>Tekst półfabrykatu…</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Tekst (*.txt)</translation>
-    </message>
-    <message>
-        <source>Receptance (CSV)…</source>
-        <translation>Receptancja (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Receptance (UFF)…</source>
-        <translation>Receptancja (UFF)…</translation>
-    </message>
-    <message>
-        <source>Universal file (*.uff)</source>
-        <translation>Plik uniwersalny (*.uff)</translation>
     </message>
 </context>
 <context>
@@ -18567,6 +18815,14 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>%L1 blocks</source>
         <translation>bloki: %L1</translation>
+    </message>
+    <message>
+        <source>Set-up sheet (HTML)…</source>
+        <translation>Karta ustawcza (HTML)…</translation>
+    </message>
+    <message>
+        <source>Page (*.html)</source>
+        <translation>Strona (*.html)</translation>
     </message>
 </context>
 <context>

@@ -78,8 +78,19 @@ Word& BlockScanner::add(std::size_t from, std::size_t to, WordKind kind, char le
     return program_.words.back();
 }
 
+/// Does the rest of the block read as plain words: several letters in a row, and no number behind them?
+bool BlockScanner::isPlainText(std::size_t at) const
+{
+    constexpr std::ptrdiff_t word = 4;
+    const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(at),
+               end = text_.begin() + static_cast<std::ptrdiff_t>(end_);
+    const auto letters = std::find_if_not(begin, end, isAlpha) - begin;
+    return letters >= word || (letters > 1 && std::find_if(begin, end, isDigit) == end);
+}
+
 void BlockScanner::fail(const ErrorCode& code, std::size_t at, std::size_t to)
 {
+    if (&code == &errors::ncNumberMissing && isPlainText(at)) to = endOfCode(at);
     block_->is_malformed = true;
     report(program_, program_.diagnostics, *block_, static_cast<std::uint32_t>(at), code,
            {{"found", shown(program_, std::string_view(text_).substr(at, to - at))}});
@@ -121,7 +132,7 @@ void BlockScanner::scanComment()
         const std::string_view behind = std::string_view(text_).substr(from + 1, end_ - from - 1);
         if (grammar_.is_iso_code && program_.words.size() > block_->first_word && isBlockText(behind))
             report(program_, program_.diagnostics, *block_, static_cast<std::uint32_t>(from), notes::ncBlockNotModelled,
-                   {{"found", shown(program_, behind)}});
+                   {{"found", shown(program_, behind)}}, GapEffect::Moves);
         add(from, end_, WordKind::Comment);
         return;
     }

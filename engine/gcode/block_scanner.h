@@ -27,6 +27,7 @@ private:
     std::size_t endOfCode(std::size_t at) const;
     std::size_t skipBlanks(std::size_t at) const;
     Word& add(std::size_t from, std::size_t to, WordKind kind, char letter = 0);
+    bool isPlainText(std::size_t at) const;
     void fail(const ErrorCode& code, std::size_t at, std::size_t to);
 
     Program& program_;

@@ -104,12 +104,14 @@ struct Control {
     bool increments_are_letters = false;     ///< U and W are increments of X and Z
     bool integers_count_increments = false;  ///< numbers without a point are to be noted: some machines count 1 µm, and
                                              ///< P and Q of cycles always do so (times: 1 ms)
-    bool set_position_shifts = false;  ///< SetPosition moves the zero; false: it describes the tool
-    bool can_state_diameter = false;   ///< a word says whether X counts diameters
-    bool refuses_conflicts = false;    ///< a letter twice or two motions in a block are errors
-    bool tool_holds_offset = false;    ///< T0304: tool 3, offset 4
-    bool tools_have_names = false;     ///< T="T4": the first number in the name is taken
-    std::vector<DwellWord> dwell;      ///< later ones have precedence
+    bool set_position_shifts = false;       ///< SetPosition moves the zero; false: it describes the tool
+    bool set_position_is_absolute = false;  ///< SetPosition states coordinates where others count increments too
+    bool local_shift_is_position = false;   ///< LocalShift and SetPosition state one shift: the later one holds
+    bool can_state_diameter = false;        ///< a word says whether X counts diameters
+    bool refuses_conflicts = false;         ///< a letter twice or two motions in a block are errors
+    bool tool_holds_offset = false;         ///< T0304: tool 3, offset 4
+    bool tools_have_names = false;          ///< T="T4": the first number in the name is taken
+    std::vector<DwellWord> dwell;           ///< later ones have precedence
 
     // Feeds and speeds
     bool feed_ends_with_its_kind = false;  ///< another kind of feed (per minute, per revolution) needs a new F; false:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "engine/gcode/arc.h"
@@ -104,6 +105,10 @@ struct Roughing {
     double allowance_z_mm = 0;  ///< W
 };
 CycleMoves roughing(const Point& start, const std::vector<ContourPiece>& contour, const Roughing& rough);
+/// The radius that the contour of G71 reaches beyond the start before its last piece, so that the way back to the start
+/// leads through it; none: it does not.
+std::optional<double> reachesBeyond(const Point& start, const std::vector<ContourPiece>& contour,
+                                    const Roughing& rough);
 
 /// G73: the contour `passes` times, shifted by relief·(1 - j/(passes - 1)) + allowance.
 struct Pattern {

@@ -160,7 +160,14 @@ inline constexpr NoteCode ncAssumed{"nc_state_assumed", Severity::Warning,
 
 inline constexpr NoteCode noseRadiusUnknown{
     "nose_radius_unknown", Severity::Warning,
-    LT_TEXT("Engine", "Nose radius compensation without a known radius: the programmed contour is shown.")};
+    LT_TEXT("Engine",
+            "Nose radius compensation without a known radius, up to line {last}: the programmed contour is shown.")};
+
+inline constexpr NoteCode ncCycleStartsInside{
+    "nc_cycle_starts_inside", Severity::Warning,
+    LT_TEXT("Engine",
+            "The cycle starts at a radius of {start_mm:4} mm, within its contour, which reaches {reach_mm:4} mm: its "
+            "rapid moves lead through the work.")};
 
 inline constexpr NoteCode ncPositionUnknown{"nc_position_unknown", Severity::Warning,
                                             LT_TEXT("Engine", "The move starts from a position that is not known.")};

@@ -43,6 +43,10 @@ Toolpath Interpreter::run()
     }
     path_.finish();
     drainProblems();
+    if (noseUnknown_) {
+        pc_ = noseUnknown_->first;
+        warn(notes::noseRadiusUnknown, nullptr, {{"last", static_cast<std::int64_t>(noseUnknown_->second) + 1}});
+    }
     result_.words = countWords(program_);
     result_.words_understood = countUnderstood(program_);
     result_.diagnostics = diagnostics_.sorted();
@@ -188,6 +192,10 @@ void Interpreter::execute(std::size_t block)
     ++state.runs;
     state.start = modal_.at;
     BlockWords words;
+    if (here.has_skip && !statedSkip_) {
+        statedSkip_ = true;
+        assume("block_skip", LT_TEXT("Engine", "off"));
+    }
     if (const Word& first = program_.words[here.first_word]; here.word_count > 1 || first.kind != WordKind::Comment) {
         if (!gather(words)) return;
         takeModes(words);

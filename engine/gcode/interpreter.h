@@ -30,7 +30,8 @@ struct Modal {
     bool per_revolution = true;
     bool is_css = false;
     bool is_stopped = false;
-    double feed = notANumber;  ///< in mm, per revolution or minute
+    double feed = notANumber;            ///< in mm, per revolution or minute
+    double thread_lead_mm = notANumber;  ///< of E, until the next F
     bool feed_is_stale = false;
     double speed = notANumber;  ///< 1/min or m/min
     double limit_rpm = notANumber;
@@ -193,6 +194,7 @@ private:
     Point ofProgram(const Point& work) const;
     static Point plus(const Point& a, const Point& b) { return {a.x_mm + b.x_mm, a.z_mm + b.z_mm}; }
     void thread(BlockWords& words);
+    double threadLead_mm(BlockWords& words);
     void arc(BlockWords& words, const Point& end);
     bool hasAxes(const BlockWords& words) const;
     Point target(BlockWords& words);
@@ -223,6 +225,8 @@ private:
     void peck(BlockWords& words, bool alongX);
     void contourCycle(BlockWords& words, G which);
     void unclosedCycle();
+    void subroutineCycle(BlockWords& words, G which);
+    std::optional<std::vector<Piece>> subroutineContour(std::size_t first, std::size_t last, Point from);
     int passesOf(double stated);
     std::vector<std::int64_t> linesOf(long number) const;
     std::vector<ContourPiece> collect(std::size_t first, std::size_t last);
@@ -263,6 +267,8 @@ private:
     int repeatedErrors_ = 0;  ///< suppressed repetitions of errors
     bool inContour_ = false;  ///< true while the contour of a cycle is collected
     bool inFinish_ = false;   ///< G70 runs it
+    std::optional<std::pair<std::size_t, std::size_t>> noseUnknown_;  ///< first and last block of reportNose()
+    bool statedSkip_ = false;
     bool statedDiameter_ = false;
     bool statedFeedMode_ = false;
     bool statedUnit_ = false;

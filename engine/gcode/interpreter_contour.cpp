@@ -174,9 +174,10 @@ void Interpreter::arc(BlockWords& words, const Point& end)
     const auto offset = [&](char letter, double begin, bool isX) {
         if (!words.has(letter)) return modal_.arc_is_absolute ? notANumber : begin;
         const double value = length_mm(words, letter);
-        const bool isAbsolute = modal_.arc_is_absolute || (words.absolute >> BlockWords::slot(letter) & 1U) != 0;
-        if (!isAbsolute) return begin + value;
-        return isX && modal_.is_diameter ? value / 2 : value;
+        // A coordinate by a word of its own counts as X does; by a mode it is a radius always.
+        if ((words.absolute >> BlockWords::slot(letter) & 1U) != 0)
+            return isX && modal_.is_diameter ? value / 2 : value;
+        return modal_.arc_is_absolute ? value : begin + value;
     };
     centre = {offset('I', start.x_mm, true), offset('K', start.z_mm, false)};
     if (modal_.is_shifted) centre = ofWork(centre);

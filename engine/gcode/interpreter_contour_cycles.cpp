@@ -118,6 +118,8 @@ void Interpreter::contourCycle(BlockWords& words, G which)
         rough.retreat_mm = roughRetreat_mm_;
         rough.allowance_x_mm = u_mm / 2;
         rough.allowance_z_mm = w_mm;
+        if (const auto reach = reachesBeyond(start, contour, rough))
+            warn(notes::ncCycleStartsInside, nullptr, {{"start_mm", start.x_mm}, {"reach_mm", *reach}});
         moves = roughing(start, contour, rough);
     }
     emitCycle(moves);

@@ -11,8 +11,8 @@ namespace lathelier::gcode {
 /// Does the block begin a cycle or belong to a modal one?
 bool Interpreter::isCycle(const BlockWords& words) const
 {
-    for (const G which :
-         {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern, G::FacePeck, G::TurnPeck, G::ThreadMulti, G::DriveThread})
+    for (const G which : {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern, G::SubroutineFinish, G::SubroutineTurn,
+                          G::SubroutineFace, G::FacePeck, G::TurnPeck, G::ThreadMulti, G::DriveThread})
         if (words.hasG(which)) return true;
     return modal_.motion == G::TurnCycle || modal_.motion == G::FaceCycle || modal_.motion == G::ThreadCycle ||
            modal_.motion == G::Drill;
@@ -24,6 +24,11 @@ bool Interpreter::cycle(BlockWords& words)
     for (const G which : {G::Finish, G::RoughTurn, G::RoughFace, G::Pattern})
         if (words.hasG(which)) {
             contourCycle(words, which);
+            return true;
+        }
+    for (const G which : {G::SubroutineFinish, G::SubroutineTurn, G::SubroutineFace})
+        if (words.hasG(which)) {
+            subroutineCycle(words, which);
             return true;
         }
     if (words.hasG(G::FacePeck) || words.hasG(G::TurnPeck)) {
@@ -64,8 +69,7 @@ void Interpreter::singleCycle(BlockWords& words)
         if (words.has(letter) && !(modal_.motion == G::ThreadCycle && letter == 'K'))
             cycleR_ = length_mm(words, letter);
     if (words.has('Q')) plain(words, 'Q');
-    double lead = modal_.feed;
-    if (words.has('E')) lead = mm_per_inch / plain(words, 'E');
+    const double lead = modal_.motion == G::ThreadCycle ? threadLead_mm(words) : modal_.feed;
     const Point end{isKnown(cycleX_) ? cycleX_ : cycleStart_->x_mm, isKnown(cycleZ_) ? cycleZ_ : cycleStart_->z_mm};
     if (!isKnown(*cycleStart_)) warn(notes::ncPositionUnknown);
     if (modal_.motion == G::ThreadCycle) {
@@ -143,6 +147,13 @@ void Interpreter::threadMulti(BlockWords& words)
             error(errors::ncCycle, nullptr, {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "it has no words")}});
         return;
     }
+    // A form with letters that this cycle has on no control of its kind: X Z Q P H I R K L C B T J is that of Mach3.
+    constexpr std::string_view others = "HJLBTC";
+    const auto isOther = [&](char letter) { return (words.given >> BlockWords::slot(letter) & 1U) != 0; };
+    if (std::count_if(others.begin(), others.end(), isOther) > 1)
+        return error(
+            errors::ncCycle, nullptr,
+            {{"cycle", "G76"}, {"reason", LT_TEXT("Engine", "its words are those of another control (Mach3)")}});
     const Point start = modal_.at;
     MultiThread cut;
     cut.end = target(words);
@@ -163,7 +174,7 @@ void Interpreter::threadMulti(BlockWords& words)
         cut.last_passes = threadLast_;
         if (words.has('R')) cut.taper_mm = length_mm(words, 'R');
     }
-    const double lead = words.has('E') ? mm_per_inch / plain(words, 'E') : modal_.feed;
+    const double lead = threadLead_mm(words);
     cut.run_out_mm = isOneBlock ? 0 : threadRun_ * lead;
     if (!(lead > 0)) return error(errors::ncFeedMissing);
     if (!(cut.height_mm > 0) || !(cut.first_mm > 0)) {

@@ -82,7 +82,12 @@ void Interpreter::takeShift(BlockWords& words, G which)
 {
     const Point none{0, 0};
     switch (which) {
-        case G::LocalShift: modal_.local = statedShift(words, modal_.local); break;
+        case G::LocalShift:
+            if (control_.local_shift_is_position)
+                modal_.stated_kept = modal_.stated = statedShift(words, modal_.stated);
+            else
+                modal_.local = statedShift(words, modal_.local);
+            break;
         case G::Translate: {
             const Point to = statedShift(words, none);
             modal_.coarse = modal_.fine = none;
@@ -99,7 +104,10 @@ void Interpreter::takeShift(BlockWords& words, G which)
         case G::SetPositionBack: modal_.stated = modal_.stated_kept; break;
         default: {  // SetPosition, SpeedLimit with coordinates
             if (!hasAxes(words)) return;
+            const bool isIncremental = modal_.is_incremental;
+            if (control_.set_position_is_absolute) modal_.is_incremental = false;
             const Point stated = statedTarget(words, ofProgram(modal_.at));
+            modal_.is_incremental = isIncremental;
             // Before the first move it says where the tool stands; later the tool stays and the zero moves. Where the
             // control states coordinates of each tool by it, it describes the tool.
             if (!control_.set_position_shifts || result_.moves.empty()) {
@@ -114,6 +122,7 @@ void Interpreter::takeShift(BlockWords& words, G which)
                 return;
             }
             modal_.stated = plus(modal_.stated, modal_.frame.turned({now.x_mm - stated.x_mm, now.z_mm - stated.z_mm}));
+            modal_.stated_kept = modal_.stated;
         }
     }
     updateFrame();
@@ -145,7 +154,9 @@ void Interpreter::setData(BlockWords& words)
             modal_.at = {};
             return;
         }
-        offsets_[of] = plus(before, {now.x_mm - stated.x_mm, now.z_mm - stated.z_mm});
+        Point& offset = offsets_[of] = before;
+        if (words.has('X') || words.has('U')) offset.x_mm = modal_.zero.x_mm + now.x_mm - stated.x_mm;
+        if (words.has('Z') || words.has('W')) offset.z_mm = modal_.zero.z_mm + now.z_mm - stated.z_mm;
     }
     if (of != modal_.work_offset) return;
     modal_.zero = offsets_[of];

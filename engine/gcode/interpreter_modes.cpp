@@ -118,6 +118,7 @@ void Interpreter::takeModes(BlockWords& words)
     if (words.has('F') && !isOfDwell(words, 'F')) {
         modal_.feed = plain(words, 'F') * (modal_.inch_feed ? mm_per_inch : 1);
         modal_.feed_is_stale = false;
+        modal_.thread_lead_mm = notANumber;
     } else if (wasPerRevolution != modal_.per_revolution && isKnown(modal_.feed)) {
         if (control_.feed_ends_with_its_kind)
             modal_.feed = notANumber;

@@ -212,9 +212,12 @@ std::optional<Tool> Interpreter::noseTool() const
 
 void Interpreter::reportNose()
 {
-    if (std::none_of(assumed_.begin(), assumed_.end(), [](const Assumed& one) { return one.what == "nose_radius_mm"; }))
+    if (!noseUnknown_) {
+        noseUnknown_ = {pc_, pc_};
         assume("nose_radius_mm", LT_TEXT("Engine", "0"));
-    warn(notes::noseRadiusUnknown);
+    }
+    noseUnknown_->first = std::min(noseUnknown_->first, pc_);
+    noseUnknown_->second = std::max(noseUnknown_->second, pc_);
 }
 
 /// Does the letter state the time of a dwell in this block, instead of what it states in others?
@@ -264,6 +267,17 @@ void Interpreter::reference(BlockWords& words)
     emit(kind, to);
 }
 
+/// The lead of threads by F, or by E, which holds until the next F: below 1 it is the lead in inches, which some
+/// controls count by it, otherwise the number of turns per inch. A thread has no less than one, and no lead of an inch.
+double Interpreter::threadLead_mm(BlockWords& words)
+{
+    if (words.has('E')) {
+        const double stated = plain(words, 'E');
+        modal_.thread_lead_mm = !(stated > 0) ? notANumber : stated < 1 ? stated * mm_per_inch : mm_per_inch / stated;
+    }
+    return isKnown(modal_.thread_lead_mm) ? modal_.thread_lead_mm : modal_.feed;
+}
+
 void Interpreter::thread(BlockWords& words)
 {
     const bool hasMove = hasAxes(words);
@@ -272,8 +286,8 @@ void Interpreter::thread(BlockWords& words)
         const double along = words.has('K') ? length_mm(words, 'K') : notANumber;
         const double across = words.has('I') ? length_mm(words, 'I') : notANumber;
         lead = isKnown(along) ? along : across;
-    } else if (words.has('E')) {
-        lead = plain(words, 'E') > 0 ? mm_per_inch / plain(words, 'E') : notANumber;
+    } else {
+        lead = threadLead_mm(words);
     }
     if (words.has('Q')) plain(words, 'Q');
     if (!hasMove) return;

@@ -140,6 +140,17 @@ private:
 
 }  // namespace
 
+std::optional<double> reachesBeyond(const Point& start, const std::vector<ContourPiece>& contour, const Roughing& rough)
+{
+    if (rough.is_face || contour.size() < 3) return std::nullopt;
+    // Outside where the contour ends farther from the axis than it begins.
+    const double side = contour[1].piece.from.x_mm <= contour.back().piece.to.x_mm ? 1 : -1;
+    double reach = start.x_mm;
+    for (std::size_t i = 1; i + 1 < contour.size(); ++i)
+        if (side * (contour[i].piece.to.x_mm - reach) > 0) reach = contour[i].piece.to.x_mm;
+    return side * (reach - start.x_mm) > sameLevel_mm ? std::optional(reach) : std::nullopt;
+}
+
 CycleMoves roughing(const Point& start, const std::vector<ContourPiece>& contour, const Roughing& rough)
 {
     if (contour.size() < 2 || !(rough.depth_mm > 0)) return {};

@@ -31,7 +31,8 @@ std::string plainName(std::string_view name)
     const std::size_t digit = plain.find_first_not_of("0123456789", from);
     if (plain.size() == from || digit != std::string::npos) return plain;
     const std::size_t zeros = std::min(plain.find_first_not_of('0', from), plain.size() - 1);
-    return "O" + plain.substr(zeros);
+    std::string numbered = "O";
+    return numbered.append(plain.substr(zeros));
 }
 
 /// What `line` declares; empty: nothing.

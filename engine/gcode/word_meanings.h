@@ -45,26 +45,29 @@ enum class G : std::uint8_t {
     Diameter,
     Radius,
     CycleOff,
-    Drill,            ///< in one go, or in pecks with Q
-    DrillChipBreak,   ///< retracts a little instead of to the R level
-    DrillFeedOut,     ///< returns at the feed
-    Tap,              ///< a thread in and out
-    DrillAcross,      ///< along X with a driven tool: known, not modelled
-    ReturnToLevel,    ///< drilling ends at the R level instead of at the start
-    TurnCycle,        ///< one pass along Z and back
-    FaceCycle,        ///< one pass along X and back
-    ThreadCycle,      ///< one pass of a thread and back
-    Finish,           ///< the contour of P and Q once
-    RoughTurn,        ///< the contour in passes along Z
-    RoughFace,        ///< the contour in passes along X
-    Pattern,          ///< the contour several times, shifted
-    FacePeck,         ///< grooves along Z
-    TurnPeck,         ///< grooves along X
-    ThreadMulti,      ///< a thread in passes: one block, or two, the first with P (mmrraa), Q and R
-    DriveThread,      ///< a thread in passes: one block with P, I, J, K and a drive line
-    WorkOffset,       ///< another work offset: the position becomes unknown
-    WorkOffsetNamed,  ///< a work offset in which the program is taken to state its coordinates: the position is kept
-    LocalShift,       ///< the zero by the words of the block, from that of the work offset
+    Drill,             ///< in one go, or in pecks with Q
+    DrillChipBreak,    ///< retracts a little instead of to the R level
+    DrillFeedOut,      ///< returns at the feed
+    Tap,               ///< a thread in and out
+    DrillAcross,       ///< along X with a driven tool: known, not modelled
+    ReturnToLevel,     ///< drilling ends at the R level instead of at the start
+    TurnCycle,         ///< one pass along Z and back
+    FaceCycle,         ///< one pass along X and back
+    ThreadCycle,       ///< one pass of a thread and back
+    Finish,            ///< the contour of P and Q once
+    RoughTurn,         ///< the contour in passes along Z
+    RoughFace,         ///< the contour in passes along X
+    Pattern,           ///< the contour several times, shifted
+    SubroutineFinish,  ///< as Finish, the contour that of the subroutine Q
+    SubroutineTurn,    ///< as RoughTurn, likewise; .1: without pockets, .2: they alone
+    SubroutineFace,    ///< as RoughFace, likewise
+    FacePeck,          ///< grooves along Z
+    TurnPeck,          ///< grooves along X
+    ThreadMulti,       ///< a thread in passes: one block, or two, the first with P (mmrraa), Q and R
+    DriveThread,       ///< a thread in passes: one block with P, I, J, K and a drive line
+    WorkOffset,        ///< another work offset: the position becomes unknown
+    WorkOffsetNamed,   ///< a work offset in which the program is taken to state its coordinates: the position is kept
+    LocalShift,        ///< the zero by the words of the block, from that of the work offset
     SetData,  ///< L2 P1…: the work offset P; L20 P1…: so that the present position has these coordinates; others:
               ///< of tools, not modelled
     SetPositionOff,    ///< ends SetPosition, which is kept for SetPositionBack

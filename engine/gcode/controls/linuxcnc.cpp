@@ -47,6 +47,9 @@ std::map<int, G> wordsOfLinuxCnc()
     addWords(g, G::LocalShift, {52});
     addWords(g, G::MachineMove, {53});
     addWords(g, G::WorkOffsetNamed, {54, 55, 56, 57, 58, 59, 59.1, 59.2, 59.3});
+    addWords(g, G::SubroutineFinish, {70});
+    addWords(g, G::SubroutineTurn, {71, 71.1, 71.2});
+    addWords(g, G::SubroutineFace, {72, 72.1, 72.2});
     addWords(g, G::DrillChipBreak, {73});
     addWords(g, G::DriveThread, {76});
     addWords(g, G::CycleOff, {80});
@@ -66,7 +69,7 @@ std::map<int, G> wordsOfLinuxCnc()
     addWords(g, G::PerRevolution, {95});
     addWords(g, G::ReturnToLevel, {99});
     addWords(g, G::NoEffect, {28.1, 30.1, 43, 43.1, 43.2, 49, 61, 61.1, 64, 98});
-    addWords(g, G::NotModelled, {5, 5.1, 5.2, 5.3, 33.1, 38.2, 38.3, 38.4, 38.5, 70, 71, 71.1, 71.2, 72, 72.1, 72.2});
+    addWords(g, G::NotModelled, {5, 5.1, 5.2, 5.3, 33.1, 38.2, 38.3, 38.4, 38.5});
     return g;
 }
 
@@ -103,6 +106,8 @@ Control linuxCnc()
     control.start.is_per_revolution = false;
     control.start.is_at_origin = true;
     control.set_position_shifts = true;
+    control.set_position_is_absolute = true;
+    control.local_shift_is_position = true;
     control.can_state_diameter = true;
     control.refuses_conflicts = true;
     control.dwell = {{'P', DwellWord::Unit::Seconds}};

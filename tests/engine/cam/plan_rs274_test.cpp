@@ -1,10 +1,8 @@
-// Planned programs against the interpreter of LinuxCNC. Built only if rs274 is installed.
+// Planned programs against the interpreter of LinuxCNC (rs274), which has to be installed.
 //
 // Stand-alone rs274 has no tool table: moves are those of the tip, as written by a plan. X is printed as radius with
 // four decimals. Absence of errors is not sufficient, so its moves are compared with ours.
 #include <gtest/gtest.h>
-
-#ifdef LATHELIER_RS274
 
 #include <cmath>
 #include <cstdlib>
@@ -75,5 +73,3 @@ TEST(PlanRs274, TailstockAndThreadMoveAlike)
 
 }  // namespace
 }  // namespace lathelier::cam
-
-#endif

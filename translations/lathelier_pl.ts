@@ -14536,10 +14536,6 @@
         <translation>kompensacja promienia naroża jest włączona</translation>
     </message>
     <message>
-        <source>its contour leads back along the passes</source>
-        <translation>jego kontur cofa się wzdłuż przejść</translation>
-    </message>
-    <message>
         <source>a folder that exists</source>
         <translation>istniejący katalog</translation>
     </message>

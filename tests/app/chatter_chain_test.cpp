@@ -59,7 +59,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(dock("lobes")->panel().isCurrent(), 60000);
         const auto lobes = panel<lobes_panel::LobesPanel>("lobes").result();
         const auto shaft = panel<shaft_panel::ShaftPanel>("shaft").result();
-        QCOMPARE(lobes->frf->value, shaft->study.response.frf.value);
+        QCOMPARE(lobes->response.frf->value, shaft->study.response.frf.value);
         // The machine of the sample: f_m as the paper has it, within what 1 % of noise leaves.
         QVERIFY(std::abs(*lobes->lobes->frequency_of_minimum_hz - 369) < 8);
         QCOMPARE(session_->project().items.size(), std::size_t{2});

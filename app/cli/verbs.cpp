@@ -7,6 +7,7 @@
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
+#include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/receptance/task/shaft_task.h"
@@ -23,7 +24,7 @@ const std::vector<Verb>& verbs()
         std::vector<Verb> table{sampleVerb(),
                                 compareVerb(),
                                 roundnessVerb(),
-                                cylindricityVerb(),
+                                verbOf(form::cylindricityTask()),
                                 trajectoryVerb(),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),

@@ -9,7 +9,6 @@ Verb sampleVerb();
 Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
 Verb compareVerb();
 Verb roundnessVerb();
-Verb cylindricityVerb();
 Verb trajectoryVerb();
 Verb remanufactureVerb();
 Verb recognizeVerb();

@@ -12,7 +12,6 @@ Verb roundnessVerb();
 Verb trajectoryVerb();
 Verb remanufactureVerb();
 Verb recognizeVerb();
-Verb drawVerb();
 Verb surfaceVerb();
 Verb verifyVerb();
 

@@ -187,18 +187,18 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
         whole.notes = outcome->notes;
         return studyReport(whole, language);
     };
-    all.writers[errorsExport] = [study](const std::string& path, const Progress&) {
+    all.writers[errorsExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, report::toCsv(errorPlot(study->prediction)));
     };
-    all.writers[setupExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[setupExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, setupText(setupBeside(*outcome, path)));
     };
     if (!study->corrected) return settled(deflectionTask(), std::move(all), outcome->understanding);
-    all.writers[compensateExport] = [study](const std::string& path, const Progress&) {
+    all.writers[compensateExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, study->corrected->text);
     };
     all.products = [outcome](const Language& language) { return std::vector{correctedProduct(outcome, language)}; };
-    all.writers[correctionExport] = [study](const std::string& path, const Progress&) {
+    all.writers[correctionExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, report::toCsv(correctionPlot(study->corrected->compensation)));
     };
     return settled(deflectionTask(), std::move(all), outcome->understanding);

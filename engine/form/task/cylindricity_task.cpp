@@ -70,7 +70,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const CylindricityOutcome>& outcom
     all.answer = [outcome](const Language&) { return answer(*outcome->result); };
     all.summary = [outcome](const Language&) { return cylindricitySummary(*outcome->result); };
     all.report = [outcome](const Language& language) { return reportOf(*outcome, language); };
-    all.writers[alongAxisExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[alongAxisExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         report::Plot plot = radiusAlongAxis(*outcome->surface, outcome->result->parameters);
         for (report::Curve& curve : centresAlongAxis(*outcome->surface).curves) plot.curves.push_back(std::move(curve));
         io::writeFile(path, report::toCsv(plot));

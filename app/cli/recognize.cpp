@@ -43,7 +43,7 @@ void runRecognize(const Request& request, io::InputFiles& inputs, const Progress
             Json json = features::toJson(found);
             const bool published = !found.paper_steps.empty();
             const bool applied = found.parameters.snap == features::Snap::Apply && !published;
-            json[published ? "robust_steps" : "steps"] = stepsJson(applied ? found.shaft : measuredShaft(found));
+            json[published ? "robust_steps" : "steps"] = cad::stepsJson(applied ? found.shaft : measuredShaft(found));
             return json;
         },
         [](const auto& found) { return features::recognitionReport(found, stepsForReport(found), {}); },

@@ -13,12 +13,6 @@ std::vector<OutputOption> shaftOutputs();
 /// How they are written: schema of STEP, contour or drawing as DXF.
 std::vector<Option> cadOptions();
 
-/// Table 1 of the paper for a shaft, as `steps` in JSON.
-Json stepsJson(const Shaft& shaft);
-
-/// The rows of a shaft as readable text.
-std::string shaftSummary(const Shaft& shaft);
-
 /// Further content of the files.
 struct ShaftToWrite {
     const Shaft& shaft;

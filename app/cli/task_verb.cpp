@@ -79,7 +79,12 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     for (const Error& error : outcome.errors) answer.errors.push_back(error);
     for (const auto& [option, path] : request.outputs) {
         const auto writer = outcome.writers.find(exportOf(option));
-        if (writer != outcome.writers.end()) writer->second(path, progress);
+        if (writer == outcome.writers.end()) continue;
+        try {
+            writer->second(path, {}, progress);
+        } catch (const Error& error) {  // the other files are written all the same
+            answer.errors.push_back(error);
+        }
     }
 }
 

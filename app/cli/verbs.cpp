@@ -3,10 +3,12 @@
 
 #include "app/cli/task_verb.h"
 #include "engine/cad/step_kind.h"
+#include "engine/cad/task/draw_task.h"
 #include "engine/cam/task/check_task.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
+#include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/receptance/task/shaft_task.h"
@@ -23,7 +25,7 @@ const std::vector<Verb>& verbs()
         std::vector<Verb> table{sampleVerb(),
                                 compareVerb(),
                                 roundnessVerb(),
-                                cylindricityVerb(),
+                                verbOf(form::cylindricityTask()),
                                 trajectoryVerb(),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),
@@ -36,7 +38,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(deflection::deflectionTask()),
                                 remanufactureVerb(),
                                 recognizeVerb(),
-                                drawVerb(),
+                                verbOf(cad::drawTask()),
                                 surfaceVerb(),
                                 verifyVerb()};
         // inspect knows the files of all others

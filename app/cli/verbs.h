@@ -9,11 +9,9 @@ Verb sampleVerb();
 Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
 Verb compareVerb();
 Verb roundnessVerb();
-Verb cylindricityVerb();
 Verb trajectoryVerb();
 Verb remanufactureVerb();
 Verb recognizeVerb();
-Verb drawVerb();
 Verb surfaceVerb();
 Verb verifyVerb();
 

@@ -12,7 +12,7 @@ namespace {
 /// The bores as stated in a SHAFT.json; loadShaft() merges them into the rows.
 PartFile withStatedBores(io::ShaftFile loaded, const io::FileToRead& file)
 {
-    PartFile part{std::move(loaded.shaft), std::move(loaded.facts), std::move(loaded.notes)};
+    PartFile part{std::move(loaded.shaft), std::move(loaded.facts), std::move(loaded.notes), {}};
     if (part.facts.format != "shaft_json") return part;
     Notes again;  // the same notes are in `part`
     const io::DecodedText text = io::decodeText(file.bytes, io::Encoding::Auto, file.progress);
@@ -28,7 +28,7 @@ PartFile PartInput::read(const io::FileToRead& file)
     const std::string_view head = file.bytes.substr(0, io::headForKind);
     if (looksLikeStep(head)) {
         StepFile step = loadStep(file);
-        return {std::move(step.part.shaft), std::move(step.facts), std::move(step.notes)};
+        return {step.part.shaft, std::move(step.facts), std::move(step.notes), std::move(step.part)};
     }
     const std::size_t first = head.find_first_not_of(" \t\r\n");
     const bool is_json = first != std::string_view::npos && head[first] == '{';

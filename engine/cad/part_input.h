@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "engine/cad/step_reader.h"
 #include "engine/io/file_kind.h"
 #include "engine/shaft/shaft.h"
 #include "engine/shaft/shaft_item.h"
@@ -13,8 +14,9 @@ namespace lathelier::cad {
 /// A part with the facts of its file.
 struct PartFile {
     Shaft shaft;
-    io::FileFacts facts;  ///< of shaftFiles() or stepFiles()
-    Notes notes;          ///< of the reader, with the path
+    io::FileFacts facts;                ///< of shaftFiles() or stepFiles()
+    Notes notes;                        ///< of the reader, with the path
+    std::optional<StepPart> step = {};  ///< of a STEP file
 };
 
 struct PartInput {

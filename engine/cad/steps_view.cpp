@@ -1,5 +1,7 @@
 #include "engine/cad/steps_view.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -85,6 +87,20 @@ std::vector<std::size_t> rowsBesideSteps(const Shaft& shaft)
     for (std::size_t i = 0; i < uses.size(); ++i)
         if (uses[i] == Use::Beside) rows.push_back(i);
     return rows;
+}
+
+Json stepsJson(const Shaft& shaft)
+{
+    Json steps = Json::array();
+    for (const ShaftStep& step : stepsOf(shaft))
+        steps.push_back({{"x_mm", step.x_mm},
+                         {"y_mm", step.y_mm},
+                         {"radius_mm", step.radius_mm},
+                         {"z_start_mm", step.z_start_mm},
+                         {"z_end_mm", step.z_end_mm},
+                         {"chamfer_start_mm", step.chamfer_start_mm},
+                         {"chamfer_end_mm", step.chamfer_end_mm}});
+    return steps;
 }
 
 }  // namespace lathelier::cad

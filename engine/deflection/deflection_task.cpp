@@ -102,6 +102,23 @@ gcode::ProgramItem correctedProgram(const DeflectionOutcome& outcome)
     return item;
 }
 
+/// The set-up as changed, with the stock that was taken: named as it is found from the file that is written.
+TurningSetup setupBeside(const DeflectionOutcome& outcome, const std::string& path)
+{
+    namespace fs = std::filesystem;
+    TurningSetup setup = outcome.job->setup;
+    const project::Source* const stock = task::sourceOf(outcome.asked, stockRole);
+    fs::path found;
+    if (stock && stock->item.empty())
+        found = stock->path;
+    else if (!setup.stock.empty())
+        found = fs::path(outcome.asked.inputs.at(setupRole).path).parent_path() / setup.stock;
+    if (found.empty()) return setup;
+    const fs::path folder = fs::absolute(path).parent_path();
+    setup.stock = fs::absolute(found).lexically_proximate(folder).generic_string();
+    return setup;
+}
+
 /// Named after the original program.
 task::Product correctedProduct(const std::shared_ptr<const DeflectionOutcome>& outcome, const Language& language)
 {
@@ -170,18 +187,18 @@ task::Outcome outcomeOf(const std::shared_ptr<const DeflectionOutcome>& outcome)
         whole.notes = outcome->notes;
         return studyReport(whole, language);
     };
-    all.writers[errorsExport] = [study](const std::string& path, const Progress&) {
+    all.writers[errorsExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, report::toCsv(errorPlot(study->prediction)));
     };
-    all.writers[setupExport] = [outcome](const std::string& path, const Progress&) {
-        io::writeFile(path, setupText(outcome->job->setup));
+    all.writers[setupExport] = [outcome](const std::string& path, const Language&, const Progress&) {
+        io::writeFile(path, setupText(setupBeside(*outcome, path)));
     };
     if (!study->corrected) return settled(deflectionTask(), std::move(all), outcome->understanding);
-    all.writers[compensateExport] = [study](const std::string& path, const Progress&) {
+    all.writers[compensateExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, study->corrected->text);
     };
     all.products = [outcome](const Language& language) { return std::vector{correctedProduct(outcome, language)}; };
-    all.writers[correctionExport] = [study](const std::string& path, const Progress&) {
+    all.writers[correctionExport] = [study](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, report::toCsv(correctionPlot(study->corrected->compensation)));
     };
     return settled(deflectionTask(), std::move(all), outcome->understanding);

@@ -104,11 +104,11 @@ task::Outcome outcomeOf(const std::shared_ptr<const ToolpathOutcome>& outcome)
     all.report = [outcome](const Language& language) {
         return stock::programReport(*outcome->check, outcome->notes, language);
     };
-    all.writers[rewriteExport] = [check](const std::string& path, const Progress&) {
+    all.writers[rewriteExport] = [check](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, check->program.ownText());
     };
     if (!all.errors.empty()) return settled(toolpathTask(), std::move(all), outcome->understanding);
-    all.writers[movesExport] = [check](const std::string& path, const Progress& progress) {
+    all.writers[movesExport] = [check](const std::string& path, const Language&, const Progress& progress) {
         io::writeFile(path, [&](const io::Append& append) {
             gcode::writeMoves(check->path, [&](std::string_view step) {
                 progress.check();

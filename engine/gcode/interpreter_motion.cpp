@@ -273,6 +273,7 @@ double Interpreter::threadLead_mm(BlockWords& words)
 {
     if (words.has('E')) {
         const double stated = plain(words, 'E');
+        assume("lead_of_E", stated < 1 ? LT_TEXT("Engine", "inches") : LT_TEXT("Engine", "turns per inch"));
         modal_.thread_lead_mm = !(stated > 0) ? notANumber : stated < 1 ? stated * mm_per_inch : mm_per_inch / stated;
     }
     return isKnown(modal_.thread_lead_mm) ? modal_.thread_lead_mm : modal_.feed;

@@ -24,7 +24,7 @@ void namesOfTasks(Json& json)
         parameters->erase(from);
     };
     rename(parametersOf(json, "lobes"), "modes", "mode");
-    rename(parametersOf(json, "shaft"), "material", "library_material");
+    for (const char* panel : {"shaft", "drawing"}) rename(parametersOf(json, panel), "material", "library_material");
     Json* const speed = parametersOf(json, "speed");
     if (!speed) return;
     const std::vector<std::string> keys = [&] {

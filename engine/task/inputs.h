@@ -9,6 +9,7 @@
 //   static constexpr const char* item;                          kind of item, "": files only
 //   static std::optional<Value> ofItem(const Values&);          where `item` is not empty; none: not such an item
 //   static std::string contentOf(const Values&);                optional: text whose digest names the item
+//   static constexpr std::size_t capacity;                      optional: files that a cache keeps
 #pragma once
 
 #include <functional>
@@ -56,7 +57,14 @@ struct Input {
 template <class K>
 class CacheOf : public FileCache<typename K::File> {
 public:
-    CacheOf() : FileCache<typename K::File>(20) {}
+    static constexpr std::size_t capacity = [] {
+        if constexpr (requires { K::capacity; })
+            return K::capacity;
+        else
+            return std::size_t{20};
+    }();
+
+    CacheOf() : FileCache<typename K::File>(capacity) {}
 
 protected:
     typename K::File read(const project::Source& source, io::InputFiles& inputs,

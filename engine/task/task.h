@@ -39,8 +39,8 @@ struct Product {
     std::function<Values()> values;  ///< Error linesTooMany where the project cannot keep it
 };
 
-/// Bytes of an export, or writing by itself where it is more than one file.
-using WriteExport = std::function<void(const std::string& path, const Progress& progress)>;
+/// Writes an export; texts and numbers of pictures in this language.
+using WriteExport = std::function<void(const std::string& path, const Language& language, const Progress& progress)>;
 
 /// Whatever a caller needs of an answer without knowing its type.
 struct Outcome {

@@ -1,8 +1,8 @@
 // The panel "Cylindricity": how far is this surface from a cylinder, where, and is its axis straight?
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/cylindricity/cylindricity_outcome.h"
+#include "engine/form/task/cylindricity_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::cylindricity_panel {
 
@@ -11,7 +11,7 @@ class CylindricityViews;
 /// The panel's line of the panel table.
 PanelFacts cylindricityPanelFacts();
 
-class CylindricityPanel : public Panel<CylindricityOutcome> {
+class CylindricityPanel : public TaskPanel<form::CylindricityOutcome> {
     Q_OBJECT
 
 public:
@@ -20,12 +20,7 @@ public:
     CylindricityViews& views() const { return *views_; }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const CylindricityOutcome>& outcome) override;
-    report::Answer answer(const CylindricityOutcome& outcome) const override;
-    Notes notes(const CylindricityOutcome& outcome) const override;
-    report::Document document(const CylindricityOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
+    void showResult(const std::shared_ptr<const form::CylindricityOutcome>& outcome) override;
     Values view() const override;
     void restoreView(const Values& kept) override;
     void retranslate() override;
@@ -34,7 +29,6 @@ private:
     void offerSection(double z_mm);
 
     CylindricityViews* views_;
-    std::shared_ptr<LastCylinder> last_;
 };
 
 }  // namespace lathelier::cylindricity_panel

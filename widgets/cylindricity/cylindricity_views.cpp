@@ -102,7 +102,7 @@ CylindricityViews::CylindricityViews(QWidget* parent)
     retranslate();
 }
 
-void CylindricityViews::setOutcome(const std::shared_ptr<const CylindricityOutcome>& outcome)
+void CylindricityViews::setOutcome(const std::shared_ptr<const form::CylindricityOutcome>& outcome)
 {
     const bool new_surface = !outcome_ || outcome_->surface != outcome->surface;
     outcome_ = outcome;
@@ -152,8 +152,8 @@ void CylindricityViews::showCharts()
     map_->setData(unrolledCylinder(surface));
     radius_->setData(radiusAlongAxis(surface, outcome_->result->parameters));
     axis_->setData(centresAlongAxis(surface));
-    numbers_->setQuantities(cylindricityReport(*outcome_->result, nullptr, outcome_->inputs, screenLanguage()));
-    synthetic_->setVisible(outcome_->synthetic);
+    numbers_->setQuantities(cylindricityReport(*outcome_->result, nullptr, outcome_->sources.inputs, screenLanguage()));
+    synthetic_->setVisible(outcome_->sources.synthetic);
 }
 
 void CylindricityViews::recolour(double upper_um, double lower_um)

@@ -8,9 +8,9 @@
 #include <memory>
 #include <optional>
 
+#include "engine/form/task/cylindricity_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/cylindricity/cylindricity_outcome.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/scene/scene_view.h"
@@ -23,7 +23,7 @@ class CylindricityViews : public QWidget {
 public:
     explicit CylindricityViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const CylindricityOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const form::CylindricityOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
 
     /// The camera, saved with the project.
@@ -46,7 +46,7 @@ private:
     void showPlace();
     void recolour(double upper_um, double lower_um);
 
-    std::shared_ptr<const CylindricityOutcome> outcome_;
+    std::shared_ptr<const form::CylindricityOutcome> outcome_;
     std::optional<QPointF> place_;
     QLabel* remark_;
     QToolButton* section_;

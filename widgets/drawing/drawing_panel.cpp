@@ -1,77 +1,65 @@
 #include "widgets/drawing/drawing_panel.h"
 
-#include "engine/cad/step_kind.h"
 #include "engine/core/understanding.h"
-#include "engine/io/shaft/shaft_kind.h"
+#include "engine/core/units.h"
+#include "engine/io/file.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/shaft/shaft_rules.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
-#include "widgets/core/panel/task_panel.h"
 #include "widgets/core/session.h"
 #include "widgets/drawing/drawing_views.h"
 #include "widgets/part_common/part_exports.h"
-#include "widgets/part_common/part_store.h"
 
 namespace lathelier::drawing_panel {
 namespace {
 
+const std::vector<std::string> roles{cad::shaftRole};
+
+/// What CAD leaves out is remarked in any case: every file can be written.
+cad::DrawOutcome checkAndDraw(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                              const Progress& progress)
+{
+    return cad::answerDraw(state, true, stores, sources, progress);
+}
+
 PanelInputs panelInputs()
 {
-    InputRole shaft;
-    shaft.role = shaftRole;
-    shaft.label = LT_TEXT("Engine", "Shaft");
-    shaft.hint = LT_TEXT("Engine", "SHAFT.json, a STEP file of a turned part, or what another panel made");
-    shaft.kinds = {&io::shaftFiles(), &cad::stepFiles()};
-    shaft.item_kind = shaftItem;
-    shaft.required = false;
-    shaft.takes_next = true;
-    PanelInputs inputs;
-    inputs.roles = {shaft};
-    for (FieldInfo& info : infos<DrawingQuestion>())
-        if (info.key != segmentsOfKey && info.key != boresOfKey) inputs.fields.push_back(std::move(info));
-    inputs.defaults = toValues(DrawingQuestion{});
-    inputs.invitation = LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, STEP), or state its segments.");
+    PanelInputs inputs = inputsOf(cad::drawTask(), roles, {}, false,
+                                  LT_TEXT("Engine", "Drop a shaft here (SHAFT.json, STEP), or state its segments."));
+    for (const FieldInfo& info : cad::drawTask().fields)
+        if (info.key != task::segmentsOfKey && info.key != cad::boresOfKey && info.key != "check" &&
+            info.key != "undated")
+            inputs.fields.push_back(info);
+    inputs.roles.front().takes_next = true;
     return inputs;
 }
 
 /// The segments of the form; none when they are not a table.
 std::optional<ShaftRows> rowsIn(const Value& table)
 {
-    DrawingQuestion question;
+    cad::DrawQuestion question;
     Values values;
-    set(values, segmentsKey, table);
-    return fromValues<DrawingQuestion>(values).segments;
+    set(values, task::segmentsKey, table);
+    return fromValues<cad::DrawQuestion>(values).segments;
 }
 
 }  // namespace
 
 PanelFacts drawingPanelFacts()
 {
-    PanelFacts facts;
-    facts.id = "drawing";
-    facts.title = LT_TEXT("Engine", "Drawing");
-    facts.icon = "drawing";
-    facts.workspaces = {workspaceOf("copy")};
-    facts.kinds = {&io::shaftFiles(), &cad::stepFiles()};
-    facts.roles = panelInputs().roles;
-    facts.part_inputs = {shaftRole};
-    facts.item_inputs = {{shaftItem, shaftRole}};
+    PanelFacts facts = factsOf(cad::drawTask(), "drawing", "drawing", roles, {});
+    facts.part_inputs = roles;
+    facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, cad::shaftRole); };
     facts.make = [](Session& session) -> PanelBase* { return new DrawingPanel(session); };
-    facts.missing = [](const project::PanelState& state) {
-        return task::hasShaft(state, shaftRole) ? std::vector<Text>{}
-                                                : std::vector<Text>{LT_TEXT("Engine", "Shaft or segments")};
-    };
-    facts.has_work = [](const project::PanelState& state) { return task::hasShaft(state, shaftRole); };
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(drawingOutcome(state, stores, progress), language); };
     return facts;
 }
 
 DrawingPanel::DrawingPanel(Session& owner, QWidget* parent)
-    : Panel(owner, drawingPanelFacts(), panelInputs(), parent), views_(new DrawingViews)
+    : TaskPanel(owner, cad::drawTask(), checkAndDraw, drawingPanelFacts(), panelInputs(), parent),
+      views_(new DrawingViews)
 {
     setViews(views_, views_->primaryViews());
     connect(views_, &DrawingViews::shaftRequested, this, &DrawingPanel::keepShaft);
@@ -94,7 +82,8 @@ void DrawingPanel::editRows(const QString& step, const RowsChange& change, const
         if (outcome->question.measured) shaft.segments = keepMeasured(before, std::move(shaft.segments));
         checkShaft(shaft);
         editState(
-            step, [&](project::PanelState& state) { task::setTable(state, shaftRole, shaft.segments); }, merge_key);
+            step, [&](project::PanelState& state) { task::setTable(state, cad::shaftRole, shaft.segments); },
+            merge_key);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -109,7 +98,7 @@ void DrawingPanel::editBores(const QString& step, const BoresChange& change)
         shaft.bores = change(shaft.bores);
         if (shaft.bores == outcome->shaft.bores) return;
         checkShaft(shaft);
-        editState(step, [&](project::PanelState& state) { setBores(state, shaft.bores); });
+        editState(step, [&](project::PanelState& state) { cad::setBores(state, shaft.bores); });
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -118,97 +107,71 @@ void DrawingPanel::editBores(const QString& step, const BoresChange& change)
 /// A table edited by hand is assigned to the present input, and tied rows follow, within the same undo step.
 void DrawingPanel::followTable(const std::string& key, const Value& table, int gesture, const QString& step)
 {
-    if (key == boresKey)
+    if (key == cad::boresKey)
         return editState(
-            step, [&](project::PanelState& state) { lathelier::set(state.parameters, boresOfKey, boresOf(state)); },
+            step,
+            [&](project::PanelState& state) { lathelier::set(state.parameters, cad::boresOfKey, cad::boresOf(state)); },
             QString("drawing/bores/%1").arg(gesture));
-    if (key != segmentsKey) return;
+    if (key != task::segmentsKey) return;
     const auto outcome = result();
     const std::optional<ShaftRows> typed = rowsIn(table);
     editState(
         step,
         [&](project::PanelState& state) {
             if (outcome && typed)
-                task::setTable(state, shaftRole, followTies(outcome->shaft.segments, *typed));
+                task::setTable(state, cad::shaftRole, followTies(outcome->shaft.segments, *typed));
             else
-                task::takeTable(state, shaftRole);
+                task::takeTable(state, cad::shaftRole);
         },
         QString("drawing/segments/%1").arg(gesture));
 }
 
-/// With a new name, so that the item does not replace its origin.
 void DrawingPanel::keepShaft()
 {
     const auto outcome = result();
     if (!outcome) return;
-    std::string name = outcome->shaft.name;
-    if (name.empty()) name = tr("shaft, %1 mm").arg(screenNumber(outcome->shaft.length_mm(), 1)).toStdString();
-    const auto source = state().inputs.find(shaftRole);
-    if (source != state().inputs.end() && source->second.item == name)
-        name = tr("%1, edited").arg(QString::fromStdString(name)).toStdString();
-    const Shaft& shaft = outcome->shaft;
-    keepItem(name, shaftItem, outcome->recovered ? itemValues(shaft, *outcome->recovered) : toValues(shaft));
+    if (const auto made = productOf(outcomeOf(outcome), shaftItem, {})) keepItem(made->name, shaftItem, made->values());
 }
 
 void DrawingPanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     for (const FoundFile& file : files) {
-        openShaft(state, shaftRole, file.path);
-        lathelier::set(state.parameters, boresOfKey, std::string());
+        openShaft(state, cad::shaftRole, file.path);
+        lathelier::set(state.parameters, cad::boresOfKey, std::string());
     }
-}
-
-DrawingPanel::Compute DrawingPanel::compute(const project::PanelState& state) const
-{
-    fromValues<DrawingQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, stores = session().sharedStores()](const Progress& progress) {
-        return drawingOutcome(state, *stores, progress);
-    };
 }
 
 QString DrawingPanel::understood(const InputRole&, const project::Source& source) const
 {
-    const auto loaded = session().stores().of<part_common::PartStore>()->known(source);
+    const auto loaded = session().stores().of<task::CacheOf<cad::PartInput>>()->known(source);
     if (!loaded) return {};
     const Shaft& shaft = loaded->file.shaft;
     return understoodText(
         loaded->file.facts,
-        tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
+        tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), unit::mm, 1)));
 }
 
-void DrawingPanel::showResult(const std::shared_ptr<const DrawingOutcome>& outcome)
+void DrawingPanel::showResult(const std::shared_ptr<const cad::DrawOutcome>& outcome)
 {
-    DrawingQuestion rows;
-    rows.bores = rowsOfBores(outcome->shaft.bores);
-    inputColumn().form().setValues({{segmentsKey, task::rowsOf(outcome->shaft.segments)},
+    cad::DrawQuestion rows;
+    rows.bores = cad::rowsOfBores(outcome->shaft.bores);
+    inputColumn().form().setValues({{task::segmentsKey, task::rowsOf(outcome->shaft.segments)},
                                     // also for those of a file
-                                    {boresKey, *lathelier::find(toValues(rows), boresKey)}});
+                                    {cad::boresKey, *lathelier::find(toValues(rows), cad::boresKey)}});
     views_->setOutcome(outcome);
-}
-
-report::Answer DrawingPanel::answer(const DrawingOutcome& outcome) const
-{
-    return drawing_panel::answerOf(outcome);
-}
-
-Notes DrawingPanel::notes(const DrawingOutcome& outcome) const
-{
-    return outcome.notes;
-}
-
-report::Document DrawingPanel::document(const DrawingOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> DrawingPanel::exports() const
 {
+    std::vector<PanelExport> all = TaskPanel::exports();
     const auto outcome = result();
-    if (!outcome) return {};
-    part_common::PartToWrite part{outcome->shaft, outcome->shaft,
-                                  [outcome](const Language& language) { return drawingOf(*outcome, language); }};
-    part.require_complete = [outcome] { requireUnderstood(understandingOf(outcome->notes)); };
-    return part_common::exportsOf(std::make_shared<const part_common::PartToWrite>(std::move(part)));
+    if (!outcome) return all;
+    all.insert(all.begin(), {tr("Drawing (PDF)…"), tr("Document (*.pdf)"), "pdf", [outcome](const QString& path) {
+                                 requireUnderstood(outcome->understanding);
+                                 io::writeFile(path.toStdString(),
+                                               part_common::toPdf(drawingOf(*outcome, screenLanguage())));
+                             }});
+    return all;
 }
 
 void DrawingPanel::setPresenting(bool presenting)

@@ -1,8 +1,8 @@
 // The panel "Drawing": drawing, CAD files and tables needed to make a shaft.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/drawing/drawing_outcome.h"
+#include "engine/cad/task/draw_task.h"
+#include "widgets/core/panel/task_panel.h"
 #include "widgets/drawing/drawing_views.h"
 
 namespace lathelier::drawing_panel {
@@ -12,7 +12,7 @@ PanelFacts drawingPanelFacts();
 
 /// A file or item fills the table of segments; once the table is edited, it has precedence until another input is
 /// chosen or the table is emptied.
-class DrawingPanel : public Panel<DrawingOutcome> {
+class DrawingPanel : public TaskPanel<cad::DrawOutcome> {
     Q_OBJECT
 
 public:
@@ -22,11 +22,7 @@ public:
     void setPresenting(bool presenting) override;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const DrawingOutcome>& outcome) override;
-    report::Answer answer(const DrawingOutcome& outcome) const override;
-    Notes notes(const DrawingOutcome& outcome) const override;
-    report::Document document(const DrawingOutcome& outcome) const override;
+    void showResult(const std::shared_ptr<const cad::DrawOutcome>& outcome) override;
     std::vector<PanelExport> exports() const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;

@@ -108,7 +108,7 @@ DrawingViews::DrawingViews(QWidget* parent)
     retranslate();
 }
 
-void DrawingViews::setOutcome(const std::shared_ptr<const DrawingOutcome>& outcome)
+void DrawingViews::setOutcome(const std::shared_ptr<const cad::DrawOutcome>& outcome)
 {
     outcome_ = outcome;
     show();

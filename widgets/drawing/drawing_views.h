@@ -8,11 +8,11 @@
 #include <memory>
 #include <optional>
 
+#include "engine/cad/task/draw_task.h"
 #include "engine/shaft/bore_edit.h"
 #include "engine/shaft/shaft_sizes.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/drawing/drawing_outcome.h"
 #include "widgets/drawing/sheet_view.h"
 #include "widgets/part_common/row_chart.h"
 #include "widgets/part_common/row_menu.h"
@@ -38,7 +38,7 @@ class DrawingViews : public QWidget {
 public:
     explicit DrawingViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const DrawingOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const cad::DrawOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     SheetView* sheet() const { return sheet_; }
     plot::ChartView* meridian() const { return meridian_; }
@@ -86,7 +86,7 @@ private:
     std::optional<BorePlace> boreAt(int row) const;
     KeepAfter keep() const;
 
-    std::shared_ptr<const DrawingOutcome> outcome_;
+    std::shared_ptr<const cad::DrawOutcome> outcome_;
     drawing::Drawing drawing_;
     std::optional<std::size_t> row_;
     std::optional<ShaftRows> dragged_;  ///< rows at the start of the drag

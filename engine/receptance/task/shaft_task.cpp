@@ -173,17 +173,17 @@ task::Outcome outcomeOf(const std::shared_ptr<const ShaftOutcome>& outcome)
         study.response.notes = outcome->notes;
         return shaftReport(study, outcome->shaft, outcome->holding, language);
     };
-    all.writers[responseExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[responseExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFrfCsv(path, outcome->usableResponse());
     };
-    all.writers[universalExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[universalExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         const io::MeasuredFrf response = measuredOf(*outcome);
         io::writeUff(path, {&response, 1});
     };
-    all.writers[shaftExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[shaftExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::shaftText(outcome->shaft));
     };
-    all.writers[stockExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[stockExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::stockText(outcome->shaft));
     };
     all.products = [outcome](const Language& language) {

@@ -232,10 +232,10 @@ task::Outcome outcomeOf(const std::shared_ptr<const SpindleOutcome>& outcome)
     all.answer = [outcome](const Language& language) { return answer(*outcome, language); };
     all.summary = [outcome](const Language& language) { return summaryOf(*outcome, language); };
     all.report = [outcome](const Language& language) { return reportOf(*outcome, language); };
-    all.writers[spindleExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[spindleExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, spindleText(outcome->spindle));
     };
-    all.writers[magnitudeExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[magnitudeExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, report::toCsv(spindleMagnitudePlot(outcome->spindle)));
     };
     all.products = [outcome](const Language& language) {

@@ -265,7 +265,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const LobesOutcome>& outcome)
     all.answer = [outcome](const Language& language) { return answer(*outcome, language); };
     all.summary = [outcome](const Language& language) { return summaryOf(*outcome, language); };
     all.report = [outcome](const Language& language) { return reportOf(*outcome, language); };
-    all.writers[limitExport] = [outcome](const std::string& path, const Progress&) {
+    all.writers[limitExport] = [outcome](const std::string& path, const Language&, const Progress&) {
         io::writeFile(
             path, report::toCsv(outcome->pass ? passPlot(*outcome->pass, outcome->safe) : lobesPlot(*outcome->lobes)));
     };

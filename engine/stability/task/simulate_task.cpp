@@ -76,7 +76,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const SimulateOutcome>& outcome)
         std::get<report::Answer>(document.sections.front().blocks.front()).used = outcome->response.used;
         return document;
     };
-    all.writers[waveformExport] = [result](const std::string& path, const Progress& progress) {
+    all.writers[waveformExport] = [result](const std::string& path, const Language&, const Progress& progress) {
         io::writeFile(path, [&](const io::Append& append) {
             writeWaveform(*result, [&](std::string_view step) {
                 progress.check();
@@ -84,7 +84,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const SimulateOutcome>& outcome)
             });
         });
     };
-    all.writers[soundExport] = [result](const std::string& path, const Progress&) {
+    all.writers[soundExport] = [result](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, soundOf(*result).bytes);
     };
     return settled(simulateTask(), std::move(all), outcome->understanding);

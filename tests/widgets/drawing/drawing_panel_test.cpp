@@ -68,8 +68,8 @@ class DrawingPanelTest : public QObject, PanelFixture<DrawingPanel> {
         }
         session_->edit("Set", [&](project::Project& project) {
             project::PanelState& state = project.panels["drawing"];
-            lathelier::set(state.parameters, segmentsKey, rows);
-            lathelier::set(state.parameters, segmentsOfKey, task::identity(state, shaftRole));
+            lathelier::set(state.parameters, task::segmentsKey, rows);
+            lathelier::set(state.parameters, task::segmentsOfKey, task::identity(state, cad::shaftRole));
         });
     }
 
@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(child<QTableWidget>("rows")->item(2, 9)->text(), QString("2"));
         setDiameter(1, 35);  // in the table: as the form does it, and then the follower
         settle();
-        emit panel_->findChild<InputColumn*>()->parameterEdited(segmentsKey, tableWith(1, 36), 7, "Set");
+        emit panel_->findChild<InputColumn*>()->parameterEdited(task::segmentsKey, tableWith(1, 36), 7, "Set");
         settle();
         QCOMPARE(rows()[1].end_diameter_mm, 36.0);
         QCOMPARE(rows()[2].end_diameter_mm, 36.0);

@@ -146,7 +146,7 @@ std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr
         const auto writer = outcome->writers.find(one.option);
         if (one.label.empty() || writer == outcome->writers.end()) continue;
         all.push_back({screenText(one.label), screenText(one.filter), QString::fromStdString(one.suffix),
-                       [outcome, write = writer->second](const QString& path) { write(path.toStdString(), {}); }});
+                       [outcome, write = writer->second](const QString& path) { write(path.toStdString(), screenLanguage(), {}); }});
     }
     return all;
 }

@@ -1,11 +1,20 @@
-#include "widgets/drawing/drawing_question.h"
+#include "engine/cad/task/draw_question.h"
 
 #include <algorithm>
 
 #include "engine/core/field_within.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::cad {
 namespace {
+
+/// The tables are edited in a window only.
+std::vector<Field<DrawQuestion>> kept(std::vector<Field<DrawQuestion>> all)
+{
+    for (Field<DrawQuestion>& field : all)
+        for (const char* key : {task::segmentsKey, task::segmentsOfKey, boresKey, boresOfKey})
+            if (field.info.key == key) field.info.is_kept = true;
+    return all;
+}
 
 const Text boresLabel = LT_TEXT("Engine", "Bores");
 const Text boresHelp =
@@ -53,18 +62,18 @@ std::string boresOf(const project::PanelState& state)
 
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores)
 {
-    DrawingQuestion question;
+    DrawQuestion question;
     question.bores = rowsOfBores(bores);
-    lathelier::set(state.parameters, boresKey, *find(toValues(question), boresKey));
-    lathelier::set(state.parameters, boresOfKey, boresOf(state));
+    set(state.parameters, boresKey, *find(toValues(question), boresKey));
+    set(state.parameters, boresOfKey, boresOf(state));
 }
 
-const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
+const std::vector<Field<DrawQuestion>>& fieldsOf(const DrawQuestion*)
 {
-    using Q = DrawingQuestion;
-    static const auto all = described<Q>(
-        rows(segmentsKey, &Q::segments, Range{0, 10000}, task::segmentsLabel()),
-        field(segmentsOfKey, &Q::segments_of, task::segmentsOfLabel()),
+    using Q = DrawQuestion;
+    static const auto all = kept(described<Q>(
+        rows(task::segmentsKey, &Q::segments, Range{0, 10000}, task::segmentsLabel()),
+        field(task::segmentsOfKey, &Q::segments_of, task::segmentsOfLabel()),
         rows(boresKey, &Q::bores, Range{0, 1000}, Label{boresLabel, boresHelp}),
         field(boresOfKey, &Q::bores_of,
               Label{LT_TEXT("Engine", "Bores changed from"),
@@ -72,7 +81,7 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
         field("name", &Q::name,
               Label{LT_TEXT("Engine", "Part name"),
                     LT_TEXT("Engine", "In the title block and in all files; empty: as the input has it.")}),
-        choice("material", &Q::material, receptance::materialChoices(LT_TEXT("Engine", "as the file states")),
+        choice("library_material", &Q::material, receptance::materialChoices(LT_TEXT("Engine", "as the file states")),
                Label{LT_TEXT("Engine", "Material"),
                      LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
         field("material_name", &Q::material_name,
@@ -94,8 +103,11 @@ const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*)
         field("date", &Q::date, Label{LT_TEXT("Engine", "Date"), LT_TEXT("Engine", "As printed; empty: today.")}),
         field("measured", &Q::measured,
               Label{LT_TEXT("Engine", "Measured values"),
-                    LT_TEXT("Engine", "Sizes in whose place no nominal one was put are set in italics.")}));
+                    LT_TEXT("Engine", "Sizes in whose place no nominal one was put are set in italics.")}),
+        within(&Q::cad, "step_schema"), within(&Q::cad, "dxf_contour"), within(&Q::cad, "undated"),
+        field("check", &Q::check,
+              Label{LT_TEXT("Engine", "Check only"), LT_TEXT("Engine", "Check the shaft and write nothing.")})));
     return all;
 }
 
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::cad

@@ -1,16 +1,19 @@
-// Question of the panel Drawing: the rows of the shaft and the title block.
+// Question of the task draw: the rows of the shaft, the title block, and the kinds of files.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "engine/cad/task/part_files.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
 #include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
 #include "engine/task/edited_segments.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::cad {
+
+inline constexpr const char* shaftRole = "shaft";
 
 enum class SheetChoice { Automatic, A4, A4Portrait, A3 };
 
@@ -36,7 +39,7 @@ std::string boresOf(const project::PanelState& state);
 /// Stores the bores in the table, assigned to the present input.
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores);
 
-struct DrawingQuestion {
+struct DrawQuestion {
     std::vector<ShaftSegment> segments;   ///< table of segments; empty: those of the file
     std::string segments_of;              ///< identity() of the input of the edited table
     std::vector<BoreRow> bores;           ///< table of bores; has precedence if bores_of equals boresOf()
@@ -48,13 +51,10 @@ struct DrawingQuestion {
     drawing::LengthsFrom lengths = drawing::LengthsFrom::Datum;  ///< reference of lengths in the drawing and of edits
     std::string date;                                            ///< printed date; empty: today
     bool measured = false;                                       ///< rows without a nominal size are measured values
+    CadQuestion cad;                                             ///< kinds of the files that are written
+    bool check = false;                                          ///< nothing is written
 };
 
-const std::vector<Field<DrawingQuestion>>& fieldsOf(const DrawingQuestion*);
+const std::vector<Field<DrawQuestion>>& fieldsOf(const DrawQuestion*);
 
-using task::segmentsKey;
-using task::segmentsOfKey;
-
-inline constexpr const char* shaftRole = "shaft";
-
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::cad

@@ -1,33 +1,16 @@
-#include "widgets/drawing/drawing_outcome.h"
-
+// Report and drawing of the task draw.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "engine/cad/cad_notes.h"
-#include "engine/core/json.h"
+#include "engine/cad/task/draw_task.h"
+#include "engine/core/units.h"
 #include "engine/drawing/drawing_svg.h"
-#include "engine/report/result_json.h"
-#include "engine/shaft/shaft_contour.h"
-#include "engine/shaft/shaft_rules.h"
 #include "engine/shaft/shaft_sizes.h"
-#include "widgets/part_common/drawing_words.h"
-#include "widgets/part_common/part_input.h"
 
-namespace lathelier::drawing_panel {
+namespace lathelier::cad {
 namespace {
-
-void takeShaft(DrawingOutcome& outcome, const project::PanelState& state, Stores& stores, const Progress& progress)
-{
-    part_common::PartInput taken = part_common::takePart(state, shaftRole, stores, progress);
-    outcome.shaft = std::move(taken.shaft);
-    outcome.inputs = {taken.input};
-    outcome.notes = std::move(taken.notes);
-    outcome.synthetic = taken.synthetic;
-    outcome.recovered = std::move(taken.recovered);
-}
 
 std::optional<drawing::Sheet> sheetOf(SheetChoice choice)
 {
@@ -50,38 +33,14 @@ double largestDiameter_mm(const Shaft& shaft)
 
 }  // namespace
 
-DrawingOutcome drawingOutcome(const project::PanelState& state, Stores& stores, const Progress& progress)
+drawing::Drawing drawingOf(const DrawOutcome& outcome, const Language& language)
 {
-    DrawingOutcome outcome;
-    outcome.question = fromValues<DrawingQuestion>(state.parameters);
-    const DrawingQuestion& question = outcome.question;
-    task::chooseSegments(question.segments, question.segments_of, state, shaftRole, outcome.shaft, outcome.notes,
-                         [&](const project::Source&) {
-                             takeShaft(outcome, state, stores, progress.part(0, 0.8, LT_TEXT("Engine", "Reading")));
-                         });
-    if (question.bores_of == boresOf(state)) outcome.shaft.bores = boresOfRows(question.bores);
-    if (!question.name.empty()) outcome.shaft.name = question.name;
-    receptance::chooseMaterial(question.material, outcome.shaft, outcome.notes);
-    outcome.remarks = checkShaft(outcome.shaft);
-    const Notes left_out = cad::cadNotes(outcome.shaft);
-    outcome.remarks.insert(outcome.remarks.end(), left_out.begin(), left_out.end());
-    std::erase_if(outcome.notes, [&](const Note& note) {  // notes of the file repeated by checkShaft()
-        return std::any_of(outcome.remarks.begin(), outcome.remarks.end(),
-                           [&](const Note& remark) { return remark.code.key == note.code.key; });
-    });
-    outcome.notes.insert(outcome.notes.end(), outcome.remarks.begin(), outcome.remarks.end());
-    outcome.mass_kg = drawing::massInKilograms(outcome.shaft);
-    return outcome;
-}
-
-drawing::Drawing drawingOf(const DrawingOutcome& outcome, const Language& language)
-{
-    const DrawingQuestion& question = outcome.question;
+    const DrawQuestion& question = outcome.question;
     drawing::DrawingOptions options;
     options.sheet = sheetOf(question.sheet);
     options.material = question.material_name;
-    options.date = question.date.empty() ? part_common::today() : question.date;
-    options.decimal_separator = part_common::decimalSeparator(language);
+    if (!question.cad.undated) options.date = question.date.empty() ? today() : question.date;
+    options.decimal_separator = decimalMark(language);
     options.measured = question.measured;
     options.lengths_from = question.lengths;
     if (outcome.recovered) {
@@ -92,26 +51,26 @@ drawing::Drawing drawingOf(const DrawingOutcome& outcome, const Language& langua
     return drawing::drawShaft(outcome.shaft, options);
 }
 
-report::Answer answerOf(const DrawingOutcome& outcome)
+report::Answer answer(const DrawOutcome& outcome)
 {
-    report::Answer answer;
-    answer.quantity = LT_TEXT("Engine", "Length");
-    answer.value = outcome.shaft.length_mm();
-    answer.unit = millimetre;
+    report::Answer told;
+    told.quantity = LT_TEXT("Engine", "Length");
+    told.value = outcome.shaft.length_mm();
+    told.unit = millimetre;
     const bool plain = outcome.remarks.empty();
-    answer.verdict_words = plain ? LT_TEXT("Engine", "no remarks") : LT_TEXT("Engine", "with remarks");
-    answer.sentence = outcome.mass_kg
-                          ? LT_TEXT("Engine", "Mass {mass_kg:3} kg · largest diameter {diameter_mm:3} mm · {rows} rows")
-                          : LT_TEXT("Engine",
-                                    "Mass not known without a material · largest diameter {diameter_mm:3} mm · {rows} "
-                                    "rows");
-    answer.values = {{"mass_kg", outcome.mass_kg ? Value(*outcome.mass_kg) : Value()},
-                     {"diameter_mm", largestDiameter_mm(outcome.shaft)},
-                     {"rows", static_cast<std::int64_t>(outcome.shaft.segments.size())}};
-    return answer;
+    told.verdict_words = plain ? LT_TEXT("Engine", "no remarks") : LT_TEXT("Engine", "with remarks");
+    told.sentence = outcome.mass_kg
+                        ? LT_TEXT("Engine", "Mass {mass_kg:3} kg · largest diameter {diameter_mm:3} mm · {rows} rows")
+                        : LT_TEXT("Engine",
+                                  "Mass not known without a material · largest diameter {diameter_mm:3} mm · {rows} "
+                                  "rows");
+    told.values = {{"mass_kg", outcome.mass_kg ? Value(*outcome.mass_kg) : Value()},
+                   {"diameter_mm", largestDiameter_mm(outcome.shaft)},
+                   {"rows", static_cast<std::int64_t>(outcome.shaft.segments.size())}};
+    return told;
 }
 
-report::Table rowsTable(const DrawingOutcome& outcome, const Language& language)
+report::Table rowsTable(const DrawOutcome& outcome, const Language& language)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Rows from the free end");
@@ -157,7 +116,7 @@ report::Table rowsTable(const DrawingOutcome& outcome, const Language& language)
     return table;
 }
 
-report::Table measuredTable(const DrawingOutcome& outcome, const Language& language)
+report::Table measuredTable(const DrawOutcome& outcome, const Language& language)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Measured − nominal");
@@ -195,7 +154,7 @@ report::Table measuredTable(const DrawingOutcome& outcome, const Language& langu
     return table;
 }
 
-report::Table remarksTable(const DrawingOutcome& outcome, const Language& language)
+report::Table remarksTable(const DrawOutcome& outcome, const Language& language)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Remarks");
@@ -206,13 +165,11 @@ report::Table remarksTable(const DrawingOutcome& outcome, const Language& langua
     return table;
 }
 
-report::Document reportOf(const DrawingOutcome& outcome, const Language& language)
+report::Document reportOf(const DrawOutcome& outcome, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Shaft for drawing and CAD");
-    document.inputs = outcome.inputs;
-    document.synthetic = outcome.synthetic;
-    report::Section section{LT_TEXT("Engine", "Result"), {answerOf(outcome)}};
+    report::Section section{LT_TEXT("Engine", "Result"), {answer(outcome)}};
     const drawing::Drawing sheet = drawingOf(outcome, language);
     section.blocks.push_back(report::Picture{LT_TEXT("Engine", "Drawing"), drawing::toSvg(sheet)});
     section.blocks.push_back(rowsTable(outcome, language));
@@ -220,13 +177,7 @@ report::Document reportOf(const DrawingOutcome& outcome, const Language& languag
         section.blocks.push_back(std::move(measured));
     if (!outcome.notes.empty()) section.blocks.push_back(outcome.notes);
     document.sections = {std::move(section)};
-    Json json = {{"shaft", toJson(toValues(outcome.shaft))},
-                 {"length_mm", outcome.shaft.length_mm()},
-                 {"volume_mm3", volume_mm3(outcome.shaft)},
-                 {"mass_kg", outcome.mass_kg ? Json(*outcome.mass_kg) : Json(nullptr)}};
-    document.results = {
-        report::toText(report::wholeResult("draw", outcome.inputs, toValues(outcome.question), json, outcome.notes))};
     return document;
 }
 
-}  // namespace lathelier::drawing_panel
+}  // namespace lathelier::cad

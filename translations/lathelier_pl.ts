@@ -14607,6 +14607,66 @@
         <source>Lessons</source>
         <translation>Lekcje</translation>
     </message>
+    <message>
+        <source>{name}, edited</source>
+        <translation>{name}, zmieniony</translation>
+    </message>
+    <message>
+        <source>Drawing (*.dxf)</source>
+        <translation>Rysunek (*.dxf)</translation>
+    </message>
+    <message>
+        <source>Solid (STEP)…</source>
+        <translation>Bryła (STEP)…</translation>
+    </message>
+    <message>
+        <source>Solid (*.step)</source>
+        <translation>Bryła (*.step)</translation>
+    </message>
+    <message>
+        <source>Drawing or contour (DXF)…</source>
+        <translation>Rysunek albo kontur (DXF)…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro…</source>
+        <translation>Makro FreeCAD…</translation>
+    </message>
+    <message>
+        <source>FreeCAD macro (*.FCMacro)</source>
+        <translation>Makro FreeCAD (*.FCMacro)</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro…</source>
+        <translation>Makro SolidWorks…</translation>
+    </message>
+    <message>
+        <source>SolidWorks macro (*.bas)</source>
+        <translation>Makro SolidWorks (*.bas)</translation>
+    </message>
+    <message>
+        <source>Table of rows (CSV)…</source>
+        <translation>Tabela wierszy (CSV)…</translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)…</source>
+        <translation>Rysunek (SVG)…</translation>
+    </message>
+    <message>
+        <source>Picture (*.svg)</source>
+        <translation>Obraz (*.svg)</translation>
+    </message>
+    <message>
+        <source>Local radius and axis along the length (CSV)…</source>
+        <translation>Promień miejscowy i oś wzdłuż długości (CSV)…</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>cale</translation>
+    </message>
+    <message>
+        <source>turns per inch</source>
+        <translation>zwoje na cal</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -16161,14 +16221,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::cylindricity_panel::CylindricityPanel</name>
     <message>
-        <source>Local radius and axis along the length (CSV)…</source>
-        <translation>Promień miejscowy i oś wzdłuż długości (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
         <source>%1, z %2 mm</source>
         <translation>%1, z %2 mm</translation>
     </message>
@@ -16352,16 +16404,16 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
 <context>
     <name>lathelier::drawing_panel::DrawingPanel</name>
     <message>
-        <source>shaft, %1 mm</source>
-        <translation>wał, %1 mm</translation>
-    </message>
-    <message>
-        <source>%1, edited</source>
-        <translation>%1, zmieniony</translation>
-    </message>
-    <message>
         <source>%L1 segments · %2</source>
         <translation>odcinków: %L1 · %2</translation>
+    </message>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation>Rysunek (PDF)…</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
     </message>
 </context>
 <context>

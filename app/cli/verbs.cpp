@@ -4,6 +4,7 @@
 #include "app/cli/task_verb.h"
 #include "engine/cad/step_kind.h"
 #include "engine/cad/task/draw_task.h"
+#include "engine/cad/task/recognize_task.h"
 #include "engine/cam/task/check_task.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
@@ -37,7 +38,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(cam::checkTask()),
                                 verbOf(deflection::deflectionTask()),
                                 remanufactureVerb(),
-                                recognizeVerb(),
+                                verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
                                 surfaceVerb(),
                                 verifyVerb()};

@@ -11,7 +11,6 @@ Verb compareVerb();
 Verb roundnessVerb();
 Verb trajectoryVerb();
 Verb remanufactureVerb();
-Verb recognizeVerb();
 Verb surfaceVerb();
 Verb verifyVerb();
 

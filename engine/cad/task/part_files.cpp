@@ -17,7 +17,6 @@
 namespace lathelier::cad {
 namespace {
 
-constexpr const char* shaftExport = "shaft";
 constexpr const char* stockExport = "stock";
 constexpr const char* dxfExport = "dxf";
 constexpr const char* tableExport = "csv";

@@ -34,6 +34,7 @@ struct PartToWrite {
     CadQuestion cad;
 };
 
+inline constexpr const char* shaftExport = "shaft";
 inline constexpr const char* stepExport = "step";
 inline constexpr const char* freecadExport = "freecad";
 inline constexpr const char* solidworksExport = "solidworks";

@@ -60,7 +60,9 @@ Outcome settled(const Task& task, Outcome outcome, const Understanding& understa
     for (const Export& written : task.exports) {
         const auto writer = outcome.writers.find(written.option);
         if (written.is_cut_by && writer != outcome.writers.end())
-            writer->second = [shared](const std::string&, const Progress&) { requireUnderstood(*shared); };
+            writer->second = [shared](const std::string&, const Language&, const Progress&) {
+                requireUnderstood(*shared);
+            };
     }
     outcome.products = {};
     return outcome;

@@ -139,7 +139,7 @@ report::Table measuredTable(const DrawOutcome& outcome, const Language& language
                                   u_um ? Value(1e-3 * *u_um) : Value()});
         };
         const SizeUncertainty& u = measured.uncertainty;
-        const bool cylinder = isCylinder(row);
+        const bool cylinder = lathelier::isCylinder(row);
         add(cylinder ? LT_TEXT("Engine", "diameter") : LT_TEXT("Engine", "diameter at the start"),
             row.start_diameter_mm, measured.start_diameter_mm, u.start_diameter_um);
         if (!cylinder)

@@ -1,8 +1,8 @@
 // The panel "Recognise": cylinders, cones and arcs of a scanned part and their sizes.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/recognise/recognise_outcome.h"
+#include "engine/cad/task/recognize_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::recognise_panel {
 
@@ -11,7 +11,7 @@ class RecogniseViews;
 /// The panel's line of the panel table.
 PanelFacts recognisePanelFacts();
 
-class RecognisePanel : public Panel<RecogniseOutcome> {
+class RecognisePanel : public TaskPanel<cad::RecognizeOutcome> {
     Q_OBJECT
 
 public:
@@ -20,12 +20,8 @@ public:
     RecogniseViews& views() const { return *views_; }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const RecogniseOutcome>& outcome) override;
-    report::Answer answer(const RecogniseOutcome& outcome) const override;
+    void showResult(const std::shared_ptr<const cad::RecognizeOutcome>& outcome) override;
     void showPlace(const report::Place& place) override;
-    Notes notes(const RecogniseOutcome& outcome) const override;
-    report::Document document(const RecogniseOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;
@@ -38,7 +34,6 @@ private:
     void keepShaft();
 
     RecogniseViews* views_;
-    std::shared_ptr<LastRecognition> last_;
 };
 
 }  // namespace lathelier::recognise_panel

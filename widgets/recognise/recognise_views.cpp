@@ -103,7 +103,7 @@ RecogniseViews::RecogniseViews(QWidget* parent)
     retranslate();
 }
 
-void RecogniseViews::setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome)
+void RecogniseViews::setOutcome(const std::shared_ptr<const cad::RecognizeOutcome>& outcome)
 {
     const bool new_rows = !outcome_ || outcome_->result != outcome->result;
     outcome_ = outcome;
@@ -142,8 +142,8 @@ void RecogniseViews::show()
     }
     beside_->setText(beside.isEmpty() ? tr("All rows are in this table.")
                                       : tr("Not in this table: %1").arg(beside.join("; ")));
-    numbers_->setQuantities(recognitionReport(result, outcome_->steps, outcome_->inputs, screenLanguage()));
-    synthetic_->setVisible(outcome_->synthetic);
+    numbers_->setQuantities(recognitionReport(result, outcome_->steps, outcome_->sources.inputs, screenLanguage()));
+    synthetic_->setVisible(outcome_->sources.synthetic);
     found_->setVisible(!outcome_->changes.empty());
 }
 

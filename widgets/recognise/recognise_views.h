@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/cad/task/recognize_task.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/part_common/row_chart.h"
 #include "widgets/part_common/row_menu.h"
@@ -23,7 +24,7 @@ class RecogniseViews : public QWidget {
 public:
     explicit RecogniseViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const cad::RecognizeOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     RowsView* rows() const { return rows_; }
 
@@ -56,7 +57,7 @@ private:
     void pointOut(std::optional<std::size_t> row);
     void pickAt(double z_mm);
 
-    std::shared_ptr<const RecogniseOutcome> outcome_;
+    std::shared_ptr<const cad::RecognizeOutcome> outcome_;
     std::optional<std::size_t> row_;
     PrimaryViews* primaryViews_;
     QSplitter* charts_;

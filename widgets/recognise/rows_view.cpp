@@ -41,7 +41,7 @@ RowsView::RowsView(QWidget* parent)
     retranslate();
 }
 
-void RowsView::setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome)
+void RowsView::setOutcome(const std::shared_ptr<const cad::RecognizeOutcome>& outcome)
 {
     outcome_ = outcome;
     const int at = table_->currentRow();

@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <optional>
 
+#include "engine/cad/task/recognize_task.h"
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/recognise/recognise_outcome.h"
 
 namespace lathelier::recognise_panel {
 
@@ -16,7 +16,7 @@ class RowsView : public QWidget {
 public:
     explicit RowsView(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const RecogniseOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const cad::RecognizeOutcome>& outcome);
     void markRow(std::optional<std::size_t> row);  ///< index into Recognition::segments
     CopyTable* table() const { return table_; }
     void retranslate();
@@ -34,7 +34,7 @@ private:
     std::vector<features::AcceptedSize> together(int row, const features::Suggestion& suggestion) const;
     bool isAccepted(const features::AcceptedSize& size) const;
 
-    std::shared_ptr<const RecogniseOutcome> outcome_;
+    std::shared_ptr<const cad::RecognizeOutcome> outcome_;
     CopyTable* table_;
     QWidget* buttons_;
     QPushButton* accept_;

@@ -42,16 +42,6 @@ void addSteps(RecognizeOutcome& outcome)
     outcome.beside = rowsBesideSteps(outcome.shaft);
 }
 
-/// Error shaftIncomplete.
-void requireComplete(const features::Recognition& result)
-{
-    if (result.complete) return;
-    throw Error(
-        errors::shaftIncomplete,
-        {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
-                                        : LT_TEXT("Engine", "there is a gap in the data")}});
-}
-
 RecoveredFrom recoveredFrom(const RecognizeOutcome& outcome)
 {
     const InputFile& scan = outcome.sources.inputs.front();
@@ -129,6 +119,15 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
         return kept(std::move(made));
     }();
     return all;
+}
+
+void requireComplete(const features::Recognition& result)
+{
+    if (result.complete) return;
+    throw Error(
+        errors::shaftIncomplete,
+        {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
+                                        : LT_TEXT("Engine", "there is a gap in the data")}});
 }
 
 RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& stores, task::Sources& sources,

@@ -47,6 +47,7 @@ struct RecognizeOutcome : task::Answered {
     Shaft shaft;                                          ///< with the accepted sizes, named after the file
     std::vector<ShaftStep> steps;                         ///< of the published method, or rows converted to its table
     std::vector<std::size_t> beside;                      ///< rows (from 0) that the table cannot hold
+    ScanByKind by_kind{};                                 ///< for a scene: partedByKind(); empty where none is shown
 };
 
 /// Another accepted size recognises nothing anew, another change fits only. Errors: those of readScan(), recognize(),
@@ -54,8 +55,11 @@ struct RecognizeOutcome : task::Answered {
 RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& stores, task::Sources& sources,
                                  const Progress& progress);
 
-/// For a scene.
+/// The points, or the triangles, by the row that they lie on.
 ScanByKind partedByKind(const Scan& scan, const features::Recognition& result);
+
+/// Error shaftIncomplete.
+void requireComplete(const features::Recognition& result);
 
 /// The shaft with measured values and U of every row of the outside.
 Shaft measuredRows(const RecognizeOutcome& outcome);

@@ -10264,10 +10264,6 @@
         <translation>Rozpoznawanie</translation>
     </message>
     <message>
-        <source>Writing</source>
-        <translation>Zapisywanie</translation>
-    </message>
-    <message>
         <source>Schema of STEP</source>
         <translation>Schemat STEP</translation>
     </message>
@@ -14667,6 +14663,42 @@
         <source>turns per inch</source>
         <translation>zwoje na cal</translation>
     </message>
+    <message>
+        <source>Changes of rows</source>
+        <translation>Zmiany wierszy</translation>
+    </message>
+    <message>
+        <source>Made by a person.</source>
+        <translation>Wprowadzone przez człowieka.</translation>
+    </message>
+    <message>
+        <source>Rows changed of</source>
+        <translation>Zmiany dotyczą</translation>
+    </message>
+    <message>
+        <source>The scan that the changes are of.</source>
+        <translation>Skan, którego dotyczą zmiany.</translation>
+    </message>
+    <message>
+        <source>Accepted sizes</source>
+        <translation>Przyjęte wymiary</translation>
+    </message>
+    <message>
+        <source>By a person.</source>
+        <translation>Przez człowieka.</translation>
+    </message>
+    <message>
+        <source>Meridian and residuals (CSV)…</source>
+        <translation>Zarys osiowy i reszty (CSV)…</translation>
+    </message>
+    <message>
+        <source>Meridian (SVG)…</source>
+        <translation>Zarys osiowy (SVG)…</translation>
+    </message>
+    <message>
+        <source>Residuals (SVG)…</source>
+        <translation>Reszty (SVG)…</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -16800,89 +16832,6 @@ odchyłka %3</translation>
     </message>
 </context>
 <context>
-    <name>lathelier::part_common::PartFiles</name>
-    <message>
-        <source>Drawing (PDF)…</source>
-        <translation>Rysunek (PDF)…</translation>
-    </message>
-    <message>
-        <source>Document (*.pdf)</source>
-        <translation>Dokument (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Drawing (SVG)…</source>
-        <translation>Rysunek (SVG)…</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg)</source>
-        <translation>Obraz (*.svg)</translation>
-    </message>
-    <message>
-        <source>Drawing (DXF)…</source>
-        <translation>Rysunek (DXF)…</translation>
-    </message>
-    <message>
-        <source>Drawing (*.dxf)</source>
-        <translation>Rysunek (*.dxf)</translation>
-    </message>
-    <message>
-        <source>Contour (DXF)…</source>
-        <translation>Kontur (DXF)…</translation>
-    </message>
-    <message>
-        <source>Solid (STEP AP214)…</source>
-        <translation>Bryła (STEP AP214)…</translation>
-    </message>
-    <message>
-        <source>Solid (*.step)</source>
-        <translation>Bryła (*.step)</translation>
-    </message>
-    <message>
-        <source>Solid (STEP AP242)…</source>
-        <translation>Bryła (STEP AP242)…</translation>
-    </message>
-    <message>
-        <source>FreeCAD macro…</source>
-        <translation>Makro FreeCAD…</translation>
-    </message>
-    <message>
-        <source>FreeCAD macro (*.FCMacro)</source>
-        <translation>Makro FreeCAD (*.FCMacro)</translation>
-    </message>
-    <message>
-        <source>SolidWorks macro…</source>
-        <translation>Makro SolidWorks…</translation>
-    </message>
-    <message>
-        <source>SolidWorks macro (*.bas)</source>
-        <translation>Makro SolidWorks (*.bas)</translation>
-    </message>
-    <message>
-        <source>Table of rows (CSV)…</source>
-        <translation>Tabela wierszy (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Shaft (SHAFT.json)…</source>
-        <translation>Wałek (SHAFT.json)…</translation>
-    </message>
-    <message>
-        <source>JSON (*.json)</source>
-        <translation>JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>Stock text…</source>
-        <translation>Tekst półfabrykatu…</translation>
-    </message>
-    <message>
-        <source>Text (*.txt)</source>
-        <translation>Tekst (*.txt)</translation>
-    </message>
-</context>
-<context>
     <name>lathelier::part_common::RowMenu</name>
     <message>
         <source>Cylinder</source>
@@ -17198,28 +17147,16 @@ odchyłka %3</translation>
         <translation>Przyjmij wszystkie wymiary nominalne</translation>
     </message>
     <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Meridian and residuals (CSV)…</source>
-        <translation>Zarys osiowy i reszty (CSV)…</translation>
-    </message>
-    <message>
-        <source>Meridian (SVG)…</source>
-        <translation>Zarys osiowy (SVG)…</translation>
-    </message>
-    <message>
-        <source>Picture (*.svg)</source>
-        <translation>Obraz (*.svg)</translation>
-    </message>
-    <message>
-        <source>Residuals (SVG)…</source>
-        <translation>Reszty (SVG)…</translation>
-    </message>
-    <message>
         <source>Take back all changes of the rows</source>
         <translation>Cofnij wszystkie zmiany wierszy</translation>
+    </message>
+    <message>
+        <source>Drawing (PDF)…</source>
+        <translation>Rysunek (PDF)…</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
     </message>
 </context>
 <context>

@@ -186,28 +186,35 @@ private slots:
     void filesAreWritten()
     {
         std::map<QString, QByteArray> written;
-        const std::vector<PanelExport> exports = panel_->offeredExports();
-        for (std::size_t i = 0; i < exports.size(); ++i) {
-            const QString path = folder_.filePath(QString("export%1.%2").arg(i).arg(exports[i].suffix));
-            exports[i].write(path);
-            QFile file(path);
-            QVERIFY(file.open(QIODevice::ReadOnly));
-            written[exports[i].label] = file.readAll();
-            QVERIFY(!written[exports[i].label].isEmpty());
-        }
+        const auto writeAll = [&] {
+            const std::vector<PanelExport> exports = panel_->offeredExports();
+            for (std::size_t i = 0; i < exports.size(); ++i) {
+                const QString path = folder_.filePath(QString("export%1.%2").arg(i).arg(exports[i].suffix));
+                exports[i].write(path);
+                QFile file(path);
+                QVERIFY(file.open(QIODevice::ReadOnly));
+                written[exports[i].label] = file.readAll();
+                QVERIFY(!written[exports[i].label].isEmpty());
+            }
+        };
+        writeAll();
         QVERIFY(written["Drawing (PDF)…"].startsWith("%PDF"));
         QVERIFY(written["Drawing (SVG)…"].contains("<svg"));
-        QVERIFY(written["Drawing (DXF)…"].contains("DIMENSIONS"));
-        QVERIFY(written["Contour (DXF)…"].contains("CONTOUR"));
-        QVERIFY(written["Solid (STEP AP214)…"].contains("AUTOMOTIVE_DESIGN"));
-        QVERIFY(written["Solid (STEP AP242)…"].contains("AP242_MANAGED"));
+        QVERIFY(written["Drawing or contour (DXF)…"].contains("DIMENSIONS"));
+        QVERIFY(written["Solid (STEP)…"].contains("AUTOMOTIVE_DESIGN"));
+        set("dxf_contour", true);
+        set("step_schema", std::string("AP242"));
+        settle();
+        writeAll();
+        QVERIFY(written["Drawing or contour (DXF)…"].contains("CONTOUR"));
+        QVERIFY(written["Solid (STEP)…"].contains("AP242_MANAGED"));
         QVERIFY(written["FreeCAD macro…"].contains("FreeCAD"));
         QVERIFY(written["SolidWorks macro…"].contains("Sub main"));
         QVERIFY(written["Table of rows (CSV)…"].count('\n') > 3);
         QVERIFY(!written["Stock text…"].isEmpty());
         Notes notes;
         QVERIFY(io::readShaft(written["Shaft (SHAFT.json)…"].toStdString(), notes) == panel_->result()->shaft);
-        const QString step = write("again.step", written["Solid (STEP AP242)…"].toStdString());
+        const QString step = write("again.step", written["Solid (STEP)…"].toStdString());
         drop(panel_.get(), {step});
         settle();
         const Shaft& again = panel_->result()->shaft;

@@ -231,7 +231,7 @@ private slots:
         QCOMPARE(io::readStock(written["Stock text…"].toStdString()).segments.size(), std::size_t{4});
         QCOMPARE(written["Table of rows (CSV)…"].count('\n'), 5);
         QVERIFY(written["Meridian (SVG)…"].contains("<svg"));
-        QVERIFY(written["Solid (STEP AP214)…"].contains("AUTOMOTIVE_DESIGN"));
+        QVERIFY(written["Solid (STEP)…"].contains("AUTOMOTIVE_DESIGN"));
         QVERIFY(written["FreeCAD macro…"].contains("FreeCAD"));
         const QByteArray& drawing = written["Drawing (SVG)…"];  // as measured, with U and the scan
         QVERIFY(drawing.contains("±") && drawing.contains("shaft.xyz") && drawing.contains("robust"));

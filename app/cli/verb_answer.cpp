@@ -115,6 +115,10 @@ chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progre
     reply.inputs = inputsOf(answer, inputs);
     reply.parameters = request.parameters;
     if (answer.report && answer.errors.empty()) reply.sections = answer.report().sections;
+    if (!answer.understanding.isWhole())
+        reply.verdict = Verdict::Undecided;
+    else if (answer.pass)
+        reply.verdict = *answer.pass ? Verdict::Pass : Verdict::Fail;
     reply.notes = std::move(answer.notes);
     reply.errors = std::move(answer.errors);
     return reply;

@@ -35,6 +35,7 @@ Json stepJson(const ChainStep& step)
 {
     Json json = {{"step", step.id},
                  {"state", key(step.state)},
+                 {"verdict", step.verdict ? Json(lathelier::key(*step.verdict)) : Json(nullptr)},
                  {"result", step.result.empty() ? Json(nullptr) : Json(step.result)},
                  {"inputs", filesJson(step.inputs)},
                  {"outputs", filesJson(step.outputs)},
@@ -202,6 +203,18 @@ Text nameOf(StepState state)
         case StepState::NotReached: break;
     }
     return LT_TEXT("Engine", "not reached");
+}
+
+Text nameOf(const StepStanding& standing)
+{
+    if (standing.state != StepState::Done || standing.isSound()) return nameOf(standing.state);
+    return *standing.verdict == Verdict::Fail ? LT_TEXT("Engine", "made, out of tolerance")
+                                              : LT_TEXT("Engine", "made, not decided");
+}
+
+StepStanding standingOf(const ChainStep& step)
+{
+    return {step.state, step.state == StepState::Done ? step.verdict : std::nullopt};
 }
 
 const ChainStep* Dossier::step(const std::string& id) const

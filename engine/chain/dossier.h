@@ -32,6 +32,16 @@ enum class StepState : std::uint8_t {
 const char* key(StepState state);
 Text nameOf(StepState state);
 
+/// How a step stands: what was made of it, and what its own answer says.
+struct StepStanding {
+    StepState state = StepState::Missing;
+    std::optional<Verdict> verdict;  ///< of a step that is done
+
+    /// Done, and its answer is not out of tolerance and not undecided.
+    bool isSound() const { return state == StepState::Done && (!verdict || *verdict == Verdict::Pass); }
+};
+Text nameOf(const StepStanding& standing);
+
 /// One step of the chain.
 struct ChainStep {
     std::string id;  ///< "recognise", "draw"…
@@ -39,6 +49,7 @@ struct ChainStep {
     std::vector<InputFile> inputs;   ///< files of the chain by their path within its folder, others as given
     std::vector<InputFile> outputs;  ///< by their path within the folder of the chain
     std::string result;              ///< the output that is its JSON result; empty: none
+    std::optional<Verdict> verdict;  ///< of its own answer; none: nothing to judge
     Values parameters;
     Notes notes;                                ///< empty if the step was not run by this process
     std::optional<Error> error;                 ///< of a failed or missing step
@@ -48,6 +59,8 @@ struct ChainStep {
     std::shared_ptr<const Json> understanding;  ///< of its result, each entry with `step`; null: no result
     std::shared_ptr<const Json> past_notes;     ///< notes as written in the earlier dossier; null if `notes` has them
 };
+
+StepStanding standingOf(const ChainStep& step);
 
 /// A person's confirmation of an input that the chain does not compute.
 struct Confirmation {

@@ -47,6 +47,8 @@ ChainStep stepOf(const io::JsonCursor& item)
     step.inputs = listAt<InputFile>(item, "inputs", fileOf);
     step.outputs = listAt<InputFile>(item, "outputs", fileOf);
     step.result = wordAt(item, "result");
+    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
+        if (wordAt(item, "verdict") == key(verdict)) step.verdict = verdict;
     step.request = wordAt(item, "request");
     step.remarks = listAt<std::string>(item, "remarks", [](const io::JsonCursor& word) { return word.string(); });
     return step;

@@ -96,7 +96,7 @@ report::Table stepsTable(const Dossier& dossier)
     for (const ChainStep& step : dossier.steps) {
         std::string made;
         for (const InputFile& file : step.outputs) made += (made.empty() ? "" : ", ") + file.path;
-        table.rows.push_back({titleOf(step.id), nameOf(step.state), made});
+        table.rows.push_back({titleOf(step.id), nameOf(standingOf(step)), made});
     }
     return table;
 }
@@ -149,6 +149,12 @@ report::Answer answer(const Dossier& dossier)
                      {"missing", countOf(dossier, StepState::Missing)},
                      {"failed", countOf(dossier, StepState::Failed) + countOf(dossier, StepState::NotReached)}};
     if (const auto finding = copyFinding(dossier); finding && !finding->verdict) answer.findings.push_back(*finding);
+    for (const ChainStep& step : dossier.steps)
+        if (const StepStanding standing = standingOf(step); standing.verdict && !standing.isSound())
+            answer.findings.push_back({LT_TEXT("Engine", "{step}: {state}"),
+                                       {{"step", titleOf(step.id)}, {"state", nameOf(standing)}},
+                                       standing.verdict,
+                                       {}});
     for (const ChainStep& step : dossier.steps)
         if (step.state == StepState::Failed && (step.error || !step.remarks.empty()))
             answer.findings.push_back(

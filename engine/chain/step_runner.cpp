@@ -220,6 +220,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     step.notes = std::move(reply.notes);
     step.sections = std::move(reply.sections);
     step.state = reply.errors.empty() ? StepState::Done : StepState::Failed;
+    step.verdict = reply.verdict;
     if (!reply.errors.empty()) step.error = reply.errors.front();
     finish(std::move(step), *reply.result);
     return *reply.result;

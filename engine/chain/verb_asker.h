@@ -5,9 +5,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/core/conformity.h"
 #include "engine/core/error.h"
 #include "engine/core/input_file.h"
 #include "engine/core/json.h"
@@ -31,6 +33,7 @@ struct VerbReply {
     Values parameters;
     Notes notes;
     std::vector<Error> errors;              ///< empty: successful
+    std::optional<Verdict> verdict;         ///< of the answer itself; none: nothing to judge
     std::vector<report::Section> sections;  ///< of its report; empty on errors
 };
 

@@ -39,7 +39,7 @@ class CopyChainTest : public QObject, private WindowFixture {
     {
         return static_cast<const chain_panel::ChainPanel&>(dock("chain")->panel());
     }
-    StepState state(const char* key) const { return strip().tile(key)->state(); }
+    StepState state(const char* key) const { return strip().tile(key)->standing().state; }
     void settle() const
     {
         QTest::qWait(1);
@@ -141,6 +141,9 @@ private slots:
         QCOMPARE(session_->undoStack().count(), steps + 1);
         for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
             QCOMPARE(state(key), StepState::Done);
+        // What its own answer says stands on the step: the sample's program leaves material on the drawing.
+        QVERIFY(strip().tile("program")->standing().verdict == Verdict::Fail);
+        QVERIFY(!strip().tile("program")->standing().isSound());
         const chain::DossierCheck check = chain::checkDossier(out() + "/" + chain::dossierFile);
         QVERIFY(check.faults.empty() && check.numbers > 80);
         QVERIFY(QFile::exists(QString::fromStdString(out() + "/report.html")));

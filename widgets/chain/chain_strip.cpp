@@ -201,7 +201,7 @@ void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
     looked_ = dossier;
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
         const StripStep& step = stripSteps()[i];
-        tiles_[i]->say(screenText(step.title), stateOf(step, *dossier));
+        tiles_[i]->say(screenText(step.title), standingOf(step, *dossier));
         tiles_[i]->setToolTip(aboutOf(step, *dossier));
     }
     const auto waiting = stepsToRun(*dossier).size();
@@ -336,7 +336,7 @@ void ChainStrip::retranslate()
 {
     setAccessibleName(tr("Chain from the scan to the proof of the copy"));
     for (std::size_t i = 0; i < tiles_.size(); ++i)
-        tiles_[i]->say(screenText(stripSteps()[i].title), tiles_[i]->state());
+        tiles_[i]->say(screenText(stripSteps()[i].title), tiles_[i]->standing());
     start_->setText(tr("Run the chain…"));
     start_->setToolTip(tr("Runs the steps that are not made yet or out of date, after a question"));
     cancel_->setText(tr("Cancel"));

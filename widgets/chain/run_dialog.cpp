@@ -43,7 +43,8 @@ QStringList stepsToRun(const chain::Dossier& looked)
     QStringList lines;
     for (const chain::ChainStep& step : looked.steps)
         if (isToRun(step))
-            lines << signOf(step.state) + " " + screenText(chain::titleOf(step.id)) + " (" + wordOf(step.state) + ")";
+            lines << signOf({step.state, {}}) + " " + screenText(chain::titleOf(step.id)) + " (" +
+                         wordOf({step.state, {}}) + ")";
     return lines;
 }
 

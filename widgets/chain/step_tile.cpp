@@ -16,13 +16,17 @@ bool isDark(const QPalette& palette)
 }
 
 /// Distinguished by lightness as well; symbol and text repeat the state.
-QColor colourOf(chain::StepState state, const QPalette& palette)
+QColor colourOf(const chain::StepStanding& standing, const QPalette& palette)
 {
     const bool dark = isDark(palette);
-    switch (state) {
-        case chain::StepState::Done: return dark ? QColor(0x56, 0xb4, 0x8c) : QColor(0x00, 0x6d, 0x4f);
-        case chain::StepState::OutOfDate: return dark ? QColor(0xf0, 0xb4, 0x40) : QColor(0x8a, 0x5a, 0x00);
-        case chain::StepState::Failed: return dark ? QColor(0xff, 0x80, 0x60) : QColor(0xb0, 0x2a, 0x00);
+    const QColor bad = dark ? QColor(0xff, 0x80, 0x60) : QColor(0xb0, 0x2a, 0x00);
+    const QColor unsure = dark ? QColor(0xf0, 0xb4, 0x40) : QColor(0x8a, 0x5a, 0x00);
+    switch (standing.state) {
+        case chain::StepState::Done:
+            if (!standing.isSound()) return *standing.verdict == Verdict::Fail ? bad : unsure;
+            return dark ? QColor(0x56, 0xb4, 0x8c) : QColor(0x00, 0x6d, 0x4f);
+        case chain::StepState::OutOfDate: return unsure;
+        case chain::StepState::Failed: return bad;
         case chain::StepState::Missing:
         case chain::StepState::NotReached: break;
     }
@@ -31,10 +35,12 @@ QColor colourOf(chain::StepState state, const QPalette& palette)
 
 }  // namespace
 
-QString signOf(chain::StepState state)
+QString signOf(const chain::StepStanding& standing)
 {
-    switch (state) {
-        case chain::StepState::Done: return QStringLiteral("✓");
+    switch (standing.state) {
+        case chain::StepState::Done:
+            if (standing.isSound()) return QStringLiteral("✓");
+            return *standing.verdict == Verdict::Fail ? QStringLiteral("✗") : QStringLiteral("?");
         case chain::StepState::OutOfDate: return QStringLiteral("!");
         case chain::StepState::Failed: return QStringLiteral("✗");
         case chain::StepState::NotReached: return QStringLiteral("○");
@@ -43,10 +49,12 @@ QString signOf(chain::StepState state)
     return QStringLiteral("–");
 }
 
-QString wordOf(chain::StepState state)
+QString wordOf(const chain::StepStanding& standing)
 {
-    switch (state) {
-        case chain::StepState::Done: return StepTile::tr("done");
+    switch (standing.state) {
+        case chain::StepState::Done:
+            if (standing.isSound()) return StepTile::tr("done");
+            return *standing.verdict == Verdict::Fail ? StepTile::tr("out of tolerance") : StepTile::tr("not decided");
         case chain::StepState::OutOfDate: return StepTile::tr("out of date");
         case chain::StepState::Failed: return StepTile::tr("failed");
         case chain::StepState::NotReached: return StepTile::tr("not made yet");
@@ -62,11 +70,11 @@ StepTile::StepTile(QWidget* parent) : QAbstractButton(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void StepTile::say(const QString& title, chain::StepState state)
+void StepTile::say(const QString& title, const chain::StepStanding& standing)
 {
     setText(title);
-    state_ = state;
-    setAccessibleName(title + ": " + wordOf(state));
+    standing_ = standing;
+    setAccessibleName(title + ": " + wordOf(standing));
     updateGeometry();
     update();
 }
@@ -77,7 +85,7 @@ QSize StepTile::sizeHint() const
     int width = fontMetrics().horizontalAdvance(text());
     for (const auto state : {chain::StepState::Done, chain::StepState::OutOfDate, chain::StepState::Failed,
                              chain::StepState::NotReached, chain::StepState::Missing})
-        width = std::max(width, fontMetrics().horizontalAdvance(signOf(state) + " " + wordOf(state)));
+        width = std::max(width, fontMetrics().horizontalAdvance(signOf({state, {}}) + " " + wordOf({state, {}})));
     return {width + 2 * margin_px, 2 * fontMetrics().height() + 8};
 }
 
@@ -90,7 +98,7 @@ void StepTile::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor colour = colourOf(state_, palette());
+    const QColor colour = colourOf(standing_, palette());
     const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     QColor fill = palette().color(QPalette::Base);
     if (underMouse() || isDown()) fill = palette().color(QPalette::AlternateBase);
@@ -107,7 +115,7 @@ void StepTile::paintEvent(QPaintEvent*)
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop, metrics.elidedText(text(), Qt::ElideRight, inner.width()));
     painter.setPen(colour);
     painter.drawText(inner, Qt::AlignLeft | Qt::AlignBottom,
-                     metrics.elidedText(signOf(state_) + " " + wordOf(state_), Qt::ElideRight, inner.width()));
+                     metrics.elidedText(signOf(standing_) + " " + wordOf(standing_), Qt::ElideRight, inner.width()));
 }
 
 void StepTile::enterEvent(QEvent* event)

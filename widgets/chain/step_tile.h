@@ -7,11 +7,12 @@
 
 namespace lathelier::chain_panel {
 
-/// "✓", "!", "✗", "○", "–".
-QString signOf(chain::StepState state);
+/// "✓", "?", "!", "✗", "○", "–".
+QString signOf(const chain::StepStanding& standing);
 
-/// In the language of the screen: "done", "out of date", "failed", "not made yet", "missing".
-QString wordOf(chain::StepState state);
+/// In the language of the screen: "done", "out of tolerance", "not decided", "out of date", "failed", "not made yet",
+/// "missing".
+QString wordOf(const chain::StepStanding& standing);
 
 class StepTile : public QAbstractButton {
     Q_OBJECT
@@ -19,8 +20,8 @@ class StepTile : public QAbstractButton {
 public:
     explicit StepTile(QWidget* parent = nullptr);
 
-    void say(const QString& title, chain::StepState state);
-    chain::StepState state() const { return state_; }
+    void say(const QString& title, const chain::StepStanding& standing);
+    const chain::StepStanding& standing() const { return standing_; }
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -31,7 +32,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    chain::StepState state_ = chain::StepState::Missing;
+    chain::StepStanding standing_;
 };
 
 }  // namespace lathelier::chain_panel

@@ -17,17 +17,18 @@ struct StripTexts {
     Q_DECLARE_TR_FUNCTIONS(lathelier::chain_panel::StripTexts)
 };
 
-/// Rank of a state; the worst represents a group.
-int weight(chain::StepState state)
+/// The worst represents a group.
+int weight(const chain::StepStanding& standing)
 {
-    switch (state) {
-        case chain::StepState::Failed: return 4;
-        case chain::StepState::OutOfDate: return 3;
-        case chain::StepState::NotReached: return 2;
-        case chain::StepState::Missing: return 1;
+    switch (standing.state) {
+        case chain::StepState::Failed: return 6;
+        case chain::StepState::OutOfDate: return 5;
+        case chain::StepState::NotReached: return 4;
+        case chain::StepState::Missing: return 3;
         case chain::StepState::Done: break;
     }
-    return 0;
+    if (standing.isSound()) return 0;
+    return *standing.verdict == Verdict::Fail ? 2 : 1;
 }
 
 QString linesOf(const std::vector<InputFile>& files)
@@ -63,15 +64,16 @@ const std::vector<StripStep>& stripSteps()
     return all;
 }
 
-chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier)
+chain::StepStanding standingOf(const StripStep& step, const chain::Dossier& dossier)
 {
     const chain::ChainStep* const first = dossier.step(step.of_chain.front());
-    chain::StepState worst = first ? first->state : chain::StepState::Missing;
+    chain::StepStanding worst = first ? chain::standingOf(*first) : chain::StepStanding{};
     for (const char* id : step.of_chain) {
         const chain::ChainStep* const further = dossier.step(id);
-        // An optional chain step that is not given does not affect the state.
-        if (further && further->state != chain::StepState::Missing && weight(further->state) > weight(worst))
-            worst = further->state;
+        // An optional chain step that is not given does not count.
+        if (further && further->state != chain::StepState::Missing &&
+            weight(chain::standingOf(*further)) > weight(worst))
+            worst = chain::standingOf(*further);
     }
     return worst;
 }
@@ -82,7 +84,8 @@ QString aboutOf(const StripStep& step, const chain::Dossier& dossier)
     for (const char* id : step.of_chain) {
         const chain::ChainStep* const found = dossier.step(id);
         if (!found) continue;
-        QString part = screenText(chain::titleOf(id)) + ": " + signOf(found->state) + " " + wordOf(found->state);
+        QString part = screenText(chain::titleOf(id)) + ": " + signOf(chain::standingOf(*found)) + " " +
+                       wordOf(chain::standingOf(*found));
         if (found->error)
             part += "\n  " + screenText(*found->error);
         else if (found->state == chain::StepState::Failed && !found->remarks.empty())

@@ -19,8 +19,8 @@ struct StripStep {
 
 const std::vector<StripStep>& stripSteps();
 
-/// Combined state by precedence: failed, out of date, not made, missing, done.
-chain::StepState stateOf(const StripStep& step, const chain::Dossier& dossier);
+/// Combined by precedence: failed, out of date, not made, missing, out of tolerance, not decided, done.
+chain::StepStanding standingOf(const StripStep& step, const chain::Dossier& dossier);
 
 /// State, error, inputs and outputs of its chain steps, for a tooltip.
 QString aboutOf(const StripStep& step, const chain::Dossier& dossier);

@@ -14699,6 +14699,18 @@
         <source>Residuals (SVG)…</source>
         <translation>Reszty (SVG)…</translation>
     </message>
+    <message>
+        <source>made, out of tolerance</source>
+        <translation>wykonany, poza tolerancją</translation>
+    </message>
+    <message>
+        <source>made, not decided</source>
+        <translation>wykonany, nierozstrzygnięty</translation>
+    </message>
+    <message>
+        <source>{step}: {state}</source>
+        <translation>{step}: {state}</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -15882,6 +15894,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>missing</source>
         <translation>brak</translation>
+    </message>
+    <message>
+        <source>out of tolerance</source>
+        <translation>poza tolerancją</translation>
+    </message>
+    <message>
+        <source>not decided</source>
+        <translation>nierozstrzygnięty</translation>
     </message>
 </context>
 <context>

@@ -14711,6 +14711,14 @@
         <source>{step}: {state}</source>
         <translation>{step}: {state}</translation>
     </message>
+    <message>
+        <source>the contour returns along the axis of the cycle</source>
+        <translation>kontur zawraca wzdłuż osi cyklu</translation>
+    </message>
+    <message>
+        <source>two lines of the contour have the same direction</source>
+        <translation>dwie proste konturu mają ten sam kierunek</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -62,6 +62,8 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     answer.parameters = parametersOf(task, state);
     task::Wanted wanted;
     for (const auto& [option, path] : request.outputs) wanted.exports.push_back(exportOf(option));
+    wanted.in_full = request.in_full;
+    answer.always_strict = task.always_strict;
     Stores stores;
     task::Outcome outcome;
     try {
@@ -100,7 +102,7 @@ Verb verbOf(const task::Task& task)
         if (!input.takes_files) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
-            verb.operands.push_back({operandName(input), input.help.english, false, false, !input.required});
+            verb.operands.push_back({operandName(input), input.help.english, input.several, false, !input.required});
         else
             verb.parameters.push_back({fileOption(input), std::string()});
     }
@@ -123,6 +125,8 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
         std::string path;
         if (input.option.empty()) {
             if (operand < request.operands.size()) path = request.operands[operand++];
+            for (std::size_t number = 2; input.several && operand < request.operands.size(); ++number)
+                state.inputs[project::keyOf(input.role, number)].path = request.operands[operand++];
         } else if (const Value* const given = find(request.parameters, input.option)) {
             path = std::get<std::string>(*given);
         }

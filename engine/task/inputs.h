@@ -24,6 +24,7 @@
 #include "engine/core/input_file.h"
 #include "engine/core/progress.h"
 #include "engine/io/file_kind.h"
+#include "engine/project/input_key.h"
 #include "engine/project/project.h"
 #include "engine/task/stores.h"
 
@@ -49,6 +50,7 @@ struct Input {
     io::FileKinds kinds = {};    ///< of its files
     std::string item_kind = {};  ///< kind of project items accepted instead of a file; empty: files only
     bool takes_files = true;     ///< false: items only, and nothing of the command line
+    bool several = false;        ///< more follow under "role.2", "role.3"…; of the command line the last operand
     /// Reads it where it is given, for the facts that a window shows before all inputs are there. Errors of the reader.
     std::function<void(const project::PanelState&, Stores&, const Progress&)> read = {};
 };
@@ -156,7 +158,7 @@ Input input(const char* role, const char* option, Text label, Text help)
     made.item_kind = K::item;
     made.read = [name = std::string(role)](const project::PanelState& state, Stores& stores, const Progress& progress) {
         Sources unused;
-        takeFile<K>(state, name, stores, progress, unused);
+        for (const std::string& key : project::keysOf(state, name)) takeFile<K>(state, key, stores, progress, unused);
     };
     return made;
 }

@@ -74,6 +74,7 @@ struct Answered {
 /// What a run is asked for besides the state of its panel.
 struct Wanted {
     std::vector<std::string> exports;  ///< by Export::option: to be written after the run
+    bool in_full = true;  ///< false: the summary alone is shown, what only JSON and report hold may be left out
 
     bool has(const std::string& option) const;
 };
@@ -96,6 +97,7 @@ struct Task {
     Values defaults;                ///< of the fields
     std::vector<Export> exports;
     std::vector<std::string> products;  ///< kinds of items that it makes
+    bool always_strict = false;         ///< a verdict against it is exit code 1 without --strict too
     /// Reads what `state` names and computes. `sources` receives what was read, also where an error ends the run.
     /// Errors of the readers and of the computation. Throws Cancelled. Thread-safe.
     std::function<Outcome(const project::PanelState& state, const Wanted& wanted, Stores& stores, Sources& sources,

@@ -5,14 +5,6 @@
 #include "engine/project/input_key.h"
 
 namespace lathelier {
-namespace {
-
-std::string keyOf(const std::string& role, std::size_t number)
-{
-    return number == 1 ? role : role + "." + std::to_string(number);
-}
-
-}  // namespace
 
 const Workspace& workspaceOf(const std::string& id)
 {
@@ -50,19 +42,18 @@ std::function<std::vector<Text>(const project::PanelState&)> missingOf(const std
 std::vector<project::Source> sourcesOf(const project::PanelState& state, const InputRole& role)
 {
     std::vector<project::Source> sources;
-    for (std::size_t number = 1;; ++number) {
-        const auto found = state.inputs.find(keyOf(role.role, number));
-        if (found == state.inputs.end()) return sources;
-        sources.push_back(found->second);
-        if (!role.several) return sources;
+    for (const std::string& key : project::keysOf(state, role.role)) {
+        sources.push_back(state.inputs.at(key));
+        if (!role.several) break;
     }
+    return sources;
 }
 
 void setSources(project::PanelState& state, const InputRole& role, const std::vector<project::Source>& sources)
 {
     std::erase_if(state.inputs, [&](const auto& input) { return project::belongsTo(input.first, role.role); });
     for (std::size_t i = 0; i < sources.size() && (i == 0 || role.several); ++i)
-        state.inputs[keyOf(role.role, i + 1)] = sources[i];
+        state.inputs[project::keyOf(role.role, i + 1)] = sources[i];
 }
 
 }  // namespace lathelier

@@ -19,6 +19,7 @@ std::vector<InputRole> rolesOf(const task::Task& task, const std::vector<std::st
         made.label = input.label;
         made.hint = input.help;
         made.required = input.required;
+        made.several = input.several;
         made.kinds = input.kinds;
         made.item_kind = input.item_kind;
         all.push_back(std::move(made));
@@ -146,7 +147,9 @@ std::vector<PanelExport> exportsOf(const task::Task& task, const std::shared_ptr
         const auto writer = outcome->writers.find(one.option);
         if (one.label.empty() || writer == outcome->writers.end()) continue;
         all.push_back({screenText(one.label), screenText(one.filter), QString::fromStdString(one.suffix),
-                       [outcome, write = writer->second](const QString& path) { write(path.toStdString(), screenLanguage(), {}); }});
+                       [outcome, write = writer->second](const QString& path) {
+                           write(path.toStdString(), screenLanguage(), {});
+                       }});
     }
     return all;
 }

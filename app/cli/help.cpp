@@ -26,14 +26,6 @@ std::string rowPlaceholder(const FieldInfo& info)
 
 }  // namespace
 
-std::string optionName(const std::string& key)
-{
-    std::string result = "--";
-    result += key;
-    std::replace(result.begin(), result.end(), '_', '-');
-    return result;
-}
-
 std::string placeholder(const FieldInfo& info)
 {
     switch (info.kind) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/cli/verb.h"
+#include "engine/task/asked_state.h"
 
 namespace lathelier::cli {
 
@@ -15,8 +16,7 @@ inline constexpr const char* exitCodeHelp =
     "4 the files are sound but no answer exists, 5 an output could not be written, 130 cancelled by Ctrl-C.";
 inline constexpr std::size_t helpColumn = 36;
 
-/// "tolerance_mm" → "--tolerance-mm"
-std::string optionName(const std::string& key);
+using task::optionName;
 
 /// Value syntax of the option: "auto|point|comma", "NUMBER", "A:B".
 std::string placeholder(const FieldInfo& info);

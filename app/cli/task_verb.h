@@ -8,8 +8,4 @@ namespace lathelier::cli {
 /// `task` outlives the verb.
 Verb verbOf(const task::Task& task);
 
-/// The inputs and parameters of a request as the state of a panel. Error valueNotUnderstood where a required input is
-/// not given.
-project::PanelState stateOf(const task::Task& task, const Request& request);
-
 }  // namespace lathelier::cli

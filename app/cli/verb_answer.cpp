@@ -65,17 +65,8 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
 {
     Json result = report::resultHead(verb.name, inputsOf(answer, inputs),
                                      answer.parameters.empty() ? request.parameters : answer.parameters);
-    Json notes = toJson(answer.notes);
     if (answer.json) result.update(answer.json());
-    report::addUnderstanding(result, answer.understanding);
-    if (!answer.errors.empty()) {
-        result["error"] = toJson(answer.errors.front());
-        // Why there is no answer is a note as well: scripts that collect notes find it beside the others.
-        if (answer.errors.front().code().kind == ErrorKind::NoAnswer) notes.push_back(result["error"]);
-    }
-    if (answer.errors.size() > 1)
-        for (const Error& error : answer.errors) result["errors"].push_back(toJson(error));
-    result["notes"] = std::move(notes);
+    report::addRemarks(result, answer.understanding, answer.errors, answer.notes);
     return result;
 }
 
@@ -84,44 +75,6 @@ int exitCode(const Answer& answer, bool strict)
     if (!answer.errors.empty()) return exitCode(answer.errors.front().code().kind);
     if (strict && !answer.understanding.isWhole()) return exitOutOfTolerance;
     return (strict || answer.always_strict) && answer.pass == false ? exitOutOfTolerance : exitAnswered;
-}
-
-Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,
-                  std::map<std::string, std::string> outputs)
-{
-    Request request;
-    request.operands = std::move(operands);
-    request.outputs = std::move(outputs);
-    request.in_full = true;
-    const std::vector<Option> reading = readingOptions(verb);
-    for (const auto* options : {&verb.parameters, &reading})
-        for (const Option& option : *options) {
-            const Value* const value = find(given, option.info.key);
-            set(request.parameters, option.info.key, value ? *value : option.standard);
-        }
-    return request;
-}
-
-chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progress& progress)
-{
-    const std::vector<Verb>& all = verbs();
-    const Verb& verb =
-        *std::find_if(all.begin(), all.end(), [&](const Verb& known) { return known.name == question.verb; });
-    const Request request = requestOf(verb, question.operands, question.given, question.outputs);
-    io::InputFiles inputs;
-    Answer answer = ask(verb, request, inputs, progress);
-    chain::VerbReply reply;
-    reply.result = std::make_shared<const Json>(envelope(verb, request, inputs, answer));
-    reply.inputs = inputsOf(answer, inputs);
-    reply.parameters = request.parameters;
-    if (answer.report && answer.errors.empty()) reply.sections = answer.report().sections;
-    if (!answer.understanding.isWhole())
-        reply.verdict = Verdict::Undecided;
-    else if (answer.pass)
-        reply.verdict = *answer.pass ? Verdict::Pass : Verdict::Fail;
-    reply.notes = std::move(answer.notes);
-    reply.errors = std::move(answer.errors);
-    return reply;
 }
 
 }  // namespace lathelier::cli

@@ -1,9 +1,7 @@
-// A verb asked once: its answer with everything that was refused, its object, its exit code. The command line runs one
-// verb; the chain, here and in the window, several in sequence.
+// A verb asked once: its answer with everything that was refused, its object, its exit code. 
 #pragma once
 
 #include "app/cli/arguments.h"
-#include "engine/chain/verb_asker.h"
 #include "engine/core/failure.h"
 
 namespace lathelier::cli {
@@ -32,12 +30,5 @@ Json envelope(const Verb& verb, const Request& request, io::InputFiles& inputs, 
 
 /// The exit code that scripts rely on.
 int exitCode(const Answer& answer, bool strict);
-
-/// A request with all parameters at their defaults but `given`. Precondition: the verb has options of these keys.
-Request requestOf(const Verb& verb, std::vector<std::string> operands, const Values& given,
-                  std::map<std::string, std::string> outputs);
-
-/// Runs a verb of the table by name, with its report: a chain::AskVerb. Precondition: there is one of this name.
-chain::VerbReply runVerbByName(const chain::VerbQuestion& question, const Progress& progress);
 
 }  // namespace lathelier::cli

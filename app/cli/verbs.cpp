@@ -7,16 +7,19 @@
 #include "engine/cad/task/recognize_task.h"
 #include "engine/cam/task/check_task.h"
 #include "engine/cam/task/turn_task.h"
+#include "engine/chain/remanufacture_task.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
 #include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/task/modes_task.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/receptance/task/spindle_task.h"
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/verify/verify_task.h"
 
 namespace lathelier::cli {
 
@@ -30,6 +33,7 @@ const std::vector<Verb>& verbs()
                                 trajectoryVerb(),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),
+                                verbOf(receptance::modesTask()),
                                 verbOf(stability::lobesTask()),
                                 verbOf(stability::speedTask()),
                                 verbOf(stability::simulateTask()),
@@ -37,11 +41,11 @@ const std::vector<Verb>& verbs()
                                 verbOf(cam::turnTask()),
                                 verbOf(cam::checkTask()),
                                 verbOf(deflection::deflectionTask()),
-                                remanufactureVerb(),
+                                verbOf(chain::remanufactureTask()),
                                 verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
                                 surfaceVerb(),
-                                verifyVerb()};
+                                verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),
                             &io::frfFiles(),

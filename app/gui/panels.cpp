@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "app/cli/verb_answer.h"
 #include "widgets/chain/chain_panel.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/correction/correction_panel.h"
@@ -70,7 +69,7 @@ const std::vector<PanelFacts>& panelTable()
 
 const std::vector<StripFacts>& stripTable()
 {
-    static const std::vector<StripFacts> table{chain_panel::chainStrip(cli::runVerbByName)};
+    static const std::vector<StripFacts> table{chain_panel::chainStrip()};
     return table;
 }
 

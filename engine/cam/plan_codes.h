@@ -115,6 +115,14 @@ inline constexpr NoteCode stableDepthHere{
             "At {speed_rpm} 1/min depths up to {stable_depth_mm:3} mm would be stable at z = {z_start_mm} … {z_end_mm} "
             "mm, with the force of the work material.")};
 
+inline constexpr NoteCode speedChatters{
+    "speed_chatters", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: "
+        "{depth_mm:3} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives "
+        "{exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.")};
+
 inline constexpr NoteCode backSpeed{
     "back_speed", Severity::Info,
     LT_TEXT("Engine",

@@ -9,6 +9,7 @@
 #include "engine/cam/work_frame.h"
 #include "engine/core/units.h"
 #include "engine/receptance/shaft_receptance.h"
+#include "engine/stability/safe_speed.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_codes.h"
 
@@ -33,7 +34,14 @@ struct ChosenSpeed {
     int lobe = 0;
     bool is_stable = true;  ///< false: the speed of the cutting data is kept
     FrfPtr receptance;
-    std::optional<double> stable_depth_mm;  ///< at that speed, where it is not stable
+    std::optional<double> stable_depth_mm;         ///< at that speed, where it is not stable
+    std::optional<stability::SafeSpeed> at_depth;  ///< judged by the exact relation; none: no force or depth is known
+};
+
+/// What judges a speed.
+struct Cut {
+    std::optional<double> coefficient_N_mm2;  ///< none: the material is not known
+    double depth_mm = 0;                      ///< on the radius
 };
 
 /// Force over area of the chip at a feed: Kienzle's k_c, taken as the coefficient of the lobes.
@@ -61,6 +69,47 @@ std::optional<double> depthAt(const Frf& frf, double speed_rpm, double coefficie
     return least;
 }
 
+/// The speed at the depth of the cut; `chosen`: by the rule that was asked for.
+stability::SafeSpeed atDepth(const Frf& frf, const Cut& cut, double chosen_rpm, double selected_rpm, double max_rpm,
+                             const Progress& progress)
+{
+    stability::LobeParameters lobes;
+    lobes.cutting_coefficient_N_mm2 = cut.coefficient_N_mm2;
+    Interval range = stability::usualRange(selected_rpm);
+    range.to = std::min(range.to, max_rpm);
+    return stability::safeSpeed(frf, lobes, {chosen_rpm, cut.depth_mm, range}, progress);
+}
+
+/// The lobe whose pocket holds a speed, by the exact relation; 0: none.
+int lobeAt(const Frf& frf, double speed_rpm)
+{
+    stability::SpeedParameters speed;
+    speed.speed_rpm = speed_rpm;
+    speed.relation = stability::SpeedRelation::Exact;
+    try {
+        return stability::chooseSpeed(frf, speed).k;
+    } catch (const Error& error) {
+        if (!(error.code() == errors::noStableSpeed)) throw;
+        return 0;
+    }
+}
+
+/// A speed by the rule of the papers that chatters at the depth of the cut.
+void noteChatter(Notes& notes, double from_mm, double to_mm, const ChosenSpeed& chosen)
+{
+    if (!chosen.is_stable || !chosen.at_depth || chosen.at_depth->selected.is_stable) return;
+    const stability::SafeSpeed& safe = *chosen.at_depth;
+    const auto depth = [](const std::optional<double>& limit) { return limit ? Value(*limit) : Value(); };
+    notes.push_back({notes::speedChatters,
+                     {{"z_start_mm", from_mm},
+                      {"z_end_mm", to_mm},
+                      {"speed_rpm", chosen.speed_rpm},
+                      {"depth_mm", safe.question.depth},
+                      {"stable_depth_mm", depth(safe.selected.limit)},
+                      {"exact_rpm", safe.best.speed_rpm},
+                      {"exact_depth_mm", depth(safe.best.limit)}}});
+}
+
 void noteUnstable(Notes& notes, double from_mm, double to_mm, const ChosenSpeed& chosen)
 {
     Values values{{"z_start_mm", from_mm},
@@ -72,17 +121,19 @@ void noteUnstable(Notes& notes, double from_mm, double to_mm, const ChosenSpeed&
 }
 
 ChosenSpeed chosenFor(const Shaft& body, const std::optional<Material>& material, double z_mm, double diameter_mm,
-                      double cutting_speed_m_min, const std::optional<double>& coefficient, const SpeedRequest& request,
-                      const Progress& progress)
+                      double cutting_speed_m_min, const Cut& cut, const SpeedRequest& request, const Progress& progress)
 {
     ChosenSpeed chosen;
-    chosen.speed_rpm = std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
+    const double selected_rpm =
+        std::min(request.max_rpm, std::round(stability::spindleSpeed(cutting_speed_m_min, diameter_mm)));
+    chosen.speed_rpm = selected_rpm;
     receptance::ReceptanceParameters parameters;
     parameters.respond_z_mm = parameters.excite_z_mm = std::clamp(z_mm, 0.0, body.length_mm());
     parameters.step_hz = sectionStep_hz;
     parameters = receptance::withinLines(parameters, request.spindle, {sectionFrom_hz, sectionTo_hz});
-    chosen.receptance = std::make_shared<const Frf>(
-        receptance::receptanceOf(body, material.value_or(Material{}), parameters, {request.spindle, {}}, progress));
+    chosen.receptance = std::make_shared<const Frf>(receptance::receptanceOf(body, material.value_or(Material{}),
+                                                                             parameters, {request.spindle, {}},
+                                                                             progress, receptance::LinesOf::Refined));
     const Frf& frf = *chosen.receptance;
     stability::SpeedParameters speed;
     speed.diameter_mm = diameter_mm;
@@ -100,8 +151,17 @@ ChosenSpeed chosenFor(const Shaft& body, const std::optional<Material>& material
         if (!(error.code() == errors::noStableSpeed)) throw;
         chosen.is_stable = false;
     }
-    if (!chosen.is_stable && coefficient)
-        chosen.stable_depth_mm = depthAt(frf, chosen.speed_rpm, *coefficient, request.relation);
+    if (!cut.coefficient_N_mm2) return chosen;
+    if (chosen.is_stable && cut.depth_mm > 0) {
+        chosen.at_depth = atDepth(frf, cut, chosen.speed_rpm, selected_rpm, request.max_rpm, progress);
+        if (request.relation == stability::SpeedRelation::Exact) {
+            chosen.is_stable = chosen.at_depth->best.is_stable;
+            chosen.speed_rpm = chosen.is_stable ? std::round(chosen.at_depth->best.speed_rpm) : selected_rpm;
+            chosen.lobe = chosen.is_stable ? lobeAt(frf, chosen.speed_rpm) : 0;
+        }
+    }
+    if (!chosen.is_stable)
+        chosen.stable_depth_mm = depthAt(frf, chosen.speed_rpm, *cut.coefficient_N_mm2, request.relation);
     return chosen;
 }
 
@@ -182,13 +242,14 @@ void setSpeedOf(SectionSpeed& section, const SpeedStretch& cylinder, const Clamp
                 const SpeedRequest& request, const WorkStock& before_finish, Notes& notes, const Progress& progress)
 {
     const JobTool& tool = *clamping.job.toolFor(ToolUse::Finish);
-    const std::optional<double> coefficient = coefficientOf(
-        request.material, finishFeed(clamping.job, tool, cylinder.Rz_um), tool.entering_angle_deg.value_or(90));
+    const Cut cut{coefficientOf(request.material, finishFeed(clamping.job, tool, cylinder.Rz_um),
+                                tool.entering_angle_deg.value_or(90)),
+                  clamping.job.cutting.rough.allowance_mm};
     const Shaft body = request.model == PartModel::Finished
                            ? request.whole
                            : before_finish.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
     const ChosenSpeed chosen = chosenFor(body, clamping.part.material, cylinder.from_mm, cylinder.diameter_mm,
-                                         section.constant_m_min, coefficient, request, progress);
+                                         section.constant_m_min, cut, request, progress);
     section.speed_rpm = chosen.speed_rpm;
     section.cutting_speed_m_min = cuttingSpeed(chosen.speed_rpm, cylinder.diameter_mm);
     section.frequency_hz = chosen.frequency_hz;
@@ -198,6 +259,7 @@ void setSpeedOf(SectionSpeed& section, const SpeedStretch& cylinder, const Clamp
     section.reason = chosen.is_stable ? LT_TEXT("Engine", "stability lobes")
                                       : LT_TEXT("Engine", "no stable speed, that of the job is kept");
     if (!chosen.is_stable) noteUnstable(notes, section.z_start_mm, section.z_end_mm, chosen);
+    noteChatter(notes, section.z_start_mm, section.z_end_mm, chosen);
 }
 
 }  // namespace
@@ -253,15 +315,17 @@ void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest&
         radius = end.y();
     }
     if (radius == 0) return;
-    const std::optional<double> coefficient =
-        coefficientOf(request.material, finishFeed(clamping.job, *tool), tool->entering_angle_deg.value_or(90));
+    const Cut cut{
+        coefficientOf(request.material, finishFeed(clamping.job, *tool), tool->entering_angle_deg.value_or(90)),
+        clamping.job.cutting.rough.allowance_mm};
     const Shaft body = request.model == PartModel::Finished
                            ? request.whole
                            : before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
     const ChosenSpeed chosen = chosenFor(body, clamping.part.material, std::max(0.0, free_z), 2 * radius,
-                                         back.cutting_speed_m_min, coefficient, request, progress);
+                                         back.cutting_speed_m_min, cut, request, progress);
     back.speed_rpm = chosen.speed_rpm;
     if (!chosen.is_stable) return noteUnstable(notes, std::max(0.0, free_z), chuck_z, chosen);
+    noteChatter(notes, std::max(0.0, free_z), chuck_z, chosen);
     notes.push_back({notes::backSpeed,
                      {{"z_start_mm", std::max(0.0, free_z)},
                       {"z_end_mm", chuck_z},
@@ -277,9 +341,11 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
     if (!request.spindle) return;
     const double speed = rough.cutting_speed_m_min;
     const JobTool* tool = clamping.job.tool(rough.tool);
-    const std::optional<double> coefficient = coefficientOf(
-        request.material, tool && tool->feed_mm_rev ? *tool->feed_mm_rev : clamping.job.cutting.rough.feed_mm_rev,
-        tool ? tool->entering_angle_deg.value_or(90) : 90);
+    const RoughCutting& data = clamping.job.cutting.rough;
+    const std::optional<double> coefficient =
+        coefficientOf(request.material, tool && tool->feed_mm_rev ? *tool->feed_mm_rev : data.feed_mm_rev,
+                      tool ? tool->entering_angle_deg.value_or(90) : 90);
+    double above_mm = NAN;  // radius of the pass before
     std::size_t count = 0, done = 0;
     Operation part = rough;
     for (std::size_t k = 1; k < rough.moves.size() && count < mostRoughSpeeds; ++k) {
@@ -295,8 +361,12 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
         done = k + 1;
         before.run(part);
         const Shaft body = before.bodyUpTo(clamping.job.setup.chuck_face_z_mm, bodyPiece_mm);
+        // Depth of the pass: from the pass before it, at most that of the cutting data.
+        const double step_mm = above_mm - move.to.y();
+        const Cut cut{coefficient, step_mm > same_mm && step_mm < data.depth_mm ? step_mm : data.depth_mm};
+        above_mm = move.to.y();
         const ChosenSpeed chosen = chosenFor(body, clamping.part.material, std::max(0.0, start.x()), 2 * move.to.y(),
-                                             speed, coefficient, request, progress);
+                                             speed, cut, request, progress);
         if (count++ == 0) {
             rough.speed_rpm = chosen.speed_rpm;
         } else {
@@ -305,6 +375,7 @@ void setRoughSpeeds(Operation& rough, const Clamping& clamping, const SpeedReque
             rough.moves[first].speed_rpm = chosen.speed_rpm;
         }
         if (!chosen.is_stable) noteUnstable(notes, start.x(), move.to.x(), chosen);
+        noteChatter(notes, start.x(), move.to.x(), chosen);
     }
 }
 

@@ -1,8 +1,9 @@
 // Spindle speeds by section from the dynamics of the partly machined workpiece.
 //
 // The workpiece is a beam from its free end to the chuck's face, joined to the spindle there (engine/receptance); the
-// speed is that of engine/stability/speed_choice.h for the cutting speed that is selected. Finish passes over a
-// cylinder get one speed each, computed at the end toward the free end, where compliance is largest. Roughing passes
+// speed is that of engine/stability/speed_choice.h for the cutting speed that is selected; by the exact relation, with
+// the force of a known work material, that of engine/stability/safe_speed.h at the depth of the cut. Finish passes over
+// a cylinder get one speed each, computed at the end toward the free end, where compliance is largest. Roughing passes
 // over the whole length get one each as well, for the body after the pass. Faces, and cones and arcs of 3 mm and more,
 // keep constant cutting speed.
 #pragma once
@@ -55,12 +56,13 @@ struct SectionSpeed {
 };
 
 /// Speeds of finishing in this clamping. Without spindle and stated sections: constant cutting speed. Notes:
-/// noStableSpeedHere. `before_finish`: stock before finishing. Errors of receptanceOf(). Throws Cancelled.
+/// noStableSpeedHere, speedChatters. `before_finish`: stock before finishing. Errors of receptanceOf(). Throws
+/// Cancelled.
 std::vector<SectionSpeed> finishSections(const Clamping& clamping, const SpeedRequest& request,
                                          const WorkStock& before_finish, Notes& notes, const Progress& progress = {});
 
 /// One fixed speed for a pass of the opposite hand, for the longest cylinder that it turns. Notes: backSpeed,
-/// noStableSpeedHere.
+/// noStableSpeedHere, speedChatters.
 void setBackSpeed(Operation& back, const Clamping& clamping, const SpeedRequest& request, const WorkStock& before,
                   Notes& notes, const Progress& progress = {});
 

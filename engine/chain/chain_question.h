@@ -14,7 +14,7 @@ namespace lathelier::chain {
 /// Direction of cut in a picture rotated so that the feed points right.
 enum class CutInPicture : std::uint8_t { Unknown, Down, Up };
 
-/// "unknown", "down", "up", the keys of the verb `surface`.
+/// "unknown", "down", "up", the keys of the task surface.
 const std::vector<FieldChoice>& cutsInPicture();
 
 /// Paths, empty if not given; steps that need a missing file get StepState::Missing.

@@ -12,6 +12,7 @@
 #include "engine/cam/setup_plan.h"
 #include "engine/chain/chain_codes.h"
 #include "engine/chain/proof.h"
+#include "engine/chain/step_state.h"
 #include "engine/core/texts.h"
 #include "engine/deflection/setup_file.h"
 #include "engine/gcode/controls/controls.h"
@@ -43,7 +44,8 @@ void setIfGiven(Values& values, const char* key, const std::optional<double>& va
 
 struct ChainSteps::Results {
     Results() {}  // not the implicit one: it would be noexcept like that of Json, which allocates
-    Json drawn, speeds, planned, deflected, second, compared;
+    PlannedProgram planned;
+    Json drawn, speeds, deflected, second, compared;
 };
 
 ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::InputFiles& inputs,
@@ -55,9 +57,9 @@ ChainSteps::ChainSteps(const ChainQuestion& question, StepRunner& runner, io::In
 ChainSteps::~ChainSteps() = default;
 
 /// Request with the common values for data that files leave unstated.
-StepRequest ChainSteps::asked(const char* id, const char* verb, std::vector<std::string> operands, Values given) const
+StepRequest ChainSteps::asked(const char* id, std::vector<std::string> operands, Values given) const
 {
-    StepRequest step{id, verb, std::move(operands), std::move(given), {}};
+    StepRequest step{id, taskOf(id), std::move(operands), std::move(given), {}};
     for (const auto& [key, value] : question_.reading)
         if (!find(step.given, key)) set(step.given, key, value);
     return step;
@@ -69,9 +71,9 @@ void ChainSteps::recognise()
     if (is_drawn) runner_.dossier().confirmed.push_back({"drawing", question_.drawing, question_.confirmed_by});
     if (question_.scan.empty())
         return runner_.recordMissing("recognise", LT_TEXT("Engine", "the scan of the worn part"));
-    StepRequest step = asked("recognise", "recognize", {question_.scan}, question_.recognition);
+    StepRequest step = asked("recognise", {question_.scan}, question_.recognition);
     // The contour as well: an incomplete drawing is refused here rather than in a later step.
-    step.outputs = {{"--shaft", measuredFile}, {"--stock", "measured.txt"}};
+    step.outputs = {{"shaft", measuredFile}, {"stock", "measured.txt"}};
     runner_.run(step, share(0, 0.3, LT_TEXT("Engine", "Recognising")));
     if (is_drawn) return;
     if (!question_.confirmed_by.empty())
@@ -87,9 +89,9 @@ void ChainSteps::draw()
     if (shaft_.empty() && question_.scan.empty()) return runner_.recordMissing("draw", noScan);
     if (shaft_.empty()) shaft_ = runner_.path(measuredFile);
     // Undated, so that the digests of the dossier are those of the inputs: made again, it is the same.
-    StepRequest step = asked("draw", "draw", {shaft_}, {{"undated", true}});
-    step.outputs = {{"--shaft", drawingFile}, {"--drawing", "drawing.svg"},  {"--dxf", "drawing.dxf"},
-                    {"--step", "part.step"},  {"--freecad", "part.FCMacro"}, {"--csv", "rows.csv"}};
+    StepRequest step = asked("draw", {shaft_}, {{"undated", true}});
+    step.outputs = {{"shaft", drawingFile}, {"drawing", "drawing.svg"},  {"dxf", "drawing.dxf"},
+                    {"step", "part.step"},  {"freecad", "part.FCMacro"}, {"csv", "rows.csv"}};
     results_->drawn = runner_.run(step, share(0.3, 0.4, LT_TEXT("Engine", "Drawing")));
     shaft_ = runner_.path(drawingFile);
 }
@@ -155,11 +157,11 @@ void ChainSteps::planSpeeds()
     }
     const std::string held = runner_.path(heldFile);
     if (!runner_.hasFailed() || !runner_.dossier().step("machine")) {
-        StepRequest machine = asked("machine", "frf", {held}, {{"spindle", question_.machine}});
-        machine.outputs = {{"--csv", "receptance.csv"}};
+        StepRequest machine = asked("machine", {held}, {{"spindle", question_.machine}});
+        machine.outputs = {{"csv", "receptance.csv"}};
         runner_.run(machine, share(0.4, 0.5, LT_TEXT("Engine", "Receptance")));
     }
-    StepRequest speeds = asked("speeds", "lobes", {}, {{"shaft", held}, {"spindle", question_.machine}});
+    StepRequest speeds = asked("speeds", {}, {{"shaft", held}, {"spindle", question_.machine}});
     if (!runner_.hasFailed()) set(speeds.given, "speed_rpm", std::vector<Interval>{usedSpeeds()});
     results_->speeds = runner_.run(speeds, share(0.5, 0.55, LT_TEXT("Engine", "Stable depths and speeds")));
 }
@@ -187,12 +189,11 @@ void ChainSteps::program()
     const ChainStep* const drawn = runner_.dossier().step("draw");
     if (drawn->state == StepState::Missing) return runner_.recordMissing("program", noDrawing);
     if (question_.job.empty()) return runner_.recordMissing("program", noJob);
-    StepRequest step = asked("program", "turn", {shaft_}, {{"job", question_.job}, {"post", question_.post}});
+    StepRequest step = asked("program", {shaft_}, {{"job", question_.job}, {"post", question_.post}});
     if (!question_.machine.empty()) set(step.given, "spindle", question_.machine);
-    step.outputs = {{"--out", "program" + extension()}};
-    results_->planned = runner_.run(step, share(0.55, 0.65, LT_TEXT("Engine", "Planning the program")));
-    const Json& planned = results_->planned;
-    twoClampings_ = planned.contains("setups") && planned["setups"].size() > 1;
+    step.outputs = {{"out", "program" + extension()}};
+    results_->planned = plannedProgram(runner_.run(step, share(0.55, 0.65, LT_TEXT("Engine", "Planning the program"))));
+    twoClampings_ = results_->planned.clampings > 1;
     if (!twoClampings_ || !runner_.canRead(drawingFile)) return;
     const Shaft part = readPart();
     second_ = secondBar(part, job_);
@@ -221,8 +222,7 @@ void ChainSteps::deflect()
 void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to)
 {
     const std::string tail = number == "_2" ? "_2" : "";
-    StepRequest step =
-        asked(id, "deflection", {runner_.path("program" + number + extension())}, {{"setup", question_.setup}});
+    StepRequest step = asked(id, {runner_.path("program" + number + extension())}, {{"setup", question_.setup}});
     set(step.given, "band", true);
     setIfGiven(step.given, "tolerance_um", question_.tolerance_um);
     if (!runner_.hasFailed()) {
@@ -242,7 +242,7 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
             return runner_.recordFailure(id, error.with("path", question_.setup));
         }
     }
-    step.outputs_if_possible = {{"--compensate", "program_corrected" + number + extension()}};
+    step.outputs_if_possible = {{"compensate", "program_corrected" + number + extension()}};
     Json& result = tail.empty() ? results_->deflected : results_->second;
     result = runner_.run(step, share(from, to, LT_TEXT("Engine", "Deflection")));
     if (const std::optional<Error>& refusal = runner_.refusal(); refusal && !runner_.hasFailed())
@@ -252,9 +252,8 @@ void ChainSteps::deflectOne(const char* id, const HeldBar& held, const std::stri
 void ChainSteps::checkCorrected()
 {
     const std::string corrected = "program_corrected" + std::string(twoClampings_ ? "_1" : "") + extension();
-    const Json& made = results_->deflected;
     // In a dry run its existence is not yet known.
-    if (!runner_.hasFailed() && runner_.isDone("deflection") && !made.contains("residual_max_um"))
+    if (!runner_.hasFailed() && runner_.isDone("deflection") && !hasCorrection(results_->deflected))
         return runner_.recordMissing("corrected_check", LT_TEXT("Engine", "a corrected program"));
     if (twoClampings_) {
         // Only the stretch turned in this clamping is checked.
@@ -264,7 +263,7 @@ void ChainSteps::checkCorrected()
         }
     }
     const std::string part = twoClampings_ ? runner_.path("part_1.json") : shaft_;
-    runner_.run(asked("corrected_check", "check", {runner_.path(corrected)},
+    runner_.run(asked("corrected_check", {runner_.path(corrected)},
                       {{"job", question_.job}, {"shaft", part}, {"correction", runner_.path("deflection.json")}}),
                 share(0.8, 0.85, LT_TEXT("Engine", "Checking the corrected program")));
 }
@@ -274,14 +273,12 @@ void ChainSteps::compareCopy()
     const ChainStep* const drawn = runner_.dossier().step("draw");
     if (drawn->state == StepState::Missing) return runner_.recordMissing("copy", noDrawing);
     if (question_.copy.empty()) return runner_.recordMissing("copy", noCopy);
-    StepRequest step = asked("copy", "compare", {shaft_, question_.copy});
+    StepRequest step = asked("copy", {shaft_, question_.copy});
     setIfGiven(step.given, "tolerance_mm", question_.tolerance_mm);
-    step.outputs = {{"--deviations", "deviations.ply"}};
+    step.outputs = {{"deviations", "deviations.ply"}};
     Json& compared = results_->compared;
     compared = runner_.run(step, share(0.85, 0.95, LT_TEXT("Engine", "Comparing the copy")));
-    if (!runner_.isDone("copy") || !compared.contains("verdict") || !compared["verdict"].is_string()) return;
-    for (const Verdict verdict : {Verdict::Pass, Verdict::Fail, Verdict::Undecided})
-        if (compared["verdict"] == std::string(key(verdict))) runner_.dossier().verdict = verdict;
+    if (runner_.isDone("copy")) runner_.dossier().verdict = runner_.dossier().step("copy")->verdict;
 }
 
 void ChainSteps::prove()
@@ -319,30 +316,13 @@ void ChainSteps::prove()
 /// Before: the speed of the job's cutting data; after: the speed of the program there.
 std::optional<ChainSteps::LocalCut> ChainSteps::cutAt(const std::optional<double>& z_mm) const
 {
-    const Json& planned = results_->planned;
-    if (!z_mm || !planned.contains("sections")) return std::nullopt;
-    for (const Json& section : planned["sections"]) {
-        if (!section["z_start_mm"].is_number() || !section["speed_rpm"].is_number()) continue;
-        if (*z_mm < section["z_start_mm"].get<double>() || *z_mm > section["z_end_mm"].get<double>()) continue;
-        const double diameter_mm = section["diameter_mm"];
-        const double stated_rpm = 1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * diameter_mm);
-        return LocalCut{diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)), section["speed_rpm"]};
-    }
-    return std::nullopt;
-}
-
-/// Chatter frequency at the limiting depth at this speed; none: outside the chart.
-std::optional<double> ChainSteps::modelFrequency(double speed_rpm) const
-{
-    const Json& limit = results_->speeds.contains("limit") ? results_->speeds["limit"] : Json::object();
-    if (!limit.contains("speed_rpm") || !limit.contains("frequency_hz")) return std::nullopt;
-    const Json &speeds = limit["speed_rpm"], &frequencies = limit["frequency_hz"];
-    for (std::size_t i = 0; i + 1 < std::min(speeds.size(), frequencies.size()); ++i) {
-        if (!speeds[i].is_number() || !speeds[i + 1].is_number()) continue;
-        const double from = speeds[i], to = speeds[i + 1];
-        if (!(from <= speed_rpm && speed_rpm <= to && from < to)) continue;
-        const Json& nearest = frequencies[speed_rpm - from < to - speed_rpm ? i : i + 1];
-        return nearest.is_number() ? std::optional(nearest.get<double>()) : std::nullopt;
+    if (!z_mm) return std::nullopt;
+    for (const PlannedSection& section : results_->planned.sections) {
+        if (*z_mm < section.z_start_mm || *z_mm > section.z_end_mm) continue;
+        const double stated_rpm =
+            1000 * job_.cutting.finish.cutting_speed_m_min / (std::numbers::pi * section.diameter_mm);
+        return LocalCut{section.diameter_mm, std::min(stated_rpm, job_.max_rpm.value_or(stated_rpm)),
+                        section.speed_rpm};
     }
     return std::nullopt;
 }
@@ -351,7 +331,7 @@ void ChainSteps::comparePhotographs()
 {
     if (question_.photograph_before.empty() || question_.photograph_after.empty())
         return runner_.recordMissing("surface", noPhotographs);
-    StepRequest step = asked("surface", "surface", {question_.photograph_before, question_.photograph_after});
+    StepRequest step = asked("surface", {question_.photograph_before, question_.photograph_after});
     setIfGiven(step.given, "mm_per_px", question_.photograph_mm_px);
     setIfGiven(step.given, "feed_direction_deg", question_.photograph_feed_deg);
     if (question_.photograph_cut != CutInPicture::Unknown)
@@ -359,7 +339,7 @@ void ChainSteps::comparePhotographs()
             std::string(cutsInPicture()[static_cast<std::size_t>(question_.photograph_cut)].key));
     if (!question_.job.empty() && !runner_.hasFailed()) set(step.given, "feed_mm_rev", job_.cutting.finish.feed_mm_rev);
     const auto cut = cutAt(question_.photograph_z_mm);
-    const auto model_hz = cut ? modelFrequency(cut->before_rpm) : std::nullopt;
+    const auto model_hz = cut ? chatterFrequencyAt(results_->speeds, cut->before_rpm) : std::nullopt;
     setIfGiven(step.given, "expect_hz", model_hz);
     if (cut) {
         set(step.given, "diameter_mm", cut->diameter_mm);
@@ -367,23 +347,19 @@ void ChainSteps::comparePhotographs()
         for (const double rpm : {cut->before_rpm, cut->after_rpm}) speeds.rows.push_back(Row{Values{{"rpm", rpm}}});
         set(step.given, "speed_rpm", std::move(speeds));
     }
-    const Json found = runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs")));
+    const auto marks = chatterMarks(runner_.run(step, share(0.96, 1, LT_TEXT("Engine", "Photographs"))));
     if (cut) runner_.addNote({notes::speedBeforeAssumed, {{"speed_rpm", cut->before_rpm}}});
-    if (model_hz) compareMarks(found, *model_hz);
+    if (marks && model_hz) compareMarks(*marks, *model_hz);
 }
 
 /// Compares the chatter marks of the first photograph with the machine model.
-void ChainSteps::compareMarks(const Json& found, double model_hz)
+void ChainSteps::compareMarks(const ChatterMarks& marks, double model_hz)
 {
     constexpr double most_percent = 5;
-    const Json::json_pointer marks("/images/0/chatter_marks");
-    if (!found.contains(marks) || !found[marks].is_object()) return;
-    const Json &frequency = found[marks]["frequency_hz"], &uncertainty = found[marks]["frequency_uncertainty_hz"];
-    if (!frequency.is_number() || !uncertainty.is_number()) return;
-    const double percent = 100 * (frequency.get<double>() / model_hz - 1);
+    const double percent = 100 * (marks.frequency_hz / model_hz - 1);
     runner_.addNote({std::abs(percent) <= most_percent ? notes::marksAndModel : notes::marksDisagree,
-                     {{"frequency_hz", frequency.get<double>()},
-                      {"uncertainty_hz", 2 * uncertainty.get<double>()},
+                     {{"frequency_hz", marks.frequency_hz},
+                      {"uncertainty_hz", 2 * marks.uncertainty_hz},
                       {"model_hz", model_hz},
                       {"difference_percent", percent}}});
 }

@@ -1,4 +1,4 @@
-// The steps of the chain: verbs and their preparation. The public function is in remanufacture.h.
+// The steps of the chain: tasks and their preparation. The public function is in remanufacture.h.
 #pragma once
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "engine/cam/job.h"
 #include "engine/chain/chain_question.h"
 #include "engine/chain/held_bar.h"
+#include "engine/chain/step_results.h"
 #include "engine/chain/step_runner.h"
 #include "engine/io/input_files.h"
 
@@ -35,7 +36,7 @@ private:
         double before_rpm, after_rpm;  // by the job's cutting speed, by the program
     };
 
-    StepRequest asked(const char* id, const char* verb, std::vector<std::string> operands, Values given = {}) const;
+    StepRequest asked(const char* id, std::vector<std::string> operands, Values given = {}) const;
     Progress share(double from, double to, Text stage) const { return progress_.part(from, to, stage); }
     void readJob();  ///< if given
     void addPreparationInputs();
@@ -45,8 +46,7 @@ private:
     void deflectOne(const char* id, const HeldBar& held, const std::string& number, double from, double to);
     void checkCorrected();
     std::optional<LocalCut> cutAt(const std::optional<double>& z_mm) const;
-    std::optional<double> modelFrequency(double speed_rpm) const;
-    void compareMarks(const Json& found, double model_hz);
+    void compareMarks(const ChatterMarks& marks, double model_hz);
 
     const ChainQuestion& question_;
     StepRunner& runner_;

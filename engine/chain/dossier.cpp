@@ -39,6 +39,7 @@ Json stepJson(const ChainStep& step)
                  {"result", step.result.empty() ? Json(nullptr) : Json(step.result)},
                  {"inputs", filesJson(step.inputs)},
                  {"outputs", filesJson(step.outputs)},
+                 {"roles", step.roles},
                  {"parameters", lathelier::toJson(step.parameters)},
                  {"request", step.request.empty() ? Json(nullptr) : Json(step.request)},
                  {"remarks", remarksOf(step)}};

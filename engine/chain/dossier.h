@@ -5,6 +5,7 @@
 // digests. checkDossier() verifies them on the disk.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,10 +47,11 @@ Text nameOf(const StepStanding& standing);
 struct ChainStep {
     std::string id;  ///< "recognise", "draw"…
     StepState state = StepState::NotReached;
-    std::vector<InputFile> inputs;   ///< files of the chain by their path within its folder, others as given
-    std::vector<InputFile> outputs;  ///< by their path within the folder of the chain
-    std::string result;              ///< the output that is its JSON result; empty: none
-    std::optional<Verdict> verdict;  ///< of its own answer; none: nothing to judge
+    std::vector<InputFile> inputs;             ///< files of the chain by their path within its folder, others as given
+    std::vector<InputFile> outputs;            ///< by their path within the folder of the chain
+    std::string result;                        ///< the output that is its JSON result; empty: none
+    std::optional<Verdict> verdict;            ///< of its own answer; none: nothing to judge
+    std::map<std::string, std::string> roles;  ///< files of the task's inputs by role, named as `inputs`
     Values parameters;
     Notes notes;                                ///< empty if the step was not run by this process
     std::optional<Error> error;                 ///< of a failed or missing step

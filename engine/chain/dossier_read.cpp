@@ -80,6 +80,9 @@ void addAsWritten(const Json& root, Dossier& dossier)
         const Json& written = root["steps"].at(i);
         if (written.contains("parameters") && written["parameters"].is_object())
             dossier.steps[i].parameters = valuesFromJson(written["parameters"]);
+        if (written.contains("roles") && written["roles"].is_object())
+            for (const auto& [role, file] : written["roles"].items())
+                if (file.is_string()) dossier.steps[i].roles[role] = file.get<std::string>();
         Json notes = Json::array();
         if (root.contains("notes") && root["notes"].is_array())
             for (const Json& note : root["notes"])

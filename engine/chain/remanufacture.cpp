@@ -22,11 +22,11 @@ void tryToWriteDossier(const std::string& path, const Json& dossier)
 
 }  // namespace
 
-Dossier remanufacture(const ChainQuestion& question, const AskVerb& ask, RunMode mode,
-                      std::shared_ptr<const Dossier> earlier, io::InputFiles& inputs, const Progress& progress)
+Dossier remanufacture(const ChainQuestion& question, RunMode mode, std::shared_ptr<const Dossier> earlier,
+                      io::InputFiles& inputs, const Progress& progress)
 {
     if (mode != RunMode::DryRun) refuseOverwriting(question);
-    StepRunner runner(question.out, ask, mode, std::move(earlier));
+    StepRunner runner(question.out, mode, std::move(earlier));
     ChainSteps steps(question, runner, inputs, progress);
     try {
         steps.recognise();

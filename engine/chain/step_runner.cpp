@@ -10,6 +10,7 @@
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
+#include "engine/task/reply.h"
 
 namespace lathelier::chain {
 namespace fs = std::filesystem;
@@ -29,8 +30,8 @@ Json readJson(const std::string& path)
 
 }  // namespace
 
-StepRunner::StepRunner(std::string folder, AskVerb ask, RunMode mode, std::shared_ptr<const Dossier> earlier)
-    : folder_(std::move(folder)), ask_(std::move(ask)), mode_(mode), earlier_(std::move(earlier))
+StepRunner::StepRunner(std::string folder, RunMode mode, std::shared_ptr<const Dossier> earlier)
+    : folder_(std::move(folder)), mode_(mode), earlier_(std::move(earlier))
 {
     dossier_.version = programVersion;
     if (mode_ == RunMode::DryRun) return;
@@ -99,7 +100,9 @@ void StepRunner::write(const std::string& name, const std::string& text)
 
 std::string StepRunner::requestOf(const StepRequest& step) const
 {
-    Json asked = {{"verb", step.verb}, {"operands", Json::array()}, {"given", lathelier::toJson(step.given)}};
+    Json asked = {{"task", step.task ? step.task->key : std::string()},
+                  {"operands", Json::array()},
+                  {"given", lathelier::toJson(step.given)}};
     for (const std::string& operand : step.operands) asked["operands"].push_back(named({operand, 0, {}}).path);
     // The request does not depend on the directory from which files are named.
     for (auto& [key, value] : asked["given"].items()) {
@@ -170,6 +173,8 @@ Json StepRunner::dryRun(ChainStep step, const std::vector<std::string>& names)
     if (before) {
         step.inputs = before->inputs;
         step.outputs = before->outputs;
+        step.roles = before->roles;
+        step.parameters = before->parameters;
     }
     stale_.insert(names.begin(), names.end());
     finish(std::move(step), Json::object());
@@ -191,9 +196,9 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
     if (mode_ == RunMode::DryRun) return dryRun(std::move(step), namesOf(wanted));
     progress.report(0);
 
-    VerbQuestion question{wanted.verb, wanted.operands, wanted.given, {}};
+    task::Request question{wanted.operands, wanted.given, {}};
     for (const auto* outputs : {&wanted.outputs, &wanted.outputs_if_possible})
-        for (const auto& [option, name] : *outputs) question.outputs[option] = path(name);
+        for (const auto& [option, name] : *outputs) question.exports[option] = path(name);
     // Afterwards all files are of this run; if cancelled, the earlier files are restored.
     EarlierFiles aside(folder_);
     for (const std::string& name : namesOf(wanted)) {
@@ -202,28 +207,30 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
             aside.setAside(name);
     }
     const bool may_refuse = !wanted.outputs_if_possible.empty();
-    VerbReply reply = ask_(question, progress.part(0, may_refuse ? 0.5 : 1));
+    task::Reply reply = task::reply(*wanted.task, question, progress.part(0, may_refuse ? 0.5 : 1));
     if (may_refuse && !reply.errors.empty() && reply.errors.front().code().kind == ErrorKind::NoAnswer) {
         refusal_ = reply.errors.front();
-        for (const auto& [option, name] : wanted.outputs_if_possible) question.outputs.erase(option);
-        reply = ask_(question, progress.part(0.5, 1));
+        for (const auto& [option, name] : wanted.outputs_if_possible) question.exports.erase(option);
+        reply = task::reply(*wanted.task, question, progress.part(0.5, 1));
     }
+    const Json result = task::resultOf(*wanted.task, reply);
     step.result = resultOf(wanted.id);
-    io::writeFile(path(step.result), report::toText(*reply.result));
+    io::writeFile(path(step.result), report::toText(result));
     aside.forget();
-    for (const InputFile& file : reply.inputs) step.inputs.push_back(named(file));
+    for (const InputFile& file : reply.sources.inputs) step.inputs.push_back(named(file));
     step.inputs.insert(step.inputs.end(), furtherInputs_.begin(), furtherInputs_.end());
     std::error_code ignored;
     for (const std::string& name : namesOf(wanted))
         if (fs::exists(path(name), ignored)) step.outputs.push_back(madeFile(name, progress.quiet()));
-    step.parameters = std::move(reply.parameters);
+    for (const auto& [role, source] : reply.state.inputs) step.roles[role] = named({source.path, 0, {}}).path;
+    step.parameters = parametersOf(*wanted.task, reply.state);
     step.notes = std::move(reply.notes);
-    step.sections = std::move(reply.sections);
     step.state = reply.errors.empty() ? StepState::Done : StepState::Failed;
-    step.verdict = reply.verdict;
+    if (reply.errors.empty() && reply.outcome.report) step.sections = reply.outcome.report({}).sections;
+    step.verdict = reply.outcome.verdict;
     if (!reply.errors.empty()) step.error = reply.errors.front();
-    finish(std::move(step), *reply.result);
-    return *reply.result;
+    finish(std::move(step), result);
+    return result;
 }
 
 Json StepRunner::make(const std::string& id, const std::vector<std::string>& inputs,
@@ -236,7 +243,7 @@ Json StepRunner::make(const std::string& id, const std::vector<std::string>& inp
         finish(std::move(step), {});
         return Json::object();
     }
-    StepRequest wanted{id, "", {}, {}, {}};
+    StepRequest wanted{id, nullptr, {}, {}, {}};
     for (const std::string& name : inputs) wanted.operands.push_back(path(name));
     step.request = requestOf(wanted);
     if (const ChainStep* const before = unchanged(step, progress)) return takeOver(*before, progress);

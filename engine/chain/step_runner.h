@@ -1,4 +1,4 @@
-// Steps of a chain: verbs run in sequence with their files in one folder, recorded in a dossier.
+// Steps of a chain: tasks run in sequence with their files in one folder, recorded in a dossier.
 //
 // A step whose request, files and program version equal those of an earlier run, with unchanged files on the disk, is
 // reused. A dry run executes and writes nothing; it reports which steps would be run.
@@ -11,7 +11,8 @@
 #include <vector>
 
 #include "engine/chain/dossier.h"
-#include "engine/chain/verb_asker.h"
+#include "engine/core/progress.h"
+#include "engine/task/task.h"
 
 namespace lathelier::chain {
 
@@ -21,17 +22,17 @@ enum class RunMode : std::uint8_t {
     DryRun       ///< run and write nothing
 };
 
-/// Request of a step to a verb. Files within the folder of the chain have relative names.
+/// Request of a step to a task. Files within the folder of the chain have relative names.
 struct StepRequest {
     std::string id;  ///< of the step; its result is ID.json
-    std::string verb;
-    std::vector<std::string> operands;                         ///< of the verb, as paths
+    const task::Task* task = nullptr;
+    std::vector<std::string> operands;                         ///< as paths
     Values given;                                              ///< parameters that differ from their defaults
-    std::map<std::string, std::string> outputs;                ///< option of the verb → name within the folder
-    std::map<std::string, std::string> outputs_if_possible{};  ///< the same; omitted if the verb refuses them
+    std::map<std::string, std::string> outputs;                ///< task::Export::option → name within the folder
+    std::map<std::string, std::string> outputs_if_possible{};  ///< the same; omitted if the task refuses them
 };
 
-/// Result of a step that is not a verb.
+/// Result of a step that is not a task.
 struct MadeStep {
     std::shared_ptr<const Json> result;  ///< never null
     Notes notes;
@@ -42,19 +43,19 @@ class StepRunner {
 public:
     /// Creates the folder, except in a dry run. `earlier`: of the last run in this folder; null: none. Error
     /// fileNotWritable.
-    StepRunner(std::string folder, AskVerb ask, RunMode mode, std::shared_ptr<const Dossier> earlier);
+    StepRunner(std::string folder, RunMode mode, std::shared_ptr<const Dossier> earlier);
 
     std::string path(const std::string& name) const;  ///< of a file within the folder
 
-    /// Runs the verb, writes its result and files, records the step. Returns the result; an empty object if there is
-    /// none. After a failed step verbs are not run. Throws Cancelled.
+    /// Runs the task, writes its result and files, records the step. Returns the result; an empty object if there is
+    /// none. After a failed step nothing is run. Throws Cancelled.
     Json run(const StepRequest& step, const Progress& progress);
 
-    /// The same for a step that is not a verb, from files within the folder.
+    /// The same for a step that is not a task, from files within the folder.
     Json make(const std::string& id, const std::vector<std::string>& inputs, const std::function<MadeStep()>& make,
               const Progress& progress);
 
-    /// Adds an input of the next step besides those of its verb.
+    /// Adds an input of the next step besides those of its task.
     void addInput(const InputFile& file) { furtherInputs_.push_back(named(file)); }
     void addInput(const std::string& name) { furtherInputs_.push_back(madeFile(name, {})); }  ///< within the folder
     /// Writes a file of the chain for the next step.
@@ -85,7 +86,6 @@ private:
     std::vector<std::string> namesOf(const StepRequest& step) const;
 
     std::string folder_;
-    AskVerb ask_;
     RunMode mode_;
     std::shared_ptr<const Dossier> earlier_;
     Dossier dossier_;

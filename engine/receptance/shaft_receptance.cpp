@@ -10,6 +10,7 @@
 #include "engine/core/parallel.h"
 #include "engine/receptance/coupling.h"
 #include "engine/receptance/receptance_codes.h"
+#include "engine/receptance/refined_lines.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -101,7 +102,7 @@ Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes)
 }
 
 Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
-                 const ShaftHolding& holding, const Progress& progress)
+                 const ShaftHolding& holding, const Progress& progress, LinesOf lines)
 {
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     Frf frf;
@@ -111,40 +112,48 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
     const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, shaft.length_mm()};
     const beam::BeamReceptance prepared(
         beam::beamModel(shaft, material, beamParametersOf(parameters, holding, shaft.length_mm(), false), places_z_mm));
-    const std::vector<double>& frequency_hz = frf.frequency_hz;
-    std::vector<Complex>& value = frf.value;
-    value.resize(frequency_hz.size());
-    parallelFor(frequency_hz.size(), linesPerShaftTask, progress, [&](std::size_t begin, std::size_t end) {
-        beam::BeamReceptance mine = prepared;
-        std::array<ReceptanceMatrix, places * places> g;
-        for (std::size_t line = begin; line < end; ++line) {
-            const double f = frequency_hz[line];
-            if (spindle) {
-                value[line] = onSpindle(mine, spindle->at(f), f)(0, 0);
-            } else {
-                mine.at(f, g);
-                value[line] = g[1](0, 0);
+    const auto values_at = [&](const std::vector<double>& frequency_hz, const Progress& part) {
+        std::vector<Complex> value(frequency_hz.size());
+        parallelFor(frequency_hz.size(), linesPerShaftTask, part, [&](std::size_t begin, std::size_t end) {
+            beam::BeamReceptance mine = prepared;
+            std::array<ReceptanceMatrix, places * places> g;
+            for (std::size_t line = begin; line < end; ++line) {
+                const double f = frequency_hz[line];
+                if (spindle) {
+                    value[line] = onSpindle(mine, spindle->at(f), f)(0, 0);
+                } else {
+                    mine.at(f, g);
+                    value[line] = g[1](0, 0);
+                }
             }
-        }
-    });
+        });
+        return value;
+    };
+    if (lines == LinesOf::Parameters) {
+        frf.value = values_at(frf.frequency_hz, progress);
+    } else {
+        frf.value = values_at(frf.frequency_hz, progress.part(0, 0.8));
+        refineLines(frf, [&](const std::vector<double>& more) { return values_at(more, progress.quiet()); });
+    }
     return frf;
 }
 
 ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
-                                      const std::optional<SpindleReceptance>& spindle, const Progress& progress)
+                                      const std::optional<SpindleReceptance>& spindle, const Progress& progress,
+                                      LinesOf lines)
 {
-    return heldShaftReceptance(shaft, parameters, {spindle, {}}, progress);
+    return heldShaftReceptance(shaft, parameters, {spindle, {}}, progress, lines);
 }
 
 ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
-                                          const ShaftHolding& holding, const Progress& progress)
+                                          const ShaftHolding& holding, const Progress& progress, LinesOf lines)
 {
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     ShaftReceptanceResult result;
     result.parameters = withinLines(parameters, spindle);
     result.length_mm = shaft.length_mm();
     const Material material = materialOf(shaft, result.used, result.notes);
-    result.frf = receptanceOf(shaft, material, parameters, holding, progress);
+    result.frf = receptanceOf(shaft, material, parameters, holding, progress, lines);
     progress.report(0.7);
     if (!spindle || spindle->springs())
         result.natural_frequencies_hz = beam::naturalFrequencies(

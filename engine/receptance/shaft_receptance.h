@@ -64,20 +64,24 @@ struct ShaftHolding {
 beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
                                       double length_mm, bool springs);
 
+/// Refined: further lines where the response curves (refined_lines.h), as limits need them.
+enum class LinesOf { Parameters, Refined };
+
 /// The receptance alone, without natural frequencies; errors as shaftReceptance(). Throws Cancelled.
 Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceParameters& parameters,
-                 const ShaftHolding& holding = {}, const Progress& progress = {});
+                 const ShaftHolding& holding = {}, const Progress& progress = {}, LinesOf lines = LinesOf::Parameters);
 
 /// Without a spindle the shaft is free; with one it is joined to its chuck face at z = length.
 /// Errors: placeOutsideShaft (wrong usage), valueNotUnderstood, valueOutOfRange, frequencyOutsideSpindle,
 /// shaftSegmentUnusable, shaftEmpty. Throws Cancelled.
 ShaftReceptanceResult shaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters = {},
                                       const std::optional<SpindleReceptance>& spindle = {},
-                                      const Progress& progress = {});
+                                      const Progress& progress = {}, LinesOf lines = LinesOf::Parameters);
 
 /// The same with additional supports.
 ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptanceParameters& parameters,
-                                          const ShaftHolding& holding, const Progress& progress = {});
+                                          const ShaftHolding& holding, const Progress& progress = {},
+                                          LinesOf lines = LinesOf::Parameters);
 
 /// The material of a shaft, or steel with the note materialAssumed; its values enter `used`.
 Material materialOf(const Shaft& shaft, UsedValues& used, Notes& notes);

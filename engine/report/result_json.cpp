@@ -102,10 +102,19 @@ Json resultHead(const std::string& command, const std::vector<InputFile>& inputs
     return head;
 }
 
-void addUnderstanding(Json& result, const Understanding& understanding)
+void addRemarks(Json& result, const Understanding& understanding, const std::vector<Error>& errors, const Notes& notes)
 {
     if (!understanding.isWhole()) result["verdict"] = key(Verdict::Undecided);
     result["understanding"] = toJson(understanding);
+    Json all = toJson(notes);
+    if (!errors.empty()) {
+        result["error"] = toJson(errors.front());
+        // Scripts that collect notes find why there is no answer beside the others.
+        if (errors.front().code().kind == ErrorKind::NoAnswer) all.push_back(result["error"]);
+    }
+    if (errors.size() > 1)
+        for (const Error& error : errors) result["errors"].push_back(toJson(error));
+    result["notes"] = std::move(all);
 }
 
 Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,
@@ -113,8 +122,7 @@ Json wholeResult(const std::string& command, const std::vector<InputFile>& input
 {
     Json whole = resultHead(command, inputs, parameters);
     whole.update(result);
-    addUnderstanding(whole, understandingOf(notes));
-    whole["notes"] = toJson(notes);
+    addRemarks(whole, understandingOf(notes), {}, notes);
     return whole;
 }
 

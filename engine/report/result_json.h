@@ -15,8 +15,9 @@ namespace lathelier::report {
 /// Head of every object: command, version, inputs (path, bytes, sha256), parameters (all of them).
 Json resultHead(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters);
 
-/// Adds `understanding`; with gaps that count the `verdict` is undecided.
-void addUnderstanding(Json& result, const Understanding& understanding);
+/// Adds `understanding` (with gaps that count the `verdict` is undecided), `error`, of several also `errors`, and
+/// `notes`, among which stands why there is no answer.
+void addRemarks(Json& result, const Understanding& understanding, const std::vector<Error>& errors, const Notes& notes);
 
 /// A whole object: head, the keys of `result`, notes.
 Json wholeResult(const std::string& command, const std::vector<InputFile>& inputs, const Values& parameters,

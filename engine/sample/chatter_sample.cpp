@@ -137,7 +137,9 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     SamplePanel pass_panel;
     pass_panel.inputs = {{"shaft", "shaft.json"}, {"spindle", "spindle.json"}};
     pass_panel.parameters = {{"pass_z_mm", std::vector<Interval>{{0, 98}}},
-                             {"pass_depth_mm", 0.5},
+                             {"pass_depth_mm", 0.4},
+                             {"diameter_mm", 30.0},
+                             {"range_m_min", std::vector<Interval>{{120, 400}}},
                              {"cutting_coefficient_N_mm2", 600.0},
                              {"speed_rpm", std::vector<Interval>{{1200, 4800}}},
                              {"operating_speed_rpm", 2016.0}};
@@ -147,8 +149,11 @@ SampleContent makeChatter(std::uint64_t seed, const Progress& progress)
     content.panels["training"] = std::move(training_panel);
     SamplePanel speed_panel;
     speed_panel.inputs = {{"spindle", "spindle.json"}, {"shaft", "shaft.json"}};
-    speed_panel.parameters = {
-        {"diameter_mm", 30.0}, {"cutting_speed_m_min", 190.0}, {"range_m_min", std::vector<Interval>{{120, 400}}}};
+    speed_panel.parameters = {{"diameter_mm", 30.0},
+                              {"cutting_speed_m_min", 190.0},
+                              {"range_m_min", std::vector<Interval>{{120, 400}}},
+                              {"depth_mm", 0.4},
+                              {"cutting_coefficient_N_mm2", 600.0}};
     content.panels["speed"] = std::move(speed_panel);
     progress.report(1);
     return content;

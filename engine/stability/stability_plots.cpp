@@ -46,14 +46,27 @@ std::vector<report::Mark> pockets(const LobeLimit& limit, double highest, const 
     return marks;
 }
 
-void addSpeed(report::Plot& plot, const SpeedResult& speed, bool has_point, const Language& language)
+void addLine(report::Plot& plot, double speed_rpm, const Text& pattern, const Language& language)
 {
-    plot.limits.push_back({report::Limit::Direction::Vertical, speed.recommended_rpm,
-                           fill(text(LT_TEXT("Engine", "recommended {speed}"), language),
-                                {{"speed", fixed(speed.recommended_rpm, 0, language)}}, language)});
-    if (!has_point)  // the point lies at the selected speed
-        plot.limits.push_back({report::Limit::Direction::Vertical, speed.selected_rpm, LT_TEXT("Engine", "selected")});
-    const SpeedParameters& p = speed.parameters;
+    plot.limits.push_back({report::Limit::Direction::Vertical, speed_rpm,
+                           fill(text(pattern, language), {{"speed", fixed(speed_rpm, 0, language)}}, language)});
+}
+
+/// The speed by depth; that of the rule, which knows no depth, only where there is none.
+void addSpeeds(report::Plot& plot, const LobesMarks& marks, const Language& language)
+{
+    if (marks.safe && marks.safe->recommended_rpm())
+        addLine(plot, *marks.safe->recommended_rpm(), LT_TEXT("Engine", "recommended {speed}"), language);
+    if (marks.rule && !marks.safe)
+        addLine(plot, marks.rule->recommended_rpm, LT_TEXT("Engine", "by the rule {speed}"), language);
+    const bool is_at_selected = marks.point && marks.rule && marks.point->speed_rpm == marks.rule->selected_rpm;
+    if (marks.rule && !is_at_selected)
+        plot.limits.push_back(
+            {report::Limit::Direction::Vertical, marks.rule->selected_rpm, LT_TEXT("Engine", "selected")});
+}
+
+void addToolRange(report::Plot& plot, const SpeedParameters& p)
+{
     if (p.range_m_min.empty() || !p.diameter_mm) return;
     const Interval& range = p.range_m_min.front();
     const Interval range_rpm{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
@@ -63,8 +76,7 @@ void addSpeed(report::Plot& plot, const SpeedResult& speed, bool has_point, cons
 
 }  // namespace
 
-report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed, const std::optional<OperatingPoint>& point,
-                       const Language& language)
+report::Plot lobesPlot(const LobeResult& result, const LobesMarks& marks, const Language& language)
 {
     report::Plot plot;
     plot.title = LT_TEXT("Engine", "Stability lobes");
@@ -89,10 +101,11 @@ report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed, const
     curve.colour = report::ColourRole::Limit;
     plot.curves.push_back(std::move(curve));
     if (plot.y.range) plot.marks = pockets(result.limit, 0.96 * plot.y.range->to, language);
-    if (speed) addSpeed(plot, *speed, point.has_value(), language);
-    if (point) {
-        report::Handle handle{operatingPointKey, report::Handle::Kind::Point, point->speed_rpm, point->depth_mm,
-                              LT_TEXT("Engine", "operating point")};
+    addSpeeds(plot, marks, language);
+    if (marks.rule) addToolRange(plot, marks.rule->parameters);
+    if (marks.point) {
+        report::Handle handle{operatingPointKey, report::Handle::Kind::Point, marks.point->speed_rpm,
+                              marks.point->depth_mm, LT_TEXT("Engine", "operating point")};
         handle.x_range = result.speed_rpm;
         handle.y_range = plot.y.range;
         plot.handles.push_back(std::move(handle));

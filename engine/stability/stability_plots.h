@@ -5,6 +5,7 @@
 
 #include "engine/report/chart.h"
 #include "engine/stability/lobes.h"
+#include "engine/stability/safe_speed.h"
 #include "engine/stability/speed_choice.h"
 
 namespace lathelier::stability {
@@ -16,10 +17,15 @@ struct OperatingPoint {
 };
 inline constexpr const char* operatingPointKey = "operating_point";
 
-/// Stable and unstable regions, single lobes, the band of the limit, the three highest pockets named, candidates and
-/// the tool's range of speeds as lines, the operating point as a handle.
-report::Plot lobesPlot(const LobeResult& result, const SpeedResult* speed = nullptr,
-                       const std::optional<OperatingPoint>& point = {}, const Language& language = {});
+/// What a chart of lobes marks; all of it may be left out.
+struct LobesMarks {
+    const SafeSpeed* safe = nullptr;      ///< the speed to recommend
+    const SpeedResult* rule = nullptr;    ///< of the papers: its speed where none is recommended by depth; tool's range
+    std::optional<OperatingPoint> point;  ///< a handle
+};
+
+/// Stable and unstable regions, single lobes, the band of the limit, the three highest pockets named, and the marks.
+report::Plot lobesPlot(const LobeResult& result, const LobesMarks& marks = {}, const Language& language = {});
 
 /// Shades the stable region below a limit and the unstable one above; NaN: no limit.
 void shadeStability(report::Plot& plot, const std::vector<double>& speed_rpm, std::vector<double> limit);

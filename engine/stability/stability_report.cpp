@@ -34,7 +34,42 @@ report::Section responseSection(const Frf& frf, std::optional<double> least_hz, 
             {receptance::magnitudePlot(frf), receptance::realImaginaryPlot(frf, least_hz, language)}};
 }
 
+report::QuantityTable ruleTable(const SpeedResult& result)
+{
+    return report::quantityTable(LT_TEXT("Engine", "Spindle speed"), result,
+                                 {"selected_rpm", "recommended_rpm", "recommended_cutting_speed_m_min", "frequency_hz",
+                                  "lobe.k", "lobe.low_rpm", "lobe.high_rpm"});
+}
+
+/// The speed by depth, then that of the papers' rule, which knows no depth.
+void addSpeedSections(report::Document& document, const LobesMarks& marks, bool is_relative)
+{
+    if (marks.safe)
+        document.sections.push_back({LT_TEXT("Engine", "Stable speeds"), {pocketsTable(*marks.safe, is_relative)}});
+    if (marks.rule)
+        document.sections.push_back({LT_TEXT("Engine", "By the rule of the papers, which knows no depth"),
+                                     {ruleTable(*marks.rule), candidatesTable(*marks.rule)}});
+}
+
 }  // namespace
+
+report::Table pocketsTable(const SafeSpeed& safe, bool is_relative)
+{
+    const auto depth = [&](Text label) {
+        return is_relative ? report::Caption(label) : report::Caption(report::Labelled{label, unit::mm});
+    };
+    report::Table table;
+    table.title = LT_TEXT("Engine", "Stable speeds of the range, the deepest first");
+    table.columns = {
+        report::Labelled{LT_TEXT("Engine", "Spindle speed"), unit::rpm},
+        depth(is_relative ? LT_TEXT("Engine", "Limit, in multiples of the least") : LT_TEXT("Engine", "Limit")),
+        depth(LT_TEXT("Engine", "Margin")), LT_TEXT("Engine", "Stable at the depth")};
+    table.decimals = {0, 3, 3};
+    const auto cell = [](const std::optional<double>& value) { return value ? Value(*value) : Value(); };
+    for (const DepthAtSpeed& peak : safe.peaks)
+        table.rows.push_back({peak.speed_rpm, cell(peak.limit), cell(peak.margin), peak.is_stable});
+    return table;
+}
 
 report::Table candidatesTable(const SpeedResult& result)
 {
@@ -100,42 +135,41 @@ report::Section lobesSummary(const LobeResult& result, const Language& language)
 report::Section speedSummary(const SpeedResult& result, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
-    section.blocks.push_back(
-        report::quantityTable(LT_TEXT("Engine", "Spindle speed"), result,
-                              {"selected_rpm", "recommended_rpm", "recommended_cutting_speed_m_min", "frequency_hz",
-                               "lobe.k", "lobe.low_rpm", "lobe.high_rpm"}));
+    section.blocks.push_back(ruleTable(result));
     section.blocks.push_back(candidatesTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }
 
-report::Document lobesReport(const LobeResult& result, const Frf& frf, const SpeedResult* speed, const UsedValues& used,
-                             const Language& language, const std::optional<OperatingPoint>& point)
+report::Document lobesReport(const LobeResult& result, const Frf& frf, const LobesMarks& marks, const UsedValues& used,
+                             const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Stability of cutting");
     document.verification = {&stabilityVerification()};
     document.sections.push_back(lobesSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
-    if (point) document.sections.back().blocks.push_back(pointTable(result, *point));
+    if (marks.point) document.sections.back().blocks.push_back(pointTable(result, *marks.point));
     document.sections.push_back(
-        {LT_TEXT("Engine", "Lobes"), {lobesPlot(result, speed, point, language), chatterFrequencyPlot(result)}});
-    if (speed) document.sections.push_back(speedSummary(*speed, language));
+        {LT_TEXT("Engine", "Lobes"), {lobesPlot(result, marks, language), chatterFrequencyPlot(result)}});
+    addSpeedSections(document, marks, result.isRelative());
     document.sections.push_back(responseSection(frf, result.frequency_of_minimum_hz, language));
     document.sections.push_back(
         methodSection(result.parameters.relation, report::parametersTable(result.parameters, language)));
     return document;
 }
 
-report::Document speedReport(const SpeedResult& result, const LobeResult& near, const Frf& frf, const UsedValues& used,
-                             const Language& language)
+report::Document speedReport(const SpeedResult& result, const LobeResult& near, const Frf& frf, const LobesMarks& marks,
+                             const UsedValues& used, const Language& language)
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Spindle speed without chatter");
     document.verification = {&stabilityVerification()};
     document.sections.push_back(speedSummary(result, language));
     std::get<report::Answer>(document.sections.back().blocks.front()).used = used;
-    document.sections.push_back({LT_TEXT("Engine", "Lobes"), {lobesPlot(near, &result, {}, language)}});
+    document.sections.push_back({LT_TEXT("Engine", "Lobes"), {lobesPlot(near, marks, language)}});
+    if (marks.safe)
+        document.sections.push_back({LT_TEXT("Engine", "Stable speeds"), {pocketsTable(*marks.safe, false)}});
     document.sections.push_back(responseSection(frf, result.frequency_hz, language));
     document.sections.push_back(
         methodSection(result.parameters.relation, report::parametersTable(result.parameters, language)));

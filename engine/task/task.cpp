@@ -117,9 +117,7 @@ Json resultOf(const Task& task, const project::PanelState& state, const Sources&
 {
     Json result = report::resultHead(task.key, sources.inputs, parametersOf(task, state));
     if (outcome.json) result.update(outcome.json());
-    if (!outcome.errors.empty()) result["error"] = toJson(outcome.errors.front());
-    report::addUnderstanding(result, outcome.understanding);
-    result["notes"] = toJson(outcome.notes);
+    report::addRemarks(result, outcome.understanding, outcome.errors, outcome.notes);
     return result;
 }
 

@@ -29,6 +29,8 @@ struct Export {
     Text filter;             ///< of the window's file dialog, "Table (*.csv)"
     std::string suffix;      ///< usual suffix, "csv"
     bool is_cut_by = false;  ///< metal is cut by it: not written where something was not understood
+    /// Of the command line, before anything is read: throws Error for a name that cannot be written. Empty: any name.
+    std::function<void(const std::string& path)> check = {};
 };
 
 /// What a project keeps of an outcome, as an input of further tasks.
@@ -79,11 +81,12 @@ struct Wanted {
     bool has(const std::string& option) const;
 };
 
-/// Inputs and fields that stand in each other's place: one of them is needed. The command line takes exactly one; of
-/// what a window keeps the first that is given is taken.
+/// Inputs and fields of which one is needed. Where they stand in each other's place, the command line takes exactly
+/// one, and of what a window keeps the first that is given is taken.
 struct OneOf {
     std::vector<std::string> keys;  ///< roles and keys of fields, in this order; none: nothing of the kind
     Text label;                     ///< what they are
+    bool together = false;          ///< they do not stand in each other's place
 };
 
 struct Task {

@@ -100,7 +100,7 @@ private slots:
             *session_, languages_,
             std::vector<PanelFacts>{turning_panel::turningPanelFacts(), deflection_panel::deflectionPanelFacts(),
                                     chain_panel::chainPanelFacts()},
-            QString(), std::vector<StripFacts>{chain_panel::chainStrip(cli::runVerbByName)});
+            QString(), std::vector<StripFacts>{chain_panel::chainStrip()});
         window_->resize(1280, 800);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));

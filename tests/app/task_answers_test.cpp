@@ -1,17 +1,18 @@
-// Window and command line give one answer: the object that a panel writes beside its report is that of the verb, for
-// the same inputs and parameters.
+// Window and command line give one answer: the object that a panel writes beside its report is that of the task asked
+// by operands and options, for the same inputs and parameters. Every panel over a task, with the data of the sample.
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/verb_answer.h"
 #include "app/gui/panels.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
-#include "engine/deflection/toolpath_task.h"
-#include "engine/gcode/program_input.h"
+#include "engine/io/file.h"
+#include "engine/project/project_file.h"
+#include "engine/sample/sample_files.h"
+#include "engine/task/reply.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -21,6 +22,7 @@ class TaskAnswersTest : public QObject {
     Q_OBJECT
 
     QTemporaryDir folder_;
+    project::Project sample_;
 
     static const PanelFacts& factsOf(const std::string& id)
     {
@@ -28,32 +30,41 @@ class TaskAnswersTest : public QObject {
         return *std::find_if(all.begin(), all.end(), [&](const PanelFacts& facts) { return facts.id == id; });
     }
 
-    /// The object of the panel's report, with the command line's defaults.
-    static Json ofPanel(const std::string& id, const task::Task& task, project::PanelState state)
+    /// The object of the panel's report.
+    static Json ofPanel(const PanelFacts& facts, const project::PanelState& state)
     {
-        for (const auto& [key, value] : task.defaults)
-            if (!find(state.parameters, key)) set(state.parameters, key, value);
         Stores stores;
-        return Json::parse(factsOf(id).report(state, stores, {}, {}).results.front());
+        return Json::parse(facts.report(state, stores, {}, {}).results.front());
     }
 
-    static Json ofVerb(const task::Task& task, const project::PanelState& state,
-                       std::map<std::string, std::string> outputs = {})
+    /// Of the sample: what the command line can be given.
+    project::PanelState stateOf(const PanelFacts& facts) const
     {
-        chain::VerbQuestion question;
-        question.verb = task.key;
-        question.given = state.parameters;
-        question.outputs = std::move(outputs);
-        for (const task::Input& input : task.inputs) {
-            const auto source = state.inputs.find(input.role);
-            if (source == state.inputs.end()) continue;
-            if (input.option.empty())
-                question.operands.push_back(source->second.path);
-            else
-                set(question.given, input.option, source->second.path);
-        }
-        const chain::VerbReply reply = cli::runVerbByName(question, {});
-        return *reply.result;
+        project::PanelState state = project::resolved(sample_, facts.stateKey());
+        for (const task::Input& input : facts.task->inputs)
+            for (const std::string& key : project::keysOf(state, input.role))
+                if (!state.inputs.at(key).item.empty()) state.inputs.erase(key);
+        state.items.clear();
+        return state;
+    }
+
+    static task::Reply ofVerb(const task::Task& task, const project::PanelState& state, const Values& begins_with = {},
+                              std::map<std::string, std::string> exports = {})
+    {
+        task::Request request;
+        request.parameters = begins_with;
+        for (const auto& [key, value] : state.parameters) set(request.parameters, key, value);
+        request.exports = std::move(exports);
+        for (const task::Input& input : task.inputs)
+            for (const std::string& key : project::keysOf(state, input.role)) {
+                const project::Source& source = state.inputs.at(key);
+                for (const auto& [name, value] : source.import) set(request.parameters, name, value);
+                if (input.option.empty())
+                    request.operands.push_back(source.path);
+                else
+                    set(request.parameters, input.option, source.path);
+            }
+        return task::reply(task, request, {});
     }
 
     static void areEqual(const Json& panel, const Json& verb)
@@ -70,48 +81,63 @@ class TaskAnswersTest : public QObject {
     std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
 
 private slots:
-    void program()
+    void initTestCase()
     {
-        project::PanelState state;
-        deflection_common::giveSlenderFiles(folder_, state);
-        areEqual(ofPanel("program", deflection::toolpathTask(), state), ofVerb(deflection::toolpathTask(), state));
-        state.inputs.erase(deflection::setupRole);
-        areEqual(ofPanel("program", deflection::toolpathTask(), state), ofVerb(deflection::toolpathTask(), state));
+        const std::vector<std::string> files = sample::writeSample(folder_.path().toStdString());
+        sample_ = project::readProject(files.back()).project;
+    }
+
+    void everyPanelOverATask_data()
+    {
+        QTest::addColumn<QString>("id");
+        int count = 0;
+        for (const PanelFacts& facts : panelTable()) {
+            if (!facts.task) continue;
+            if (facts.missing && !facts.missing(stateOf(facts)).empty()) continue;  // the sample gives it items only
+            QTest::newRow(facts.id.c_str()) << QString::fromStdString(facts.id);
+            ++count;
+        }
+        QVERIFY(count >= 15);
+    }
+
+    void everyPanelOverATask()
+    {
+        QFETCH(QString, id);
+        const PanelFacts& facts = factsOf(id.toStdString());
+        const task::Task& task = *facts.task;
+        const project::PanelState state = stateOf(facts);
+        areEqual(ofPanel(facts, state), task::resultOf(task, ofVerb(task, state, facts.begins_with)));
     }
 
     void deflectionWithASpindleAndAnInsertOfTheLibrary()
     {
         project::PanelState state;
         deflection_common::giveSlenderFiles(folder_, state);
-        io::writeFile(path("spindle.json"), R"({"springs": {"radial_N_mm": 50000, "tilt_N_mm_rad": 1e9,
-                                                            "loss_factor": 0.02}})");
-        state.inputs[deflection::spindleRole].path = path("spindle.json");
+        io::writeFile(path("stiff.json"), R"({"springs": {"radial_N_mm": 50000, "tilt_N_mm_rad": 1e9,
+                                                          "loss_factor": 0.02}})");
+        state.inputs[deflection::spindleRole].path = path("stiff.json");
         state.parameters = {{"tolerance_um", 30.0}, {"changed_insert", std::string("dnmg_150608")}, {"band", true}};
-        const Json panel = ofPanel("deflection", deflection::deflectionTask(), state);
-        areEqual(panel, ofVerb(deflection::deflectionTask(), state));
-        QCOMPARE(panel["parameters"]["spindle"].get<std::string>(), path("spindle.json"));
+        const task::Task& task = deflection::deflectionTask();
+        const Json panel = ofPanel(factsOf("deflection"), state);
+        areEqual(panel, task::resultOf(task, ofVerb(task, state)));
+        QCOMPARE(panel["parameters"]["spindle"].get<std::string>(), path("stiff.json"));
         state.inputs.erase(deflection::spindleRole);
-        QVERIFY(ofVerb(deflection::deflectionTask(), state)["max_um"] != panel["max_um"]);  // the chuck is that spindle
+        QVERIFY(task::resultOf(task, ofVerb(task, state))["max_um"] != panel["max_um"]);  // the chuck is that spindle
+        areEqual(ofPanel(factsOf("correction"), state),
+                 task::resultOf(task, ofVerb(task, state, {}, {{"compensate", path("corrected.nc")}})));
     }
 
-    void correction()
-    {
-        project::PanelState state;
-        deflection_common::giveSlenderFiles(folder_, state);
-        areEqual(ofPanel("correction", deflection::deflectionTask(), state),
-                 ofVerb(deflection::deflectionTask(), state, {{"--compensate", path("corrected.nc")}}));
-    }
-
-    void turningProgram()
+    /// Of the command line the operand may be the job.
+    void turningProgramOfAJobAlone()
     {
         io::writeFile(path("job.json"), cam::jobText(cam::paperJob({cam::roughC80(), cam::finishC80()})));
         project::PanelState state;
         state.inputs[cam::jobRole].path = path("job.json");
-        const Json panel = ofPanel("turning", cam::turnTask(), state);
-        project::PanelState of_verb = state;  // the operand is the job
+        const Json panel = ofPanel(factsOf("turning"), state);
+        project::PanelState of_verb = state;
         of_verb.inputs[cam::partRole] = of_verb.inputs[cam::jobRole];
         of_verb.inputs.erase(cam::jobRole);
-        Json verb = ofVerb(cam::turnTask(), of_verb);
+        Json verb = task::resultOf(cam::turnTask(), ofVerb(cam::turnTask(), of_verb));
         QCOMPARE(verb["parameters"]["job"].get<std::string>(), std::string());
         verb["parameters"]["job"] = panel["parameters"]["job"];
         areEqual(panel, verb);

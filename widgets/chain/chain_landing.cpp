@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/chain/of_project/chain_memory.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
-#include "widgets/chain/chain_memory.h"
 #include "widgets/core/form/input_column.h"
 
 namespace lathelier::chain_panel {
@@ -64,7 +64,7 @@ std::string freeName(const project::Project& project, const std::string& wanted)
     for (int number = 1;; ++number) {
         std::string name = number == 1 ? wanted : wanted + " (" + std::to_string(number) + ")";
         const auto item = project.items.find(name);
-        if (item == project.items.end() || item->second.origin.panel == chainKey) return name;
+        if (item == project.items.end() || item->second.origin.panel == chain::chainKey) return name;
     }
 }
 
@@ -76,7 +76,8 @@ const Value* parameterOf(const chain::Dossier& dossier, const char* step, const 
 
 project::Item itemOf(const project::Project& project, const char* kind, Values values)
 {
-    return {kind, std::move(values), originOf(project, chainKey, QCoreApplication::applicationVersion().toStdString())};
+    return {kind, std::move(values),
+            originOf(project, chain::chainKey, QCoreApplication::applicationVersion().toStdString())};
 }
 
 /// Sets the photographs of the panel Surface, with the chain's parameters, where it has none.
@@ -84,8 +85,8 @@ void givePhotographs(project::Project& project, const chain::ChainQuestion& ques
 {
     project::PanelState& surface = project.panels["surface"];
     if (!surface.inputs.empty()) return;
-    surface.inputs[beforeRole] = newSource(QString::fromStdString(question.photograph_before));
-    surface.inputs[afterRole] = newSource(QString::fromStdString(question.photograph_after));
+    surface.inputs[chain::beforeRole] = newSource(QString::fromStdString(question.photograph_before));
+    surface.inputs[chain::afterRole] = newSource(QString::fromStdString(question.photograph_after));
     for (const char* key :
          {"feed_mm_rev", "diameter_mm", "mm_per_px", "feed_direction_deg", "cut_direction", "expect_hz"})
         if (const Value* const value = parameterOf(dossier, "surface", key)) set(surface.parameters, key, *value);
@@ -113,9 +114,9 @@ void landRun(Session& session, const chain::ChainQuestion& question, const chain
         freeName(session.project(), say("Drawing of %1").arg(QString::fromStdString(stem)).toStdString());
 
     session.edit(say("Run the chain"), [&](project::Project& project) {
-        Values& settings = project.panels[chainKey].parameters;
-        set(settings, folderKey, question.out);
-        set(settings, runKey, sha256);
+        Values& settings = project.panels[chain::chainKey].parameters;
+        set(settings, chain::folderKey, question.out);
+        set(settings, chain::runKey, sha256);
         Giver give(project);
         give.file("recognise", "scan", question.scan);
         if (drawing) {
@@ -172,9 +173,9 @@ void landFit(Session& session, const chain::MachineFit& fit, const std::string& 
         source.item = name;
         deflection.inputs["spindle"] = source;
         deflection.inputs["setup"] = newSource(QString::fromStdString(whole));
-        project.panels[chainKey].inputs[setupRole] = newSource(QString::fromStdString(path));
+        project.panels[chain::chainKey].inputs[chain::setupRole] = newSource(QString::fromStdString(path));
         // A machine given as a table of measured receptances has no springs.
-        if (fit.springs) project.panels[chainKey].inputs[machineRole] = source;
+        if (fit.springs) project.panels[chain::chainKey].inputs[chain::machineRole] = source;
     });
 }
 

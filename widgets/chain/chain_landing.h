@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/chain/machine_fit.h"
-#include "widgets/chain/chain_state.h"
+#include "engine/chain/of_project/project_chain.h"
 #include "widgets/core/session.h"
 
 namespace lathelier::chain_panel {

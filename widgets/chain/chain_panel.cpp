@@ -16,6 +16,7 @@
 #include "engine/report/result_json.h"
 #include "engine/shaft/shaft_item.h"
 #include "widgets/chain/chain_landing.h"
+#include "widgets/chain/chain_roles.h"
 #include "widgets/chain/chain_strip.h"
 #include "widgets/chain/chain_views.h"
 #include "widgets/core/form/input_box.h"
@@ -29,9 +30,9 @@ PanelInputs panelInputs()
 {
     PanelInputs inputs;
     inputs.roles = chainRoles();
-    for (FieldInfo& info : infos<ChainSettings>())
-        if (info.key != runKey) inputs.fields.push_back(std::move(info));
-    inputs.defaults = toValues(ChainSettings{});
+    for (FieldInfo& info : infos<chain::ChainSettings>())
+        if (info.key != chain::runKey) inputs.fields.push_back(std::move(info));
+    inputs.defaults = toValues(chain::ChainSettings{});
     inputs.invitation = LT_TEXT("Engine",
                                 "The strip above runs the chain from the scan of a worn part to the proof of its copy; "
                                 "drop its files here, or a dossier that was made before.");
@@ -40,8 +41,8 @@ PanelInputs panelInputs()
 
 bool wasRun(const project::PanelState& state)
 {
-    const Value* const folder = find(state.parameters, folderKey);
-    const Value* const run = find(state.parameters, runKey);
+    const Value* const folder = find(state.parameters, chain::folderKey);
+    const Value* const run = find(state.parameters, chain::runKey);
     return folder && run && *folder != Value(std::string()) && *run != Value(std::string());
 }
 
@@ -49,12 +50,12 @@ bool wasRun(const project::PanelState& state)
 const char* roleFor(const project::PanelState& state, const io::FileKind* kind)
 {
     const auto is_free = [&](const char* role) { return state.inputs.count(role) == 0; };
-    if (kind == &io::scanFiles()) return is_free(scanRole) ? scanRole : copyRole;
-    if (kind == &io::imageFiles()) return is_free(beforeRole) ? beforeRole : afterRole;
-    if (kind == &cam::jobFiles()) return jobRole;
-    if (kind == &receptance::spindleFiles()) return machineRole;
-    if (kind == &deflection::setupFiles()) return setupRole;
-    return kind == &io::shaftFiles() || kind == &cad::stepFiles() ? drawingRole : nullptr;
+    if (kind == &io::scanFiles()) return is_free(chain::scanRole) ? chain::scanRole : chain::copyRole;
+    if (kind == &io::imageFiles()) return is_free(chain::beforeRole) ? chain::beforeRole : chain::afterRole;
+    if (kind == &cam::jobFiles()) return chain::jobRole;
+    if (kind == &receptance::spindleFiles()) return chain::machineRole;
+    if (kind == &deflection::setupFiles()) return chain::setupRole;
+    return kind == &io::shaftFiles() || kind == &cad::stepFiles() ? chain::drawingRole : nullptr;
 }
 
 }  // namespace
@@ -69,30 +70,29 @@ std::vector<std::string> panelsOfSteps()
 PanelFacts chainPanelFacts()
 {
     PanelFacts facts;
-    facts.id = chainKey;
+    facts.id = chain::chainKey;
     facts.title = LT_TEXT("Engine", "Proof of the copy");
     facts.icon = "chain";
     facts.workspaces = {workspaceOf("copy")};
     facts.roles = panelInputs().roles;
     facts.kinds = kindsOf(facts.roles);
     facts.kinds.push_back(&chain::dossierFiles());
-    facts.part_inputs = {scanRole, drawingRole, copyRole, beforeRole, afterRole};
-    facts.item_inputs = {{shaftItem, drawingRole}, {receptance::spindleItem, machineRole}};
+    facts.part_inputs = {chain::scanRole, chain::drawingRole, chain::copyRole, chain::beforeRole, chain::afterRole};
+    facts.item_inputs = {{shaftItem, chain::drawingRole}, {receptance::spindleItem, chain::machineRole}};
     facts.missing = [](const project::PanelState& state) {
         return wasRun(state) ? std::vector<Text>{} : std::vector<Text>{LT_TEXT("Engine", "a run of the chain")};
     };
     facts.has_work = wasRun;
     facts.report = [](const project::PanelState& state, Stores& stores, const Language&, const Progress& progress) {
-        return reportOf(chainOutcome(state, stores, progress));
+        return chain::reportOf(chain::chainOutcome(state, stores, progress));
     };
     facts.make = [](Session& session) -> PanelBase* { return new ChainPanel(session); };
     return facts;
 }
 
-StripFacts chainStrip(chain::AskVerb ask)
+StripFacts chainStrip()
 {
-    return {"copy",
-            [ask = std::move(ask)](Session& session) -> WorkspaceStrip* { return new ChainStrip(session, ask); }};
+    return {"copy", [](Session& session) -> WorkspaceStrip* { return new ChainStrip(session); }};
 }
 
 ChainPanel::ChainPanel(Session& owner, QWidget* parent)
@@ -116,9 +116,9 @@ void ChainPanel::takeFit()
 
 ChainPanel::Compute ChainPanel::compute(const project::PanelState& state) const
 {
-    fromValues<ChainSettings>(state.parameters);  // validates ranges before the computation
+    fromValues<chain::ChainSettings>(state.parameters);  // validates ranges before the computation
     return [state, stores = session().sharedStores()](const Progress& progress) {
-        return chainOutcome(state, *stores, progress);
+        return chain::chainOutcome(state, *stores, progress);
     };
 }
 
@@ -128,7 +128,7 @@ Worker::Job ChainPanel::makeReadingJob(const project::PanelState&) const
     return [](const Progress&) -> std::shared_ptr<const void> { return nullptr; };
 }
 
-void ChainPanel::showResult(const std::shared_ptr<const ChainOutcome>& outcome)
+void ChainPanel::showResult(const std::shared_ptr<const chain::ChainOutcome>& outcome)
 {
     views_->setOutcome(outcome);
 }
@@ -139,8 +139,8 @@ void ChainPanel::assignFiles(project::PanelState& state, const std::vector<Found
         const std::string name = std::filesystem::path(file.path).filename().string();
         if (file.kind == &chain::dossierFiles() || name == chain::dossierFile) {
             const std::string folder = std::filesystem::path(file.path).parent_path().string();
-            lathelier::set(state.parameters, folderKey, folder);
-            lathelier::set(state.parameters, runKey, dossierDigest(folder));
+            lathelier::set(state.parameters, chain::folderKey, folder);
+            lathelier::set(state.parameters, chain::runKey, chain::dossierDigest(folder));
         } else if (const char* const role = roleFor(state, file.kind)) {
             state.inputs[role] = newSource(QString::fromStdString(file.path));
         }

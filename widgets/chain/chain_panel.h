@@ -2,8 +2,7 @@
 // follow? The strip of its workspace runs the chain.
 #pragma once
 
-#include "engine/chain/verb_asker.h"
-#include "widgets/chain/chain_outcome.h"
+#include "engine/chain/of_project/chain_study.h"
 #include "widgets/core/panel/panel.h"
 #include "widgets/core/panel/workspace_strip.h"
 
@@ -18,9 +17,9 @@ std::vector<std::string> panelsOfSteps();
 PanelFacts chainPanelFacts();
 
 /// The strip of its workspace; `ask` runs a step.
-StripFacts chainStrip(chain::AskVerb ask);
+StripFacts chainStrip();
 
-class ChainPanel : public Panel<ChainOutcome> {
+class ChainPanel : public Panel<chain::ChainOutcome> {
     Q_OBJECT
 
 public:
@@ -31,10 +30,10 @@ public:
 
 protected:
     Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const ChainOutcome>& outcome) override;
-    report::Answer answer(const ChainOutcome& outcome) const override { return chain_panel::answerOf(outcome); }
-    Notes notes(const ChainOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const ChainOutcome& outcome) const override { return chain_panel::reportOf(outcome); }
+    void showResult(const std::shared_ptr<const chain::ChainOutcome>& outcome) override;
+    report::Answer answer(const chain::ChainOutcome& outcome) const override { return chain::answerOf(outcome); }
+    Notes notes(const chain::ChainOutcome& outcome) const override { return outcome.notes; }
+    report::Document document(const chain::ChainOutcome& outcome) const override { return chain::reportOf(outcome); }
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     Worker::Job makeReadingJob(const project::PanelState& state) const override;

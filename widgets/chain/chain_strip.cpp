@@ -12,12 +12,13 @@
 #include <filesystem>
 
 #include "engine/chain/dossier_report.h"
+#include "engine/chain/of_project/chain_memory.h"
+#include "engine/chain/of_project/settled_chain.h"
+#include "engine/chain/step_state.h"
 #include "engine/io/file.h"
 #include "engine/report/html.h"
 #include "widgets/chain/chain_landing.h"
-#include "widgets/chain/chain_memory.h"
 #include "widgets/chain/run_dialog.h"
-#include "widgets/chain/settled_chain.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 #include "widgets/core/report/report_files.h"
@@ -45,6 +46,7 @@ std::string stampsOf(const chain::Dossier& dossier, const std::string& folder, c
 }
 
 struct Looked {
+    chain::ChainQuestion question;
     std::shared_ptr<const chain::Dossier> dossier;
     std::string stamps;
     bool has_dossier = false;
@@ -56,9 +58,9 @@ struct Ran {
     std::string sha256;  // digest of the dossier file
 };
 
-void writeMade(const AskedChain& asked)
+void writeMade(const chain::AskedChain& asked)
 {
-    for (const MadeInput& made : asked.made) {
+    for (const chain::MadeInput& made : asked.made) {
         std::error_code ignored;
         std::filesystem::create_directories(std::filesystem::path(made.path).parent_path(), ignored);
         io::writeFile(made.path, made.text);
@@ -67,10 +69,9 @@ void writeMade(const AskedChain& asked)
 
 }  // namespace
 
-ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
+ChainStrip::ChainStrip(Session& session, QWidget* parent)
     : WorkspaceStrip(parent),
       session_(session),
-      ask_(std::move(ask)),
       stack_(new QStackedWidget),
       start_(new QPushButton),
       phase_(new QLabel),
@@ -89,8 +90,7 @@ ChainStrip::ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent)
     for (const StripStep& step : stripSteps()) {
         auto* tile = new StepTile;
         tile->setObjectName(QString("step_") + step.key);
-        connect(tile, &QAbstractButton::clicked, this,
-                [this, id = std::string(step.panel)] { emit panelRequested(id); });
+        connect(tile, &QAbstractButton::clicked, this, [this, &step] { openStep(step); });
         tiles_.push_back(tile);
         row->addWidget(tile, 1);
     }
@@ -154,25 +154,27 @@ void ChainStrip::look()
 {
     if (!isVisible()) return;  // repeated in showEvent()
     try {
-        asked_ = askedChain(session_.project());
+        asked_ = chain::askedChain(session_.project());
     } catch (const Error& error) {  // a parameter of the project file is out of its range
         emit messageRaised({error, chainTitle});
         return;
     }
     look_.compute<Looked>(
-        [unsettled = asked_, ask = ask_, stores = session_.sharedStores()](const Progress& progress) {
-            const AskedChain asked = settled(unsettled, *stores, progress);
+        [unsettled = asked_, stores = session_.sharedStores()](const Progress& progress) {
+            const chain::AskedChain asked = chain::settled(unsettled, *stores, progress);
             io::InputFiles inputs;
-            for (const MadeInput& made : asked.made) inputs.give(made.path, made.text);
-            auto earlier = stores->of<ChainMemory>()->find(asked.question.out, progress);
+            for (const chain::MadeInput& made : asked.made) inputs.give(made.path, made.text);
+            auto earlier = stores->of<chain::ChainMemory>()->find(asked.question.out, progress);
             Looked looked;
+            looked.question = asked.question;
             looked.dossier = std::make_shared<const chain::Dossier>(
-                chain::remanufacture(asked.question, ask, chain::RunMode::DryRun, earlier, inputs, progress));
+                chain::remanufacture(asked.question, chain::RunMode::DryRun, earlier, inputs, progress));
             looked.stamps = stampsOf(*looked.dossier, asked.question.out, progress);
-            looked.has_dossier = !dossierDigest(asked.question.out, progress).empty();
+            looked.has_dossier = !chain::dossierDigest(asked.question.out, progress).empty();
             return looked;
         },
         [this](const Looked& looked) {
+            question_ = looked.question;
             stamps_ = looked.stamps;
             hasDossier_ = looked.has_dossier;
             show(looked.dossier);
@@ -210,6 +212,24 @@ void ChainStrip::show(const std::shared_ptr<const chain::Dossier>& dossier)
     for (QAction* action : {report_, dossier_, folder_}) action->setEnabled(hasDossier_);
 }
 
+/// Opens the panel of a step with the files and parameters of the chain, in one step that can be undone. What the chain
+/// takes from panels becomes its own first, so that they no longer rule its question.
+void ChainStrip::openStep(const StripStep& step)
+{
+    const chain::ChainStep* const made = looked_ ? looked_->step(step.of_chain.front()) : nullptr;
+    const auto state = made && made->state == chain::StepState::Done ? chain::stateOf(*made, question_.out)
+                                                                     : std::optional<project::PanelState>();
+    if (state) {
+        session_.edit(tr("Open a step of the chain"), [&](project::Project& project) {
+            chain::pinInputs(project, question_);
+            project::PanelState& panel = project.panels[step.panel];
+            panel.inputs = state->inputs;
+            panel.parameters = state->parameters;
+        });
+    }
+    emit panelRequested(step.panel);
+}
+
 void ChainStrip::askToRun()
 {
     if (isRunning() || !looked_ || dialog_) return;
@@ -220,8 +240,8 @@ void ChainStrip::askToRun()
         try {
             // Another folder: files written for the chain go there too.
             project::Project project = session_.project();
-            set(project.panels[chainKey].parameters, folderKey, folder);
-            run(askedChain(project));
+            set(project.panels[chain::chainKey].parameters, chain::folderKey, folder);
+            run(chain::askedChain(project));
         } catch (const Error& error) {
             emit messageRaised({error, chainTitle});
         }
@@ -229,22 +249,21 @@ void ChainStrip::askToRun()
     dialog_->open();
 }
 
-void ChainStrip::run(const AskedChain& unsettled)
+void ChainStrip::run(const chain::AskedChain& unsettled)
 {
     setRunning(true);
     run_.start(
-        [unsettled, ask = ask_,
-         stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-            const AskedChain asked = settled(unsettled, *stores, progress);
+        [unsettled, stores = session_.sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
+            const chain::AskedChain asked = chain::settled(unsettled, *stores, progress);
             writeMade(asked);
             io::InputFiles inputs;
-            auto memory = stores->of<ChainMemory>();
+            auto memory = stores->of<chain::ChainMemory>();
             auto earlier = memory->find(asked.question.out, progress);
             auto dossier = std::make_shared<const chain::Dossier>(
-                chain::remanufacture(asked.question, ask, chain::RunMode::OutOfDate, earlier, inputs, progress));
+                chain::remanufacture(asked.question, chain::RunMode::OutOfDate, earlier, inputs, progress));
             chain::writeDossier(asked.question, *dossier, inputs.list(), toValues(asked.question));
             memory->keep(asked.question.out, dossier);
-            return std::make_shared<const Ran>(Ran{asked.question, dossier, dossierDigest(asked.question.out)});
+            return std::make_shared<const Ran>(Ran{asked.question, dossier, chain::dossierDigest(asked.question.out)});
         },
         [this, opened = session_.projectsOpened()](const Worker::Outcome& outcome) {
             setRunning(false);
@@ -254,6 +273,7 @@ void ChainStrip::run(const AskedChain& unsettled)
                 const auto& ran = *static_cast<const Ran*>(value->get());
                 landRun(session_, ran.question, *ran.dossier, ran.sha256);
                 reportRun(ran.question, *ran.dossier);
+                emit panelRequested(chain::chainKey);
             } else if (const auto* error = std::get_if<Error>(&outcome)) {
                 emit messageRaised({*error, chainTitle});
             }
@@ -297,7 +317,7 @@ void ChainStrip::setRunning(bool running)
 
 void ChainStrip::exportReport()
 {
-    const auto dossier = session_.stores().of<ChainMemory>()->find(asked_.question.out, {});
+    const auto dossier = session_.stores().of<chain::ChainMemory>()->find(asked_.question.out, {});
     const QString path = QFileDialog::getSaveFileName(this, tr("Write the report of the chain"), "chain.html",
                                                       tr("HTML (*.html)") + ";;" + tr("PDF (*.pdf)"));
     if (!dossier || path.isEmpty()) return;

@@ -12,8 +12,8 @@
 #include <QToolButton>
 #include <vector>
 
+#include "engine/chain/of_project/project_chain.h"
 #include "engine/chain/remanufacture.h"
-#include "widgets/chain/chain_state.h"
 #include "widgets/chain/step_tile.h"
 #include "widgets/chain/strip_steps.h"
 #include "widgets/core/panel/workspace_strip.h"
@@ -23,12 +23,13 @@
 namespace lathelier::chain_panel {
 
 class RunDialog;
+struct StripStep;
 
 class ChainStrip : public WorkspaceStrip {
     Q_OBJECT
 
 public:
-    ChainStrip(Session& session, chain::AskVerb ask, QWidget* parent = nullptr);
+    ChainStrip(Session& session, QWidget* parent = nullptr);
     ~ChainStrip() override;
 
     const std::shared_ptr<const chain::Dossier>& looked() const { return looked_; }  ///< null: not inspected yet
@@ -45,9 +46,10 @@ protected:
 
 private:
     void lookSoon() { due_.start(); }
+    void openStep(const StripStep& step);
     void watchFiles();
     void show(const std::shared_ptr<const chain::Dossier>& dossier);
-    void run(const AskedChain& asked);
+    void run(const chain::AskedChain& asked);
     void reportRun(const chain::ChainQuestion& question, const chain::Dossier& dossier);
     void followProject();
     void showProgress(const Worker::State& state);
@@ -58,7 +60,6 @@ private:
     void retranslate();
 
     Session& session_;
-    chain::AskVerb ask_;
     std::vector<StepTile*> tiles_;
     QStackedWidget* stack_;
     QPushButton* start_;
@@ -71,9 +72,10 @@ private:
     QAction* folder_;
     QPointer<RunDialog> dialog_;
     std::shared_ptr<const chain::Dossier> looked_;
-    AskedChain asked_;         ///< question for which looked_ was inspected
-    bool hasDossier_ = false;  ///< the folder of asked_ had a dossier when inspected
-    int opened_ = 0;           ///< projectsOpened() of the shown project
+    chain::AskedChain asked_;        ///< question for which looked_ was inspected
+    chain::ChainQuestion question_;  ///< the same with the changes of forms
+    bool hasDossier_ = false;        ///< the folder of asked_ had a dossier when inspected
+    int opened_ = 0;                 ///< projectsOpened() of the shown project
     QTimer due_;
     QTimer turn_;         ///< timer of the check for changed files of the chain
     std::string stamps_;  ///< stamps of the files at the last inspection

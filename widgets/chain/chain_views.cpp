@@ -40,7 +40,7 @@ ChainViews::ChainViews(QWidget* parent)
     retranslate();
 }
 
-void ChainViews::setOutcome(const std::shared_ptr<const ChainOutcome>& outcome)
+void ChainViews::setOutcome(const std::shared_ptr<const chain::ChainOutcome>& outcome)
 {
     outcome_ = outcome;
     for (const char* key : {"proof", "rows"}) primaryViews_->setAvailable(key, outcome->proof.has_value());
@@ -53,10 +53,10 @@ void ChainViews::show()
     takeFit_->setEnabled(outcome_ && outcome_->fit);
     if (!outcome_) return;
     if (outcome_->proof) {
-        chart_->setData(plotOf(*outcome_));
+        chart_->setData(chain::plotOf(*outcome_));
         rows_->setTable(chain::proofTable(*outcome_->proof));
     }
-    if (outcome_->fit) fit_->setTable(fitTable(*outcome_->fit));
+    if (outcome_->fit) fit_->setTable(chain::fitTable(*outcome_->fit));
     steps_->setTable(chain::stepsTable(*outcome_->dossier));
     files_->setTable(chain::filesTable(*outcome_->dossier));
     numbers_->setTable(chain::numbersTable(*outcome_->dossier));

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "widgets/chain/chain_outcome.h"
+#include "engine/chain/of_project/chain_study.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
@@ -19,7 +19,7 @@ class ChainViews : public QWidget {
 public:
     explicit ChainViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const ChainOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const chain::ChainOutcome>& outcome);
     void showStretch(const Interval& z_mm);
     void setPresenting(bool presenting);  ///< hides the buttons
     void retranslate();
@@ -37,7 +37,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const ChainOutcome> outcome_;
+    std::shared_ptr<const chain::ChainOutcome> outcome_;
     PrimaryViews* primaryViews_;
     plot::ChartView* chart_;
     CopyTable* rows_;

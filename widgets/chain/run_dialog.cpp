@@ -48,7 +48,7 @@ QStringList stepsToRun(const chain::Dossier& looked)
     return lines;
 }
 
-RunDialog::RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWidget* parent)
+RunDialog::RunDialog(const chain::Dossier& looked, const chain::AskedChain& asked, QWidget* parent)
     : QDialog(parent),
       folder_(new QLineEdit(QString::fromStdString(asked.question.out))),
       elsewhere_(paragraph(tr("In another folder every step runs that has its files."))),

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "engine/chain/dossier.h"
-#include "widgets/chain/chain_state.h"
+#include "engine/chain/of_project/project_chain.h"
 
 namespace lathelier::chain_panel {
 
@@ -16,7 +16,7 @@ class RunDialog : public QDialog {
     Q_OBJECT
 
 public:
-    RunDialog(const chain::Dossier& looked, const AskedChain& asked, QWidget* parent);
+    RunDialog(const chain::Dossier& looked, const chain::AskedChain& asked, QWidget* parent);
 
     QString folder() const { return folder_->text().trimmed(); }
 

@@ -50,17 +50,18 @@ QString linesOf(const std::vector<InputFile>& files)
 
 const std::vector<StripStep>& stripSteps()
 {
-    static const std::vector<StripStep> all{{"scan", LT_TEXT("Engine", "Scan"), "recognise", {"recognise"}},
-                                            {"drawing", LT_TEXT("Engine", "Drawing"), "drawing", {"draw"}},
-                                            {"machine", LT_TEXT("Engine", "Machine"), "shaft", {"machine"}},
-                                            {"speeds", LT_TEXT("Engine", "Speeds"), "lobes", {"speeds"}},
-                                            {"program", LT_TEXT("Engine", "Program"), "turning", {"program"}},
-                                            {"deflection",
-                                             LT_TEXT("Engine", "Deflection"),
-                                             "deflection",
-                                             {"deflection", "deflection_2", "corrected_check"}},
-                                            {"copy", LT_TEXT("Engine", "Copy"), "compare", {"copy"}},
-                                            {"proof", LT_TEXT("Engine", "Proof"), chainKey, {"proof", "surface"}}};
+    static const std::vector<StripStep> all{
+        {"scan", LT_TEXT("Engine", "Scan"), "recognise", {"recognise"}},
+        {"drawing", LT_TEXT("Engine", "Drawing"), "drawing", {"draw"}},
+        {"machine", LT_TEXT("Engine", "Machine"), "shaft", {"machine"}},
+        {"speeds", LT_TEXT("Engine", "Speeds"), "lobes", {"speeds"}},
+        {"program", LT_TEXT("Engine", "Program"), "turning", {"program"}},
+        {"deflection",
+         LT_TEXT("Engine", "Deflection"),
+         "deflection",
+         {"deflection", "deflection_2", "corrected_check"}},
+        {"copy", LT_TEXT("Engine", "Copy"), "compare", {"copy"}},
+        {"proof", LT_TEXT("Engine", "Proof"), chain::chainKey, {"proof", "surface"}}};
     return all;
 }
 

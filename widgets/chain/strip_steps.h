@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/chain/dossier.h"
-#include "widgets/chain/chain_state.h"
+#include "engine/chain/of_project/project_chain.h"
 
 namespace lathelier::chain_panel {
 

@@ -1,8 +1,8 @@
 // The panel "FRF": which modes does a measured response show, and does the computed one agree?
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/frf/frf_outcome.h"
+#include "engine/receptance/task/modes_task.h"
+#include "widgets/core/panel/task_panel.h"
 
 namespace lathelier::frf_panel {
 
@@ -11,7 +11,7 @@ class FrfViews;
 /// The panel's line of the panel table.
 PanelFacts frfPanelFacts();
 
-class FrfPanel : public Panel<FrfOutcome> {
+class FrfPanel : public TaskPanel<receptance::ModesOutcome> {
     Q_OBJECT
 
 public:
@@ -20,21 +20,13 @@ public:
     FrfViews& views() const { return *views_; }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const FrfOutcome>& outcome) override;
-    report::Answer answer(const FrfOutcome& outcome) const override;
-    Notes notes(const FrfOutcome& outcome) const override;
-    report::Document document(const FrfOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
-    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
+    void showResult(const std::shared_ptr<const receptance::ModesOutcome>& outcome) override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     void retranslate() override;
 
 private:
     void dragMode(int index, double frequency_hz, double magnitude_mm_N, bool dropped);
     void goBackToTheFit();
-    void offerResponse();
 
     FrfViews* views_;
     int gesture_ = 0;  ///< number of drags of peaks, one undo step each

@@ -56,7 +56,7 @@ FrfViews::FrfViews(QWidget* parent)
     retranslate();
 }
 
-void FrfViews::setOutcome(const std::shared_ptr<const FrfOutcome>& outcome)
+void FrfViews::setOutcome(const std::shared_ptr<const receptance::ModesOutcome>& outcome)
 {
     outcome_ = outcome;
     show();

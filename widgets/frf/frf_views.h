@@ -5,9 +5,9 @@
 #include <QWidget>
 #include <memory>
 
+#include "engine/receptance/task/modes_task.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/frf/frf_outcome.h"
 #include "widgets/plot/chart_view.h"
 
 namespace lathelier::frf_panel {
@@ -18,7 +18,7 @@ class FrfViews : public QWidget {
 public:
     explicit FrfViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const FrfOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const receptance::ModesOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* magnitude() const { return magnitude_; }
     plot::ChartView* nyquist() const { return nyquist_; }
@@ -34,7 +34,7 @@ signals:
 private:
     void show();
 
-    std::shared_ptr<const FrfOutcome> outcome_;
+    std::shared_ptr<const receptance::ModesOutcome> outcome_;
     QToolButton* use_;
     QToolButton* back_;
     PrimaryViews* primaryViews_;

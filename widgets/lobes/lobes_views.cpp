@@ -35,8 +35,8 @@ LobesViews::LobesViews(QWidget* parent)
                 if (key == stability::operatingPointKey) emit operatingPointMoved(speed_rpm, depth, dropped);
             });
     connect(candidates_, &QTableWidget::cellDoubleClicked, this, [this](int row, int) {
-        if (!outcome_ || !outcome_->candidates) return;
-        const auto& list = outcome_->candidates->candidates;
+        if (!outcome_ || outcome_->pass) return;
+        const std::vector<stability::DepthAtSpeed>& list = outcome_->safe.peaks;
         if (row >= 0 && static_cast<std::size_t>(row) < list.size())
             emit speedRequested(list[static_cast<std::size_t>(row)].speed_rpm);
     });
@@ -48,7 +48,7 @@ LobesViews::LobesViews(QWidget* parent)
 void LobesViews::setOutcome(const std::shared_ptr<const stability::LobesOutcome>& outcome)
 {
     outcome_ = outcome;
-    primaryViews_->setAvailable("candidates", outcome->candidates.has_value());
+    primaryViews_->setAvailable("candidates", !outcome->safe.peaks.empty());
     show();
 }
 
@@ -56,8 +56,7 @@ void LobesViews::show()
 {
     if (!outcome_) return;
     const stability::LobeResult& result = *outcome_->lobes;
-    report::Plot lobes =
-        lobesPlot(result, outcome_->candidates ? &*outcome_->candidates : nullptr, outcome_->point, screenLanguage());
+    report::Plot lobes = lobesPlot(result, marksOf(*outcome_), screenLanguage());
     report::Plot frequencies = chatterFrequencyPlot(result);
     if (outcome_->marks) {
         drawMarks(lobes, *outcome_->marks, screenLanguage());
@@ -68,7 +67,7 @@ void LobesViews::show()
     parts_->setData(
         receptance::realImaginaryPlot(*outcome_->response.frf, result.frequency_of_minimum_hz, screenLanguage()));
     magnitude_->setData(receptance::magnitudePlot(*outcome_->response.frf));
-    if (outcome_->candidates) candidates_->setTable(stability::candidatesTable(*outcome_->candidates));
+    candidates_->setTable(stability::pocketsTable(outcome_->safe, result.isRelative()));
 }
 
 void LobesViews::retranslate()

@@ -1,8 +1,8 @@
 #include "widgets/speed/speed_panel.h"
 
+#include "engine/stability/task/speed_entry.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/session.h"
-#include "widgets/speed/speed_range.h"
 #include "widgets/speed/speed_views.h"
 
 namespace lathelier::speed_panel {
@@ -61,7 +61,7 @@ SpeedPanel::SpeedPanel(Session& owner, QWidget* parent)
 void SpeedPanel::take(const QString& key, const Value& value)
 {
     editState(tr("Type a value"),
-              [&](project::PanelState& state) { enterValue(state.parameters, key.toStdString(), value); });
+              [&](project::PanelState& state) { stability::enterValue(state.parameters, key.toStdString(), value); });
 }
 
 std::optional<Error> SpeedPanel::problem(const SpeedOutcome& outcome) const

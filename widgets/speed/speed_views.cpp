@@ -5,16 +5,16 @@
 #include "engine/core/units.h"
 #include "engine/receptance/frf_plots.h"
 #include "engine/stability/stability_report.h"
+#include "engine/stability/task/speed_entry.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/task_panel.h"
-#include "widgets/speed/speed_range.h"
 
 namespace lathelier::speed_panel {
 
 SpeedViews::SpeedViews(QWidget* parent)
     : QWidget(parent),
       primaryViews_(new PrimaryViews),
-      keys_(new OperatorKeys(screenFields(), {"D", "L", "v_c", "v_c min", "v_c max"})),
+      keys_(new OperatorKeys(stability::screenFields(), {"D", "L", "v_c", "v_c min", "v_c max"})),
       lobes_(new plot::ChartView),
       parts_(new plot::ChartView),
       candidates_(new CopyTable)
@@ -41,14 +41,14 @@ void SpeedViews::setOutcome(const std::shared_ptr<const stability::SpeedOutcome>
 {
     outcome_ = outcome;
     for (const char* key : {"lobes", "parts"}) primaryViews_->setAvailable(key, outcome->near != nullptr);
-    primaryViews_->setAvailable("candidates", outcome->published.has_value());
+    primaryViews_->setAvailable("candidates", outcome->safe || outcome->published);
     show();
 }
 
 void SpeedViews::show()
 {
     if (!outcome_) return;
-    keys_->setValues(screenValues(outcome_->asked.parameters));
+    keys_->setValues(stability::screenValues(outcome_->asked.parameters));
     const report::Answer told = answer(*outcome_, screenLanguage());
     if (outcome_->problem && !outcome_->safe)
         keys_->setReading("–", {}, screenText(neededBy(stability::speedTask(), *outcome_->problem)), false);
@@ -56,13 +56,13 @@ void SpeedViews::show()
         keys_->setReading(screenNumber(told.value.value_or(0), 0), screenText(unit::rpm),
                           QString::fromStdString(report::sentenceText(told, screenLanguage())),
                           outcome_->recommended_rpm().has_value());
-    if (outcome_->published) candidates_->setTable(stability::candidatesTable(*outcome_->published));
+    if (outcome_->safe)
+        candidates_->setTable(stability::pocketsTable(*outcome_->safe, false));
+    else if (outcome_->published)
+        candidates_->setTable(stability::candidatesTable(*outcome_->published));
     if (!outcome_->near) return;
     const stability::LobeResult& near = *outcome_->near;
-    std::optional<stability::OperatingPoint> point;
-    if (outcome_->safe)
-        point = stability::OperatingPoint{outcome_->safe->best.speed_rpm, outcome_->safe->question.depth};
-    lobes_->setData(lobesPlot(near, outcome_->published ? &*outcome_->published : nullptr, point, screenLanguage()));
+    lobes_->setData(lobesPlot(near, marksOf(*outcome_), screenLanguage()));
     parts_->setData(
         receptance::realImaginaryPlot(*outcome_->response.frf, near.frequency_of_minimum_hz, screenLanguage()));
 }

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/frf_item.h"
 #include "engine/core/json.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
@@ -25,47 +24,36 @@ namespace {
 constexpr int listening_ms = 500;
 constexpr int demonstrationFrames = 250;  ///< ten seconds of film
 
+const std::vector<std::string> roles{training::responseRole};
+
 PanelInputs panelInputs()
 {
-    PanelInputs inputs;
-    inputs.roles = {chatter_common::responseRole(
-        LT_TEXT("Engine", "Of a machine of your own, in place of the scenario: UFF, CSV or MAT."))};
-    inputs.fields = infos<TrainingQuestion>();
-    inputs.defaults = toValues(TrainingQuestion{});
-    inputs.invitation = LT_TEXT("Engine", "Choose a scenario, or drop a frequency response of your own here.");
+    PanelInputs inputs =
+        inputsOf(training::trainingTask(), roles, {}, false,
+                 LT_TEXT("Engine", "Choose a scenario, or drop a frequency response of your own here."));
+    inputs.fields = training::trainingTask().fields;
     return inputs;
 }
 
 bool isTouched(const project::PanelState& state)
 {
     const Value* const speed = find(state.parameters, "operating_speed_rpm");
-    return state.inputs.count(frfRole) > 0 || (speed && !std::holds_alternative<std::monostate>(*speed));
+    return !state.inputs.empty() || (speed && !std::holds_alternative<std::monostate>(*speed));
 }
 
 }  // namespace
 
 PanelFacts trainingPanelFacts()
 {
-    PanelFacts facts;
-    facts.id = "training";
-    facts.title = LT_TEXT("Engine", "Training");
-    facts.icon = "training";
-    facts.workspaces = {workspaceOf("training")};
-    facts.kinds = {&io::frfFiles(), &training::lessonFiles()};
-    facts.roles = panelInputs().roles;
-    facts.item_inputs = {{frfItem, frfRole}};
-    facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
-    facts.missing = [](const project::PanelState&) { return std::vector<Text>{}; };
+    PanelFacts facts = factsOf(training::trainingTask(), "training", "training", roles, {});
+    facts.kinds.push_back(&training::lessonFiles());
     facts.has_work = isTouched;
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) {
-        return reportOf(trainingOutcome(state, stores, progress.part(0, 0.5)), language, progress.part(0.5, 1));
-    };
+    facts.make = [](Session& session) -> PanelBase* { return new TrainingPanel(session); };
     return facts;
 }
 
 TrainingPanel::TrainingPanel(Session& owner, QWidget* parent)
-    : Panel(owner, trainingPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, training::trainingTask(), training::answerTraining, trainingPanelFacts(), panelInputs(), parent),
       frames_(new FrameWriter(this)),
       views_(new TrainingViews),
       tour_(new TourPane),
@@ -160,7 +148,7 @@ void TrainingPanel::takeSetting(const training::Setting& setting)
         if (!setting.scenario.empty() && !is_own) {
             lathelier::set(state.parameters, "scenario", setting.scenario);
             lathelier::set(state.parameters, "modes", Rows{});
-            state.inputs.erase(frfRole);
+            state.inputs.erase(training::responseRole);
             for (const char* key :
                  {"operating_speed_rpm", "operating_depth", "cutting_coefficient_N_mm2", "feed_mm_rev"})
                 lathelier::set(state.parameters, key, Value());
@@ -206,7 +194,7 @@ void TrainingPanel::playCut(const stability::SimulationResult& cut, const std::v
 /// The machine on screen; while it stays the same the sound only moves along.
 void TrainingPanel::playPicture()
 {
-    const TrainingOutcome& outcome = *result();
+    const training::TrainingOutcome& outcome = *result();
     Json machine = {outcome.scenario.cutting_coefficient_N_mm2, outcome.scenario.feed_mm_rev};
     for (const stability::Mode& mode : outcome.scenario.modes) machine.push_back(toJson(toValues(mode)));
     std::string name = machine.dump();
@@ -215,53 +203,27 @@ void TrainingPanel::playPicture()
     sounding_ = std::move(name);
 }
 
-TrainingPanel::Compute TrainingPanel::compute(const project::PanelState& state) const
-{
-    fromValues<TrainingQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, stores = session().sharedStores()](const Progress& progress) {
-        return trainingOutcome(state, *stores, progress);
-    };
-}
-
 QString TrainingPanel::understood(const InputRole&, const project::Source& source) const
 {
     return chatter_common::understoodResponse(source, session().stores());
 }
 
-void TrainingPanel::showResult(const std::shared_ptr<const TrainingOutcome>& outcome)
+void TrainingPanel::showResult(const std::shared_ptr<const training::TrainingOutcome>& outcome)
 {
     views_->setOutcome(outcome);
     transport_->setCut(outcome->cut->seconds(), outcome->cut->step_s * outcome->cut->steps_per_revolution);
     playPicture();
 }
 
-report::Answer TrainingPanel::answer(const TrainingOutcome& outcome) const
-{
-    return training_panel::answer(outcome, screenLanguage());
-}
-
-report::Document TrainingPanel::document(const TrainingOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage());
-}
-
 std::vector<PanelExport> TrainingPanel::exports() const
 {
-    const auto outcome = result();
-    if (!outcome) return {};
-    return {{tr("Sound of the cut (WAV)…"), tr("Sound (*.wav)"), "wav",
-             [outcome](const QString& path) {
-                 io::writeFile(path.toStdString(), stability::soundOf(*outcome->cut).bytes);
-             }},
-            {tr("Waveform (CSV)…"), tr("Table (*.csv)"), "csv",
-             [outcome](const QString& path) {
-                 io::writeFile(path.toStdString(),
-                               [&](const io::Append& append) { writeWaveform(*outcome->cut, append); });
-             }},
-            {tr("Demonstration (sound and a folder of pictures)…"), tr("Sound (*.wav)"), "wav",
-             [this](const QString& path) { writeDemonstration(path); }},
-            {tr("Pictures of all views (SVG)…"), tr("Pictures (*.svg)"), "svg",
-             [this](const QString& path) { writePictures(path); }}};
+    std::vector<PanelExport> all = TaskPanel::exports();
+    if (!result()) return all;
+    all.push_back({tr("Demonstration (sound and a folder of pictures)…"), tr("Sound (*.wav)"), "wav",
+                   [this](const QString& path) { writeDemonstration(path); }});
+    all.push_back({tr("Pictures of all views (SVG)…"), tr("Pictures (*.svg)"), "svg",
+                   [this](const QString& path) { writePictures(path); }});
+    return all;
 }
 
 /// One file for each view that is shown, named after it.

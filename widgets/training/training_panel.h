@@ -3,12 +3,12 @@
 
 #include <QTabWidget>
 
-#include "widgets/core/panel/panel.h"
+#include "engine/training/task/training_task.h"
+#include "widgets/core/panel/task_panel.h"
 #include "widgets/training/exercise_pane.h"
 #include "widgets/training/frame_writer.h"
 #include "widgets/training/sound_player.h"
 #include "widgets/training/tour_pane.h"
-#include "widgets/training/training_outcome.h"
 #include "widgets/training/training_views.h"
 #include "widgets/training/transport_bar.h"
 
@@ -17,7 +17,7 @@ namespace lathelier::training_panel {
 /// The panel's line of the panel table.
 PanelFacts trainingPanelFacts();
 
-class TrainingPanel : public Panel<TrainingOutcome> {
+class TrainingPanel : public TaskPanel<training::TrainingOutcome> {
     Q_OBJECT
 
 public:
@@ -32,11 +32,7 @@ public:
     void openFound(const std::vector<FoundFile>& files) override;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const TrainingOutcome>& outcome) override;
-    report::Answer answer(const TrainingOutcome& outcome) const override;
-    Notes notes(const TrainingOutcome& outcome) const override { return outcome.notes; }
-    report::Document document(const TrainingOutcome& outcome) const override;
+    void showResult(const std::shared_ptr<const training::TrainingOutcome>& outcome) override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

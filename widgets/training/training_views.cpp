@@ -86,7 +86,7 @@ std::vector<std::pair<QString, plot::PlotWidget*>> TrainingViews::plots() const
             {"heardTurn", heardTurn_}};
 }
 
-void TrainingViews::setOutcome(const std::shared_ptr<const TrainingOutcome>& outcome)
+void TrainingViews::setOutcome(const std::shared_ptr<const training::TrainingOutcome>& outcome)
 {
     const bool same_chart = outcome_ && outcome_->limits == outcome->limits &&
                             outcome_->question.relation == outcome->question.relation &&
@@ -94,7 +94,7 @@ void TrainingViews::setOutcome(const std::shared_ptr<const TrainingOutcome>& out
     outcome_ = outcome;
     const bool open = !outcome->question.hide_chart;
     for (const char* key : {"lobes", "growth", "frf", "comparison", "why"}) primaryViews_->setAvailable(key, open);
-    if (open) filler_.ask(outcome->scenario.modes, rasterOf(*outcome));
+    if (open) filler_.ask(outcome->scenario.modes, training::rasterOf(*outcome));
     if (same_chart) {
         for (plot::ChartView* chart : {lobes_, comparison_})
             chart->setHandle(stability::operatingPointKey, outcome->point.speed_rpm, outcome->point.depth_mm);
@@ -146,7 +146,7 @@ void TrainingViews::showCut()
     growth_->setData(amplitudePlot(cut));
     waveform_->setData(waveformPlot(cut));
     frf_->setData(responseAt(*outcome_->frf, cut.frequency_hz, screenLanguage()));
-    spectrum_->setData(spectrumPlot(cut, highestShown(*outcome_), screenLanguage()));
+    spectrum_->setData(spectrumPlot(cut, training::highestShown(*outcome_), screenLanguage()));
     spindle_->setCut(outcome_->cut);
     revolution_ = -1;
     setTime(time_s_);

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "engine/training/exercise.h"
+#include "engine/training/task/training_task.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/map_view.h"
 #include "widgets/training/raster_filler.h"
 #include "widgets/training/spindle_view.h"
-#include "widgets/training/training_outcome.h"
 
 namespace lathelier::training_panel {
 
@@ -22,7 +22,7 @@ class TrainingViews : public QWidget {
 public:
     explicit TrainingViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const TrainingOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const training::TrainingOutcome>& outcome);
     void setTime(double time_s);  ///< in the cut: marks it in the waveform, shows its revolution
 
     /// A cut or a blow of an exercise, on a machine that is hidden; null: none is shown.
@@ -49,7 +49,7 @@ private:
     void showListened();
     void showWhy();
 
-    std::shared_ptr<const TrainingOutcome> outcome_;
+    std::shared_ptr<const training::TrainingOutcome> outcome_;
     std::shared_ptr<const stability::SimulationResult> listened_;
     std::optional<training::Decay> blow_;
     double time_s_ = 0;

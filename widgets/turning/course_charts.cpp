@@ -7,7 +7,8 @@
 namespace lathelier::turning_panel {
 namespace {
 
-constexpr std::int64_t usual = (1 << static_cast<int>(Course::Speed)) | (1 << static_cast<int>(Course::Roughness));
+constexpr std::int64_t usual =
+    (1 << static_cast<int>(cam::Course::Speed)) | (1 << static_cast<int>(cam::Course::Roughness));
 constexpr const char* names[] = {"Speed", "CuttingSpeed", "Frequency", "Roughness"};
 constexpr int leastRows = 4;  // of type: title, numbers of the axis, and a curve
 
@@ -39,10 +40,10 @@ CourseCharts::CourseCharts(plot::ChartView* leader, QWidget* parent) : QWidget(p
     arrange();
 }
 
-void CourseCharts::setOutcome(const TurningOutcome& outcome, std::size_t setup)
+void CourseCharts::setOutcome(const cam::TurningOutcome& outcome, std::size_t setup)
 {
     for (std::size_t i = 0; i < count; ++i) {
-        plots_[i] = coursePlot(outcome, setup, static_cast<Course>(i));
+        plots_[i] = coursePlot(outcome, setup, static_cast<cam::Course>(i));
         boxes_[i]->setEnabled(!plots_[i].curves.empty());
     }
     arrange();
@@ -88,14 +89,14 @@ void CourseCharts::setMarker(double z_mm)
 
 void CourseCharts::retranslate()
 {
-    box(Course::Speed)->setText(tr("N"));
-    box(Course::Speed)->setToolTip(tr("Speed of the spindle along the part"));
-    box(Course::CuttingSpeed)->setText(tr("v_c"));
-    box(Course::CuttingSpeed)->setToolTip(tr("Cutting speed along the part"));
-    box(Course::Frequency)->setText(tr("f_m"));
-    box(Course::Frequency)->setToolTip(tr("Frequency of chatter of each section; needs a spindle"));
-    box(Course::Roughness)->setText(tr("Rz"));
-    box(Course::Roughness)->setToolTip(tr("Ideal roughness along the part"));
+    box(cam::Course::Speed)->setText(tr("N"));
+    box(cam::Course::Speed)->setToolTip(tr("Speed of the spindle along the part"));
+    box(cam::Course::CuttingSpeed)->setText(tr("v_c"));
+    box(cam::Course::CuttingSpeed)->setToolTip(tr("Cutting speed along the part"));
+    box(cam::Course::Frequency)->setText(tr("f_m"));
+    box(cam::Course::Frequency)->setToolTip(tr("Frequency of chatter of each section; needs a spindle"));
+    box(cam::Course::Roughness)->setText(tr("Rz"));
+    box(cam::Course::Roughness)->setToolTip(tr("Ideal roughness along the part"));
     for (std::size_t i = 0; i < count; ++i) {
         boxes_[i]->setAccessibleName(boxes_[i]->toolTip());
         charts_[i]->setAccessibleName(boxes_[i]->toolTip());

@@ -6,8 +6,8 @@
 #include <QWidget>
 #include <array>
 
+#include "engine/cam/drawn/plan_charts.h"
 #include "widgets/plot/chart_view.h"
-#include "widgets/turning/turning_charts.h"
 
 namespace lathelier::turning_panel {
 
@@ -20,9 +20,9 @@ public:
     /// They share the x axis of `leader`, which must live as long.
     explicit CourseCharts(plot::ChartView* leader, QWidget* parent = nullptr);
 
-    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
-    plot::ChartView* chart(Course course) const { return charts_[static_cast<std::size_t>(course)]; }
-    QCheckBox* box(Course course) const { return boxes_[static_cast<std::size_t>(course)]; }
+    void setOutcome(const cam::TurningOutcome& outcome, std::size_t setup);
+    plot::ChartView* chart(cam::Course course) const { return charts_[static_cast<std::size_t>(course)]; }
+    QCheckBox* box(cam::Course course) const { return boxes_[static_cast<std::size_t>(course)]; }
 
     std::int64_t shown() const;           ///< a bit for each course that is ticked, the first one the lowest
     void setShown(std::int64_t courses);  ///< the same back; none: the usual ones

@@ -74,13 +74,13 @@ OperationsPane::OperationsPane(QWidget* parent)
     });
 }
 
-void OperationsPane::setOutcome(const TurningOutcome& outcome, std::size_t setup)
+void OperationsPane::setOutcome(const cam::TurningOutcome& outcome, std::size_t setup)
 {
     table_->setOutcome(outcome, setup);
     steps_ = stepsOf(outcome, setup);
     rows_.clear();
     rowSteps_.clear();
-    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
+    for (const cam::ListedOperation& operation : listedOperations(outcome, setup)) {
         rows_.push_back(operation.which);
         rowSteps_.push_back(stepOf(operation.which, outcome.plan->job));
     }

@@ -18,7 +18,7 @@ class OperationsPane : public QWidget {
 public:
     explicit OperationsPane(QWidget* parent = nullptr);
 
-    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
+    void setOutcome(const cam::TurningOutcome& outcome, std::size_t setup);
     OperationsTable* table() const { return table_; }
     QToolButton* up() const { return up_; }
     QToolButton* down() const { return down_; }

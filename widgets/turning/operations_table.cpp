@@ -20,12 +20,12 @@ OperationsTable::OperationsTable(QWidget* parent) : CopyTable(parent)
     });
 }
 
-void OperationsTable::setOutcome(const TurningOutcome& outcome, std::size_t setup)
+void OperationsTable::setOutcome(const cam::TurningOutcome& outcome, std::size_t setup)
 {
     const QSignalBlocker quiet(this);
     setTable(operationTable(outcome, setup));
     lines_.clear();
-    for (const ListedOperation& operation : listedOperations(outcome, setup)) {
+    for (const cam::ListedOperation& operation : listedOperations(outcome, setup)) {
         Line& line = lines_.emplace_back();
         line.which = operation.which;
         line.is_planned = operation.planned.has_value();

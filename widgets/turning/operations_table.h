@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "engine/cam/drawn/plan_charts.h"
 #include "widgets/core/panel/copy_table.h"
-#include "widgets/turning/turning_charts.h"
 
 namespace lathelier::turning_panel {
 
@@ -14,7 +14,7 @@ class OperationsTable : public CopyTable {
 public:
     explicit OperationsTable(QWidget* parent = nullptr);
 
-    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
+    void setOutcome(const cam::TurningOutcome& outcome, std::size_t setup);
 
 signals:
     void switched(const lathelier::cam::SkippedOperation& operation, bool on);

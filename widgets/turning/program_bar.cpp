@@ -33,7 +33,7 @@ ProgramBar::ProgramBar(QWidget* parent)
     connect(use_, &QToolButton::clicked, this, &ProgramBar::useRequested);
 }
 
-void ProgramBar::setOutcome(const TurningOutcome& outcome, std::size_t setup)
+void ProgramBar::setOutcome(const cam::TurningOutcome& outcome, std::size_t setup)
 {
     const ShownProgram& program = outcome.programs[setup];
     const cam::CheckResult& check = outcome.plan->setups[setup].check;

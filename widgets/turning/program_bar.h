@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "widgets/turning/turning_outcome.h"
+#include "engine/cam/drawn/drawn_plan.h"
 
 namespace lathelier::turning_panel {
 
@@ -15,7 +15,7 @@ class ProgramBar : public QWidget {
 public:
     explicit ProgramBar(QWidget* parent = nullptr);
 
-    void setOutcome(const TurningOutcome& outcome, std::size_t setup);
+    void setOutcome(const cam::TurningOutcome& outcome, std::size_t setup);
     QString state() const { return state_->text(); }
     QToolButton* check() const { return check_; }
     QToolButton* takeBack() const { return takeBack_; }

@@ -6,7 +6,7 @@
 
 namespace lathelier::turning_panel {
 
-std::vector<QPolygonF> toolShapes(const ClampingOutcome& clamping, const QPointF& tip, int number)
+std::vector<QPolygonF> toolShapes(const cam::ClampingOutcome& clamping, const QPointF& tip, int number)
 {
     std::vector<QPolygonF> shapes;
     if (!clamping.bare) return shapes;

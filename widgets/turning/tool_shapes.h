@@ -4,12 +4,12 @@
 #include <QPolygonF>
 #include <vector>
 
-#include "widgets/turning/turning_outcome.h"
+#include "engine/cam/drawn/drawn_plan.h"
 
 namespace lathelier::turning_panel {
 
 /// Holder and insert of the tool `number` with its imaginary tip at `tip` (z of the stock, radius). Empty: the job has
 /// no such tool, or the program has errors.
-std::vector<QPolygonF> toolShapes(const ClampingOutcome& clamping, const QPointF& tip, int number);
+std::vector<QPolygonF> toolShapes(const cam::ClampingOutcome& clamping, const QPointF& tip, int number);
 
 }  // namespace lathelier::turning_panel

@@ -20,7 +20,7 @@ struct ExportWords {
 
 }  // namespace
 
-void writePrograms(const TurningOutcome& outcome, const QString& path, QWidget* parent)
+void writePrograms(const cam::TurningOutcome& outcome, const QString& path, QWidget* parent)
 {
     requireWritable(outcome);
     const std::vector<std::string> paths = cam::programPaths(path.toStdString(), outcome.programs.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/cad/part_input.h"
+#include "engine/cam/drawn/plan_charts.h"
 #include "engine/cam/task/job_input.h"
 #include "engine/cam/task/setup_sheet.h"
 #include "engine/core/frf_item.h"
@@ -15,7 +16,6 @@
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 #include "widgets/program_common/program_editor.h"
-#include "widgets/turning/turning_charts.h"
 #include "widgets/turning/turning_exports.h"
 #include "widgets/turning/turning_state.h"
 #include "widgets/turning/turning_views.h"
@@ -58,13 +58,13 @@ PanelFacts turningPanelFacts()
     facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
                       const Progress& progress) {
         task::Sources sources;
-        return reportOf(turningOutcome(state, stores, sources, progress), language);
+        return reportOf(cam::turningOutcome(state, stores, sources, progress), language);
     };
     return facts;
 }
 
 TurningPanel::TurningPanel(Session& owner, QWidget* parent)
-    : TaskPanel(owner, cam::turnTask(), turningOutcome, turningPanelFacts(), panelInputs(), parent),
+    : TaskPanel(owner, cam::turnTask(), cam::turningOutcome, turningPanelFacts(), panelInputs(), parent),
       views_(new TurningViews)
 {
     setViews(views_, views_->primaryViews());
@@ -192,7 +192,7 @@ QString TurningPanel::understood(const InputRole& role, const project::Source& s
         tr("%L1 segments · %2").arg(shaft.segments.size()).arg(screenQuantity(shaft.length_mm(), millimetre, 1)));
 }
 
-void TurningPanel::showResult(const std::shared_ptr<const TurningOutcome>& outcome)
+void TurningPanel::showResult(const std::shared_ptr<const cam::TurningOutcome>& outcome)
 {
     inputColumn().form().setValues(toValues(outcome->plan->stated));  // also those of a file
     bool is_newest = false;
@@ -204,7 +204,7 @@ void TurningPanel::showResult(const std::shared_ptr<const TurningOutcome>& outco
     views_->setOutcome(outcome, is_newest && !views_->editor()->isTyping());
 }
 
-report::Document TurningPanel::document(const TurningOutcome& outcome) const
+report::Document TurningPanel::document(const cam::TurningOutcome& outcome) const
 {
     return reportOf(outcome, screenLanguage());
 }

@@ -1,8 +1,8 @@
 // The panel "Turning program": program that turns a shaft, remaining material and findings of its check.
 #pragma once
 
+#include "engine/cam/drawn/drawn_plan.h"
 #include "widgets/core/panel/task_panel.h"
-#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::turning_panel {
 
@@ -12,7 +12,7 @@ class TurningViews;
 PanelFacts turningPanelFacts();
 
 /// A file fills the form of the job; once a field is edited, the form has precedence until another file is opened.
-class TurningPanel : public TaskPanel<TurningOutcome> {
+class TurningPanel : public TaskPanel<cam::TurningOutcome> {
     Q_OBJECT
 
 public:
@@ -22,8 +22,8 @@ public:
     void setPresenting(bool presenting) override;
 
 protected:
-    void showResult(const std::shared_ptr<const TurningOutcome>& outcome) override;
-    report::Document document(const TurningOutcome& outcome) const override;
+    void showResult(const std::shared_ptr<const cam::TurningOutcome>& outcome) override;
+    report::Document document(const cam::TurningOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;

@@ -159,7 +159,7 @@ void TurningViews::connectParts()
         connect(chart, &plot::PlotWidget::notWritten, this, &TurningViews::notWritten);
 }
 
-void TurningViews::setOutcome(const std::shared_ptr<const TurningOutcome>& outcome, bool takes_text)
+void TurningViews::setOutcome(const std::shared_ptr<const cam::TurningOutcome>& outcome, bool takes_text)
 {
     scrubber_->setPlaying(false);
     outcome_ = outcome;
@@ -168,7 +168,7 @@ void TurningViews::setOutcome(const std::shared_ptr<const TurningOutcome>& outco
     show();
 }
 
-const ClampingOutcome* TurningViews::shownClamping() const
+const cam::ClampingOutcome* TurningViews::shownClamping() const
 {
     return outcome_ ? &outcome_->clampings[clamping_] : nullptr;
 }
@@ -219,7 +219,7 @@ void TurningViews::showText()
 }
 
 /// Draws contour and path where the stock is another one, or `again`.
-void TurningViews::showStock(const StockShown& shown, bool again)
+void TurningViews::showStock(const cam::StockShown& shown, bool again)
 {
     if (!outcome_ || (shown == stock_ && !again)) return;
     stock_ = shown;
@@ -236,7 +236,7 @@ void TurningViews::showStock(const StockShown& shown, bool again)
 /// The tool at a place of the scrubber: its outline, the stock by then, its block in the text.
 void TurningViews::moveTool(int place, bool moves_caret)
 {
-    const ClampingOutcome* clamping = shownClamping();
+    const cam::ClampingOutcome* clamping = shownClamping();
     if (!clamping || clamping->drawn.corners() == 0) return;
     const double way = clamping->length_mm() * place / places;
     const auto& travelled = clamping->travelled_mm;
@@ -253,7 +253,7 @@ void TurningViews::moveTool(int place, bool moves_caret)
     }
     line_ = drawn.lineOf(at);
     if (moves_caret && editor_->line() != line_) editor_->goToLine(line_);
-    StockShown shown;
+    cam::StockShown shown;
     if (place < places) shown = stockAt(*outcome_, clamping_, line_, !drawn.isRapid(at));
     showStock(shown, false);
     pointOutTool(tip, place < places ? drawn.toolOf(at) : 0);
@@ -265,7 +265,7 @@ void TurningViews::moveTool(int place, bool moves_caret)
 
 void TurningViews::goToLine(std::int64_t line)
 {
-    const ClampingOutcome* clamping = shownClamping();
+    const cam::ClampingOutcome* clamping = shownClamping();
     if (!clamping) return;
     const auto pieces = clamping->drawn.piecesOf(line);
     if (pieces.empty()) {
@@ -303,7 +303,7 @@ void TurningViews::showStretch(const Interval& z_mm)
 
 void TurningViews::pick(plot::ChartView* chart, double z_mm, double x_mm)
 {
-    const ClampingOutcome* clamping = shownClamping();
+    const cam::ClampingOutcome* clamping = shownClamping();
     if (!clamping) return;
     const QRectF shown = chart->visibleRange();
     const stock::PathPiece piece = clamping->drawn.nearest({z_mm, x_mm}, shown.width() / std::max(1, chart->width()),

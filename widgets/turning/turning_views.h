@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+#include "engine/cam/drawn/drawn_plan.h"
+#include "engine/cam/drawn/plan_charts.h"
 #include "widgets/core/panel/copy_table.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
@@ -16,8 +18,6 @@
 #include "widgets/turning/operations_pane.h"
 #include "widgets/turning/program_bar.h"
 #include "widgets/turning/tool_scrubber.h"
-#include "widgets/turning/turning_charts.h"
-#include "widgets/turning/turning_outcome.h"
 
 namespace lathelier::program_common {
 class ProgramEditor;
@@ -33,7 +33,7 @@ public:
     ~TurningViews() override;
 
     /// `takes_text`: the editor shows the texts of the outcome; else it keeps pending input.
-    void setOutcome(const std::shared_ptr<const TurningOutcome>& outcome, bool takes_text);
+    void setOutcome(const std::shared_ptr<const cam::TurningOutcome>& outcome, bool takes_text);
 
     PrimaryViews* primaryViews() const { return primaryViews_; }
     plot::ChartView* contour() const { return contour_; }
@@ -53,12 +53,12 @@ public:
     std::size_t clamping() const { return clamping_; }  ///< shown clamping, from 0
     void setClamping(std::size_t clamping);
 
-    void goToLine(std::int64_t line);                   ///< the tool stands at the end of this block
-    std::int64_t line() const { return line_; }         ///< that runs at the scrubber's place; 0: none
-    const StockShown& stock() const { return stock_; }  ///< as the contour has it
-    void showStretch(const Interval& z_mm);             ///< of the part as drawn
-    void showRest(std::size_t rest);                    ///< index: in its clamping, at its block
-    void setPresenting(bool presenting);                ///< without the scrubber
+    void goToLine(std::int64_t line);                        ///< the tool stands at the end of this block
+    std::int64_t line() const { return line_; }              ///< that runs at the scrubber's place; 0: none
+    const cam::StockShown& stock() const { return stock_; }  ///< as the contour has it
+    void showStretch(const Interval& z_mm);                  ///< of the part as drawn
+    void showRest(std::size_t rest);                         ///< index: in its clamping, at its block
+    void setPresenting(bool presenting);                     ///< without the scrubber
     void retranslate();
 
 signals:
@@ -81,17 +81,17 @@ private:
     void showText();
     void showTables();
     void showSections();
-    void showStock(const StockShown& shown, bool again);
+    void showStock(const cam::StockShown& shown, bool again);
     void showWhy(int section);
     void moveTool(int place, bool moves_caret = true);
     void pointOutTool(const QPointF& tip, int number);
     void pick(plot::ChartView* chart, double z_mm, double x_mm);
-    const ClampingOutcome* shownClamping() const;
+    const cam::ClampingOutcome* shownClamping() const;
 
-    std::shared_ptr<const TurningOutcome> outcome_;
+    std::shared_ptr<const cam::TurningOutcome> outcome_;
     std::size_t clamping_ = 0;
     bool takesText_ = true;
-    StockShown stock_;
+    cam::StockShown stock_;
     std::int64_t line_ = 0;
     PrimaryViews* primaryViews_;
     plot::ChartView* contour_;

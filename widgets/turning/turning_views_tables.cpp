@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "engine/cam/check/check_report.h"
+#include "engine/cam/drawn/rest_places.h"
 #include "engine/cam/plan_report.h"
 #include "engine/core/units.h"
 #include "widgets/core/language.h"
-#include "widgets/turning/rest_places.h"
 #include "widgets/turning/turning_views.h"
 
 namespace lathelier::turning_panel {
@@ -85,7 +85,7 @@ void TurningViews::showWhy(int section)
 void TurningViews::showRest(std::size_t rest)
 {
     if (!outcome_ || rest >= outcome_->plan->rest.size()) return;
-    const RestPlace place = placeOf(*outcome_, rest);
+    const cam::RestPlace place = placeOf(*outcome_, rest);
     setClamping(place.clamping);
     if (place.line > 0) goToLine(place.line);
     showStretch({outcome_->plan->rest[rest].z_start_mm, outcome_->plan->rest[rest].z_end_mm});

@@ -94,7 +94,7 @@ std::string nodePair(const MeasuredFrf& measured)
 const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const std::string& choice)
 {
     const std::string word(trimmed(choice));
-    if (word.empty() && !responses.empty()) return responses.front();
+    if (word.empty() && !responses.empty()) return preferredResponse(responses);
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error == std::errc() && end == word.data() + word.size() && number >= 1 && number <= responses.size())

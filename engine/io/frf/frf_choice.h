@@ -9,8 +9,8 @@
 
 namespace lathelier::io {
 
-/// "3" is the third, "12/5" the one of response node 12 and reference node 5, empty the first. Of several with these
-/// nodes the first. Error valueNotUnderstood (parameter "response") lists the available ones.
+/// "3" is the third, "12/5" the one of response node 12 and reference node 5, empty that of preferredResponse(). Of
+/// several with these nodes the first. Error valueNotUnderstood (parameter "response") lists the available ones.
 const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const std::string& choice);
 
 /// The response that a task takes when none is named: the first of a driving point, else the first.

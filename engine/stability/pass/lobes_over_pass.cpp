@@ -80,7 +80,8 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
         asked.uncertainty_frequency_percent = asked.uncertainty_compliance_percent =
             asked.uncertainty_coefficient_percent = 0;
         if (asked.process_damping_N_mm) asked.diameter_mm = station.diameter_mm;
-        const Frf frf = receptance::receptanceOf(now, material, at_tool, {spindle, {}}, part);
+        const Frf frf =
+            receptance::receptanceOf(now, material, at_tool, {spindle, {}}, part, receptance::LinesOf::Refined);
         const LobeLimit limit = limitOf(frf, asked, part);
         if (row == 0) result.speed_rpm = result.worst.speed_rpm = limit.speed_rpm;
         for (std::size_t i = 0; i < columns; ++i) {

@@ -18,7 +18,7 @@ void setGround(report::Plot& plot, const RasterResult* raster)
 report::Plot growthChart(const LobeResult& lobes, const RasterResult* raster, const OperatingPoint& point,
                          const Language& language)
 {
-    report::Plot plot = lobesPlot(lobes, nullptr, point, language);
+    report::Plot plot = lobesPlot(lobes, {nullptr, nullptr, point}, language);
     setGround(plot, raster);
     return plot;
 }
@@ -26,7 +26,7 @@ report::Plot growthChart(const LobeResult& lobes, const RasterResult* raster, co
 report::Plot comparisonChart(const LobeResult& exact, const LobeResult& published, const RasterResult* raster,
                              const OperatingPoint& point, const Language& language)
 {
-    report::Plot plot = lobesPlot(exact, nullptr, point, language);
+    report::Plot plot = lobesPlot(exact, {nullptr, nullptr, point}, language);
     plot.title = LT_TEXT("Engine", "Published relation against the exact one");
     plot.regions.clear();
     plot.marks.clear();

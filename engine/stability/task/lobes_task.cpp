@@ -123,17 +123,16 @@ report::Document reportOf(const LobesOutcome& outcome, const Language& language)
         pass.notes = outcome.notes;
         report::Document document = passReport(pass, outcome.safe, outcome.question.lobes, language);
         report::Document whole =
-            lobesReport(*outcome.lobes, *outcome.response.frf, nullptr, outcome.response.used, language);
+            lobesReport(*outcome.lobes, *outcome.response.frf, {}, outcome.response.used, language);
         document.sections.insert(document.sections.end() - 1, whole.sections.begin() + 1, whole.sections.end() - 1);
         std::get<report::Answer>(document.sections.front().blocks.front()).used = outcome.response.used;
         return document;
     }
     LobeResult lobes = *outcome.lobes;
     lobes.notes = outcome.notes;
-    const std::optional<OperatingPoint> point = outcome.is_judged ? std::optional(outcome.point) : std::nullopt;
-    report::Document document = lobesReport(lobes, *outcome.response.frf,
-                                            outcome.candidates && outcome.is_judged ? &*outcome.candidates : nullptr,
-                                            outcome.response.used, language, point);
+    report::Document document =
+        lobesReport(lobes, *outcome.response.frf, outcome.is_judged ? marksOf(outcome) : LobesMarks{},
+                    outcome.response.used, language);
     report::Answer first = answer(outcome, language);
     first.used = outcome.response.used;
     document.sections.front().blocks.front() = std::move(first);
@@ -224,6 +223,12 @@ LobesOutcome answerLobes(const project::PanelState& state, Stores& stores, task:
     outcome.record(state, sources, found, assumed);
     progress.report(1);
     return outcome;
+}
+
+LobesMarks marksOf(const LobesOutcome& outcome)
+{
+    const bool is_exact = outcome.question.lobes.relation == SpeedRelation::Exact;  // as the safe speed is
+    return {is_exact ? &outcome.safe : nullptr, outcome.candidates ? &*outcome.candidates : nullptr, outcome.point};
 }
 
 report::Answer answer(const LobesOutcome& outcome, const Language& language)

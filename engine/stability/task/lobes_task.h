@@ -51,6 +51,9 @@ struct LobesOutcome : task::Answered {
 LobesOutcome answerLobes(const project::PanelState& state, Stores& stores, task::Sources& sources,
                          const Progress& progress);
 
+/// What the chart of the outcome marks; valid while the outcome is.
+LobesMarks marksOf(const LobesOutcome& outcome);
+
 /// The depth of the pass or of the operating point against its limit; else the depth that is stable at every speed.
 report::Answer answer(const LobesOutcome& outcome, const Language& language = {});
 

@@ -71,7 +71,8 @@ PointResponse computed(const project::PanelState& state, const ResponseQuestion&
         found.basis, progress.part(0.1, 1, LT_TEXT("Engine", "Computing")), [&](const Progress& part) {
             const project::Source* const source = task::sourceOf(state, shaftRole);
             return receptance::namingShaft(source ? source->path : std::string(), *found.shaft, [&] {
-                return receptance::shaftReceptance(*found.shaft, question.computing, found.spindle, part);
+                return receptance::shaftReceptance(*found.shaft, question.computing, found.spindle, part,
+                                                   receptance::LinesOf::Refined);
             });
         });
     append(sources.notes, response->notes);

@@ -5,30 +5,11 @@
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
 #include "engine/io/file.h"
-#include "engine/receptance/modal/modal_fit.h"
 #include "engine/stability/simulation/simulation_files.h"
 #include "engine/stability/simulation/simulation_report.h"
-#include "engine/stability/stability_codes.h"
+#include "engine/stability/task/fitted_modes.h"
 
 namespace lathelier::stability {
-namespace {
-
-/// Fitted to the response; `found` receives the notes of the fit.
-std::vector<Mode> fittedModes(const Frf& frf, Notes& found, const Progress& progress)
-{
-    const receptance::ModalFit fit = receptance::fitModes(frf, {}, progress);
-    found = fit.notes;
-    if (fit.modes.empty()) throw Error(errors::modesNeeded, {});
-    std::vector<Mode> modes;
-    for (const receptance::FittedMode& fitted : fit.modes)
-        modes.push_back({fitted.mode.frequency_hz, fitted.mode.damping_ratio, fitted.mode.stiffness_N_mm});
-    found.push_back({notes::modesFitted,
-                     {{"count", static_cast<std::int64_t>(modes.size())}, {"error_percent", fit.error_rms_percent}}});
-    return modes;
-}
-
-}  // namespace
-
 const std::vector<Field<SimulateQuestion>>& fieldsOf(const SimulateQuestion*)
 {
     using Q = SimulateQuestion;
@@ -51,8 +32,8 @@ SimulateOutcome answerSimulate(const project::PanelState& state, Stores& stores,
     Notes found;
     outcome.modes = outcome.response.modes;
     if (outcome.modes.empty())
-        outcome.modes =
-            fittedModes(*outcome.response.frf, found, progress.part(0.05, 0.1, LT_TEXT("Engine", "Fitting modes")));
+        outcome.modes = fittedModes(*outcome.response.frf, outcome.response.basis, stores, found,
+                                    progress.part(0.05, 0.1, LT_TEXT("Engine", "Fitting modes")));
     outcome.result = std::make_shared<const SimulationResult>(
         simulate(outcome.modes, outcome.question.cut, progress.part(0.1, 1, LT_TEXT("Engine", "Simulating"))));
     found.insert(found.end(), outcome.result->notes.begin(), outcome.result->notes.end());

@@ -103,9 +103,10 @@ report::Document reportOf(const SpeedOutcome& outcome, const Language& language)
     if (outcome.published) {
         SpeedResult published = *outcome.published;
         published.notes = outcome.notes;
-        document = speedReport(published, *outcome.near, *outcome.response.frf, outcome.response.used, language);
+        document = speedReport(published, *outcome.near, *outcome.response.frf, marksOf(outcome), outcome.response.used,
+                               language);
     } else {
-        document = lobesReport(*outcome.near, *outcome.response.frf, nullptr, outcome.response.used, language);
+        document = lobesReport(*outcome.near, *outcome.response.frf, marksOf(outcome), outcome.response.used, language);
         if (!outcome.notes.empty()) document.sections.front().blocks.emplace_back(outcome.notes);
     }
     report::Answer first = answer(outcome, language);
@@ -206,9 +207,25 @@ SpeedOutcome answerSpeed(const project::PanelState& state, Stores& stores, task:
     return outcome;
 }
 
+LobesMarks marksOf(const SpeedOutcome& outcome)
+{
+    LobesMarks marks;
+    if (outcome.safe) {
+        marks.safe = &*outcome.safe;
+        marks.point = OperatingPoint{outcome.safe->best.speed_rpm, outcome.safe->question.depth};
+    }
+    if (outcome.published) marks.rule = &*outcome.published;
+    return marks;
+}
+
 report::Answer answer(const SpeedOutcome& outcome, const Language& language)
 {
-    if (!outcome.safe) return outcome.published ? answer(*outcome.published, language) : report::Answer{};
+    if (!outcome.safe) {
+        report::Answer told = outcome.published ? answer(*outcome.published, language) : report::Answer{};
+        told.findings.push_back(
+            {LT_TEXT("Engine", "Whether it is stable depends on the depth of cut, which is not given"), {}, {}, {}});
+        return told;
+    }
     const SafeSpeed& safe = *outcome.safe;
     report::Answer told;
     told.quantity = LT_TEXT("Engine", "Recommended spindle speed");

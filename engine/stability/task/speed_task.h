@@ -9,8 +9,8 @@
 
 #include "engine/core/material.h"
 #include "engine/stability/lobes.h"
-#include "engine/stability/safe_speed.h"
 #include "engine/stability/speed_choice.h"
+#include "engine/stability/stability_plots.h"
 #include "engine/stability/task/point_response.h"
 
 namespace lathelier::stability {
@@ -44,6 +44,9 @@ struct SpeedOutcome : task::Answered {
 /// findLobes(). Throws Cancelled.
 SpeedOutcome answerSpeed(const project::PanelState& state, Stores& stores, task::Sources& sources,
                          const Progress& progress);
+
+/// What the chart of the outcome marks; valid while the outcome is.
+LobesMarks marksOf(const SpeedOutcome& outcome);
 
 /// By the depth of cut where it is given, else by the rule of the papers.
 report::Answer answer(const SpeedOutcome& outcome, const Language& language = {});

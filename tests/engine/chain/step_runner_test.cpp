@@ -1,4 +1,4 @@
-// The runner of steps with test verbs: steps run, reused steps, result of a dry run.
+// The runner of steps with test tasks: steps run, reused steps, result of a dry run.
 #include "engine/chain/step_runner.h"
 
 #include <gtest/gtest.h>
@@ -15,53 +15,75 @@
 namespace lathelier::chain {
 namespace {
 
-/// Test verbs that copy operands to outputs, and refuse marked operands.
+/// Test tasks and the files of a chain.
 struct Workshop {
     ScratchFolder scratch;
     std::string folder = (scratch / "chain").string();
     std::string scan = (scratch / "scan.txt").string();
     std::vector<std::string> asked;
+    std::map<std::string, task::Task> tasks;
     std::shared_ptr<const Dossier> earlier;
 
     Workshop() { io::writeFile(scan, "1 2 3\n"); }
 
-    AskVerb asker()
+    /// Copies its operands to its outputs; refuses marked operands.
+    task::Outcome run(const task::Task& task, const project::PanelState& state, const task::Wanted& wanted,
+                      task::Sources& sources)
     {
-        return [this](const VerbQuestion& question, const Progress&) {
-            asked.push_back(question.verb);
-            std::string text;
-            VerbReply reply;
-            for (const std::string& operand : question.operands) {
-                const io::FileBytes bytes(operand);
-                text += bytes.view();
-                reply.inputs.push_back(
-                    {operand, static_cast<std::int64_t>(bytes.view().size()), io::sha256(bytes.view())});
-            }
-            if (text.find("stop") != std::string::npos) {
-                for (const auto& [option, path] : question.outputs) io::writeFile(path, "half of it");
-                throw Cancelled{};
-            }
-            Json result = {{"length_mm", static_cast<double>(text.size())}};
-            if (text.find("refuse") != std::string::npos)
-                reply.errors.emplace_back(errors::fileEmpty, Values{{"path", question.operands.front()}});
-            else if (question.outputs.count("--hard") > 0 && text.find("soft") != std::string::npos)
-                reply.errors.emplace_back(errors::chainInputMissing, Values{{"what", std::string("steel")}});
-            else
-                for (const auto& [option, path] : question.outputs) io::writeFile(path, question.verb + ": " + text);
-            reply.notes = {{notes::unitGuessed, {{"unit", "mm"}}}};
-            reply.result = std::make_shared<const Json>(std::move(result));
-            return reply;
-        };
+        asked.push_back(task.key);
+        std::string text;
+        for (const auto& [role, source] : state.inputs) {
+            const io::FileBytes bytes(source.path);
+            text += bytes.view();
+            sources.inputs.push_back(
+                {source.path, static_cast<std::int64_t>(bytes.view().size()), io::sha256(bytes.view())});
+        }
+        task::Outcome outcome;
+        const bool is_soft = wanted.has("hard") && text.find("soft") != std::string::npos;
+        if (text.find("refuse") != std::string::npos)
+            outcome.errors.emplace_back(errors::fileEmpty, Values{{"path", state.inputs.begin()->second.path}});
+        else if (is_soft)
+            outcome.errors.emplace_back(errors::chainInputMissing, Values{{"what", std::string("steel")}});
+        for (const std::string& option : wanted.exports)
+            if (outcome.errors.empty())
+                outcome.writers[option] = [text, key = task.key](const std::string& path, const Language&,
+                                                                 const Progress&) {
+                    if (text.find("stop") != std::string::npos) {
+                        io::writeFile(path, "half of it");
+                        throw Cancelled{};
+                    }
+                    io::writeFile(path, key + ": " + text);
+                };
+        outcome.notes = {{notes::unitGuessed, {{"unit", "mm"}}}};
+        outcome.json = [text] { return Json{{"length_mm", static_cast<double>(text.size())}}; };
+        return outcome;
+    }
+
+    const task::Task* taskNamed(const std::string& key)
+    {
+        task::Task& task = tasks[key];
+        if (task.run) return &task;
+        task.key = key;
+        task.inputs = {{"file", "", "FILE", {}, {}}};
+        FieldInfo wish;
+        wish.key = "wish";
+        wish.kind = FieldInfo::Kind::Word;
+        task.fields = {wish};
+        task.defaults = {{"wish", std::string()}};
+        for (const char* option : {"out", "hard"}) task.exports.push_back({option, {}, {}, {}, {}});
+        task.run = [this, &task](const project::PanelState& state, const task::Wanted& wanted, Stores&,
+                                 task::Sources& sources, const Progress&) { return run(task, state, wanted, sources); };
+        return &task;
     }
 
     /// Two steps in a row and one beside them.
     Dossier run(RunMode mode, const std::string& wish = "as it is")
     {
         asked.clear();
-        StepRunner runner(folder, asker(), mode, earlier);
-        runner.run({"recognise", "read", {scan}, {}, {{"--out", "a.txt"}}}, {});
-        runner.run({"draw", "draw", {runner.path("a.txt")}, {{"wish", wish}}, {{"--out", "b.txt"}}}, {});
-        runner.run({"copy", "look", {scan}, {}, {{"--out", "c.txt"}}}, {});
+        StepRunner runner(folder, mode, earlier);
+        runner.run({"recognise", taskNamed("read"), {scan}, {}, {{"out", "a.txt"}}}, {});
+        runner.run({"draw", taskNamed("draw"), {runner.path("a.txt")}, {{"wish", wish}}, {{"out", "b.txt"}}}, {});
+        runner.run({"copy", taskNamed("look"), {scan}, {}, {{"out", "c.txt"}}}, {});
         Dossier dossier = std::move(runner.dossier());
         if (mode != RunMode::DryRun) {
             io::writeFile(folder + "/" + dossierFile, report::toText(wholeDossier(dossier, {}, {})));
@@ -188,7 +210,7 @@ TEST(StepRunner, FilesBelowTheFolderAreNamedFromThere)
     std::filesystem::create_directories(shop.folder + "/given");
     io::writeFile(given, "job\n");
     StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-    runner.run({"recognise", "read", {given}, {}, {{"--out", "a.txt"}}}, {});
+    runner.run({"recognise", taskNamed("read"), {given}, {}, {{"out", "a.txt"}}}, {});
     EXPECT_EQ(runner.dossier().steps.front().inputs.front().path, "given/job.txt");
     const std::string path = shop.folder + "/" + dossierFile;
     io::writeFile(path, report::toText(wholeDossier(runner.dossier(), {}, {})));
@@ -205,7 +227,7 @@ TEST(StepRunner, TheSameFilesAreTheSameQuestionFromWhereverTheyAreNamed)
     Workshop shop;
     const auto requests = [&shop](const std::string& scan) {
         StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-        runner.run({"recognise", "read", {scan}, {{"job", scan}}, {{"--out", "a.txt"}}}, {});
+        runner.run({"recognise", taskNamed("read"), {scan}, {{"job", scan}}, {{"out", "a.txt"}}}, {});
         runner.make("proof", {"a.txt"},
                     [] {
                         return MadeStep{std::make_shared<const Json>(Json::object()), {}, {}};
@@ -228,8 +250,8 @@ TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)
     Workshop shop;
     io::writeFile(shop.scan, "soft\n");
     StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-    StepRequest step{"recognise", "read", {shop.scan}, {}, {{"--out", "a.txt"}}};
-    step.outputs_if_possible = {{"--hard", "hard.txt"}};
+    StepRequest step{"recognise", "read", {shop.scan}, {}, {{"out", "a.txt"}}};
+    step.outputs_if_possible = {{"hard", "hard.txt"}};
     runner.run(step, {});
     EXPECT_EQ(shop.asked.size(), 2u);
     ASSERT_TRUE(runner.refusal());

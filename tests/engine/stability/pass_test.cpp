@@ -57,7 +57,8 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
         const double z = result.stations[row].z_mm;
         receptance::ReceptanceParameters at = lines;
         at.respond_z_mm = at.excite_z_mm = z;
-        const LobeResult one = findLobes(shaftReceptance(cutShaft(steps(), 0, z, 1), at, spindle).frf, lobes);
+        const Frf frf = shaftReceptance(cutShaft(steps(), 0, z, 1), at, spindle, {}, receptance::LinesOf::Refined).frf;
+        const LobeResult one = findLobes(frf, lobes);
         for (std::size_t i = 0; i < 101; ++i)
             EXPECT_NEAR(result.at(row, i), one.limit.depth_mm[i], 1e-12 * one.limit.depth_mm[i]) << z;
     }

@@ -15,6 +15,7 @@
 #include "engine/receptance/modal/modal_plots.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
+#include "engine/receptance/task/shaft_task.h"
 #include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/primary_views.h"
@@ -62,7 +63,7 @@ class FrfPanelTest : public QObject, PanelFixture<FrfPanel> {
     {
         const io::MeasuredFrf response = measuredResponse(with_coherence);
         io::writeFrfCsv(pathOf("response.csv"), response.frf);
-        take(frfRole, pathOf("response.csv"));
+        take(receptance::responseRole, pathOf("response.csv"));
         settle();
     }
     const receptance::ResponseStudy& study() const { return panel_->result()->study; }
@@ -160,7 +161,7 @@ private slots:
             each.response_direction = each.reference_direction = 1;
         }
         io::writeUff(pathOf("two.uff"), two);
-        take(frfRole, pathOf("two.uff"));
+        take(receptance::responseRole, pathOf("two.uff"));
         settle();
         const double first = std::abs(study().measured->value[5]);
         ask("response", std::string("102/101"));
@@ -197,7 +198,8 @@ private slots:
         QCOMPARE(std::get<Text>(curves[0].name), LT_TEXT("Engine", "computed"));
         QCOMPARE(std::get<Text>(curves[1].name), LT_TEXT("Engine", "measured"));
         // Without a measured response the modes are those of the computed one.
-        session_->edit("Clear", [](project::Project& project) { project.panels["frf"].inputs.erase(frfRole); });
+        session_->edit("Clear",
+                       [](project::Project& project) { project.panels["frf"].inputs.erase(receptance::responseRole); });
         settle();
         QVERIFY(!study().measured);
         QVERIFY(!study().model.modes.empty());
@@ -212,7 +214,7 @@ private slots:
         shaft.segments[0].start_diameter_mm = shaft.segments[0].end_diameter_mm = 40;
         session_->edit("Keep", [&](project::Project& project) {
             project.items["rod"] = {shaftItem, toValues(shaft), {}};
-            project.panels["frf"].inputs[shaftRole].item = "rod";
+            project.panels["frf"].inputs[receptance::shaftRole].item = "rod";
         });
         settle();
         QVERIFY(study().computed && !study().measured);
@@ -228,7 +230,7 @@ private slots:
             frf.value[i] *= -w * w;  // an accelerance, written as a receptance
         }
         io::writeFrfCsv(pathOf("wrong.csv"), frf);
-        take(frfRole, pathOf("wrong.csv"));
+        take(receptance::responseRole, pathOf("wrong.csv"));
         settle();
         QVERIFY(contains(panel_->result()->notes, notes::frfSlopeContradictsLabel));
     }
@@ -236,7 +238,7 @@ private slots:
     void aModeWithoutStiffnessIsRefused()
     {
         openResponse();
-        FrfQuestion question;
+        receptance::ModesQuestion question;
         question.modes = {{223, .03, 0}};
         session_->edit("Set",
                        [&](project::Project& project) { project.panels["frf"].parameters = toValues(question); });

@@ -32,7 +32,7 @@ private slots:
 
     void aScenarioNeedsNoInput()
     {
-        const TrainingOutcome& outcome = *panel_->result();
+        const training::TrainingOutcome& outcome = *panel_->result();
         QCOMPARE(outcome.scenario.key, std::string("slender"));
         QVERIFY(std::abs(*outcome.limits->exact.minimum_depth_mm - 0.309) < 1e-3);
         QVERIFY(outcome.cut->seconds() >= 0.99);
@@ -54,7 +54,7 @@ private slots:
         emit panel_->views().pointMoved(2890, 0.5, false);
         emit panel_->views().pointMoved(2885, 0.6, true);
         settle();
-        const TrainingOutcome& outcome = *panel_->result();
+        const training::TrainingOutcome& outcome = *panel_->result();
         QCOMPARE(session_->undoStack().count(), steps + 1);
         QVERIFY(outcome.limits == limits);  // not computed anew
         QVERIFY(outcome.cut->cut == stability::CutVerdict::Chatter);

@@ -150,20 +150,20 @@ private slots:
     {
         openOne(paper_);
         CourseCharts& courses = *views().courses();
-        QVERIFY(courses.chart(Course::Speed)->isVisible() && courses.chart(Course::Roughness)->isVisible());
-        QVERIFY(!courses.chart(Course::CuttingSpeed)->isVisible());
-        QVERIFY(!courses.box(Course::Frequency)->isEnabled());  // there is no spindle
-        courses.box(Course::CuttingSpeed)->click();
-        QVERIFY(courses.chart(Course::CuttingSpeed)->isVisible());
-        for (const Course course : {Course::Speed, Course::CuttingSpeed, Course::Roughness}) {
+        QVERIFY(courses.chart(cam::Course::Speed)->isVisible() && courses.chart(cam::Course::Roughness)->isVisible());
+        QVERIFY(!courses.chart(cam::Course::CuttingSpeed)->isVisible());
+        QVERIFY(!courses.box(cam::Course::Frequency)->isEnabled());  // there is no spindle
+        courses.box(cam::Course::CuttingSpeed)->click();
+        QVERIFY(courses.chart(cam::Course::CuttingSpeed)->isVisible());
+        for (const cam::Course course : {cam::Course::Speed, cam::Course::CuttingSpeed, cam::Course::Roughness}) {
             const QRectF own = courses.chart(course)->visibleRange(), leader = views().contour()->visibleRange();
             QVERIFY(std::abs(own.left() - leader.left()) < 1e-6 && std::abs(own.width() - leader.width()) < 1e-6);
             QVERIFY(!courses.chart(course)->data().curves.empty());
         }
         // The same left edge, so that a place is below itself.
-        QTRY_VERIFY(std::abs(courses.chart(Course::Speed)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
+        QTRY_VERIFY(std::abs(courses.chart(cam::Course::Speed)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
                     1.5);
-        QVERIFY(std::abs(courses.chart(Course::Roughness)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
+        QVERIFY(std::abs(courses.chart(cam::Course::Roughness)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
                 1.5);
         session_->collectViews();
         QCOMPARE(session_->view("turning", "courses"), Value(std::int64_t{1 | 2 | 8}));
@@ -349,7 +349,7 @@ private slots:
         views().primaryViews()->setPrimary("sections");
         QVERIFY(!plan().sections.empty() && plan().sections[0].receptance);
         QVERIFY(!views().sentence()->isVisibleTo(views().primaryViews()));
-        QVERIFY(views().courses()->box(Course::Frequency)->isEnabled());
+        QVERIFY(views().courses()->box(cam::Course::Frequency)->isEnabled());
         views().sections()->setCurrentCell(0, 0);
         QVERIFY(!views().why()->data().curves.empty() || !views().why()->data().regions.empty());
         project::Item item;

@@ -53,7 +53,7 @@ class TurningOperationsTest : public QObject, PanelFixture<TurningPanel> {
     {
         const auto rows = listedOperations(*panel_->result(), 0);
         const auto row = std::find_if(rows.begin(), rows.end(),
-                                      [&](const ListedOperation& each) { return each.which.kind == kind; });
+                                      [&](const cam::ListedOperation& each) { return each.which.kind == kind; });
         return row == rows.end() ? -1 : static_cast<int>(row - rows.begin());
     }
     /// As somebody types it: another text in the editor, announced.
@@ -117,7 +117,7 @@ private slots:
         set("setups", std::string("1"));
         settle();
         const auto rows = listedOperations(*panel_->result(), 0);
-        const auto is_deep = [](const ListedOperation& each) {
+        const auto is_deep = [](const cam::ListedOperation& each) {
             return each.which.kind == OperationKind::SemiFinish && each.which.tool == 3;
         };
         QVERIFY(std::any_of(rows.begin(), rows.end(), is_deep));

@@ -190,7 +190,7 @@ private slots:
         settle();
         const double left_mm = plan().left_max_mm;
         const auto rows = listedOperations(*panel_->result(), 0);
-        const auto finish = std::find_if(rows.begin(), rows.end(), [](const ListedOperation& operation) {
+        const auto finish = std::find_if(rows.begin(), rows.end(), [](const cam::ListedOperation& operation) {
             return operation.which.kind == cam::OperationKind::Finish;
         });
         QVERIFY(finish != rows.end());

@@ -15,6 +15,10 @@
 #include "engine/project/project.h"
 #include "engine/report/document.h"
 
+namespace lathelier::task {
+struct Task;
+}
+
 namespace lathelier {
 
 class PanelBase;
@@ -54,6 +58,12 @@ struct PanelFacts {
 
     /// The panel's part of a report without any widget or display; blocks. Throws the exceptions of the engine.
     std::function<report::Document(const project::PanelState&, Stores&, const Language&, const Progress&)> report;
+
+    /// The task that it stands over; nullptr: none.
+    const task::Task* task = nullptr;
+
+    /// Values that the panel begins with in place of the task's defaults.
+    Values begins_with = {};
 
     /// Key of the panel's state in the project; empty: the id. Panels with equal keys share one state.
     std::string state = {};

@@ -58,6 +58,8 @@ PanelFacts factsOf(const task::Task& task, const char* id, const char* icon, con
 {
     PanelFacts facts;
     facts.id = id;
+    facts.task = &task;
+    facts.begins_with = begins_with;
     facts.title = task.title;
     facts.icon = icon;
     facts.workspaces = {workspaceOf(task.workspace)};

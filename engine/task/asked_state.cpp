@@ -1,0 +1,95 @@
+#include "engine/task/asked_state.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/core/core_codes.h"
+#include "engine/task/task_codes.h"
+
+namespace lathelier::task {
+namespace {
+
+/// Where inputs stand in each other's place, exactly one of them.
+void requireOne(const Task& task, const project::PanelState& state)
+{
+    if (task.one_of.keys.empty()) return;
+    const std::size_t given = givenOf(task, state).size();
+    if (given == 1 || (given > 1 && task.one_of.together)) return;
+    std::string names;
+    for (const std::string& key : task.one_of.keys) {
+        const Input* const input = task.input(key);
+        if (!names.empty()) names += ", ";
+        names += !input ? optionName(key) : input->option.empty() ? operandOf(*input) : optionName(input->option);
+    }
+    throw Error(given == 0 ? errors::oneNeeded : errors::oneOnly, {{"names", names}});
+}
+
+/// Takes the operands of an input from `next` on; all that are left where it has several.
+void takeOperands(project::PanelState& state, const Input& input, const std::vector<std::string>& operands,
+                  std::size_t& next)
+{
+    for (std::size_t number = 1; next < operands.size() && (number == 1 || input.several); ++number, ++next)
+        if (!operands[next].empty()) state.inputs[project::keyOf(input.role, number)].path = operands[next];
+}
+
+}  // namespace
+
+std::string optionName(const std::string& key)
+{
+    std::string result = "--" + key;
+    std::replace(result.begin(), result.end(), '_', '-');
+    return result;
+}
+
+std::string operandOf(const Input& input)
+{
+    if (!input.operand.empty()) return input.operand;
+    std::string name = input.role;
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
+    return name;
+}
+
+project::PanelState askedState(const Task& task, const std::vector<std::string>& operands, const Values& parameters)
+{
+    project::PanelState state;
+    std::size_t next = 0;
+    for (const Input& input : task.inputs) {
+        if (!input.takes_files) continue;
+        if (input.option.empty()) {
+            takeOperands(state, input, operands, next);
+        } else if (const Value* const given = find(parameters, input.option)) {
+            if (const std::string& path = std::get<std::string>(*given); !path.empty())
+                state.inputs[input.role].path = path;
+        }
+        if (input.required && !sourceOf(state, input.role))
+            throw Error(errors::valueNotUnderstood,
+                        {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
+    }
+    for (const auto& [key, value] : parameters) {
+        const auto is_field = [&key = key](const FieldInfo& field) { return field.key == key; };
+        const auto is_input = [&key = key](const Input& input) { return input.option == key; };
+        if (std::any_of(task.fields.begin(), task.fields.end(), is_field))
+            set(state.parameters, key, value);
+        else if (std::none_of(task.inputs.begin(), task.inputs.end(), is_input))
+            for (auto& [role, source] : state.inputs) set(source.import, key, value);
+    }
+    requireOne(task, state);
+    return state;
+}
+
+void blame(Error& error, const Task& task, const project::PanelState& state)
+{
+    const ErrorKind kind = error.code().kind;
+    if (kind != ErrorKind::InputRejected && kind != ErrorKind::NoAnswer) return;
+    const project::Source* last = nullptr;
+    const Value* const role = find(error.values(), "role");
+    for (const Input& input : task.inputs) {
+        const project::Source* const source = input.option.empty() ? sourceOf(state, input.role) : nullptr;
+        if (!source) continue;
+        last = project::keysOf(state, input.role).size() > 1 ? nullptr : source;
+        if (role && *role == Value(input.role)) break;
+    }
+    if (last) error.with("path", nameOf(*last));
+}
+
+}  // namespace lathelier::task

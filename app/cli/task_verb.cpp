@@ -8,6 +8,7 @@
 #include "app/cli/verb_answer.h"
 #include "engine/core/core_codes.h"
 #include "engine/report/plain_text.h"
+#include "engine/task/needed.h"
 #include "engine/task/task_codes.h"
 
 namespace lathelier::cli {
@@ -37,6 +38,15 @@ FieldInfo fileOption(const task::Input& input)
     info.help = input.help;
     info.required = input.required;
     return info;
+}
+
+Operand operandOf(const task::Task& task, const task::Input& input)
+{
+    Operand operand{operandName(input), input.help.english, input.several, false, !task::isNeeded(task, input)};
+    if (!input.required || !operand.optional) return operand;
+    for (const task::Input& other : task.inputs)
+        if (!other.option.empty() && task::isReplaceable(task, other)) operand.replaced_by.push_back(other.option);
+    return operand;
 }
 
 /// Where inputs stand in each other's place, exactly one of them.
@@ -102,7 +112,7 @@ Verb verbOf(const task::Task& task)
         if (!input.takes_files) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
-            verb.operands.push_back({operandName(input), input.help.english, input.several, false, !input.required});
+            verb.operands.push_back(operandOf(task, input));
         else
             verb.parameters.push_back({fileOption(input), std::string()});
     }
@@ -132,7 +142,7 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
         }
         if (!path.empty())
             state.inputs[input.role].path = path;
-        else if (input.required)
+        else if (task::isNeeded(task, input))
             throw Error(errors::valueNotUnderstood,
                         {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     }

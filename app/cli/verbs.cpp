@@ -17,6 +17,8 @@
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/trajectory/task/roundness_task.h"
+#include "engine/trajectory/task/trajectory_task.h"
 
 namespace lathelier::cli {
 
@@ -25,9 +27,9 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),
                                 compareVerb(),
-                                roundnessVerb(),
+                                verbOf(trajectory::roundnessTask()),
                                 verbOf(form::cylindricityTask()),
-                                trajectoryVerb(),
+                                verbOf(trajectory::trajectoryTask()),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),
                                 verbOf(stability::lobesTask()),

@@ -3,7 +3,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/cli/verb_answer.h"
 #include "app/gui/panels.h"
@@ -12,6 +14,9 @@
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
 #include "engine/gcode/program_input.h"
+#include "engine/sample/sample_record.h"
+#include "engine/trajectory/task/roundness_task.h"
+#include "engine/trajectory/task/trajectory_task.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -48,7 +53,8 @@ class TaskAnswersTest : public QObject {
             const auto source = state.inputs.find(input.role);
             if (source == state.inputs.end()) continue;
             if (input.option.empty())
-                question.operands.push_back(source->second.path);
+                for (const std::string& key : project::keysOf(state, input.role))
+                    question.operands.push_back(state.inputs.at(key).path);
             else
                 set(question.given, input.option, source->second.path);
         }
@@ -68,6 +74,29 @@ class TaskAnswersTest : public QObject {
     }
 
     std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
+
+    /// Sections along a workpiece in one record; the path of its file.
+    std::string makeRecord(const char* name, int sections) const
+    {
+        sample::SpindleModel model = sample::quietSpindle();
+        model.sections = sections;
+        model.revolutions = 6;
+        io::writeFile(path(name), sample::toCsv(sample::makeProbeRecord(model)));
+        return path(name);
+    }
+
+    /// Three lobes and an oval of `oval_um`; the path of its file.
+    std::string makeProfile(const char* name, double oval_um) const
+    {
+        std::string text = "x_mm,y_mm\n";
+        for (int i = 0; i < 360; ++i) {
+            const double angle = i * std::numbers::pi / 180;
+            const double r = 20 + 0.006 * std::cos(3 * angle) + oval_um / 1000 * std::cos(2 * angle);
+            text += std::to_string(r * std::cos(angle)) + "," + std::to_string(r * std::sin(angle)) + "\n";
+        }
+        io::writeFile(path(name), text);
+        return path(name);
+    }
 
 private slots:
     void program()
@@ -115,6 +144,46 @@ private slots:
         QCOMPARE(verb["parameters"]["job"].get<std::string>(), std::string());
         verb["parameters"]["job"] = panel["parameters"]["job"];
         areEqual(panel, verb);
+    }
+
+    void roundnessOfAProfileWithATraceLaidOver()
+    {
+        project::PanelState state;
+        state.inputs[trajectory::profileRole].path = makeProfile("profile.csv", 1);
+        state.parameters = {{"cutoff_upr", 50.0}, {"tolerance_um", 15.0}};
+        areEqual(ofPanel("roundness", trajectory::roundnessTask(), state), ofVerb(trajectory::roundnessTask(), state));
+        state.inputs[trajectory::traceRole].path = makeProfile("trace.csv", 2);
+        const Json panel = ofPanel("roundness", trajectory::roundnessTask(), state);
+        areEqual(panel, ofVerb(trajectory::roundnessTask(), state));
+        QVERIFY(panel["superimposed"]["largest_difference_um"].get<double>() > 0.5);
+    }
+
+    void roundnessOfASectionOfARecord()
+    {
+        project::PanelState state;
+        state.inputs[trajectory::recordRole].path = makeRecord("sections.csv", 3);
+        const Json worst = ofPanel("roundness", trajectory::roundnessTask(), state);
+        areEqual(worst, ofVerb(trajectory::roundnessTask(), state));
+        const int other = worst["profiles"][0]["section"] == 2 ? 3 : 2;
+        state.parameters = {{trajectory::sectionKey, std::int64_t{other}}, {"outliers", std::string("hampel")}};
+        const Json chosen = ofPanel("roundness", trajectory::roundnessTask(), state);
+        areEqual(chosen, ofVerb(trajectory::roundnessTask(), state));
+        QCOMPARE(chosen["profiles"][0]["section"].get<int>(), other);
+    }
+
+    void sectionsAndMotionOfSeveralRecords()
+    {
+        project::PanelState state;
+        state.inputs["record"].path = makeRecord("first.csv", 1);
+        state.inputs["record.2"].path = makeRecord("second.csv", 1);
+        state.parameters = {{"z_mm", std::string("5,10")}};
+        const Json verb = ofVerb(trajectory::trajectoryTask(), state);
+        QCOMPARE(verb["inputs"].size(), std::size_t{2});
+        QCOMPARE(verb["sections"].size(), std::size_t{2});
+        areEqual(ofPanel("longitudinal", trajectory::trajectoryTask(), state), verb);
+        set(state.parameters, trajectory::sectionKey, std::int64_t{2});  // what a window shows changes no number
+        areEqual(ofPanel("longitudinal", trajectory::trajectoryTask(), state), verb);
+        areEqual(ofPanel("trajectory", trajectory::motionTask(), state), verb);
     }
 };
 

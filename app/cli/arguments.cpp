@@ -120,9 +120,21 @@ void checkNames(const Typed& typed)
     check("--report", typed.common.report);
 }
 
+/// An operand may be left out where an option stands in its place.
+void checkOperands(const Verb& verb, const Typed& typed)
+{
+    for (std::size_t i = 0; i < typed.operands.size(); ++i) {
+        const std::vector<std::string>& options = verb.operands[i].replaced_by;
+        if (options.empty() || !typed.operands[i].empty()) continue;
+        if (std::none_of(options.begin(), options.end(), [&](const auto& key) { return typed.values.count(key) > 0; }))
+            throw CLI::RequiredError(verb.operands[i].name);
+    }
+}
+
 Invocation toInvocation(const Verb& verb, const Typed& typed)
 {
     checkNames(typed);
+    checkOperands(verb, typed);
     Invocation result{&verb, {}, typed.common};
     for (std::size_t i = 0; i < typed.operands.size(); ++i)
         for (const std::string& word : typed.operands[i])

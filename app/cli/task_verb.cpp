@@ -5,6 +5,7 @@
 #include "app/cli/verb_answer.h"
 #include "engine/report/plain_text.h"
 #include "engine/task/asked_state.h"
+#include "engine/task/needed.h"
 #include "engine/task/reply.h"
 
 namespace lathelier::cli {
@@ -26,6 +27,15 @@ FieldInfo fileOption(const task::Input& input)
     info.help = input.help;
     info.required = input.required;
     return info;
+}
+
+Operand operandOf(const task::Task& task, const task::Input& input)
+{
+    Operand operand{task::operandOf(input), input.help.english, input.several, false, !task::isNeeded(task, input)};
+    if (!input.required || !operand.optional) return operand;
+    for (const task::Input& other : task.inputs)
+        if (!other.option.empty() && task::isReplaceable(task, other)) operand.replaced_by.push_back(other.option);
+    return operand;
 }
 
 void runTask(const task::Task& task, const Request& request, const Progress& progress, Answer& answer)
@@ -59,8 +69,7 @@ Verb verbOf(const task::Task& task)
         if (!input.takes_files) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
-            verb.operands.push_back(
-                {task::operandOf(input), input.help.english, input.several, false, !input.required});
+            verb.operands.push_back(operandOf(task, input));
         else
             verb.parameters.push_back({fileOption(input), std::string()});
     }

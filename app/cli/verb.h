@@ -24,8 +24,9 @@ struct Operand {
     std::string name;  ///< as help shows it, "REFERENCE"
     std::string help;
     bool repeated = false;
-    bool is_output = false;  ///< a place to write to, no input
-    bool optional = false;   ///< may be left out; it is the last one then
+    bool is_output = false;                     ///< a place to write to, no input
+    bool optional = false;                      ///< may be left out; it is the last one then
+    std::vector<std::string> replaced_by = {};  ///< keys of options of which one is needed where it is left out
 };
 
 /// An option made from a described field: key `tolerance_mm` becomes `--tolerance-mm`.

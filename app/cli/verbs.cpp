@@ -19,6 +19,8 @@
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/trajectory/task/roundness_task.h"
+#include "engine/trajectory/task/trajectory_task.h"
 #include "engine/verify/verify_task.h"
 
 namespace lathelier::cli {
@@ -28,9 +30,9 @@ const std::vector<Verb>& verbs()
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),
                                 compareVerb(),
-                                roundnessVerb(),
+                                verbOf(trajectory::roundnessTask()),
                                 verbOf(form::cylindricityTask()),
-                                trajectoryVerb(),
+                                verbOf(trajectory::trajectoryTask()),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),
                                 verbOf(receptance::modesTask()),

@@ -65,6 +65,7 @@ std::string tableText(const Table& table, const Language& language)
 std::string toPlainText(const Section& section, const Language& language)
 {
     std::string result;
+    bool is_below_heading = true;
     for (const Block& block : section.blocks) {
         std::string piece;
         if (const auto* answer = std::get_if<Answer>(&block))
@@ -75,7 +76,10 @@ std::string toPlainText(const Section& section, const Language& language)
             piece = tableText(*quantities, language);
         else if (const auto* table = std::get_if<Table>(&block))
             piece = tableText(*table, language);
-        if (!piece.empty()) result += (result.empty() ? "" : "\n") + piece;
+        if (piece.empty()) continue;
+        result += (is_below_heading ? "" : "\n") + piece;
+        const auto* const heading = std::get_if<QuantityTable>(&block);  // a title without rows heads what follows
+        is_below_heading = heading && heading->rows.empty();
     }
     return result;
 }

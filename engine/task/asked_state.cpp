@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "engine/core/core_codes.h"
+#include "engine/task/needed.h"
 #include "engine/task/task_codes.h"
 
 namespace lathelier::task {
@@ -61,7 +62,7 @@ project::PanelState askedState(const Task& task, const std::vector<std::string>&
             if (const std::string& path = std::get<std::string>(*given); !path.empty())
                 state.inputs[input.role].path = path;
         }
-        if (input.required && !sourceOf(state, input.role))
+        if (isNeeded(task, input) && !sourceOf(state, input.role))
             throw Error(errors::valueNotUnderstood,
                         {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     }

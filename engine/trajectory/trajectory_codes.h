@@ -140,6 +140,10 @@ inline constexpr NoteCode averagesOnly{
     "averages_only", Severity::Info,
     LT_TEXT("Engine", "{path}: averages over revolutions; asynchronous motion and single revolutions are not known.")};
 
+inline constexpr NoteCode sectionNotThere{
+    "section_not_there", Severity::Warning,
+    LT_TEXT("Engine", "The record has no section {section}: section {used}, which deviates most, is judged.")};
+
 }  // namespace notes
 
 }  // namespace lathelier

@@ -3,7 +3,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/gui/panels.h"
 #include "engine/cam/job_file.h"
@@ -12,7 +14,10 @@
 #include "engine/io/file.h"
 #include "engine/project/project_file.h"
 #include "engine/sample/sample_files.h"
+#include "engine/sample/sample_record.h"
 #include "engine/task/reply.h"
+#include "engine/trajectory/task/roundness_task.h"
+#include "engine/trajectory/task/trajectory_task.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -48,8 +53,8 @@ class TaskAnswersTest : public QObject {
         return state;
     }
 
-    static task::Reply ofVerb(const task::Task& task, const project::PanelState& state, const Values& begins_with = {},
-                              std::map<std::string, std::string> exports = {})
+    static Json ofVerb(const task::Task& task, const project::PanelState& state, const Values& begins_with = {},
+                       std::map<std::string, std::string> exports = {})
     {
         task::Request request;
         request.parameters = begins_with;
@@ -64,7 +69,7 @@ class TaskAnswersTest : public QObject {
                 else
                     set(request.parameters, input.option, source.path);
             }
-        return task::reply(task, request, {});
+        return task::resultOf(task, task::reply(task, request, {}));
     }
 
     static void areEqual(const Json& panel, const Json& verb)
@@ -79,6 +84,29 @@ class TaskAnswersTest : public QObject {
     }
 
     std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
+
+    /// Sections along a workpiece in one record; the path of its file.
+    std::string makeRecord(const char* name, int sections) const
+    {
+        sample::SpindleModel model = sample::quietSpindle();
+        model.sections = sections;
+        model.revolutions = 6;
+        io::writeFile(path(name), sample::toCsv(sample::makeProbeRecord(model)));
+        return path(name);
+    }
+
+    /// Three lobes and an oval of `oval_um`; the path of its file.
+    std::string makeProfile(const char* name, double oval_um) const
+    {
+        std::string text = "x_mm,y_mm\n";
+        for (int i = 0; i < 360; ++i) {
+            const double angle = i * std::numbers::pi / 180;
+            const double r = 20 + 0.006 * std::cos(3 * angle) + oval_um / 1000 * std::cos(2 * angle);
+            text += std::to_string(r * std::cos(angle)) + "," + std::to_string(r * std::sin(angle)) + "\n";
+        }
+        io::writeFile(path(name), text);
+        return path(name);
+    }
 
 private slots:
     void initTestCase()
@@ -106,7 +134,7 @@ private slots:
         const PanelFacts& facts = factsOf(id.toStdString());
         const task::Task& task = *facts.task;
         const project::PanelState state = stateOf(facts);
-        areEqual(ofPanel(facts, state), task::resultOf(task, ofVerb(task, state, facts.begins_with)));
+        areEqual(ofPanel(facts, state), ofVerb(task, state, facts.begins_with));
     }
 
     void deflectionWithASpindleAndAnInsertOfTheLibrary()
@@ -119,12 +147,12 @@ private slots:
         state.parameters = {{"tolerance_um", 30.0}, {"changed_insert", std::string("dnmg_150608")}, {"band", true}};
         const task::Task& task = deflection::deflectionTask();
         const Json panel = ofPanel(factsOf("deflection"), state);
-        areEqual(panel, task::resultOf(task, ofVerb(task, state)));
+        areEqual(panel, ofVerb(task, state));
         QCOMPARE(panel["parameters"]["spindle"].get<std::string>(), path("stiff.json"));
         state.inputs.erase(deflection::spindleRole);
-        QVERIFY(task::resultOf(task, ofVerb(task, state))["max_um"] != panel["max_um"]);  // the chuck is that spindle
+        QVERIFY(ofVerb(task, state)["max_um"] != panel["max_um"]);  // the chuck is that spindle
         areEqual(ofPanel(factsOf("correction"), state),
-                 task::resultOf(task, ofVerb(task, state, {}, {{"compensate", path("corrected.nc")}})));
+                 ofVerb(task, state, {}, {{"compensate", path("corrected.nc")}}));
     }
 
     /// Of the command line the operand may be the job.
@@ -137,10 +165,50 @@ private slots:
         project::PanelState of_verb = state;
         of_verb.inputs[cam::partRole] = of_verb.inputs[cam::jobRole];
         of_verb.inputs.erase(cam::jobRole);
-        Json verb = task::resultOf(cam::turnTask(), ofVerb(cam::turnTask(), of_verb));
+        Json verb = ofVerb(cam::turnTask(), of_verb);
         QCOMPARE(verb["parameters"]["job"].get<std::string>(), std::string());
         verb["parameters"]["job"] = panel["parameters"]["job"];
         areEqual(panel, verb);
+    }
+
+    void roundnessOfAProfileWithATraceLaidOver()
+    {
+        project::PanelState state;
+        state.inputs[trajectory::profileRole].path = makeProfile("profile.csv", 1);
+        state.parameters = {{"cutoff_upr", 50.0}, {"tolerance_um", 15.0}};
+        areEqual(ofPanel(factsOf("roundness"), state), ofVerb(trajectory::roundnessTask(), state));
+        state.inputs[trajectory::traceRole].path = makeProfile("trace.csv", 2);
+        const Json panel = ofPanel(factsOf("roundness"), state);
+        areEqual(panel, ofVerb(trajectory::roundnessTask(), state));
+        QVERIFY(panel["superimposed"]["largest_difference_um"].get<double>() > 0.5);
+    }
+
+    void roundnessOfASectionOfARecord()
+    {
+        project::PanelState state;
+        state.inputs[trajectory::recordRole].path = makeRecord("sections.csv", 3);
+        const Json worst = ofPanel(factsOf("roundness"), state);
+        areEqual(worst, ofVerb(trajectory::roundnessTask(), state));
+        const int other = worst["profiles"][0]["section"] == 2 ? 3 : 2;
+        state.parameters = {{trajectory::sectionKey, std::int64_t{other}}, {"outliers", std::string("hampel")}};
+        const Json chosen = ofPanel(factsOf("roundness"), state);
+        areEqual(chosen, ofVerb(trajectory::roundnessTask(), state));
+        QCOMPARE(chosen["profiles"][0]["section"].get<int>(), other);
+    }
+
+    void sectionsAndMotionOfSeveralRecords()
+    {
+        project::PanelState state;
+        state.inputs["record"].path = makeRecord("first.csv", 1);
+        state.inputs["record.2"].path = makeRecord("second.csv", 1);
+        state.parameters = {{"z_mm", std::string("5,10")}};
+        const Json verb = ofVerb(trajectory::trajectoryTask(), state);
+        QCOMPARE(verb["inputs"].size(), std::size_t{2});
+        QCOMPARE(verb["sections"].size(), std::size_t{2});
+        areEqual(ofPanel(factsOf("longitudinal"), state), verb);
+        set(state.parameters, trajectory::sectionKey, std::int64_t{2});  // what a window shows changes no number
+        areEqual(ofPanel(factsOf("longitudinal"), state), verb);
+        areEqual(ofPanel(factsOf("trajectory"), state), verb);
     }
 };
 

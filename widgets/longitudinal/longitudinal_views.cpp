@@ -109,13 +109,13 @@ void LongitudinalViews::buildBar()
     row->setTrailing(synthetic_);
 }
 
-void LongitudinalViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
+void LongitudinalViews::setOutcome(const std::shared_ptr<const trajectory::TrajectoryOutcome>& outcome,
                                    bool sectionChosen)
 {
     const bool news = !outcome_ || outcome_->trajectory != outcome->trajectory;
     outcome_ = outcome;
-    section_->setOutcome(*outcome, sectionChosen);
-    synthetic_->setVisible(outcome->synthetic);
+    section_->setSections(outcome->trajectory, outcome->section, sectionChosen);
+    synthetic_->setVisible(outcome->sources.synthetic);
     if (news) {
         table_->setResult(*outcome->trajectory);
         const auto& along = outcome->trajectory->longitudinal;

@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "engine/report/document.h"
+#include "engine/trajectory/task/trajectory_task.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/longitudinal/longitudinal_charts.h"
 #include "widgets/plot/chart_view.h"
@@ -26,7 +27,7 @@ class LongitudinalViews : public QWidget {
 public:
     explicit LongitudinalViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen);
+    void setOutcome(const std::shared_ptr<const trajectory::TrajectoryOutcome>& outcome, bool sectionChosen);
     const StackedSections& stack() const { return stack_; }
 
     /// The 3-D view for the report; empty without OpenGL.
@@ -51,7 +52,7 @@ private:
     void choose(std::size_t vertex);
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
+    std::shared_ptr<const trajectory::TrajectoryOutcome> outcome_;
     StackedSections stack_;
     std::shared_ptr<const trajectory::TrajectoryResult> stacked_;
     std::optional<double> limit_um_;

@@ -1,55 +1,46 @@
 #include "widgets/roundness/roundness_panel.h"
 
-#include "engine/form/roundness/roundness_dfq.h"
-#include "engine/form/roundness/roundness_report.h"
-#include "engine/form/roundness/superimpose_report.h"
 #include "engine/io/file.h"
 #include "widgets/core/language.h"
-#include "widgets/roundness/roundness_charts.h"
+#include "widgets/core/session.h"
 #include "widgets/roundness/roundness_views.h"
-#include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier::roundness_panel {
 namespace {
 
-PanelInputs panelInputs()
+const std::vector<std::string> roles{trajectory::recordRole, trajectory::profileRole, trajectory::traceRole};
+
+/// The panel judges one profile.
+std::vector<InputRole> roundnessRoles()
 {
-    return trajectory_common::spindleInputs(
-        {&trajectory_common::recordRole(), &trajectory_common::profileRole(), &trajectory_common::traceRole()},
-        {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm"},
-        {"band_upr", "exclude_deg", "outliers", "decision", "probe_uncertainty_um"},
-        LT_TEXT("Engine", "Drop a measured profile or a probe record here."));
+    std::vector<InputRole> all = rolesOf(trajectory::roundnessTask(), roles);
+    all[0].hint = LT_TEXT("Engine", "One record of all sections, or one for each: CSV or L-Graph");
+    all[1].hint = LT_TEXT("Engine", "x and y, or angle and radius, of one section; goes before the record");
+    all[1].several = false;
+    return all;
 }
 
-report::Document reportOf(const trajectory_common::SpindleOutcome& outcome, const Language& language)
+PanelInputs panelInputs()
 {
-    report::Document document = form::roundnessReport({*outcome.roundness()}, outcome.inputs, language);
-    trajectory_common::addSectionSentence(outcome, document);
-    if (outcome.superimposed) document.sections.push_back(superimposeSection(*outcome.superimposed));
-    document.synthetic = document.synthetic || outcome.synthetic;
-    document.results = {trajectory_common::roundnessJson(outcome)};
-    return document;
+    return trajectory_common::spindleInputs(trajectory::roundnessTask(), roundnessRoles(),
+                                            {"circle", "cutoff_upr", "tolerance_um", "workpiece_diameter_mm"},
+                                            {"band_upr", "exclude_deg", "outliers", "decision", "probe_uncertainty_um"},
+                                            LT_TEXT("Engine", "Drop a measured profile or a probe record here."));
 }
 
 }  // namespace
 
 PanelFacts roundnessPanelFacts()
 {
-    PanelFacts facts = trajectory_common::spindleFacts("roundness", LT_TEXT("Engine", "Roundness"), "roundness",
-                                                       trajectory_common::SpindleStudyKind::Roundness);
+    PanelFacts facts =
+        trajectory_common::spindleFacts(factsOf(trajectory::roundnessTask(), "roundness", "roundness", roles, {}));
+    facts.roles = roundnessRoles();
     facts.make = [](Session& session) -> PanelBase* { return new RoundnessPanel(session); };
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) {
-        return reportOf(
-            trajectory_common::outcomeOrThrow(state, trajectory_common::SpindleStudyKind::Roundness, stores, progress),
-            language);
-    };
     return facts;
 }
 
 RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
-    : trajectory_common::SpindlePanel(owner, roundnessPanelFacts(), panelInputs(),
-                                      trajectory_common::SpindleStudyKind::Roundness, parent),
+    : SpindlePanel(owner, trajectory::roundnessTask(), showRoundness, roundnessPanelFacts(), panelInputs(), parent),
       views_(new RoundnessViews(markedAngle()))
 {
     setViews(views_, views_->primaryViews());
@@ -57,7 +48,7 @@ RoundnessPanel::RoundnessPanel(Session& owner, QWidget* parent)
     connect(views_, &RoundnessViews::notWritten, this, &RoundnessPanel::reportWriteFailure);
 }
 
-void RoundnessPanel::showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome)
+void RoundnessPanel::showResult(const std::shared_ptr<const RoundnessShown>& outcome)
 {
     views_->setOutcome(outcome, isSectionChosen());
 }
@@ -67,37 +58,27 @@ void RoundnessPanel::showPlace(const report::Place& place)
     if (place.upr) views_->markHarmonic(place.upr);
 }
 
-report::Answer RoundnessPanel::answer(const trajectory_common::SpindleOutcome& outcome) const
+report::Answer RoundnessPanel::answer(const RoundnessShown& outcome) const
 {
-    report::Answer answer = form::answer(*outcome.roundness(), screenLanguage());
-    if (const trajectory::TrajectorySection* section = outcome.profile ? nullptr : outcome.chosenSection()) {
-        answer.used = outcome.trajectory->used;
+    report::Answer answer = SpindlePanel::answer(outcome);
+    if (const trajectory::TrajectorySection* const section = outcome.chosenSection())
         answer.subject = tr("section %1 of %2")
                              .arg(section->section)
                              .arg(outcome.trajectory->sections.size())
                              .replace(' ', QChar::Nbsp)  // no break within the term
                              .toStdString();
-    }
     return answer;
-}
-
-report::Document RoundnessPanel::document(const trajectory_common::SpindleOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> RoundnessPanel::exports() const
 {
-    const auto outcome = result();
-    if (!outcome) return {};
-    return {
-        {tr("Profile and circles as drawn (CSV)…"), tr("Table (*.csv)"), "csv",
-         [outcome](const QString& path) {
-             io::writeFile(path.toStdString(), plot::toCsv(outcome->polar->plot).toStdString());
-         }},
-        {tr("For statistical process control (Q-DAS)…"), tr("Q-DAS (*.dfq)"), "dfq", [outcome](const QString& path) {
-             io::writeDfq(path.toStdString(), form::qdasFile({*outcome->roundness()}));
-         }}};
+    std::vector<PanelExport> all = SpindlePanel::exports();
+    if (const auto outcome = result())
+        all.insert(all.begin(), {tr("Profile and circles as drawn (CSV)…"), tr("Table (*.csv)"), "csv",
+                                 [outcome](const QString& path) {
+                                     io::writeFile(path.toStdString(), plot::toCsv(outcome->polar->plot).toStdString());
+                                 }});
+    return all;
 }
 
 Values RoundnessPanel::view() const

@@ -1,6 +1,7 @@
 // The panel "Roundness": roundness of a section by circle and filter, with uncertainty.
 #pragma once
 
+#include "widgets/roundness/roundness_shown.h"
 #include "widgets/trajectory_common/spindle_panel.h"
 
 namespace lathelier::roundness_panel {
@@ -10,7 +11,7 @@ class RoundnessViews;
 /// The panel's line of the panel table.
 PanelFacts roundnessPanelFacts();
 
-class RoundnessPanel : public trajectory_common::SpindlePanel {
+class RoundnessPanel : public trajectory_common::SpindlePanel<RoundnessShown> {
     Q_OBJECT
 
 public:
@@ -19,10 +20,9 @@ public:
     RoundnessViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome) override;
+    void showResult(const std::shared_ptr<const RoundnessShown>& outcome) override;
     void showPlace(const report::Place& place) override;
-    report::Answer answer(const trajectory_common::SpindleOutcome& outcome) const override;
-    report::Document document(const trajectory_common::SpindleOutcome& outcome) const override;
+    report::Answer answer(const RoundnessShown& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;

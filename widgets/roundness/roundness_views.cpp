@@ -67,7 +67,7 @@ RoundnessViews::RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* p
     });
     connect(circles_, &QTableWidget::itemSelectionChanged, this, &RoundnessViews::askCircle);
     connect(hints_, &QTableWidget::cellClicked, this, [this](int row, int) {
-        const auto& hints = outcome_->roundness()->hints;
+        const auto& hints = outcome_->judged().hints;
         if (row < static_cast<int>(hints.size())) markHarmonic(hints[static_cast<std::size_t>(row)].upr);
     });
     for (plot::PlotWidget* plot : {static_cast<plot::PlotWidget*>(polar_), static_cast<plot::PlotWidget*>(spectrum_)})
@@ -100,12 +100,12 @@ void RoundnessViews::buildBar()
     connect(group, &QButtonGroup::idToggled, this, [this] { showPolar(); });
 }
 
-void RoundnessViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
-                                bool sectionChosen)
+void RoundnessViews::setOutcome(const std::shared_ptr<const RoundnessShown>& outcome, bool sectionChosen)
 {
-    const bool newTrace = outcome->trace && (!outcome_ || outcome_->trace != outcome->trace);
+    const bool newTrace =
+        outcome->trace() && (!outcome_ || !outcome_->trace() || *outcome_->trace() != *outcome->trace());
     outcome_ = outcome;
-    section_->setOutcome(*outcome, sectionChosen);
+    section_->setSections(outcome->trajectory, outcome->section, sectionChosen);
     const bool laid = outcome->superimposed != nullptr;
     form_->setVisible(laid);
     laid_->setVisible(laid);
@@ -116,8 +116,8 @@ void RoundnessViews::setOutcome(const std::shared_ptr<const trajectory_common::S
         difference_->setText(tr("largest difference %1, mean %2")
                                  .arg(screenQuantity(outcome->superimposed->largest_difference_um, micrometre, 2),
                                       screenQuantity(outcome->superimposed->mean_difference_um, micrometre, 2)));
-    synthetic_->setVisible(outcome->synthetic);
-    spectrum_->setData(spectrumPlot(*outcome->roundness(), screenLanguage()));
+    synthetic_->setVisible(outcome->sources.synthetic);
+    spectrum_->setData(spectrumPlot(outcome->judged(), screenLanguage()));
     showPolar();
     showTables();
 }
@@ -127,7 +127,7 @@ void RoundnessViews::showPolar()
     if (!outcome_) return;
     plot::PolarPicturePtr shown = laid_->isChecked() && outcome_->laid ? outcome_->laid : outcome_->polar;
     if (harmonic_ && shown == outcome_->polar) {
-        const std::vector<signal::Harmonic>& all = outcome_->roundness()->harmonics;
+        const std::vector<signal::Harmonic>& all = outcome_->judged().harmonics;
         const auto wanted =
             std::find_if(all.begin(), all.end(), [&](const signal::Harmonic& h) { return h.upr == *harmonic_; });
         if (wanted != all.end()) shown = withHarmonic(shown, *wanted);
@@ -138,7 +138,7 @@ void RoundnessViews::showPolar()
 
 void RoundnessViews::showTables()
 {
-    const form::RoundnessResult& result = *outcome_->roundness();
+    const form::RoundnessResult& result = outcome_->judged();
     circles_->setTable(circlesTable(result));
     const std::string_view chosen = name(result.parameters.circle);
     for (int row = 0; row < circles_->rowCount(); ++row)
@@ -147,7 +147,7 @@ void RoundnessViews::showTables()
             circle.setText(circle.text() + " ◀");
     methods_->setTable(methodTable(result, screenLanguage()));
     hints_->setTable(hintTable(result));
-    report::Document document = form::roundnessReport({result}, outcome_->inputs, screenLanguage());
+    report::Document document = form::roundnessReport({result}, outcome_->sources.inputs, screenLanguage());
     if (outcome_->superimposed)
         document.sections.insert(document.sections.begin(), superimposeSection(*outcome_->superimposed));
     numbers_->setQuantities(document);
@@ -159,7 +159,7 @@ void RoundnessViews::markHarmonic(std::optional<int> upr)
     spectrum_->setMarker(upr ? std::optional<double>(*upr) : std::nullopt);
     hints_->clearSelection();
     if (outcome_ && upr) {
-        const auto& hints = outcome_->roundness()->hints;
+        const auto& hints = outcome_->judged().hints;
         for (std::size_t row = 0; row < hints.size(); ++row)
             if (hints[row].upr == *upr) hints_->selectRow(static_cast<int>(row));
     }

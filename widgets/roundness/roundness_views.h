@@ -11,6 +11,7 @@
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
+#include "widgets/roundness/roundness_shown.h"
 #include "widgets/trajectory_common/section_bar.h"
 
 namespace lathelier::roundness_panel {
@@ -21,7 +22,7 @@ class RoundnessViews : public QWidget {
 public:
     explicit RoundnessViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen);
+    void setOutcome(const std::shared_ptr<const RoundnessShown>& outcome, bool sectionChosen);
 
     /// Draws this harmonic in the polar plot; none: removes it.
     void markHarmonic(std::optional<int> upr);
@@ -47,7 +48,7 @@ private:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
+    std::shared_ptr<const RoundnessShown> outcome_;
     int pointedRow_ = -1;  ///< hovered row of the table of circles; -1: none
     std::optional<int> harmonic_;
     std::optional<int> harmonicBefore_;  ///< harmonic before the last click

@@ -1,6 +1,7 @@
 // The panel "Trajectory": recorded signals, motions of axis and tool, error motion of the spindle.
 #pragma once
 
+#include "engine/trajectory/task/trajectory_task.h"
 #include "widgets/trajectory_common/spindle_panel.h"
 
 namespace lathelier::trajectory_panel {
@@ -10,7 +11,7 @@ class TrajectoryViews;
 /// The panel's line of the panel table.
 PanelFacts trajectoryPanelFacts();
 
-class TrajectoryPanel : public trajectory_common::SpindlePanel {
+class TrajectoryPanel : public trajectory_common::SpindlePanel<trajectory::MotionOutcome> {
     Q_OBJECT
 
 public:
@@ -19,15 +20,15 @@ public:
     TrajectoryViews& views() const { return *views_; }
 
 protected:
-    void showResult(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome) override;
-    report::Answer answer(const trajectory_common::SpindleOutcome& outcome) const override;
-    report::Document document(const trajectory_common::SpindleOutcome& outcome) const override;
-    std::vector<PanelExport> exports() const override;
+    void showResult(const std::shared_ptr<const trajectory::MotionOutcome>& outcome) override;
+    std::optional<Error> problem(const trajectory::MotionOutcome& outcome) const override { return outcome.problem; }
     Values view() const override;
     void restoreView(const Values& kept) override;
     void retranslate() override;
 
 private:
+    void setParameter(const std::string& key, const Value& value, const QString& step);
+
     TrajectoryViews* views_;
 };
 

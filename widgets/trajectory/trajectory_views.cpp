@@ -134,15 +134,15 @@ QWidget* TrajectoryViews::makeRecord()
     return page;
 }
 
-void TrajectoryViews::setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome,
-                                 bool sectionChosen, const trajectory::TrajectoryParameters& parameters)
+void TrajectoryViews::setOutcome(const std::shared_ptr<const trajectory::MotionOutcome>& outcome, bool sectionChosen,
+                                 const trajectory::TrajectoryParameters& parameters)
 {
     const bool problem = outcome->problem.has_value();
     const bool news = !outcome_ || outcome_->problem.has_value() != problem;
     outcome_ = outcome;
     parameters_ = parameters;
-    section_->setOutcome(*outcome, sectionChosen);
-    synthetic_->setVisible(outcome->synthetic);
+    section_->setSections(outcome->trajectory, outcome->section, sectionChosen);
+    synthetic_->setVisible(outcome->sources.synthetic);
     all_->setVisible(outcome->trajectory && outcome->trajectory->sections.size() > 1);
     const QSignalBlocker quiet(primaryViews_);  // what nobody chose is not kept with the project
     const QString before = primaryViews_->primary();

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QWidget>
 
+#include "engine/trajectory/task/trajectory_task.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/plot/polar_view.h"
@@ -27,7 +28,7 @@ public:
     explicit TrajectoryViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
     /// `parameters`: those in force.
-    void setOutcome(const std::shared_ptr<const trajectory_common::SpindleOutcome>& outcome, bool sectionChosen,
+    void setOutcome(const std::shared_ptr<const trajectory::MotionOutcome>& outcome, bool sectionChosen,
                     const trajectory::TrajectoryParameters& parameters);
     Values view() const;                   ///< section mode, probe, camera: to be kept with the project
     void restoreView(const Values& kept);  ///< as view() gave it; what is missing goes back to its default
@@ -53,7 +54,7 @@ private:
     void markInSpace();
 
     trajectory_common::MarkedAngle& angle_;
-    std::shared_ptr<const trajectory_common::SpindleOutcome> outcome_;
+    std::shared_ptr<const trajectory::MotionOutcome> outcome_;
     trajectory::TrajectoryParameters parameters_;
     trajectory_common::SectionBar* section_;
     trajectory_common::AngleBar* angleBar_;

@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <cmath>
+#include <utility>
 
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
@@ -53,14 +54,13 @@ SectionBar::SectionBar(QWidget* parent)
     hide();
 }
 
-void SectionBar::setOutcome(const SpindleOutcome& outcome, bool chosen)
+void SectionBar::setSections(const std::shared_ptr<const trajectory::TrajectoryResult>& result,
+                             std::optional<std::size_t> index, bool chosen)
 {
-    const bool there = outcome.section.has_value() && !outcome.profile;
-    const bool same = result_ == outcome.trajectory;
+    const bool there = result && index;
     if (there) {
-        result_ = outcome.trajectory;
-        index_ = *outcome.section;
-        if (!same) fill();
+        index_ = *index;
+        if (std::exchange(result_, result) != result) fill();
     }
     setVisible(there);
     if (!there) return;

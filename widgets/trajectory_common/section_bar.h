@@ -7,8 +7,10 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QWidget>
+#include <memory>
 
-#include "widgets/trajectory_common/spindle_panel.h"
+#include "engine/trajectory/trajectory.h"
+#include "widgets/trajectory_common/marked_angle.h"
 
 namespace lathelier::trajectory_common {
 
@@ -18,7 +20,9 @@ class SectionBar : public QWidget {
 
 public:
     explicit SectionBar(QWidget* parent = nullptr);
-    void setOutcome(const SpindleOutcome& outcome, bool chosen);
+    /// `index`: of the shown section; none: nothing to choose. `chosen`: by the user, not as the worst one.
+    void setSections(const std::shared_ptr<const trajectory::TrajectoryResult>& result,
+                     std::optional<std::size_t> index, bool chosen);
     bool isWorst() const { return worst_->isChecked(); }
 
 signals:

@@ -1,19 +1,24 @@
 #include "widgets/trajectory_common/spindle_panel.h"
 
+#include <QCoreApplication>
 #include <algorithm>
-#include <stdexcept>
+#include <cmath>
+#include <map>
 
-#include "engine/core/profile_item.h"
 #include "engine/core/units.h"
-#include "engine/io/probe/probe_reader.h"
-#include "engine/io/profile/profile_reader.h"
+#include "engine/io/profile/profile_input.h"
+#include "engine/trajectory/task/roundness_task.h"
 #include "widgets/core/form/input_box.h"
+#include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
-#include "widgets/core/session.h"
-#include "widgets/trajectory_common/spindle_inputs.h"
 
 namespace lathelier::trajectory_common {
 namespace {
+
+/// The words of the base, which is a template.
+struct SpindlePanelWords {
+    Q_DECLARE_TR_FUNCTIONS(lathelier::trajectory_common::SpindlePanel)
+};
 
 double numberOf(const io::FileFacts& facts, const char* name)
 {
@@ -24,146 +29,107 @@ double numberOf(const io::FileFacts& facts, const char* name)
     return notANumber;
 }
 
+void assign(project::PanelState& state, const char* role, const std::vector<project::Source>& sources)
+{
+    InputRole files;
+    files.role = role;
+    files.several = true;
+    setSources(state, files, sources);
+}
+
+QString understoodRecord(const io::ProbeFile& file)
+{
+    QStringList amount;
+    if (const auto* averages = std::get_if<io::AveragedRecord>(&file.record)) {
+        amount << SpindlePanelWords::tr("averages of %L1 sections").arg(averages->sections.size());
+    } else {
+        const auto& record = std::get<io::ProbeRecord>(file.record);
+        amount << SpindlePanelWords::tr("%L1 channels").arg(record.channels.size())
+               << SpindlePanelWords::tr("%L1 frames").arg(record.frames());
+        const double duration_s = numberOf(file.facts, "duration_s");
+        if (std::isfinite(duration_s)) amount << SpindlePanelWords::tr("%1 s").arg(screenNumber(duration_s, 2));
+        if (std::isfinite(record.rate_hz))
+            amount << SpindlePanelWords::tr("%1 kHz").arg(screenNumber(record.rate_hz / 1000, 2));
+    }
+    return understoodText(file.facts, amount.join(QStringLiteral(" · ")));
+}
+
 }  // namespace
 
-void MarkedAngle::takeBack()
+PanelFacts spindleFacts(PanelFacts facts)
 {
-    set(before_deg_);
-}
-
-void MarkedAngle::set(std::optional<double> angle_deg)
-{
-    if (angle_deg == angle_deg_) return;
-    before_deg_ = angle_deg_;
-    angle_deg_ = angle_deg;
-    emit changed();
-}
-
-PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleStudyKind studyKind)
-{
-    PanelFacts facts;
-    facts.id = id;
-    facts.title = title;
-    facts.icon = icon;
-    facts.workspaces = {workspaceOf("roundness")};
-    facts.state = spindleState;
-    const bool roundness = studyKind == SpindleStudyKind::Roundness;
-    facts.kinds = {&io::probeRecordFiles()};
-    if (roundness) {
-        facts.kinds.push_back(&io::profileFiles());
-        facts.item_inputs = {{profileItem, profileRole().role}};
-    }
-    facts.part_inputs = {"record", "profile"};
-    facts.roles = {recordRole()};
-    if (roundness) facts.roles = {recordRole(), profileRole(), traceRole()};
-    facts.has_work = [roundness](const project::PanelState& state) {
-        return hasRecord(state) || (roundness && hasProfile(state));
-    };
-    facts.missing = [roundness](const project::PanelState& state) {
-        std::vector<Text> labels;
-        if (!hasRecord(state) && !(roundness && hasProfile(state)))
-            labels.push_back(roundness ? LT_TEXT("Engine", "Probe record or profile") : recordRole().label);
-        return labels;
-    };
+    facts.state = "roundness";
+    facts.part_inputs = {trajectory::recordRole, trajectory::profileRole};
+    if (!facts.missing) facts.missing = missingOf(facts.roles);
+    // The files of the shared state may be those of another panel alone.
+    facts.has_work = [missing = facts.missing](const project::PanelState& state) { return missing(state).empty(); };
     return facts;
 }
 
-PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std::vector<std::string>& plain,
-                          const std::vector<std::string>& advanced, Text invitation)
+PanelInputs spindleInputs(const task::Task& task, const std::vector<InputRole>& roles,
+                          const std::vector<std::string>& plain, const std::vector<std::string>& folded,
+                          Text invitation)
 {
-    PanelInputs inputs;
-    for (const InputRole* role : roles) inputs.roles.push_back(*role);
-    inputs.invitation = invitation;
-    inputs.defaults = toValues(form::RoundnessParameters{});
-    for (const auto& [name, value] : toValues(trajectory::TrajectoryParameters{}))
-        lathelier::set(inputs.defaults, name, value);
-    std::vector<FieldInfo> known = infos<trajectory::TrajectoryParameters>();
-    for (const FieldInfo& info : infos<form::RoundnessParameters>()) known.push_back(info);
-    const auto take = [&](const std::vector<std::string>& keys, bool folded) {
-        for (const std::string& key : keys) {
-            const auto info =
-                std::find_if(known.begin(), known.end(), [&](const FieldInfo& one) { return one.key == key; });
-            if (info == known.end()) throw std::logic_error("no such parameter: " + key);
-            inputs.fields.push_back(*info);
-            inputs.fields.back().advanced = folded;
-        }
-    };
-    take(plain, false);
-    take(advanced, true);
+    std::vector<std::string> keys = plain;
+    keys.insert(keys.end(), folded.begin(), folded.end());
+    PanelInputs inputs = inputsOf(task, {}, keys, false, invitation);
+    inputs.roles = roles;
+    for (std::size_t i = plain.size(); i < inputs.fields.size(); ++i) inputs.fields[i].advanced = true;
     return inputs;
 }
 
-SpindlePanel::SpindlePanel(Session& owner, const PanelFacts& facts, const PanelInputs& inputs,
-                           SpindleStudyKind studyKind, QWidget* parent)
-    : Panel(owner, facts, inputs, parent), studyKind_(studyKind), angle_(owner.stores().of<MarkedAngle>())
+void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>& files, bool profiles)
 {
-}
-
-SpindlePanel::Compute SpindlePanel::compute(const project::PanelState& state) const
-{
-    fromValues<trajectory::TrajectoryParameters>(state.parameters);  // validates ranges before the computation
-    bandOf(fromValues<form::RoundnessParameters>(state.parameters));
-    return [state, studyKind = studyKind_, stores = session().sharedStores()](const Progress& progress) {
-        return findOutcome(state, studyKind, *stores, progress);
-    };
-}
-
-void SpindlePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
-{
-    assignSpindleFiles(state, files, studyKind_ == SpindleStudyKind::Roundness);
-}
-
-Worker::Job SpindlePanel::makeReadingJob(const project::PanelState& state) const
-{
-    return [profiles = session().stores().of<ProfileStore>(),
-            state](const Progress& progress) -> std::shared_ptr<const void> {
-        for (const InputRole* role : {&profileRole(), &traceRole()})
-            for (const project::Source& source : sourcesOf(state, *role))
-                if (source.item.empty()) profiles->load(source, progress);
-        return nullptr;
-    };
-}
-
-QString SpindlePanel::understood(const InputRole& role, const project::Source& source) const
-{
-    if (role.role != recordRole().role) {
-        const LoadedProfilePtr loaded = session().stores().of<ProfileStore>()->known(source);
-        if (!loaded) return {};
-        return understoodText(loaded->file.facts, tr("%L1 points").arg(loaded->file.profile.points_mm.size()));
+    QStringList given;
+    std::map<QString, const io::FileKind*> kinds;
+    for (const FoundFile& file : files) {
+        given << QString::fromStdString(file.path);
+        kinds[given.back()] = file.kind;
     }
-    const LoadedRecordPtr loaded = session().stores().of<RecordStore>()->known(source);
-    if (!loaded) return {};
-    const io::FileFacts& facts = loaded->file.facts;
-    QStringList amount;
-    if (const auto* averages = std::get_if<io::AveragedRecord>(&loaded->file.record)) {
-        amount << tr("averages of %L1 sections").arg(averages->sections.size());
-    } else {
-        const auto& record = std::get<io::ProbeRecord>(loaded->file.record);
-        amount << tr("%L1 channels").arg(record.channels.size()) << tr("%L1 frames").arg(record.frames());
-        const double duration_s = numberOf(facts, "duration_s");
-        if (std::isfinite(duration_s)) amount << tr("%1 s").arg(screenNumber(duration_s, 2));
-        if (std::isfinite(record.rate_hz)) amount << tr("%1 kHz").arg(screenNumber(record.rate_hz / 1000, 2));
+    std::vector<std::string> paths;
+    for (const QString& path : counted(given)) paths.push_back(path.toStdString());
+    std::vector<project::Source> records, others;
+    for (const std::string& path : io::probeRecordFiles().counted_once(paths)) {
+        const QString name = QString::fromStdString(path);
+        (!profiles || kinds[name] == &io::probeRecordFiles() ? records : others).push_back(newSource(name));
     }
-    return understoodText(facts, amount.join(QStringLiteral(" · ")));
+    if (!records.empty()) {
+        assign(state, trajectory::recordRole, records);
+        if (others.empty()) {  // removes an earlier profile, which would have precedence over the dropped file
+            assign(state, trajectory::profileRole, {});
+            assign(state, trajectory::traceRole, {});
+        } else {
+            assign(state, trajectory::traceRole, {others.front()});
+        }
+        return;
+    }
+    if (others.empty()) return;
+    assign(state, trajectory::profileRole, {others.front()});
+    if (others.size() > 1) assign(state, trajectory::traceRole, {others[1]});
 }
 
-void SpindlePanel::chooseSection(std::optional<int> section)
+QString understoodSpindle(const std::string& role, const project::Source& source, Stores& stores)
 {
-    const QString step = section ? tr("Choose section %1").arg(*section) : tr("Choose the worst section");
-    setParameter(sectionKey, section ? Value(std::int64_t{*section}) : Value(), step, "roundness/section");
+    if (role == trajectory::recordRole) {
+        const auto record = stores.of<task::CacheOf<io::ProbeInput>>()->known(source);
+        return record ? understoodRecord(record->file) : QString();
+    }
+    const auto profile = stores.of<task::CacheOf<io::ProfileInput>>()->known(source);
+    if (!profile) return {};
+    return understoodText(profile->file.facts,
+                          SpindlePanelWords::tr("%L1 points").arg(profile->file.profile.points_mm.size()));
 }
 
-bool SpindlePanel::isSectionChosen() const
+QString chooseSectionStep(std::optional<int> section)
 {
-    const Value* section = lathelier::find(state().parameters, sectionKey);
+    return section ? SpindlePanelWords::tr("Choose section %1").arg(*section)
+                   : SpindlePanelWords::tr("Choose the worst section");
+}
+
+bool isSectionChosen(const project::PanelState& state)
+{
+    const Value* const section = find(state.parameters, trajectory::sectionKey);
     return section && std::holds_alternative<std::int64_t>(*section);
-}
-
-void SpindlePanel::setParameter(const std::string& key, const Value& value, const QString& step,
-                                const QString& mergeKey)
-{
-    editState(
-        step, [&](project::PanelState& state) { lathelier::set(state.parameters, key, value); }, mergeKey);
 }
 
 }  // namespace lathelier::trajectory_common

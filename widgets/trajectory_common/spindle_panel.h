@@ -1,68 +1,63 @@
-// What the three panels of workspace Roundness share: their state, assignment and facts of files, one computation, one
-// chosen section and one marked angle.
+// Common base of the three panels of the workspace Roundness: their state, the files dropped on them, one chosen
+// section and one marked angle.
 #pragma once
 
-#include <QObject>
-
-#include "widgets/core/panel/panel.h"
-#include "widgets/trajectory_common/spindle_outcome.h"
+#include "engine/trajectory/task/record_evaluation.h"
+#include "widgets/core/panel/task_panel.h"
+#include "widgets/trajectory_common/marked_angle.h"
 
 namespace lathelier::trajectory_common {
 
-/// The angle that all views of the workspace mark, seen from the part, 0…360°. Lives in the GUI thread, one for each
-/// session (Stores).
-class MarkedAngle : public QObject {
-    Q_OBJECT
+/// Facts common to the panels: they share one state, and a recipe excludes their files.
+PanelFacts spindleFacts(PanelFacts facts);
 
+/// The left column: `plain` fields, then the `folded` ones.
+PanelInputs spindleInputs(const task::Task& task, const std::vector<InputRole>& roles,
+                          const std::vector<std::string>& plain, const std::vector<std::string>& folded,
+                          Text invitation);
+
+/// Records go to the record; other files are profiles: the first one is the profile, a second one the trace. Without
+/// `profiles` all files are records, whose reader refuses what is none.
+void assignSpindleFiles(project::PanelState& state, const std::vector<FoundFile>& files, bool profiles);
+
+/// Facts of the file of an input, in the user's language; empty when it was not read.
+QString understoodSpindle(const std::string& role, const project::Source& source, Stores& stores);
+
+/// The step of the undo stack that chooses this section; none: the worst one.
+QString chooseSectionStep(std::optional<int> section);
+
+bool isSectionChosen(const project::PanelState& state);
+
+/// R: the typed outcome of a task of the workspace.
+template <class R>
+class SpindlePanel : public TaskPanel<R> {
 public:
-    std::optional<double> angle_deg() const { return angle_deg_; }
-    void set(std::optional<double> angle_deg);
-    void takeBack();  ///< the last set(): undoes the last set(), which was the first half of a double click
-
-signals:
-    void changed();
-
-private:
-    std::optional<double> angle_deg_;
-    std::optional<double> before_deg_;
-};
-
-/// The panel's entry in the panel table without its factory and report.
-PanelFacts spindleFacts(const std::string& id, Text title, const QString& icon, SpindleStudyKind studyKind);
-
-/// The inputs of a panel; of the engine's parameters those with these keys, in this order, none of them folded away but
-/// the `advanced` ones.
-PanelInputs spindleInputs(const std::vector<const InputRole*>& roles, const std::vector<std::string>& plain,
-                          const std::vector<std::string>& advanced, Text invitation);
-
-class SpindlePanel : public Panel<SpindleOutcome> {
-    Q_OBJECT
-
-public:
-    SpindlePanel(Session& session, const PanelFacts& facts, const PanelInputs& inputs, SpindleStudyKind studyKind,
-                 QWidget* parent = nullptr);
+    using TaskPanel<R>::TaskPanel;
 
     /// The section with this number for all panels of the workspace; none: the worst one. One undo step for a row of
     /// such choices.
-    void chooseSection(std::optional<int> section);
-    bool isSectionChosen() const;
-
-    MarkedAngle& markedAngle() const { return *angle_; }
+    void chooseSection(std::optional<int> section)
+    {
+        this->editState(
+            chooseSectionStep(section),
+            [&](project::PanelState& state) {
+                lathelier::set(state.parameters, trajectory::sectionKey,
+                               section ? Value(std::int64_t{*section}) : Value());
+            },
+            QStringLiteral("roundness/section"));
+    }
+    bool isSectionChosen() const { return trajectory_common::isSectionChosen(this->state()); }
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    Notes notes(const SpindleOutcome& outcome) const override { return outcome.notes; }
-    std::optional<Error> problem(const SpindleOutcome& outcome) const override { return outcome.problem; }
-    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
-    QString understood(const InputRole& role, const project::Source& source) const override;
-
-    /// Changes one shared parameter: one undo step, or one with its neighbours of the same `mergeKey`.
-    void setParameter(const std::string& key, const Value& value, const QString& step, const QString& mergeKey = {});
-
-private:
-    SpindleStudyKind studyKind_;
-    std::shared_ptr<MarkedAngle> angle_;
+    MarkedAngle& markedAngle() const { return *this->session().stores().template of<MarkedAngle>(); }
+    void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override
+    {
+        assignSpindleFiles(state, files, this->inputs().roles.size() > 1);
+    }
+    QString understood(const InputRole& role, const project::Source& source) const override
+    {
+        return understoodSpindle(role.role, source, this->session().stores());
+    }
 };
 
 }  // namespace lathelier::trajectory_common

@@ -3,6 +3,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/decision_field.h"
 #include "engine/core/units.h"
+#include "engine/form/roundness/no_filter.h"
 #include "engine/form/roundness/roundness.h"
 #include "engine/form/roundness/roundness_methods.h"
 
@@ -89,6 +90,13 @@ signal::TransmissionBand bandOf(const RoundnessParameters& parameters)
     band.high_upr = wanted.to;
     if (wanted.from > 1) band.low_upr = wanted.from;
     return band;
+}
+
+void checkFilter(bool no_filter, const RoundnessParameters& parameters)
+{
+    const bool is_filtered = !bandOf(parameters).isAll();
+    if (is_filtered && no_filter)
+        reject("--no-filter", std::string("--cutoff-upr / --band-upr"), LT_TEXT("Engine", "no filter beside it"));
 }
 
 }  // namespace lathelier::form

@@ -33,4 +33,25 @@ report::Section superimposeSection(const SuperimposeResult& result)
     return section;
 }
 
+report::PolarPlot superimposedPolarPlot(const SuperimposeResult& result, double base_radius_mm)
+{
+    report::PolarPlot plot;
+    plot.title = LT_TEXT("Engine", "Laid over each other");
+    plot.base_radius_mm = base_radius_mm;
+    const auto add = [&](const report::Caption& name, const std::vector<double>& deviation_um, int colour) {
+        report::PolarPlot::Trace trace;
+        trace.name = name;
+        trace.angle_deg = result.angle_deg;
+        trace.deviation_um = deviation_um;
+        trace.colour = colour;
+        plot.traces.push_back(std::move(trace));
+    };
+    add(LT_TEXT("Engine", "profile"), result.first_um, 0);
+    add(LT_TEXT("Engine", "trace"), result.second_um, 1);
+    std::vector<double> difference_um = result.second_um;
+    for (std::size_t i = 0; i < difference_um.size(); ++i) difference_um[i] -= result.first_um[i];
+    add(LT_TEXT("Engine", "difference"), difference_um, 6);
+    return plot;
+}
+
 }  // namespace lathelier::form

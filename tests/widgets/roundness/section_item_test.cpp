@@ -38,7 +38,7 @@ private slots:
         });
         QTRY_VERIFY_WITH_TIMEOUT(panel.isCurrent() || panel.error(), 20000);
         QVERIFY2(!panel.error(), panel.error() ? panel.error()->what() : "");
-        QVERIFY(std::abs(panel.result()->roundness()->circles.MZCI.RONt_um - 10) < 0.01);
+        QVERIFY(std::abs(panel.result()->judged().circles.MZCI.RONt_um - 10) < 0.01);
         const auto document = panel.reportDocument();
         QCOMPARE(document->inputs.size(), std::size_t{1});
         QCOMPARE(document->inputs[0].path, oval.name);

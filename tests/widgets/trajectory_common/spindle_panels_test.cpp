@@ -71,15 +71,18 @@ private:
     std::unique_ptr<trajectory_panel::TrajectoryPanel> trajectory_;
     std::unique_ptr<longitudinal_panel::LongitudinalPanel> longitudinal_;
 
-    std::vector<trajectory_common::SpindlePanel*> panels() const
+    std::vector<PanelBase*> panels() const { return {roundness_.get(), trajectory_.get(), longitudinal_.get()}; }
+
+    /// Index of the section that each of them shows.
+    std::vector<std::size_t> shownSections() const
     {
-        return {roundness_.get(), trajectory_.get(), longitudinal_.get()};
+        return {*roundness_->result()->section, *trajectory_->result()->section, *longitudinal_->result()->section};
     }
 
     void settle()
     {
         QCoreApplication::processEvents();
-        for (trajectory_common::SpindlePanel* panel : panels()) {
+        for (PanelBase* panel : panels()) {
             QTRY_VERIFY_WITH_TIMEOUT(!panel->isBusy(), 60000);
             QVERIFY2(!panel->error(), panel->error() ? panel->error()->what() : "");
         }
@@ -90,10 +93,7 @@ private:
             lathelier::set(project.panels["roundness"].parameters, key, value);
         });
     }
-    QString headline(const trajectory_common::SpindlePanel& panel) const
-    {
-        return panel.findChild<AnswerStrip*>()->text();
-    }
+    QString headline(const PanelBase& panel) const { return panel.findChild<AnswerStrip*>()->text(); }
 
 private slots:
     void initTestCase()
@@ -116,7 +116,7 @@ private slots:
         roundness_ = std::make_unique<roundness_panel::RoundnessPanel>(*session_);
         trajectory_ = std::make_unique<trajectory_panel::TrajectoryPanel>(*session_);
         longitudinal_ = std::make_unique<longitudinal_panel::LongitudinalPanel>(*session_);
-        for (trajectory_common::SpindlePanel* panel : panels()) {
+        for (PanelBase* panel : panels()) {
             panel->resize(1200, 720);
             panel->show();
             QVERIFY(QTest::qWaitForWindowExposed(panel));
@@ -155,7 +155,7 @@ private slots:
     {
         drop(longitudinal_.get(), {record_});
         settle();
-        for (trajectory_common::SpindlePanel* panel : panels())
+        for (PanelBase* panel : panels())
             QVERIFY2(
                 panel->minimumSizeHint().width() <= 1000,
                 qPrintable(QString("%1: %2 px").arg(panel->facts().id.c_str()).arg(panel->minimumSizeHint().width())));
@@ -204,14 +204,13 @@ private slots:
         drop(roundness_.get(), {record_});
         settle();
         const std::size_t worst = *longitudinal_->result()->trajectory->worstSection();
-        for (trajectory_common::SpindlePanel* panel : panels()) QCOMPARE(*panel->result()->section, worst);
+        QCOMPARE(shownSections(), std::vector<std::size_t>(3, worst));
         const std::size_t other = worst == 2 ? 3 : 2;
         roundness_->chooseSection(static_cast<int>(other) + 1);
         settle();
-        for (trajectory_common::SpindlePanel* panel : panels()) {
-            QCOMPARE(*panel->result()->section, other);
+        QCOMPARE(shownSections(), std::vector<std::size_t>(3, other));
+        for (PanelBase* panel : panels())
             QCOMPARE(panel->findChild<QComboBox*>("section")->currentIndex(), static_cast<int>(other));
-        }
         const int steps = session_->undoStack().count();
         trajectory_->findChild<QToolButton*>("sectionAfter")->click();
         settle();
@@ -247,12 +246,12 @@ private slots:
         settle();
         drop(roundness_.get(), {profile_});
         settle();
-        QVERIFY(roundness_->result()->profile != nullptr);
-        QVERIFY(std::abs(roundness_->result()->roundness()->circles.LSCI.centre_mm.x() - 0.01) < 1e-4);
+        QVERIFY(roundness_->result()->trajectory == nullptr);
+        QVERIFY(std::abs(roundness_->result()->judged().circles.LSCI.centre_mm.x() - 0.01) < 1e-4);
         QVERIFY(longitudinal_->result()->trajectory != nullptr);  // the record is still there for the others
         session_->undoStack().undo();
         settle();
-        QVERIFY(roundness_->result()->profile == nullptr);
+        QVERIFY(roundness_->result()->trajectory != nullptr);
         QVERIFY(roundness_->result()->chosenSection() != nullptr);
     }
 
@@ -359,9 +358,9 @@ private slots:
         settle();
         const auto before = longitudinal_->result();
         set("points", std::int64_t{15000});
-        for (trajectory_common::SpindlePanel* panel : panels()) QVERIFY(panel->isBusy());
+        for (PanelBase* panel : panels()) QVERIFY(panel->isBusy());
         roundness_->cancel();
-        for (trajectory_common::SpindlePanel* panel : panels()) {
+        for (PanelBase* panel : panels()) {
             QTRY_VERIFY_WITH_TIMEOUT(!panel->isBusy(), 2000);
             QVERIFY(!panel->isCurrent());
         }
@@ -375,7 +374,7 @@ private slots:
     {
         drop(roundness_.get(), {record_});
         settle();
-        for (trajectory_common::SpindlePanel* panel : panels()) {
+        for (PanelBase* panel : panels()) {
             const auto document = panel->reportDocument();
             QVERIFY(document && document->sections.size() >= 2);
             QCOMPARE(document->inputs.size(), std::size_t{1});

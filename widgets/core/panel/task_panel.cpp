@@ -4,6 +4,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/task/edited_segments.h"
+#include "engine/task/needed.h"
 #include "engine/task/task_codes.h"
 #include "widgets/core/form/input_column.h"
 
@@ -18,7 +19,7 @@ std::vector<InputRole> rolesOf(const task::Task& task, const std::vector<std::st
         made.role = input.role;
         made.label = input.label;
         made.hint = input.help;
-        made.required = input.required;
+        made.required = task::isNeeded(task, input);
         made.several = input.several;
         made.kinds = input.kinds;
         made.item_kind = input.item_kind;

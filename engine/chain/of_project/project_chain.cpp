@@ -175,7 +175,10 @@ const std::vector<Field<ChainSettings>>& fieldsOf(const ChainSettings*)
 
 MadeInput madeInput(const std::string& folder, const char* name, std::string text)
 {
-    const std::string file = name + ("_" + io::sha256(text).substr(0, fileDigits)) + ".json";
+    std::string file = name;
+    file += '_';
+    file += io::sha256(text).substr(0, fileDigits);
+    file += ".json";
     return {(fs::path(folder) / "given" / file).string(), std::move(text)};
 }
 

@@ -4,6 +4,8 @@
 # - widgets include no app; a panel folder includes itself and what panels share (widgets/<name>_common: what several
 #   panels of one room share), never another panel;
 # - the command line (app/cli) includes the engine only;
+# - a source of widgets shows something: one without Qt and VTK belongs to the engine, but for the worker and the
+#   arithmetic of the 3-D scene;
 # - no source but the descriptions of the controls names a control: not by an enumerator, not by its key as a literal.
 cmake_policy(VERSION 3.25)
 set(known_rooms "")
@@ -20,6 +22,7 @@ endmacro()
 include(${SOURCE_DIR}/engine/rooms.cmake)
 set(shared_widgets core plot scene)  # widgets/<folder> that every panel may include
 set(foreign_in_headers "PCL|png\\.h|jpeglib|tiffio|pcl/|CGAL|opencv2|TopoDS|gp_|BRep|tbb/|fmt/|zlib|openssl/|nlohmann/json.hpp|CLI/")
+set(without_qt widgets/core/task/worker.cpp widgets/scene/scene_camera.cpp widgets/scene/scene_pick.cpp)
 set(control_descriptions engine/gcode/controls/)
 set(names_of_posts widgets/turning/turning_question.h widgets/turning/turning_question.cpp)  # some are called as their control
 set(control_keys "")
@@ -42,6 +45,22 @@ function(includes_of file result)
         list(APPEND names ${name})
     endforeach()
     set(${result} ${names} PARENT_SCOPE)
+endfunction()
+
+# Does a source of widgets, with its header, use Qt or VTK, by itself or through what the panels share?
+function(shows_something file result)
+    set(text "")
+    string(REGEX REPLACE "\\.cpp$" ".h" header ${file})
+    foreach(part ${file} ${header})
+        if(EXISTS ${part})
+            file(READ ${part} content)
+            string(APPEND text "${content}")
+        endif()
+    endforeach()
+    set(${result} OFF PARENT_SCOPE)
+    if(text MATCHES "[^A-Za-z_](Q[A-Z][A-Za-z]|Q_OBJECT|vtk[A-Z])|widgets/(core/panel|core/form|core/language|plot|scene)")
+        set(${result} ON PARENT_SCOPE)
+    endif()
 endfunction()
 
 macro(complain text)
@@ -82,6 +101,12 @@ foreach(relative ${files})
         named_control(${SOURCE_DIR}/${relative} named)
         if(named)
             complain("${named} names a control, which only ${control_descriptions} may: ask a property of gcode::Control")
+        endif()
+    endif()
+    if(relative MATCHES "^widgets/.*\\.cpp$" AND NOT relative IN_LIST without_qt)
+        shows_something(${SOURCE_DIR}/${relative} shows)
+        if(NOT shows)
+            complain("neither Qt nor VTK: it belongs to the engine")
         endif()
     endif()
     includes_of(${SOURCE_DIR}/${relative} names)

@@ -45,6 +45,9 @@ foreach(offence
     file(WRITE ${WORK_DIR}/${file} "#include \"${included}\"\n")
     check("${text}")
 endforeach()
+plant()
+file(WRITE ${WORK_DIR}/widgets/compare/sums.cpp "int sum(int a, int b) { return a + b; }\n")
+check("widgets/compare/sums.cpp: neither Qt nor VTK")
 foreach(offence
         "engine/form/a.cpp|if (control == Control::LinuxCnc) return|linuxcnc names a control"
         "app/cli/a.cpp|if (control->key == \"linuxcnc\") return|the literal \"linuxcnc\" names a control"

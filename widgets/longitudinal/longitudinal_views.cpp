@@ -130,7 +130,7 @@ void LongitudinalViews::showStack()
 {
     if (!outcome_ || stacked_ == outcome_->trajectory) return;
     stacked_ = outcome_->trajectory;
-    stack_ = stackedSections(*stacked_, formOnly_->isChecked(), chosenMagnification_);
+    stack_ = trajectory::stackedSections(*stacked_, formOnly_->isChecked(), chosenMagnification_);
     scene_->setVisible(stack_.scan != nullptr);
     if (!stack_.scan) return;
     const QSignalBlocker quiet(magnification_);

@@ -9,7 +9,7 @@
 #include "engine/report/document.h"
 #include "engine/trajectory/task/trajectory_task.h"
 #include "widgets/core/panel/primary_views.h"
-#include "widgets/longitudinal/longitudinal_charts.h"
+#include "engine/trajectory/stacked_sections.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 
@@ -28,7 +28,7 @@ public:
     explicit LongitudinalViews(trajectory_common::MarkedAngle& angle, QWidget* parent = nullptr);
 
     void setOutcome(const std::shared_ptr<const trajectory::TrajectoryOutcome>& outcome, bool sectionChosen);
-    const StackedSections& stack() const { return stack_; }
+    const trajectory::StackedSections& stack() const { return stack_; }
 
     /// The 3-D view for the report; empty without OpenGL.
     std::vector<report::Picture> pictures();
@@ -53,7 +53,7 @@ private:
 
     trajectory_common::MarkedAngle& angle_;
     std::shared_ptr<const trajectory::TrajectoryOutcome> outcome_;
-    StackedSections stack_;
+    trajectory::StackedSections stack_;
     std::shared_ptr<const trajectory::TrajectoryResult> stacked_;
     std::optional<double> limit_um_;
     trajectory_common::SectionBar* section_;

@@ -165,7 +165,7 @@ private slots:
     {
         drop(longitudinal_.get(), {record_});
         settle();
-        const longitudinal_panel::StackedSections& stack = longitudinal_->views().stack();
+        const trajectory::StackedSections& stack = longitudinal_->views().stack();
         QCOMPARE(stack.magnification, 1000.0);
         double middle_um = 0;  // nothing is left of where the part sat on the spindle
         for (std::size_t k = 0; k < stack.angles; ++k)

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "engine/trajectory/trajectory.h"
-#include "widgets/scene/scene_data.h"
+#include "engine/core/scan.h"
 
-namespace lathelier::longitudinal_panel {
+namespace lathelier::trajectory {
 
 /// The images of all sections as one closed surface around the axis, with magnified deviations, relative to the mean
 /// LSC radius of all sections about the part's axis, the least-squares line through the centres of its sections, or
@@ -33,4 +33,4 @@ struct StackedSections {
 StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool form_only,
                                 std::optional<double> magnification = {});
 
-}  // namespace lathelier::longitudinal_panel
+}  // namespace lathelier::trajectory

@@ -1,4 +1,4 @@
-#include "widgets/longitudinal/longitudinal_charts.h"
+#include "engine/trajectory/stacked_sections.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "engine/report/colours.h"
 
-namespace lathelier::longitudinal_panel {
+namespace lathelier::trajectory {
 
 namespace {
 
@@ -151,4 +151,4 @@ StackedSections stackedSections(const trajectory::TrajectoryResult& result, bool
     return stack;
 }
 
-}  // namespace lathelier::longitudinal_panel
+}  // namespace lathelier::trajectory

@@ -39,6 +39,27 @@ FieldInfo fileOption(const task::Input& input)
     return info;
 }
 
+bool isOfCommandLine(const task::Input& input)
+{
+    return input.takes_files && !input.in_window_only;
+}
+
+/// Does its file give a field that a window edits?
+bool isField(const task::Task& task, const task::Input& input)
+{
+    return std::any_of(task.fields.begin(), task.fields.end(),
+                       [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
+}
+
+/// Names that cannot be written are refused before the computation.
+void checkOutputs(const task::Task& task, const Request& request)
+{
+    for (const task::Export& output : task.exports) {
+        const auto asked = request.outputs.find(std::string(dashes) + output.option);
+        if (output.check && asked != request.outputs.end()) output.check(asked->second);
+    }
+}
+
 /// Where inputs stand in each other's place, exactly one of them.
 void requireOne(const task::Task& task, const project::PanelState& state)
 {
@@ -64,12 +85,14 @@ void runTask(const task::Task& task, const Request& request, const Progress& pro
     for (const auto& [option, path] : request.outputs) wanted.exports.push_back(exportOf(option));
     wanted.in_full = request.in_full;
     answer.always_strict = task.always_strict;
+    checkOutputs(task, request);
     Stores stores;
     task::Outcome outcome;
     try {
         outcome = task.run(state, wanted, stores, *sources, progress);
     } catch (...) {
         answer.notes = sources->notes;
+        answer.understanding = understandingOf(answer.notes);
         throw;
     }
     answer.notes = outcome.notes;
@@ -99,15 +122,20 @@ Verb verbOf(const task::Task& task)
     verb.summary = task.summary;
     verb.has_report = true;
     for (const task::Input& input : task.inputs) {
-        if (!input.takes_files) continue;
+        if (!isOfCommandLine(input)) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
             verb.operands.push_back({operandName(input), input.help.english, input.several, false, !input.required});
-        else
+        else if (!isField(task, input))
             verb.parameters.push_back({fileOption(input), std::string()});
     }
-    for (const FieldInfo& field : task.fields)
-        if (!field.is_kept) verb.parameters.push_back({field, *find(task.defaults, field.key)});
+    for (const FieldInfo& field : task.fields) {
+        if (field.is_kept) continue;
+        if (const task::Input* const file = task.fileOf(field))
+            verb.parameters.push_back({fileOption(*file), Value()});
+        else
+            verb.parameters.push_back({field, *find(task.defaults, field.key)});
+    }
     for (const task::Export& output : task.exports)
         verb.outputs.push_back({std::string(dashes) + output.option, output.help});
     verb.run = [&task](const Request& request, io::InputFiles&, const Progress& progress, Answer& answer) {
@@ -121,14 +149,14 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
     project::PanelState state;
     std::size_t operand = 0;
     for (const task::Input& input : task.inputs) {
-        if (!input.takes_files) continue;
+        if (!isOfCommandLine(input)) continue;
         std::string path;
         if (input.option.empty()) {
             if (operand < request.operands.size()) path = request.operands[operand++];
             for (std::size_t number = 2; input.several && operand < request.operands.size(); ++number)
                 state.inputs[project::keyOf(input.role, number)].path = request.operands[operand++];
         } else if (const Value* const given = find(request.parameters, input.option)) {
-            path = std::get<std::string>(*given);
+            if (const auto* const name = std::get_if<std::string>(given)) path = *name;
         }
         if (!path.empty())
             state.inputs[input.role].path = path;
@@ -136,8 +164,10 @@ project::PanelState stateOf(const task::Task& task, const Request& request)
             throw Error(errors::valueNotUnderstood,
                         {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     }
-    for (const FieldInfo& field : task.fields)
-        if (const Value* const given = find(request.parameters, field.key)) set(state.parameters, field.key, *given);
+    for (const FieldInfo& field : task.fields) {
+        const Value* const given = task.fileOf(field) ? nullptr : find(request.parameters, field.key);
+        if (given) set(state.parameters, field.key, *given);
+    }
     for (const auto& [key, value] : request.parameters) {
         const auto is_field = [&key = key](const FieldInfo& field) { return field.key == key; };
         const auto is_input = [&key = key](const task::Input& input) { return input.option == key; };

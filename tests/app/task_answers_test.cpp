@@ -7,11 +7,14 @@
 
 #include "app/cli/verb_answer.h"
 #include "app/gui/panels.h"
+#include "engine/cad/task/compare_task.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/toolpath_task.h"
 #include "engine/gcode/program_input.h"
+#include "engine/io/shaft/shaft_file.h"
+#include "engine/sample/sample.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -44,14 +47,14 @@ class TaskAnswersTest : public QObject {
         question.verb = task.key;
         question.given = state.parameters;
         question.outputs = std::move(outputs);
-        for (const task::Input& input : task.inputs) {
-            const auto source = state.inputs.find(input.role);
-            if (source == state.inputs.end()) continue;
-            if (input.option.empty())
-                question.operands.push_back(source->second.path);
-            else
-                set(question.given, input.option, source->second.path);
-        }
+        for (const task::Input& input : task.inputs)
+            for (const std::string& key : project::keysOf(state, input.role)) {
+                const std::string& path = state.inputs.at(key).path;
+                if (input.option.empty())
+                    question.operands.push_back(path);
+                else
+                    set(question.given, input.option, path);
+            }
         const chain::VerbReply reply = cli::runVerbByName(question, {});
         return *reply.result;
     }
@@ -100,6 +103,35 @@ private slots:
         deflection_common::giveSlenderFiles(folder_, state);
         areEqual(ofPanel("correction", deflection::deflectionTask(), state),
                  ofVerb(deflection::deflectionTask(), state, {{"--compensate", path("corrected.nc")}}));
+    }
+
+    void compare()
+    {
+        sample::ScannerModel scanner;
+        scanner.row_pitch_mm = 0.3;
+        scanner.angle_step_deg = 2.4;
+        const auto writeScan = [&](const char* name, const sample::ShaftModel& shaft) {
+            std::string text;
+            for (const Eigen::Vector3d& p : sample::scanShaft(shaft, scanner).points_mm)
+                for (int i = 0; i < 3; ++i) text += std::to_string(p[i]) + (i < 2 ? ' ' : '\n');
+            io::writeFile(path(name), text);
+            scanner.seed = 2;
+        };
+        writeScan("original.xyz", sample::nominalShaft());
+        writeScan("copy.xyz", sample::copiedShaft());
+        project::PanelState state;
+        state.inputs[cad::referenceRole].path = path("original.xyz");
+        state.inputs[cad::copyRole].path = path("copy.xyz");
+        state.parameters = {{"tolerance_mm", 0.04}, {"exclude_z_mm", std::vector<Interval>{{0, 20}}}};
+        areEqual(ofPanel("compare", cad::compareTask(), state), ofVerb(cad::compareTask(), state));
+        Shaft shaft;
+        shaft.segments = {{98, 30, 30, 0, {}, ""}, {10, 37, 37, 0, {}, ""}, {75, 33.8, 33.8, 0, {}, ""}};
+        shaft.segments[1].tolerance = SizeTolerance{{}, -10, 10};
+        io::writeFile(path("drawing.json"), io::shaftText(shaft));
+        state.inputs[cad::referenceRole].path = path("drawing.json");
+        const Json panel = ofPanel("compare", cad::compareTask(), state);
+        areEqual(panel, ofVerb(cad::compareTask(), state));
+        QVERIFY(panel.contains("rows") && panel["verdict"] == "fail");
     }
 
     void turningProgram()

@@ -1,5 +1,6 @@
 #include "app/cli/task_verb.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/verb_answer.h"
@@ -27,6 +28,13 @@ FieldInfo fileOption(const task::Input& input)
     info.help = input.help;
     info.required = input.required;
     return info;
+}
+
+/// Does its file give a field that a window edits?
+bool isField(const task::Task& task, const task::Input& input)
+{
+    return std::any_of(task.fields.begin(), task.fields.end(),
+                       [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
 }
 
 Operand operandOf(const task::Task& task, const task::Input& input)
@@ -66,15 +74,20 @@ Verb verbOf(const task::Task& task)
     verb.summary = task.summary;
     verb.has_report = true;
     for (const task::Input& input : task.inputs) {
-        if (!input.takes_files) continue;
+        if (!task::isOfCommandLine(input)) continue;
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
             verb.operands.push_back(operandOf(task, input));
-        else
+        else if (!isField(task, input))
             verb.parameters.push_back({fileOption(input), std::string()});
     }
-    for (const FieldInfo& field : task.fields)
-        if (!field.is_kept) verb.parameters.push_back({field, *find(task.defaults, field.key)});
+    for (const FieldInfo& field : task.fields) {
+        if (field.is_kept) continue;
+        if (const task::Input* const file = task.fileOf(field))
+            verb.parameters.push_back({fileOption(*file), Value()});
+        else
+            verb.parameters.push_back({field, *find(task.defaults, field.key)});
+    }
     for (const task::Export& output : task.exports)
         verb.outputs.push_back({std::string(dashes) + output.option, output.help});
     verb.run = [&task](const Request& request, io::InputFiles&, const Progress& progress, Answer& answer) {

@@ -3,6 +3,7 @@
 
 #include "app/cli/task_verb.h"
 #include "engine/cad/step_kind.h"
+#include "engine/cad/task/compare_task.h"
 #include "engine/cad/task/draw_task.h"
 #include "engine/cad/task/recognize_task.h"
 #include "engine/cam/task/check_task.h"
@@ -29,7 +30,7 @@ const std::vector<Verb>& verbs()
 {
     static const std::vector<Verb> all = [] {
         std::vector<Verb> table{sampleVerb(),
-                                compareVerb(),
+                                verbOf(cad::compareTask()),
                                 verbOf(trajectory::roundnessTask()),
                                 verbOf(form::cylindricityTask()),
                                 verbOf(trajectory::trajectoryTask()),

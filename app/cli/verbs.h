@@ -7,7 +7,6 @@ namespace lathelier::cli {
 
 Verb sampleVerb();
 Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
-Verb compareVerb();
 Verb surfaceVerb();
 
 }  // namespace lathelier::cli

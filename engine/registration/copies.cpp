@@ -1,8 +1,10 @@
 #include "engine/registration/copies.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "engine/core/units.h"
+#include "engine/registration/compare_quantities.h"
 
 namespace lathelier::registration {
 
@@ -16,6 +18,25 @@ CopySummary summaryOf(std::string name, const CompareResult& result)
     copy.rmse_mm = result.statistics.rmse_mm;
     copy.scatter_mm = result.scatter_mm;
     return copy;
+}
+
+Json toJson(const std::vector<CopySummary>& copies)
+{
+    Json all = Json::array();
+    for (const CopySummary& copy : copies) {
+        Json one{{"name", copy.name}};
+        if (copy.error) {
+            one["error"] = lathelier::toJson(*copy.error);
+        } else {
+            one["verdict"] = copy.verdict ? Json(std::string(key(*copy.verdict))) : Json(nullptr);
+            one["worst"] = copy.worst ? nestedJson(describedValues(*copy.worst)) : Json(nullptr);
+            one["mean_mm"] = number(copy.mean_mm);
+            one["rmse_mm"] = number(copy.rmse_mm);
+            one["scatter_mm"] = number(copy.scatter_mm);
+        }
+        all.push_back(std::move(one));
+    }
+    return all;
 }
 
 report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language)

@@ -8,6 +8,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/input_file.h"
+#include "engine/core/json.h"
 #include "engine/registration/compare.h"
 #include "engine/report/document.h"
 
@@ -26,6 +27,10 @@ struct CopySummary {
 };
 
 CopySummary summaryOf(std::string name, const CompareResult& result);
+
+/// One object for each copy: `name`, `verdict`, `worst`, `mean_mm`, `rmse_mm`, `scatter_mm`; of a failed comparison
+/// `name` and `error`.
+Json toJson(const std::vector<CopySummary>& copies);
 
 /// One row for each copy, in the order of `copies`; a failed comparison gives its error.
 report::Table copiesTable(const std::vector<CopySummary>& copies, const Language& language = {});

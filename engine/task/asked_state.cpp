@@ -50,24 +50,31 @@ std::string operandOf(const Input& input)
     return name;
 }
 
+bool isOfCommandLine(const Input& input)
+{
+    return input.takes_files && !input.in_window_only;
+}
+
 project::PanelState askedState(const Task& task, const std::vector<std::string>& operands, const Values& parameters)
 {
     project::PanelState state;
     std::size_t next = 0;
     for (const Input& input : task.inputs) {
-        if (!input.takes_files) continue;
+        if (!isOfCommandLine(input)) continue;
         if (input.option.empty()) {
             takeOperands(state, input, operands, next);
         } else if (const Value* const given = find(parameters, input.option)) {
-            if (const std::string& path = std::get<std::string>(*given); !path.empty())
-                state.inputs[input.role].path = path;
+            const auto* const path = std::get_if<std::string>(given);
+            if (path && !path->empty()) state.inputs[input.role].path = *path;
         }
         if (isNeeded(task, input) && !sourceOf(state, input.role))
             throw Error(errors::valueNotUnderstood,
                         {{"parameter", optionName(input.option)}, {"found", ""}, {"expected", input.label}});
     }
     for (const auto& [key, value] : parameters) {
-        const auto is_field = [&key = key](const FieldInfo& field) { return field.key == key; };
+        const auto is_field = [&key = key, &task](const FieldInfo& field) {
+            return field.key == key && !task.fileOf(field);
+        };
         const auto is_input = [&key = key](const Input& input) { return input.option == key; };
         if (std::any_of(task.fields.begin(), task.fields.end(), is_field))
             set(state.parameters, key, value);

@@ -14,6 +14,9 @@ std::string optionName(const std::string& key);
 /// Name of an operand on help pages: "REFERENCE" of the role reference.
 std::string operandOf(const Input& input);
 
+/// Whether the command line can give it.
+bool isOfCommandLine(const Input& input);
+
 /// `operands` in the order of the inputs without an option; `parameters` by key: options of inputs, fields of the
 /// question, and reading options, which are those of every file. Errors: valueNotUnderstood where a required input is
 /// not given, oneNeeded, oneOnly.

@@ -47,10 +47,11 @@ struct Input {
     Text label;                ///< shown name
     Text help;                 ///< what it is; one sentence
     bool required = true;
-    io::FileKinds kinds = {};    ///< of its files
-    std::string item_kind = {};  ///< kind of project items accepted instead of a file; empty: files only
-    bool takes_files = true;     ///< false: items only, and nothing of the command line
-    bool several = false;        ///< more follow under "role.2", "role.3"…; of the command line the last operand
+    io::FileKinds kinds = {};     ///< of its files
+    std::string item_kind = {};   ///< kind of project items accepted instead of a file; empty: files only
+    bool takes_files = true;      ///< false: items only, and nothing of the command line
+    bool in_window_only = false;  ///< neither operand nor option of the command line
+    bool several = false;         ///< more follow under "role.2", "role.3"…; of the command line the last operand
     /// Reads it where it is given, for the facts that a window shows before all inputs are there. Errors of the reader.
     std::function<void(const project::PanelState&, Stores&, const Progress&)> read = {};
 };

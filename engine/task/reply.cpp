@@ -43,6 +43,7 @@ void run(const Task& task, const Request& request, Reply& reply, const Progress&
         reply.outcome = task.run(reply.state, wanted, stores, reply.sources, progress);
     } catch (...) {
         reply.notes = reply.sources.notes;
+        reply.outcome.understanding = understandingOf(reply.notes);
         throw;
     }
     reply.notes = reply.outcome.notes;

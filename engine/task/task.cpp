@@ -79,6 +79,13 @@ const Input* Task::input(const std::string& role) const
     return found == inputs.end() ? nullptr : &*found;
 }
 
+const Input* Task::fileOf(const FieldInfo& field) const
+{
+    const auto found =
+        std::find_if(inputs.begin(), inputs.end(), [&](const Input& one) { return one.option == field.key; });
+    return found == inputs.end() ? nullptr : &*found;
+}
+
 std::vector<std::string> givenOf(const Task& task, const project::PanelState& state)
 {
     std::vector<std::string> given;
@@ -94,12 +101,16 @@ std::vector<std::string> givenOf(const Task& task, const project::PanelState& st
 Values parametersOf(const Task& task, const project::PanelState& state)
 {
     Values all, reading = toValues(io::ImportOptions{});
-    for (const Input& input : task.inputs)
+    for (const Input& input : task.inputs) {
+        if (input.in_window_only && !sourceOf(state, input.role)) continue;
         for (const io::FileKind* kind : input.kinds)
             for (const auto& [key, value] : kind->reading_defaults) set(reading, key, value);
+    }
     for (const Input& input : task.inputs) {
         const project::Source* const source = sourceOf(state, input.role);
-        if (!input.option.empty()) set(all, input.option, source ? nameOf(*source) : std::string());
+        const bool is_field = std::any_of(task.fields.begin(), task.fields.end(),
+                                          [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
+        if (!input.option.empty() && !is_field) set(all, input.option, source ? nameOf(*source) : std::string());
         if (!source) continue;
         for (const auto& [key, value] : source->import) set(reading, key, value);
     }
@@ -107,6 +118,12 @@ Values parametersOf(const Task& task, const project::PanelState& state)
         const Value* const given = find(state.parameters, field.key);
         const Value& standard = *find(task.defaults, field.key);
         if (field.is_kept && (!given || *given == standard)) continue;
+        if (const Input* const file = task.fileOf(field)) {
+            const project::Source* const source = sourceOf(state, file->role);
+            const bool is_edited = given && *given != standard;
+            set(all, field.key, source ? Value(nameOf(*source)) : is_edited ? *given : Value());
+            continue;
+        }
         set(all, field.key, given ? *given : standard);
     }
     for (auto& [key, value] : reading) all.emplace_back(std::move(key), std::move(value));
@@ -115,7 +132,7 @@ Values parametersOf(const Task& task, const project::PanelState& state)
 
 Json resultOf(const Task& task, const project::PanelState& state, const Sources& sources, const Outcome& outcome)
 {
-    Json result = report::resultHead(task.key, sources.inputs, parametersOf(task, state));
+    Json result = report::resultHead(task.key, sources.inputs, parametersOf(task, outcome.stated.value_or(state)));
     if (outcome.json) result.update(outcome.json());
     report::addRemarks(result, outcome.understanding, outcome.errors, outcome.notes);
     return result;
@@ -127,7 +144,7 @@ report::Document documentOf(const Task& task, const project::PanelState& state, 
     report::Document document = outcome.report(language);
     document.inputs = sources.inputs;
     document.synthetic = sources.synthetic;
-    document.results = {report::toText(resultOf(task, state, sources, outcome))};
+    if (outcome.json) document.results = {report::toText(resultOf(task, state, sources, outcome))};
     return document;
 }
 

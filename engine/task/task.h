@@ -46,12 +46,13 @@ using WriteExport = std::function<void(const std::string& path, const Language& 
 
 /// Whatever a caller needs of an answer without knowing its type.
 struct Outcome {
-    std::shared_ptr<const void> result;  ///< the typed outcome
-    Notes notes;                         ///< of the readers and of the result
-    Understanding understanding;         ///< what was not understood and what was assumed, likewise
-    std::optional<Verdict> verdict;      ///< none: nothing to judge
-    std::vector<Error> errors;           ///< answered all the same (a program with errors has its diagnostics)
-    std::function<Json()> json;          ///< keys of the result, without head and notes
+    std::shared_ptr<const void> result;         ///< the typed outcome
+    Notes notes;                                ///< of the readers and of the result
+    Understanding understanding;                ///< what was not understood and what was assumed, likewise
+    std::optional<project::PanelState> stated;  ///< the state as the command line would state it; none: as it is
+    std::optional<Verdict> verdict;             ///< none: nothing to judge
+    std::vector<Error> errors;                  ///< answered all the same (a program with errors has its diagnostics)
+    std::function<Json()> json;  ///< keys of the result, without head and notes; none: no object in the report
     std::function<report::Answer(const Language&)> answer;
     std::function<report::Section(const Language&)> summary;
     /// Without inputs; `results` empty. None where an error leaves nothing to report.
@@ -108,6 +109,9 @@ struct Task {
         run;
 
     const Input* input(const std::string& role) const;  ///< nullptr: none
+    /// The input whose file gives this field on the command line, where a window edits it: an option of the same key;
+    /// nullptr: none.
+    const Input* fileOf(const FieldInfo& field) const;
 };
 
 /// Those of task.one_of that the state has, in their order.

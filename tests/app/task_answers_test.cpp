@@ -8,11 +8,14 @@
 #include <numbers>
 
 #include "app/gui/panels.h"
+#include "engine/cad/task/compare_task.h"
 #include "engine/cam/job_file.h"
 #include "engine/cam/task/turn_task.h"
 #include "engine/deflection/deflection_task.h"
 #include "engine/io/file.h"
+#include "engine/io/shaft/shaft_file.h"
 #include "engine/project/project_file.h"
+#include "engine/sample/sample.h"
 #include "engine/sample/sample_files.h"
 #include "engine/sample/sample_record.h"
 #include "engine/task/reply.h"
@@ -153,6 +156,35 @@ private slots:
         QVERIFY(ofVerb(task, state)["max_um"] != panel["max_um"]);  // the chuck is that spindle
         areEqual(ofPanel(factsOf("correction"), state),
                  ofVerb(task, state, {}, {{"compensate", path("corrected.nc")}}));
+    }
+
+    void compare()
+    {
+        sample::ScannerModel scanner;
+        scanner.row_pitch_mm = 0.3;
+        scanner.angle_step_deg = 2.4;
+        const auto writeScan = [&](const char* name, const sample::ShaftModel& shaft) {
+            std::string text;
+            for (const Eigen::Vector3d& p : sample::scanShaft(shaft, scanner).points_mm)
+                for (int i = 0; i < 3; ++i) text += std::to_string(p[i]) + (i < 2 ? ' ' : '\n');
+            io::writeFile(path(name), text);
+            scanner.seed = 2;
+        };
+        writeScan("original.xyz", sample::nominalShaft());
+        writeScan("copy.xyz", sample::copiedShaft());
+        project::PanelState state;
+        state.inputs[cad::referenceRole].path = path("original.xyz");
+        state.inputs[cad::copyRole].path = path("copy.xyz");
+        state.parameters = {{"tolerance_mm", 0.04}, {"exclude_z_mm", std::vector<Interval>{{0, 20}}}};
+        areEqual(ofPanel(factsOf("compare"), state), ofVerb(cad::compareTask(), state));
+        Shaft shaft;
+        shaft.segments = {{98, 30, 30, 0, {}, ""}, {10, 37, 37, 0, {}, ""}, {75, 33.8, 33.8, 0, {}, ""}};
+        shaft.segments[1].tolerance = SizeTolerance{{}, -10, 10};
+        io::writeFile(path("drawing.json"), io::shaftText(shaft));
+        state.inputs[cad::referenceRole].path = path("drawing.json");
+        const Json panel = ofPanel(factsOf("compare"), state);
+        areEqual(panel, ofVerb(cad::compareTask(), state));
+        QVERIFY(panel.contains("rows") && panel["verdict"] == "fail");
     }
 
     /// Of the command line the operand may be the job.

@@ -1,131 +1,95 @@
 #include "widgets/compare/compare_panel.h"
 
 #include <QToolButton>
-#include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/cad/step_kind.h"
+#include "engine/cad/task/compare_copies.h"
 #include "engine/core/profile_item.h"
 #include "engine/form/roundness/section_of_points.h"
 #include "engine/io/shaft/shaft_kind.h"
-#include "engine/registration/compare_quantities.h"
-#include "engine/registration/compare_report.h"
-#include "engine/registration/deviation_file.h"
-#include "engine/report/result_json.h"
-#include "engine/shaft/shaft_item.h"
 #include "widgets/compare/compare_views.h"
 #include "widgets/compare/zone_dialog.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
-#include "widgets/part_common/part_store.h"
 
 namespace lathelier::compare_panel {
 namespace {
 
+const std::vector<std::string> roles{cad::referenceRole, cad::copyRole, cad::copiesRole};
+
+/// With what the views show, in the worker. The further copies follow when this is shown.
+cad::CompareOutcome compareForViews(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                                    const Progress& progress)
+{
+    cad::CompareOutcome outcome =
+        cad::answerCompare(state, registration::CompareDetail::Full, stores, sources, progress.part(0, 0.9));
+    addViews(outcome, stores, progress.part(0.9, 1));
+    return outcome;
+}
+
+/// The unit of each file is one of its reading options.
 PanelInputs panelInputs()
 {
-    PanelInputs inputs;
-    inputs.roles = {{referenceRole, LT_TEXT("Engine", "Reference"),
-                     LT_TEXT("Engine", "Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft")},
-                    {"copy", LT_TEXT("Engine", "Copy"), LT_TEXT("Engine", "Scan of the part to be judged")}};
-    inputs.roles.back().takes_next = true;  // a further file replaces the copy
-    InputRole copies{copiesRole, LT_TEXT("Engine", "Further copies"),
-                     LT_TEXT("Engine", "Scans of more parts, judged by the same limits: table and trend")};
-    copies.required = false;
-    copies.several = true;
-    inputs.roles.push_back(copies);
-    for (InputRole& role : inputs.roles) role.kinds = {&io::scanFiles()};
-    inputs.roles.front().kinds = {&io::scanFiles(), &cad::stepFiles(), &io::shaftFiles()};
-    inputs.roles.front().item_kind = shaftItem;
-    inputs.fields = infos<registration::CompareParameters>();
-    inputs.defaults = toValues(registration::CompareParameters{});
-    inputs.invitation = LT_TEXT("Engine", "Drop two files here, first the original (scan or drawing), then the copy.");
+    PanelInputs inputs =
+        inputsOf(cad::compareTask(), roles, {}, false,
+                 LT_TEXT("Engine", "Drop two files here, first the original (scan or drawing), then the copy."));
+    for (const FieldInfo& info : cad::compareTask().fields)
+        if (info.key != cad::referenceUnitKey && info.key != cad::copyUnitKey) inputs.fields.push_back(info);
+    for (InputRole& role : inputs.roles) role.takes_next = role.role == cad::copyRole;
     return inputs;
 }
 
-report::Document reportOf(const CompareOutcome& outcome, const Language& language,
-                          std::vector<report::Picture> pictures, const std::vector<registration::CopySummary>& copies)
+InputRole copiesInput()
 {
-    registration::CompareResult result = *outcome.result;
-    result.notes = outcome.notes;  // including those of the files
-    report::Document document;
-    Json json;
-    if (outcome.sizes) {
-        features::ShaftComparison all = *outcome.sizes;
-        all.surface.notes = outcome.notes;
-        document = shaftReport(all, outcome.inputs, language, std::move(pictures));
-        json = toJson(all);
-    } else {
-        document = compareReport(result, outcome.inputs, language, std::move(pictures));
-        json = toJson(result);
-    }
-    document.synthetic = outcome.synthetic;
-    for (const registration::CopySummary& copy : copies)
-        if (copy.file) document.inputs.push_back(*copy.file);
-    if (copies.size() > 1)
-        document.sections.insert(
-            document.sections.begin() + 1,
-            report::Section{LT_TEXT("Engine", "Copies of the same original"),
-                            {copiesTrend(copies, result.parameters, language), copiesTable(copies, language)}});
-    document.results = {report::toText(
-        report::wholeResult("compare", outcome.inputs, toValues(result.parameters), json, result.notes))};
-    return document;
+    return rolesOf(cad::compareTask(), {cad::copiesRole}).front();
+}
+
+project::PanelState& stateIn(project::Project& project)
+{
+    return project.panels["compare"];
 }
 
 }  // namespace
 
 PanelFacts comparePanelFacts()
 {
-    PanelFacts facts;
-    facts.id = "compare";
-    facts.title = LT_TEXT("Engine", "Compare");
-    facts.icon = "compare";
-    facts.workspaces = {workspaceOf("inspection")};
-    facts.kinds = {&io::scanFiles()};
-    facts.part_inputs = {"copy", copiesRole};
+    PanelFacts facts = factsOf(cad::compareTask(), "compare", "compare", roles, {});
+    facts.kinds = {&io::scanFiles()};  // a drawing opens the panels of shafts
+    facts.item_inputs.clear();         // likewise
+    facts.part_inputs = {cad::copyRole, cad::copiesRole};
     facts.make = [](Session& session) -> PanelBase* { return new ComparePanel(session); };
-    facts.roles = panelInputs().roles;
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) {
-        const bool alone = furtherCopies(state).empty();
-        const CompareOutcome outcome = LastComparison().find(state, stores, progress.part(0, alone ? 1 : 0.4));
-        std::vector<registration::CopySummary> copies;
-        if (!alone) copies = KnownCopies().find(state, outcome, progress.part(0.4, 1));
-        return reportOf(outcome, language, {}, copies);
-    };
     return facts;
 }
 
-ComparePanel::ComparePanel(Session& session, QWidget* parent)
-    : Panel(session, comparePanelFacts(), panelInputs(), parent),
-      views_(new CompareViews),
-      last_(std::make_shared<LastComparison>()),
-      known_(std::make_shared<KnownCopies>())
+ComparePanel::ComparePanel(Session& owner, QWidget* parent)
+    : TaskPanel(owner, cad::compareTask(), compareForViews, comparePanelFacts(), panelInputs(), parent),
+      views_(new CompareViews)
 {
     setViews(views_, views_->primaryViews());
     addSwapButton();
-    connect(views_, &CompareViews::toleranceDragged, this, [this](double tolerance_mm, bool dropped) {
-        const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
-        Panel::session().edit(
-            tr("Change the tolerance"),
-            [&](project::Project& project) {
-                lathelier::set(project.panels["compare"].parameters, "tolerance_mm", rounded_mm);
-            },
-            QString("compare/tolerance/drag%1").arg(drags_));
-        drags_ += dropped;
-    });
+    connect(views_, &CompareViews::toleranceDragged, this, &ComparePanel::dragTolerance);
     connect(views_, &CompareViews::copyRequested, this, &ComparePanel::showCopy);
     connect(views_, &CompareViews::zoneDrawn, this, &ComparePanel::askZone);
     connect(views_, &CompareViews::sectionRequested, this, &ComparePanel::offerSection);
     connect(views_, &CompareViews::notWritten, this, &ComparePanel::reportWriteFailure);
 }
 
+void ComparePanel::dragTolerance(double tolerance_mm, bool dropped)
+{
+    const double rounded_mm = std::round(tolerance_mm * 1e4) / 1e4;
+    session().edit(
+        tr("Change the tolerance"),
+        [&](project::Project& project) { lathelier::set(stateIn(project).parameters, "tolerance_mm", rounded_mm); },
+        QString("compare/tolerance/drag%1").arg(drags_));
+    drags_ += dropped;
+}
+
 /// A slice of the copy two bins of the meridian thick, a millimetre at least.
 void ComparePanel::offerSection(double z_mm)
 {
-    const CompareOutcome& outcome = *result();
+    const cad::CompareOutcome& outcome = *result();
     const registration::CompareResult& compared = *outcome.result;
     const std::vector<double>& bins_mm = compared.meridian->z_mm;
     const double step_mm = bins_mm.size() > 1 ? bins_mm[1] - bins_mm[0] : 0;
@@ -133,11 +97,11 @@ void ComparePanel::offerSection(double z_mm)
         Profile profile = form::sectionOfPoints(outcome.copyScan().points_mm,
                                                 *compared.axis_T_reference * compared.alignment.reference_T_copy,
                                                 {z_mm, std::max(1.0, 2 * step_mm)});
-        profile.name =
-            tr("%1, z %2 mm")
-                .arg(screenFileName(QString::fromStdString(outcome.inputs.back().path)), screenNumber(z_mm, 2))
-                .toStdString();
-        offerItem(profile.name, profileItem, toValues(profile), outcome.synthetic);
+        profile.name = tr("%1, z %2 mm")
+                           .arg(screenFileName(QString::fromStdString(outcome.asked.inputs.at(cad::copyRole).path)),
+                                screenNumber(z_mm, 2))
+                           .toStdString();
+        offerItem(profile.name, profileItem, toValues(profile), outcome.sources.synthetic);
     } catch (const Error& error) {
         emit messageRaised({error, facts().title});
     }
@@ -176,7 +140,7 @@ void ComparePanel::askZone(double from_mm, double to_mm)
                    : drawn->existing                      ? tr("Edit a zone")
                                                           : tr("Add a zone"),
                    [&](project::Project& project) {
-                       Values& parameters = project.panels["compare"].parameters;
+                       Values& parameters = stateIn(project).parameters;
                        parameters = wanted(fromValues<registration::CompareParameters>(parameters));
                    });
 }
@@ -186,47 +150,39 @@ void ComparePanel::addSwapButton()
     swap_ = new QToolButton;
     swap_->setObjectName("swap");
     swap_->setAutoRaise(true);
-    inputColumn().insertBefore("copy", swap_);
+    inputColumn().insertBefore(cad::copyRole, swap_);
     connect(swap_, &QToolButton::clicked, this, &ComparePanel::swapInputs);
     ComparePanel::retranslate();
 }
 
 void ComparePanel::swapInputs()
 {
-    if (const auto shown = result(); shown && shown->drawn) return;  // a drawing cannot be the copy
+    if (const auto shown = result(); shown && shown->reference.drawn) return;  // a drawing cannot be the copy
     session().edit(tr("Swap reference and copy"), [](project::Project& project) {
-        auto& inputs = project.panels["compare"].inputs;
-        const auto reference = inputs.find("reference");
-        const auto copy = inputs.find("copy");
+        auto& inputs = stateIn(project).inputs;
+        const auto reference = inputs.find(cad::referenceRole);
+        const auto copy = inputs.find(cad::copyRole);
         if (reference != inputs.end() && copy != inputs.end()) return std::swap(reference->second, copy->second);
         const auto only = reference != inputs.end() ? reference : copy;
         if (only == inputs.end()) return;
-        const char* other = only == reference ? "copy" : "reference";
+        const char* other = only == reference ? cad::copyRole : cad::referenceRole;
         const project::Source source = only->second;
         inputs.erase(only);
         inputs[other] = source;
     });
 }
 
-ComparePanel::Compute ComparePanel::compute(const project::PanelState& state) const
-{
-    fromValues<registration::CompareParameters>(state.parameters);  // validates ranges before the computation
-    return [state, last = last_, stores = session().sharedStores()](const Progress& progress) {
-        return last->find(state, *stores, progress);
-    };
-}
-
-void ComparePanel::showResult(const std::shared_ptr<const CompareOutcome>& outcome)
+void ComparePanel::showResult(const std::shared_ptr<const cad::CompareOutcome>& outcome)
 {
     views_->setOutcome(outcome);
     copies_.clear();
-    if (furtherCopies(state()).empty()) {
+    if (cad::furtherCopies(outcome->asked).empty()) {
         series_.cancel();
         return views_->setCopies({});
     }
     series_.compute<std::vector<registration::CopySummary>>(
-        [state = state(), outcome, known = known_](const Progress& progress) {
-            return known->find(state, *outcome, progress);
+        [outcome, stores = session().sharedStores()](const Progress& progress) {
+            return cad::compareCopies(*outcome, *stores, progress);
         },
         [this](const std::vector<registration::CopySummary>& copies) {
             copies_ = copies;
@@ -241,28 +197,19 @@ void ComparePanel::showResult(const std::shared_ptr<const CompareOutcome>& outco
 void ComparePanel::showCopy(int number)
 {
     session().edit(tr("Show another copy"), [number](project::Project& project) {
-        project::PanelState& panel = project.panels["compare"];
-        const std::vector<project::Source> others = furtherCopies(panel);
+        project::PanelState& panel = stateIn(project);
+        const std::vector<project::Source> others = cad::furtherCopies(panel);
         if (number < 0 || number >= static_cast<int>(others.size())) return;
         std::vector<project::Source> after = others;
-        std::swap(after[static_cast<std::size_t>(number)], panel.inputs["copy"]);
-        InputRole role;
-        role.role = copiesRole;
-        role.several = true;
-        setSources(panel, role, after);
+        std::swap(after[static_cast<std::size_t>(number)], panel.inputs[cad::copyRole]);
+        setSources(panel, copiesInput(), after);
     });
-}
-
-report::Answer ComparePanel::answer(const CompareOutcome& outcome) const
-{
-    return outcome.sizes ? features::answer(*outcome.sizes, screenLanguage())
-                         : registration::answer(*outcome.result, screenLanguage());
 }
 
 /// Number of rows of a drawing, or of points of a scan.
 QString ComparePanel::understood(const InputRole& role, const project::Source& source) const
 {
-    if (const auto part = session().stores().of<part_common::PartStore>()->known(source)) {
+    if (const auto part = session().stores().of<task::CacheOf<cad::PartInput>>()->known(source)) {
         const Shaft& shaft = part->file.shaft;
         return understoodText(
             part->file.facts,
@@ -271,30 +218,13 @@ QString ComparePanel::understood(const InputRole& role, const project::Source& s
     return Panel::understood(role, source);
 }
 
-/// A drawing as reference has no scan.
-Worker::Job ComparePanel::makeReadingJob(const project::PanelState& state) const
-{
-    return [stores = session().sharedStores(),
-            inputs = state.inputs](const Progress& progress) -> std::shared_ptr<const void> {
-        const Progress reading = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
-        for (const auto& [role, source] : inputs) {
-            if (!source.item.empty()) continue;
-            if (role == referenceRole && isDrawn(source))
-                stores->of<part_common::PartStore>()->load(source, reading);
-            else
-                stores->of<ScanStore>()->load(source, reading);
-        }
-        return nullptr;
-    };
-}
-
 /// Only the reference may be a drawing.
 void ComparePanel::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
     std::vector<FoundFile> scans;
     for (const FoundFile& file : files) {
         if (file.kind == &cad::stepFiles() || file.kind == &io::shaftFiles())
-            state.inputs[referenceRole] = newSource(QString::fromStdString(file.path));
+            state.inputs[cad::referenceRole] = newSource(QString::fromStdString(file.path));
         else
             scans.push_back(file);
     }
@@ -306,25 +236,21 @@ void ComparePanel::showPlace(const report::Place& place)
     if (place.z_mm) views_->markAlong((place.z_mm->from + place.z_mm->to) / 2, place.angle_deg);
 }
 
-Notes ComparePanel::notes(const CompareOutcome& outcome) const
+/// With the pictures of the views, and with the further copies where they were compared.
+report::Document ComparePanel::document(const cad::CompareOutcome& outcome) const
 {
-    return outcome.notes;
-}
-
-report::Document ComparePanel::document(const CompareOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage(), views_->pictures(), copies_);
+    const auto whole = std::make_shared<cad::CompareOutcome>(outcome);
+    whole->pictures = views_->pictures();
+    addCopies(*whole, copies_);
+    return task::documentOf(cad::compareTask(), whole->asked, whole->sources, outcomeOf(whole), screenLanguage());
 }
 
 std::vector<PanelExport> ComparePanel::exports() const
 {
-    const auto outcome = result();
-    if (!outcome) return {};
-    const auto write = [outcome](const QString& path) {
-        writeDeviations(path.toStdString(), outcome->copyScan(), *outcome->result);
-    };
-    return {{tr("Deviations of all points (PLY)…"), tr("Point cloud (*.ply)"), "ply", write},
-            {tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", write}};
+    std::vector<PanelExport> all = TaskPanel::exports();
+    for (const PanelExport& as_cloud : TaskPanel::exports())
+        all.push_back({tr("Deviations of all points (CSV)…"), tr("Table (*.csv)"), "csv", as_cloud.write});
+    return all;
 }
 
 Values ComparePanel::view() const

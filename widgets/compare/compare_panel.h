@@ -1,8 +1,8 @@
 // The panel of workspace Inspection: deviation of the copy from the original, its location and uncertainty.
 #pragma once
 
-#include "widgets/compare/compare_series.h"
-#include "widgets/core/panel/panel.h"
+#include "engine/cad/task/compare_task.h"
+#include "widgets/core/panel/task_panel.h"
 #include "widgets/core/task/task.h"
 
 class QToolButton;
@@ -14,7 +14,7 @@ class CompareViews;
 /// The panel's entry in the panel table.
 PanelFacts comparePanelFacts();
 
-class ComparePanel : public Panel<CompareOutcome> {
+class ComparePanel : public TaskPanel<cad::CompareOutcome> {
     Q_OBJECT
 
 public:
@@ -26,15 +26,11 @@ public:
     void swapInputs();
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const CompareOutcome>& outcome) override;
-    report::Answer answer(const CompareOutcome& outcome) const override;
+    void showResult(const std::shared_ptr<const cad::CompareOutcome>& outcome) override;
     QString understood(const InputRole& role, const project::Source& source) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
     void showPlace(const report::Place& place) override;
-    Notes notes(const CompareOutcome& outcome) const override;
-    report::Document document(const CompareOutcome& outcome) const override;
+    report::Document document(const cad::CompareOutcome& outcome) const override;
     std::vector<PanelExport> exports() const override;
     Values view() const override;
     void restoreView(const Values& kept) override;
@@ -44,13 +40,12 @@ private:
     void addSwapButton();
     void offerSection(double z_mm);
     void askZone(double from_mm, double to_mm);
+    void dragTolerance(double tolerance_mm, bool dropped);
     void showCopy(int number);
 
     CompareViews* views_;
     QToolButton* swap_ = nullptr;
-    int drags_ = 0;  ///< number of drags of the tolerance, each one undo step
-    std::shared_ptr<LastComparison> last_;
-    std::shared_ptr<KnownCopies> known_;
+    int drags_ = 0;                                  ///< number of drags of the tolerance, each one undo step
     std::vector<registration::CopySummary> copies_;  ///< the shown copy and the further ones; empty: not computed yet
     Task series_;                                    ///< compares the further copies
 };

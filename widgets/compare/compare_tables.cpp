@@ -14,9 +14,9 @@ StatisticsTable::StatisticsTable(QWidget* parent) : CopyTable(parent)
     setAccessibleName(tr("Statistics"));
 }
 
-void StatisticsTable::setOutcome(const CompareOutcome& outcome)
+void StatisticsTable::setOutcome(const cad::CompareOutcome& outcome)
 {
-    setQuantities(compareReport(*outcome.result, outcome.inputs, screenLanguage()));
+    setQuantities(compareReport(*outcome.result, outcome.sources.inputs, screenLanguage()));
 }
 
 ZoneTable::ZoneTable(QWidget* parent) : CopyTable(parent)

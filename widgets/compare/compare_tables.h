@@ -1,7 +1,7 @@
 // The numbers of a comparison as tables that can be copied.
 #pragma once
 
-#include "widgets/compare/compare_outcome.h"
+#include "engine/cad/task/compare_places.h"
 #include "widgets/core/panel/copy_table.h"
 
 namespace lathelier::compare_panel {
@@ -12,7 +12,7 @@ class StatisticsTable : public CopyTable {
 
 public:
     explicit StatisticsTable(QWidget* parent = nullptr);
-    void setOutcome(const CompareOutcome& outcome);
+    void setOutcome(const cad::CompareOutcome& outcome);
 };
 
 /// Mean deviation of each zone along the axis; out-of-tolerance zones are marked by symbol and text.

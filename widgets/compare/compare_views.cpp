@@ -149,7 +149,7 @@ PrimaryViews* CompareViews::primaryViews() const
     return parts_->primary_views;
 }
 
-const std::optional<ComparePlace>& CompareViews::place() const
+const std::optional<cad::ComparePlace>& CompareViews::place() const
 {
     return parts_->place;
 }
@@ -160,11 +160,11 @@ double CompareViews::limit_mm() const
     return parts_->outcome ? colourLimit_mm(parts_->result(), parts_->greenWithin().has_value()) : 1;
 }
 
-void CompareViews::setOutcome(const std::shared_ptr<const CompareOutcome>& outcome)
+void CompareViews::setOutcome(const std::shared_ptr<const cad::CompareOutcome>& outcome)
 {
     Parts& p = *parts_;
-    const bool sameScans = p.outcome && p.outcome->reference == outcome->reference && p.outcome->copy == outcome->copy;
-    const bool sameValues = sameScans && p.outcome->local_mean_mm == outcome->local_mean_mm;
+    const bool sameScans = p.outcome && p.outcome->original == outcome->original && p.outcome->copy == outcome->copy;
+    const bool sameValues = sameScans && p.outcome->form.local_mean_mm == outcome->form.local_mean_mm;
     p.outcome = outcome;
     if (!sameScans && !p.restored) {
         p.chosen_limit_mm.reset();
@@ -173,7 +173,7 @@ void CompareViews::setOutcome(const std::shared_ptr<const CompareOutcome>& outco
     }
     if (!sameScans) p.place.reset();
     p.restored = false;
-    p.synthetic->setVisible(outcome->synthetic);
+    p.synthetic->setVisible(outcome->sources.synthetic);
     arrange();
     showCharts();
     if (sameValues && !p.shares() && !p.coloured_by_share)
@@ -257,7 +257,7 @@ void CompareViews::showCharts()
     const double factor = p.factor->value();
     p.meridian->setData(magnifiedMeridian(result, screenLanguage(), factor));
     p.along->setData(deviationAlongAxis(result, screenLanguage()));
-    p.map->setData(unrolledMap(result, p.greenWithin().has_value(), *p.outcome->map_mean_mm));
+    p.map->setData(unrolledMap(result, p.greenWithin().has_value(), *p.outcome->form.map_mean_mm));
 }
 
 /// Both limits follow the dragged one.
@@ -281,7 +281,7 @@ void CompareViews::showSurface()
 
     scene::SceneObject reference;
     reference.name = tr("Reference");
-    reference.scan = ScanPtr(p.outcome->reference, &p.outcome->reference->file.scan);
+    reference.scan = ScanPtr(p.outcome->original, &p.outcome->original->file.scan);
     reference.colour = plot::toQt(report::colourOf(report::ColourRole::Original));
     reference.visible = !deviation;
     scene::SceneObject copy;
@@ -289,7 +289,7 @@ void CompareViews::showSurface()
     copy.scan = ScanPtr(p.outcome->copy, &p.outcome->copy->file.scan);
     copy.scene_T_scan = result.alignment.reference_T_copy;
     copy.colour = plot::toQt(report::colourOf(report::ColourRole::Copy));
-    if (deviation && p.smooth->isChecked()) copy.values = p.outcome->local_mean_mm;
+    if (deviation && p.smooth->isChecked()) copy.values = p.outcome->form.local_mean_mm;
     if (deviation && !copy.values)
         copy.values = std::shared_ptr<const std::vector<float>>(p.outcome->result, &result.deviation_mm);
     if (copy.values) copy.outward_mm = exaggerated(result.deviation_mm, *copy.values, p.factor->value());
@@ -298,12 +298,12 @@ void CompareViews::showSurface()
             sharesOfLimits_percent(result.parameters, *copy.values, result.windows->z_mm));
     p.coloured = copy.values;
     p.coloured_by_share = copy.values && p.shares();
-    copy.along_axis = p.outcome->along_axis;
+    copy.along_axis = p.outcome->form.along_axis;
     recolour(p.greenWithin());
     p.scene->setObjects({reference, copy});
     // With a magnified error the wireframe of the original is shown.
     const bool exaggerates = copy.outward_mm && p.factor->value() > 1;
-    p.scene->setOutline(exaggerates ? outlineOf(result) : std::vector<std::vector<Eigen::Vector3d>>());
+    p.scene->setOutline(exaggerates ? cad::outlineOf(result) : std::vector<std::vector<Eigen::Vector3d>>());
 }
 
 void CompareViews::recolour(std::optional<double> tolerance_mm)
@@ -339,7 +339,7 @@ void CompareViews::setLimit(std::optional<double> limit_mm, std::optional<double
     recolour(parts_->greenWithin());
 }
 
-void CompareViews::setPlace(const std::optional<ComparePlace>& place)
+void CompareViews::setPlace(const std::optional<cad::ComparePlace>& place)
 {
     Parts& p = *parts_;
     p.place = place;
@@ -365,7 +365,7 @@ void CompareViews::setPlace(const std::optional<ComparePlace>& place)
 }
 
 /// Pointer tag: the coloured value, then its place.
-void CompareViews::tag(const ComparePlace& place)
+void CompareViews::tag(const cad::ComparePlace& place)
 {
     const Parts& p = *parts_;
     const bool means = p.smooth->isChecked() && place.local_mean_mm;

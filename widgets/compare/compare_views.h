@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "engine/cad/task/compare_places.h"
 #include "engine/registration/copies.h"
 #include "engine/report/document.h"
-#include "widgets/compare/compare_outcome.h"
 
 namespace lathelier {
 class PrimaryViews;
@@ -23,11 +23,11 @@ public:
     explicit CompareViews(QWidget* parent = nullptr);
     ~CompareViews() override;
 
-    void setOutcome(const std::shared_ptr<const CompareOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const cad::CompareOutcome>& outcome);
 
     /// The place marked in all views.
-    void setPlace(const std::optional<ComparePlace>& place);
-    const std::optional<ComparePlace>& place() const;
+    void setPlace(const std::optional<cad::ComparePlace>& place);
+    const std::optional<cad::ComparePlace>& place() const;
 
     /// Ends of the colour scale; without upper end: from the data; without lower end: symmetric.
     void setLimit(std::optional<double> limit_mm, std::optional<double> lower_mm = {});
@@ -65,7 +65,7 @@ private:
     void showCharts();
     void arrange();
     void recolour(std::optional<double> tolerance_mm);
-    void tag(const ComparePlace& place);
+    void tag(const cad::ComparePlace& place);
 
     std::unique_ptr<Parts> parts_;
 };

@@ -107,7 +107,7 @@ void CompareViews::arrange()
         p.tabs->setCurrentIndex(0);
     }
     if (!axis && zones) p.tabs->removeTab(0);
-    p.smooth->setVisible(!p.outcome || p.outcome->local_mean_mm);
+    p.smooth->setVisible(!p.outcome || p.outcome->form.local_mean_mm);
     p.section->setVisible(axis);
     p.zone->setVisible(axis);
     p.zone->setEnabled(p.hasAxis());
@@ -156,7 +156,7 @@ void CompareViews::retranslate()
     p.section->setToolTip(tr("Cuts the marked section out of the copy and opens it in the panel Roundness"));
     p.synthetic->setText(tr("Synthetic data"));
     p.synthetic->setToolTip(tr("These scans were computed, not measured."));
-    p.synthetic->setVisible(p.outcome && p.outcome->synthetic);
+    p.synthetic->setVisible(p.outcome && p.outcome->sources.synthetic);
     p.scene->setScale({LT_TEXT("Engine", "Deviation"), unit::mm});
     if (!p.outcome) return;
     arrange();

@@ -30,10 +30,10 @@ inline constexpr const char* copies = "copies";
 }  // namespace view
 
 struct CompareViews::Parts {
-    std::shared_ptr<const CompareOutcome> outcome;  ///< shown outcome; null: none yet
-    std::optional<ComparePlace> place;              ///< the marked place; none: no place
-    std::optional<double> chosen_limit_mm;          ///< end of the colour scale chosen by the user; none: from the data
-    struct Counted {                                ///< values counted by the bars beside the scale
+    std::shared_ptr<const cad::CompareOutcome> outcome;  ///< shown outcome; null: none yet
+    std::optional<cad::ComparePlace> place;              ///< the marked place; none: no place
+    std::optional<double> chosen_limit_mm;  ///< end of the colour scale chosen by the user; none: from the data
+    struct Counted {                        ///< values counted by the bars beside the scale
         std::shared_ptr<const std::vector<float>> values;  ///< shared: the address is the identity
         double least = 0, limit = 0;                       ///< ends of the scale, in mm
         friend bool operator==(const Counted&, const Counted&) = default;

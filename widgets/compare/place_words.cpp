@@ -12,7 +12,7 @@ QString valueWords(const std::optional<double>& value_mm)
     return value_mm ? screenQuantity(*value_mm, millimetre, 3, true) : CompareViews::tr("left out");
 }
 
-QString placeWords(const ComparePlace& place)
+QString placeWords(const cad::ComparePlace& place)
 {
     if (place.z_mm && place.angle_deg)
         return QString("z %1  ·  %2°")
@@ -22,7 +22,7 @@ QString placeWords(const ComparePlace& place)
              screenQuantity(place.reference_mm.z(), millimetre, 1));
 }
 
-QString allWords(const ComparePlace& place)
+QString allWords(const cad::ComparePlace& place)
 {
     QStringList lines;
     lines << QString("X %1   Y %2   Z %3")

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "widgets/compare/compare_outcome.h"
+#include "engine/cad/task/compare_places.h"
 
 namespace lathelier::compare_panel {
 
@@ -11,9 +11,9 @@ namespace lathelier::compare_panel {
 QString valueWords(const std::optional<double>& value_mm);
 
 /// On one line: along and about the axis, or the coordinates where there is none.
-QString placeWords(const ComparePlace& place);
+QString placeWords(const cad::ComparePlace& place);
 
 /// Coordinates, place about the axis, deviation and mean, each on its own line.
-QString allWords(const ComparePlace& place);
+QString allWords(const cad::ComparePlace& place);
 
 }  // namespace lathelier::compare_panel

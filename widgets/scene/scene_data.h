@@ -4,11 +4,11 @@
 #include <Eigen/Geometry>
 #include <QColor>
 #include <QString>
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
+#include "engine/core/mesh_place.h"
 #include "engine/core/scan.h"
 
 namespace lathelier::scene {
@@ -35,11 +35,7 @@ struct SceneAxis {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX();  ///< unit vector in the scene
 };
 
-/// A place on a mesh: the corners of a triangle and their weights, which add up to 1.
-struct PickedPlace {
-    std::array<std::uint32_t, 3> corners{};             ///< indices of the vertices
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  ///< one for each corner
-};
+using PickedPlace = MeshPlace;
 
 /// Standard views of a part whose long axis lies level.
 enum class SceneViewpoint { Oblique, Side, Top, End };

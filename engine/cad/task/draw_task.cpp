@@ -1,14 +1,11 @@
 #include "engine/cad/task/draw_task.h"
 
-#include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "engine/cad/cad_notes.h"
 #include "engine/cad/step_kind.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/json.h"
-#include "engine/io/json/json_locate.h"
 #include "engine/receptance/library.h"
 #include "engine/shaft/shaft_codes.h"
 #include "engine/shaft/shaft_contour.h"
@@ -102,22 +99,6 @@ std::shared_ptr<const PartToWrite> partOf(const std::shared_ptr<const DrawOutcom
 
 }  // namespace
 
-PartTaken takePart(const project::PanelState& state, const std::string& role, Stores& stores, task::Sources& sources,
-                   const Progress& progress)
-{
-    const project::Source& source = state.inputs.at(role);
-    PartTaken taken;
-    taken.file = task::takeFile<PartInput>(state, role, stores, progress, sources);
-    if (!taken.file) {
-        taken.shaft = *task::take<PartInput>(state, role, stores, progress, sources);
-        taken.recovered = recoveredFrom(task::itemValues(state, role, shaftItem));
-        return taken;
-    }
-    taken.shaft = taken.file->file.shaft;
-    if (taken.shaft.name.empty()) taken.shaft.name = std::filesystem::path(source.path).stem().string();
-    return taken;
-}
-
 DrawOutcome answerDraw(const project::PanelState& state, bool has_cad, Stores& stores, task::Sources& sources,
                        const Progress& progress)
 {
@@ -137,17 +118,14 @@ DrawOutcome answerDraw(const project::PanelState& state, bool has_cad, Stores& s
     } catch (Error& error) {
         const project::Source* const source = task::sourceOf(state, shaftRole);
         if (!source || rules) throw;
-        if (source->item.empty()) io::locateRow(error, source->path);
-        throw error.with("path", task::nameOf(*source));
+        locatePart(error, *source);
+        throw;
     }
     if (has_cad) {
         const Notes left_out = cadNotes(outcome.shaft);
         outcome.remarks.insert(outcome.remarks.end(), left_out.begin(), left_out.end());
     }
-    std::erase_if(sources.notes, [&](const Note& note) {  // notes of the file repeated by checkShaft()
-        return std::any_of(outcome.remarks.begin(), outcome.remarks.end(),
-                           [&](const Note& remark) { return remark.code.key == note.code.key; });
-    });
+    dropRepeated(sources, outcome.remarks);
     outcome.mass_kg = drawing::massInKilograms(outcome.shaft);
     outcome.record(state, sources, outcome.remarks);
     progress.report(1);

@@ -7,24 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "engine/cad/part_input.h"
 #include "engine/cad/task/draw_question.h"
+#include "engine/cad/task/taken_part.h"
 #include "engine/drawing/shaft_drawing.h"
-#include "engine/shaft/shaft_item.h"
 #include "engine/task/task.h"
 
 namespace lathelier::cad {
-
-/// A part with where it comes from.
-struct PartTaken {
-    Shaft shaft;                                   ///< without a name named after the file
-    std::optional<RecoveredFrom> recovered;        ///< of an item: the scan from which it was recognised
-    std::shared_ptr<const Loaded<PartFile>> file;  ///< null: an item
-};
-
-/// Errors: those of PartInput; itemNotThere. Precondition: the input is given.
-PartTaken takePart(const project::PanelState& state, const std::string& role, Stores& stores, task::Sources& sources,
-                   const Progress& progress);
 
 struct DrawOutcome : task::Answered {
     DrawQuestion question;                         ///< the parameters as a value

@@ -175,6 +175,17 @@ bool sameButVerdict(const CompareParameters& a, const CompareParameters& b)
            a.max_distance_mm == b.max_distance_mm && a.exclude_z_mm == b.exclude_z_mm;
 }
 
+CompareParameters fittedOf(const CompareParameters& parameters)
+{
+    CompareParameters fitted;
+    fitted.method = parameters.method;
+    fitted.symmetry = parameters.symmetry;
+    fitted.initial = parameters.initial;
+    fitted.max_distance_mm = parameters.max_distance_mm;
+    fitted.exclude_z_mm = parameters.exclude_z_mm;
+    return fitted;
+}
+
 void judge(CompareResult& result, const CompareParameters& parameters, const Progress& progress)
 {
     checkZones(parameters.zones);

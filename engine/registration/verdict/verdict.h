@@ -9,6 +9,9 @@ namespace lathelier::registration {
 /// Do `a` and `b` differ in nothing but what judge() takes: tolerance, rules, zones, pass percentage, scanner accuracy?
 bool sameButVerdict(const CompareParameters& a, const CompareParameters& b);
 
+/// Without what judge() takes: equal for two that are sameButVerdict().
+CompareParameters fittedOf(const CompareParameters& parameters);
+
 /// Copies the parameters of the verdict into the result and recomputes scatter, zones, findings, worst place,
 /// share within the limits, verdict, distinguishable_from_scanner and the notes about them from the deviations of
 /// the used points and the local means (`windows`; without them the rule surface decides nothing). Distinguishable: the

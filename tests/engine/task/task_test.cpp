@@ -167,5 +167,32 @@ TEST_F(TaskTest, AFileIsReadOnce)
     EXPECT_EQ(run().json()["joined"], "other");
 }
 
+/// On the command line a file gives what a window edits: nothing, the table, or the name of the file is stated.
+TEST_F(TaskTest, AFieldMayComeFromAFile)
+{
+    Task task = joinTask();
+    task.inputs.push_back(optionalInput<LineInput>("line", "between", {"Between"}, {"From a file."}));
+    ASSERT_EQ(task.fileOf(task.fields.front()), &task.inputs.back());
+    EXPECT_EQ(task.fileOf(task.fields.back()), nullptr);
+    const auto stated = [&] { return *find(parametersOf(task, state_), "between"); };
+    EXPECT_EQ(stated(), Value());
+    set(state_.parameters, "between", std::string("-"));
+    EXPECT_EQ(stated(), Value(std::string("-")));
+    state_.inputs["line"].path = "b.txt";
+    EXPECT_EQ(stated(), Value(std::string("b.txt")));
+    EXPECT_EQ(parametersOf(task, state_).size(), parametersOf(joinTask(), state_).size());
+}
+
+TEST_F(TaskTest, TheStateIsStatedAsTheCommandLineHasIt)
+{
+    state_.inputs["first"].path = write("a.txt", "one");
+    Outcome outcome = run();
+    outcome.stated = state_;
+    set(outcome.stated->parameters, "between", std::string("*"));
+    EXPECT_EQ(resultOf(joinTask(), state_, sources_, outcome)["parameters"]["between"], "*");
+    outcome.json = {};
+    EXPECT_TRUE(documentOf(joinTask(), state_, sources_, outcome).results.empty());
+}
+
 }  // namespace
 }  // namespace lathelier::task

@@ -101,7 +101,7 @@ private slots:
             drop(panel_.get(), {file, copy_});
             settle();
             const auto outcome = panel_->result();
-            QVERIFY(outcome->drawn && outcome->sizes);
+            QVERIFY(outcome->reference.drawn && outcome->sizes);
             QCOMPARE(session_->panel("compare").inputs.at("reference").path, file.toStdString());
             auto* sizes = part<CopyTable>("sizes");
             QCOMPARE(sizes->rowCount(), static_cast<int>(outcome->sizes->rows.size()));
@@ -122,13 +122,14 @@ private slots:
         QVERIFY(!panelAnswer.findings.empty());
         const Interval place = *panelAnswer.findings.front().place.z_mm;
         QVERIFY(std::abs(place.from - 98) < 1 && std::abs(place.to - 108) < 1);
-        const auto before = panel_->result()->sizes;
-        setTolerance(0.2);  // judged again, nothing recognised again
-        QVERIFY(panel_->result()->reference == panel_->result()->drawn->mesh);
-        QCOMPARE(panel_->result()->sizes->rows.size(), before->rows.size());
+        const auto before = panel_->result();
+        setTolerance(0.2);                                        // judged again, nothing recognised again
+        QVERIFY(panel_->result()->original == before->original);  // the mesh is the same object
+        QVERIFY(panel_->result()->form.local_mean_mm == before->form.local_mean_mm);
+        QCOMPARE(panel_->result()->sizes->rows.size(), before->sizes->rows.size());
         panel_->swapInputs();  // a drawing is no copy
         settle();
-        QVERIFY(panel_->result()->drawn);
+        QVERIFY(panel_->result()->reference.drawn);
         const report::Document report = *panel_->reportDocument();
         QVERIFY(std::any_of(report.sections.begin(), report.sections.end(), [](const report::Section& section) {
             return report::captionText(section.title, {}) == "Sizes against the drawing";
@@ -143,8 +144,8 @@ private slots:
         });
         drop(panel_.get(), {copy_});
         settle();
-        QVERIFY(panel_->result()->drawn && panel_->result()->sizes);
-        QCOMPARE(panel_->result()->inputs.front().path, std::string("pin"));
+        QVERIFY(panel_->result()->reference.drawn && panel_->result()->sizes);
+        QCOMPARE(panel_->result()->sources.inputs.front().path, std::string("pin"));
     }
 
     void twoDroppedFilesAreAnswered()
@@ -296,7 +297,7 @@ private slots:
         setTolerance(0.1);
         const auto after = panel_->result();
         QVERIFY(after->result->verdict.has_value());
-        QVERIFY(after->local_mean_mm == before->local_mean_mm);  // the same object: taken over, not computed
+        QVERIFY(after->form.local_mean_mm == before->form.local_mean_mm);  // the same object: taken over, not computed
         QCOMPARE(after->result->deviation_mm.size(), before->result->deviation_mm.size());
         QVERIFY(part<QLabel>("verdict")->isVisible());
         const QString word = part<QLabel>("verdict")->text();

@@ -11,10 +11,11 @@
 #include <algorithm>
 
 #include "engine/core/version.h"
+#include "engine/io/cloud/scan_input.h"
 #include "engine/io/file.h"
 #include "engine/io/io_codes.h"
 #include "engine/report/result_json.h"
-#include "widgets/core/files/scan_store.h"
+#include "engine/task/inputs.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
@@ -49,7 +50,7 @@ std::vector<Text> PanelBase::missingInputs(const project::PanelState& state) con
 
 Worker::Job PanelBase::makeReadingJob(const project::PanelState& state) const
 {
-    return [scans = session_.stores().of<ScanStore>(),
+    return [scans = session_.stores().of<task::CacheOf<io::ScanInput>>(),
             inputs = state.inputs](const Progress& progress) -> std::shared_ptr<const void> {
         for (const auto& [role, source] : inputs)
             scans->load(source, progress.part(0, 1, LT_TEXT("Engine", "Reading")));
@@ -59,7 +60,7 @@ Worker::Job PanelBase::makeReadingJob(const project::PanelState& state) const
 
 QString PanelBase::understood(const InputRole&, const project::Source& source) const
 {
-    const LoadedScanPtr loaded = session_.stores().of<ScanStore>()->known(source);
+    const auto loaded = session_.stores().of<task::CacheOf<io::ScanInput>>()->known(source);
     if (!loaded) return {};
     const Scan& scan = loaded->file.scan;
     return understoodText(loaded->file.facts, scan.isMesh() ? tr("%L1 triangles").arg(scan.triangles.size())

@@ -20,6 +20,7 @@
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/surface/task/surface_task.h"
 #include "engine/trajectory/task/roundness_task.h"
 #include "engine/trajectory/task/trajectory_task.h"
 #include "engine/verify/verify_task.h"
@@ -47,7 +48,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(chain::remanufactureTask()),
                                 verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
-                                surfaceVerb(),
+                                verbOf(surface::surfaceTask()),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),

@@ -7,6 +7,5 @@ namespace lathelier::cli {
 
 Verb sampleVerb();
 Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of the others
-Verb surfaceVerb();
 
 }  // namespace lathelier::cli

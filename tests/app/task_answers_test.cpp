@@ -18,6 +18,8 @@
 #include "engine/sample/sample.h"
 #include "engine/sample/sample_files.h"
 #include "engine/sample/sample_record.h"
+#include "engine/surface/synthetic.h"
+#include "engine/surface/task/surface_task.h"
 #include "engine/task/reply.h"
 #include "engine/trajectory/task/roundness_task.h"
 #include "engine/trajectory/task/trajectory_task.h"
@@ -185,6 +187,21 @@ private slots:
         const Json panel = ofPanel(factsOf("compare"), state);
         areEqual(panel, ofVerb(cad::compareTask(), state));
         QVERIFY(panel.contains("rows") && panel["verdict"] == "fail");
+    }
+
+    void surfaceBeforeAndAfter()
+    {
+        surface::SyntheticParameters picture;
+        picture.width = 420;
+        picture.height = 300;
+        io::writeFile(path("before.png"), surface::syntheticPng(surface::syntheticPicture(picture)));
+        picture.seed = 2;
+        io::writeFile(path("after.png"), surface::syntheticPng(surface::syntheticPicture(picture)));
+        project::PanelState state;
+        state.inputs[surface::beforeRole].path = path("before.png");
+        state.inputs[surface::afterRole].path = path("after.png");
+        state.parameters = {{"feed_mm_rev", 0.1}, {"diameter_mm", 30.0}, {"mm_per_px", 0.006}};
+        areEqual(ofPanel(factsOf("surface"), state), ofVerb(surface::surfaceTask(), state));
     }
 
     /// Of the command line the operand may be the job.

@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "engine/deflection/setup_file.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/form/input_box.h"
 
 namespace lathelier::deflection_common {
@@ -39,7 +39,7 @@ void readProgramFacts(const project::PanelState& state, Stores& stores, const Pr
 QString understoodTurning(const std::string& role, const project::Source& source, Stores& stores)
 {
     if (role == deflection::stockRole || role == deflection::spindleRole)
-        return chatter_common::understoodModel(role, source, stores);
+        return chatter_common::understoodModel(source, stores);
     if (role == deflection::setupRole) {
         const auto loaded = stores.of<task::CacheOf<deflection::SetupInput>>()->known(source);
         if (!loaded) return {};

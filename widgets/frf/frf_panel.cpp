@@ -2,7 +2,7 @@
 
 #include "engine/core/frf_item.h"
 #include "engine/receptance/task/shaft_task.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/frf/frf_views.h"
 
 namespace lathelier::frf_panel {
@@ -68,10 +68,9 @@ void FrfPanel::goBackToTheFit()
               [](project::PanelState& state) { set(state.parameters, receptance::changedModesKey, Rows{}); });
 }
 
-QString FrfPanel::understood(const InputRole& role, const project::Source& source) const
+QString FrfPanel::understood(const InputRole&, const project::Source& source) const
 {
-    if (role.role != responseRole) return chatter_common::understoodModel(role.role, source, session().stores());
-    return chatter_common::understoodResponse(source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void FrfPanel::showResult(const std::shared_ptr<const ModesOutcome>& outcome)

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/frf_item.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/session.h"
 #include "widgets/lobes/lobes_views.h"
 
@@ -72,7 +72,7 @@ void LobesPanel::moveOperatingPoint(double speed_rpm, std::optional<double> dept
 
 QString LobesPanel::understood(const InputRole&, const project::Source& source) const
 {
-    return chatter_common::understoodResponse(source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void LobesPanel::showResult(const std::shared_ptr<const stability::LobesOutcome>& outcome)

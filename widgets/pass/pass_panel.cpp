@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/session.h"
 #include "widgets/pass/pass_views.h"
 
@@ -94,9 +94,9 @@ void PassPanel::movePoint(double speed_rpm, double depth_mm, bool dropped)
     gesture_ += dropped;
 }
 
-QString PassPanel::understood(const InputRole& role, const project::Source& source) const
+QString PassPanel::understood(const InputRole&, const project::Source& source) const
 {
-    return chatter_common::understoodModel(role.role, source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void PassPanel::showResult(const std::shared_ptr<const LobesOutcome>& outcome)

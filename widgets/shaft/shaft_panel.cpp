@@ -4,7 +4,7 @@
 #include "engine/receptance/shaft_plots.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/shaft/shaft_item.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/session.h"
@@ -89,9 +89,9 @@ void ShaftPanel::assignFiles(project::PanelState& state, const std::vector<Found
     }
 }
 
-QString ShaftPanel::understood(const InputRole& role, const project::Source& source) const
+QString ShaftPanel::understood(const InputRole&, const project::Source& source) const
 {
-    return chatter_common::understoodModel(role.role, source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void ShaftPanel::showResult(const std::shared_ptr<const ShaftOutcome>& outcome)

@@ -1,7 +1,7 @@
 #include "widgets/speed/speed_panel.h"
 
 #include "engine/stability/task/speed_entry.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/session.h"
 #include "widgets/speed/speed_views.h"
 
@@ -70,10 +70,9 @@ std::optional<Error> SpeedPanel::problem(const SpeedOutcome& outcome) const
     return std::nullopt;
 }
 
-QString SpeedPanel::understood(const InputRole& role, const project::Source& source) const
+QString SpeedPanel::understood(const InputRole&, const project::Source& source) const
 {
-    if (role.role == stability::frfRole) return chatter_common::understoodResponse(source, session().stores());
-    return chatter_common::understoodModel(role.role, source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void SpeedPanel::showResult(const std::shared_ptr<const SpeedOutcome>& outcome)

@@ -7,7 +7,7 @@
 #include "engine/io/image/image_input.h"
 #include "engine/stability/task/point_response.h"
 #include "engine/surface/surface_pictures.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
@@ -233,7 +233,7 @@ void SurfacePanel::assignFiles(project::PanelState& state, const std::vector<Fou
 QString SurfacePanel::understood(const InputRole& role, const project::Source& source) const
 {
     Stores& stores = session().stores();
-    if (role.role == stability::frfRole) return chatter_common::understoodResponse(source, stores);
+    if (role.role == stability::frfRole) return chatter_common::understoodModel(source, stores);
     const auto loaded = stores.of<task::CacheOf<io::ImageInput>>()->known(source);
     if (!loaded) return {};
     const io::Image& image = loaded->file;

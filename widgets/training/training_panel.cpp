@@ -14,7 +14,7 @@
 #include "engine/report/html.h"
 #include "engine/stability/simulation/simulation_files.h"
 #include "engine/training/lesson_kind.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/language.h"
 #include "widgets/core/session.h"
 
@@ -205,7 +205,7 @@ void TrainingPanel::playPicture()
 
 QString TrainingPanel::understood(const InputRole&, const project::Source& source) const
 {
-    return chatter_common::understoodResponse(source, session().stores());
+    return chatter_common::understoodModel(source, session().stores());
 }
 
 void TrainingPanel::showResult(const std::shared_ptr<const training::TrainingOutcome>& outcome)

@@ -9,7 +9,7 @@
 #include "engine/core/frf_item.h"
 #include "engine/gcode/controls/controls.h"
 #include "engine/gcode/program_input.h"
-#include "widgets/chatter_common/model_inputs.h"
+#include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
@@ -167,7 +167,7 @@ void TurningPanel::assignFiles(project::PanelState& state, const std::vector<Fou
 QString TurningPanel::understood(const InputRole& role, const project::Source& source) const
 {
     Stores& stores = session().stores();
-    if (role.role == cam::spindleRole) return chatter_common::understoodModel(role.role, source, stores);
+    if (role.role == cam::spindleRole) return chatter_common::understoodModel(source, stores);
     if (role.role == cam::jobRole) {
         const auto loaded = stores.of<task::CacheOf<cam::JobInput>>()->known(source);
         if (!loaded) return {};

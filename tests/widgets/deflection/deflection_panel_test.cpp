@@ -13,7 +13,6 @@
 #include "engine/shaft/shaft_item.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"
-#include "widgets/chatter_common/input_value.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"
 #include "widgets/deflection/deflection_panel.h"
@@ -70,7 +69,7 @@ private slots:
         session_->edit("Use", [&](project::Project& project) {
             project.items["bar"].kind = shaftItem;
             project.items["bar"].values = lathelier::toValues(shaft);
-            project.panels["deflection"].inputs[chatter_common::shaftRole].item = "bar";
+            project.panels["deflection"].inputs[deflection::stockRole].item = "bar";
         });
         settle();
         QVERIFY(contains(panel_->result()->notes, notes::materialOfShaft));

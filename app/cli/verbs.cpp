@@ -18,6 +18,7 @@
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
+#include "engine/surface/task/surface_task.h"
 
 namespace lathelier::cli {
 
@@ -41,7 +42,7 @@ const std::vector<Verb>& verbs()
                                 remanufactureVerb(),
                                 verbOf(cad::recognizeTask()),
                                 verbOf(cad::drawTask()),
-                                surfaceVerb(),
+                                verbOf(surface::surfaceTask()),
                                 verifyVerb()};
         // inspect knows the files of all others
         io::FileKinds kinds{&io::qdasFiles(),

@@ -10,7 +10,6 @@ Verb inspectVerb(const io::FileKinds& kinds);  ///< accepts all kinds of file of
 Verb roundnessVerb();
 Verb trajectoryVerb();
 Verb remanufactureVerb();
-Verb surfaceVerb();
 Verb verifyVerb();
 
 }  // namespace lathelier::cli

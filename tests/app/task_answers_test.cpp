@@ -15,6 +15,8 @@
 #include "engine/gcode/program_input.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/sample/sample.h"
+#include "engine/surface/synthetic.h"
+#include "engine/surface/task/surface_task.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/deflection/slender_files.h"
 
@@ -132,6 +134,21 @@ private slots:
         const Json panel = ofPanel("compare", cad::compareTask(), state);
         areEqual(panel, ofVerb(cad::compareTask(), state));
         QVERIFY(panel.contains("rows") && panel["verdict"] == "fail");
+    }
+
+    void surfaceBeforeAndAfter()
+    {
+        surface::SyntheticParameters picture;
+        picture.width = 420;
+        picture.height = 300;
+        io::writeFile(path("before.png"), surface::syntheticPng(surface::syntheticPicture(picture)));
+        picture.seed = 2;
+        io::writeFile(path("after.png"), surface::syntheticPng(surface::syntheticPicture(picture)));
+        project::PanelState state;
+        state.inputs[surface::beforeRole].path = path("before.png");
+        state.inputs[surface::afterRole].path = path("after.png");
+        state.parameters = {{"feed_mm_rev", 0.1}, {"diameter_mm", 30.0}, {"mm_per_px", 0.006}};
+        areEqual(ofPanel("surface", surface::surfaceTask(), state), ofVerb(surface::surfaceTask(), state));
     }
 
     void turningProgram()

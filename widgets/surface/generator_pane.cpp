@@ -141,7 +141,7 @@ NumberEdit* GeneratorPane::number(const std::string& key) const
     return nullptr;
 }
 
-void GeneratorPane::setQuestion(const SurfaceQuestion& question)
+void GeneratorPane::setQuestion(const surface::SurfaceQuestion& question)
 {
     quiz_->setQuestion(question);
     cut_->setVisible(!question.quiz);

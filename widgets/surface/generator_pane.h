@@ -24,8 +24,8 @@ class GeneratorPane : public QWidget {
 public:
     explicit GeneratorPane(QWidget* parent = nullptr);
 
-    void setQuestion(const SurfaceQuestion& question);  ///< announces nothing
-    void setFound(const QString& words);                ///< what the evaluation says of the picture
+    void setQuestion(const surface::SurfaceQuestion& question);  ///< announces nothing
+    void setFound(const QString& words);                         ///< what the evaluation says of the picture
     QuizPane* quiz() const { return quiz_; }
     QSlider* slider(const std::string& key) const;     ///< nullptr: there is none
     NumberEdit* number(const std::string& key) const;  ///< nullptr: there is none

@@ -50,7 +50,7 @@ QuizPane::QuizPane(QWidget* parent)
     retranslate();
 }
 
-void QuizPane::setQuestion(const SurfaceQuestion& question)
+void QuizPane::setQuestion(const surface::SurfaceQuestion& question)
 {
     const bool another =
         question.quiz_number != question_.quiz_number || question.quiz_answer_hz != question_.quiz_answer_hz;

@@ -6,8 +6,8 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "engine/surface/task/surface_question.h"
 #include "widgets/core/form/number_edit.h"
-#include "widgets/surface/surface_question.h"
 
 namespace lathelier::surface_panel {
 
@@ -17,7 +17,7 @@ class QuizPane : public QWidget {
 public:
     explicit QuizPane(QWidget* parent = nullptr);
 
-    void setQuestion(const SurfaceQuestion& question);  ///< announces nothing
+    void setQuestion(const surface::SurfaceQuestion& question);  ///< announces nothing
     NumberEdit* answer() const { return answer_; }
     QPushButton* check() const { return check_; }
     void retranslate();
@@ -37,7 +37,7 @@ private:
     NumberEdit* answer_;
     QPushButton* check_;
     QPushButton* next_;
-    SurfaceQuestion question_;
+    surface::SurfaceQuestion question_;
 };
 
 }  // namespace lathelier::surface_panel

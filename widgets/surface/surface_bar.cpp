@@ -45,7 +45,7 @@ SurfaceBar::SurfaceBar(QWidget* parent)
     retranslate();
 }
 
-void SurfaceBar::setOutcome(const SurfaceOutcome& outcome, int chosen)
+void SurfaceBar::setOutcome(const ShownOutcome& outcome, int chosen)
 {
     const bool two = outcome.shown.size() > 1;
     for (int i = 0; i < 2; ++i) {
@@ -58,11 +58,11 @@ void SurfaceBar::setOutcome(const SurfaceOutcome& outcome, int chosen)
     send_->setVisible(outcome.marks.has_value() && !outcome.asks());
     if (outcome.marks)
         send_->setText(tr("Send %1 to the lobe chart").arg(screenQuantity(outcome.marks->frequency_hz, unit::hz, 1)));
-    synthetic_->setVisible(outcome.synthetic);
+    synthetic_->setVisible(outcome.sources.synthetic);
 }
 
 /// One button for each reading that the picture leaves open.
-void SurfaceBar::showCandidates(const SurfaceOutcome& outcome)
+void SurfaceBar::showCandidates(const ShownOutcome& outcome)
 {
     for (QWidget* chip : candidates_->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
         chip->hide();

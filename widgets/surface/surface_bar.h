@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "widgets/surface/surface_outcome.h"
+#include "widgets/surface/shown_outcome.h"
 
 class QButtonGroup;
 
@@ -18,7 +18,7 @@ public:
     explicit SurfaceBar(QWidget* parent = nullptr);
 
     /// `chosen`: the picture that is shown, from 0.
-    void setOutcome(const SurfaceOutcome& outcome, int chosen);
+    void setOutcome(const ShownOutcome& outcome, int chosen);
     QPushButton* sendButton() const { return send_; }
     void retranslate();
 
@@ -28,7 +28,7 @@ signals:
     void sendRequested();
 
 private:
-    void showCandidates(const SurfaceOutcome& outcome);
+    void showCandidates(const ShownOutcome& outcome);
 
     QButtonGroup* images_;
     QWidget* candidates_;

@@ -82,7 +82,7 @@ double rulerDirection_deg(const surface::ImageMarks& image)
     return image.view.feed ? surface::angle_deg(*image.view.feed) : 0;
 }
 
-QString foundWords(const SurfaceOutcome& outcome)
+QString foundWords(const ShownOutcome& outcome)
 {
     if (outcome.asks()) return {};
     const surface::ImageMarks& image = outcome.first();

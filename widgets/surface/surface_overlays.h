@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "widgets/surface/picture_view.h"
-#include "widgets/surface/surface_outcome.h"
+#include "widgets/surface/shown_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -20,6 +20,6 @@ std::vector<Ruler> rulersOf(const surface::ImageMarks& image, const surface::Sur
 double rulerDirection_deg(const surface::ImageMarks& image);
 
 /// Result of the evaluation of a generated picture, as text.
-QString foundWords(const SurfaceOutcome& outcome);
+QString foundWords(const ShownOutcome& outcome);
 
 }  // namespace lathelier::surface_panel

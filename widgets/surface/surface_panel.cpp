@@ -4,41 +4,56 @@
 #include <cmath>
 
 #include "engine/io/file.h"
-#include "engine/io/image/image_kind.h"
+#include "engine/io/image/image_input.h"
+#include "engine/stability/task/point_response.h"
 #include "engine/surface/surface_pictures.h"
-#include "widgets/chatter_common/input_value.h"
 #include "widgets/chatter_common/model_inputs.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/language.h"
-#include "widgets/surface/image_store.h"
-#include "widgets/surface/surface_answer.h"
 #include "widgets/surface/surface_views.h"
 
 namespace lathelier::surface_panel {
 namespace {
 
+const std::vector<std::string> roles{surface::beforeRole, surface::afterRole, stability::frfRole};
+
+/// Fields of the form, in display order.
+// clang-format off
+const std::vector<std::string> shownFields{
+    "feed_mm_rev", "diameter_mm", surface::speedBeforeKey, surface::speedAfterKey, "mm_per_px", "scale_px_mm",
+    "scale_from_feed", "feed_direction_deg", "cut_direction", "unroll", "lighting", "taken_alike", "after_mm_per_px",
+    "after_feed_direction_deg", surface::layRightKey, surface::layDownKey, "expect_hz", surface::makeKey, "axis_px",
+    "roi", "alpha", "speed_uncertainty_percent"};
+// clang-format on
+
+/// One picture before, which can be made, and one after.
+std::vector<InputRole> shownRoles()
+{
+    std::vector<InputRole> all = rolesOf(surface::surfaceTask(), roles);
+    all[0].several = false;
+    all[0].required = false;
+    all[1].takes_next = true;
+    return all;
+}
+
+/// Regions are drawn in each picture and outlive it.
+Values beginning()
+{
+    return {{surface::spareRegionsKey, true}};
+}
+
 PanelInputs panelInputs()
 {
-    InputRole before;
-    before.role = beforeRole;
-    before.label = LT_TEXT("Engine", "Picture (before)");
-    before.hint = LT_TEXT("Engine", "Photograph of a turned surface: PNG, JPEG or TIFF");
-    before.kinds = {&io::imageFiles()};
-    before.required = false;  // a picture can be made
-    InputRole after = before;
-    after.role = afterRole;
-    after.label = LT_TEXT("Engine", "Picture after");
-    after.hint = LT_TEXT("Engine", "The same surface after the speed was corrected, taken alike. It may be missing.");
-    after.takes_next = true;
+    const task::Task& task = surface::surfaceTask();
     PanelInputs inputs;
-    inputs.roles = {before, after,
-                    chatter_common::responseRole(
-                        LT_TEXT("Engine", "A model to compare the marks with: UFF, CSV or MAT. It may be missing."))};
-    for (FieldInfo& info : infos<SurfaceQuestion>())
-        if (info.key.rfind(madePrefix, 0) != 0 && info.key.rfind(quizKey, 0) != 0)
-            inputs.fields.push_back(std::move(info));
-    inputs.defaults = toValues(SurfaceQuestion{});
+    inputs.roles = shownRoles();
+    for (const std::string& key : shownFields)
+        for (const FieldInfo& info : task.fields)
+            if (info.key == key) inputs.fields.push_back(info);
+    for (FieldInfo& info : inputs.fields) info.advanced = info.advanced || info.key == "roi";
+    inputs.defaults = task.defaults;
+    for (const auto& [key, value] : beginning()) lathelier::set(inputs.defaults, key, value);
     inputs.invitation = LT_TEXT("Engine",
                                 "Drop one or two photographs of a turned surface here, or let one be made (Make a "
                                 "picture).");
@@ -47,21 +62,19 @@ PanelInputs panelInputs()
 
 bool hasPicture(const project::PanelState& state)
 {
-    return state.inputs.count(beforeRole) > 0 || makesPicture(state.parameters);
+    return state.inputs.count(surface::beforeRole) > 0 || surface::makesPicture(state.parameters);
 }
 
 }  // namespace
 
 PanelFacts surfacePanelFacts()
 {
-    PanelFacts facts;
-    facts.id = "surface";
-    facts.title = LT_TEXT("Engine", "Surface");
-    facts.icon = "surface";
+    PanelFacts facts = factsOf(surface::surfaceTask(), "surface", "surface", roles, {}, beginning());
     facts.workspaces = {workspaceOf("copy"), workspaceOf("training")};
-    facts.kinds = {&io::imageFiles()};
-    facts.roles = panelInputs().roles;
-    facts.part_inputs = {beforeRole, afterRole};
+    facts.kinds = {&io::imageFiles()};  // a response opens the panels of chatter
+    facts.item_inputs.clear();          // likewise
+    facts.roles = shownRoles();
+    facts.part_inputs = {surface::beforeRole, surface::afterRole};
     facts.make = [](Session& session) -> PanelBase* { return new SurfacePanel(session); };
     facts.missing = [](const project::PanelState& state) {
         std::vector<Text> labels;
@@ -69,16 +82,15 @@ PanelFacts surfacePanelFacts()
         return labels;
     };
     facts.has_work = hasPicture;
-    facts.report = [](const project::PanelState& state, Stores& stores, const Language& language,
-                      const Progress& progress) { return reportOf(surfaceOutcome(state, stores, progress), language); };
     return facts;
 }
 
 SurfacePanel::SurfacePanel(Session& owner, QWidget* parent)
-    : Panel(owner, surfacePanelFacts(), panelInputs(), parent), views_(new SurfaceViews)
+    : TaskPanel(owner, surface::surfaceTask(), answerAndPrepare, surfacePanelFacts(), panelInputs(), parent),
+      views_(new SurfaceViews)
 {
     setViews(views_, views_->primaryViews());
-    connect(views_, &SurfaceViews::sendRequested, this, &SurfacePanel::sendMarks);
+    connect(views_, &SurfaceViews::sendRequested, this, [this] { offer(stability::marksItem); });
     connect(views_, &SurfaceViews::candidateRequested, this, &SurfacePanel::chooseCandidate);
     connect(views_, &SurfaceViews::regionRequested, this, &SurfacePanel::setRegion);
     connect(views_, &SurfaceViews::scaleRequested, this, &SurfacePanel::setScale);
@@ -112,7 +124,7 @@ void SurfacePanel::setRegion(int image, const std::optional<QRectF>& region)
     }
     if (!any) all.clear();
     editState(region ? tr("Choose a region") : tr("Take the whole picture"), [&](project::PanelState& state) {
-        SurfaceQuestion question;
+        surface::SurfaceQuestion question;
         question.surface.roi = all;
         lathelier::set(state.parameters, "roi", *lathelier::find(toValues(question), "roi"));
     });
@@ -122,7 +134,7 @@ void SurfacePanel::setRegion(int image, const std::optional<QRectF>& region)
 void SurfacePanel::setScale(int image, double pixels, double mm)
 {
     editState(tr("Set the scale"), [&](project::PanelState& state) {
-        if (image == 1 && !areTakenAlike(state.parameters)) {
+        if (image == 1 && !surface::areTakenAlike(state.parameters)) {
             lathelier::set(state.parameters, "after_mm_per_px", mm / pixels);
             return;
         }
@@ -136,7 +148,7 @@ void SurfacePanel::setScale(int image, double pixels, double mm)
 void SurfacePanel::setDirection(int image, double direction_deg)
 {
     editState(tr("Set the direction of feed"), [&](project::PanelState& state) {
-        const bool own = image == 1 && !areTakenAlike(state.parameters);
+        const bool own = image == 1 && !surface::areTakenAlike(state.parameters);
         lathelier::set(state.parameters, own ? "after_feed_direction_deg" : "feed_direction_deg",
                        std::round(10 * direction_deg) / 10);
     });
@@ -154,8 +166,8 @@ void SurfacePanel::lay(const QPointF& further_px)
     if (!outcome) return;
     const double right = outcome->laid.x + further_px.x(), down = outcome->laid.y + further_px.y();
     editState(tr("Lay the pictures over each other"), [&](project::PanelState& state) {
-        lathelier::set(state.parameters, layRightKey, std::round(10 * right) / 10);
-        lathelier::set(state.parameters, layDownKey, std::round(10 * down) / 10);
+        lathelier::set(state.parameters, surface::layRightKey, std::round(10 * right) / 10);
+        lathelier::set(state.parameters, surface::layDownKey, std::round(10 * down) / 10);
     });
 }
 
@@ -164,18 +176,19 @@ void SurfacePanel::connectQuiz()
     QuizPane* const quiz = views_->generator()->quiz();
     connect(quiz, &QuizPane::quizRequested, this, [this](bool on) {
         editState(on ? tr("Ask a question") : tr("Leave the questions"), [&](project::PanelState& state) {
-            lathelier::set(state.parameters, quizKey, on);
-            lathelier::set(state.parameters, quizAnswerKey, Value());
+            lathelier::set(state.parameters, surface::quizKey, on);
+            lathelier::set(state.parameters, surface::quizAnswerKey, Value());
         });
     });
     connect(quiz, &QuizPane::answerRequested, this, [this](double frequency_hz) {
-        editState(tr("Answer the question"),
-                  [&](project::PanelState& state) { lathelier::set(state.parameters, quizAnswerKey, frequency_hz); });
+        editState(tr("Answer the question"), [&](project::PanelState& state) {
+            lathelier::set(state.parameters, surface::quizAnswerKey, frequency_hz);
+        });
     });
     connect(quiz, &QuizPane::questionRequested, this, [this](int number) {
         editState(tr("Take the next question"), [&](project::PanelState& state) {
-            lathelier::set(state.parameters, quizNumberKey, std::int64_t{number});
-            lathelier::set(state.parameters, quizAnswerKey, Value());
+            lathelier::set(state.parameters, surface::quizNumberKey, std::int64_t{number});
+            lathelier::set(state.parameters, surface::quizAnswerKey, Value());
         });
     });
 }
@@ -191,16 +204,8 @@ void SurfacePanel::setMade(const std::string& key, const Value& value, int gestu
 {
     editState(
         tr("Change the picture that is made"),
-        [&](project::PanelState& state) { lathelier::set(state.parameters, madePrefix + key, value); },
+        [&](project::PanelState& state) { lathelier::set(state.parameters, surface::madePrefix + key, value); },
         QStringLiteral("surface/made/%1/%2").arg(QString::fromStdString(key)).arg(gesture));
-}
-
-void SurfacePanel::sendMarks()
-{
-    const auto outcome = result();
-    if (!outcome || !outcome->marks) return;
-    offerItem(tr("Marks of %1").arg(QString::fromStdString(outcome->marks->picture)).toStdString(),
-              stability::marksItem, toValues(*outcome->marks), outcome->synthetic);
 }
 
 /// Pictures in their order: before, after; one more picture is the next one after.
@@ -210,64 +215,35 @@ void SurfacePanel::assignFiles(project::PanelState& state, const std::vector<Fou
     for (const FoundFile& file : files) {
         const project::Source source = newSource(QString::fromStdString(file.path));
         if (file.kind == &io::frfFiles())
-            state.inputs[chatter_common::frfRole] = source;
+            state.inputs[stability::frfRole] = source;
         else
             pictures.push_back(source);
     }
     if (pictures.empty()) return;
-    lathelier::set(state.parameters, makeKey, false);
+    lathelier::set(state.parameters, surface::makeKey, false);
     if (pictures.size() == 1) {
-        state.inputs[state.inputs.count(beforeRole) > 0 ? afterRole : beforeRole] = pictures.front();
+        state.inputs[state.inputs.count(surface::beforeRole) > 0 ? surface::afterRole : surface::beforeRole] =
+            pictures.front();
         return;
     }
-    state.inputs[beforeRole] = pictures[0];
-    state.inputs[afterRole] = pictures[1];
-}
-
-SurfacePanel::Compute SurfacePanel::compute(const project::PanelState& state) const
-{
-    fromValues<SurfaceQuestion>(state.parameters);  // validates ranges before the computation
-    return [state, stores = session().sharedStores()](const Progress& progress) {
-        return surfaceOutcome(state, *stores, progress);
-    };
-}
-
-Worker::Job SurfacePanel::makeReadingJob(const project::PanelState& state) const
-{
-    return [state, stores = session().sharedStores()](const Progress& progress) -> std::shared_ptr<const void> {
-        const Progress part = progress.part(0, 1, LT_TEXT("Engine", "Reading"));
-        for (const char* role : {beforeRole, afterRole})
-            if (const auto source = state.inputs.find(role); source != state.inputs.end())
-                stores->of<ImageStore>()->load(source->second, part);
-        chatter_common::takeResponse(state, *stores, part);
-        return nullptr;
-    };
+    state.inputs[surface::beforeRole] = pictures[0];
+    state.inputs[surface::afterRole] = pictures[1];
 }
 
 QString SurfacePanel::understood(const InputRole& role, const project::Source& source) const
 {
     Stores& stores = session().stores();
-    if (role.role == chatter_common::frfRole) return chatter_common::understoodResponse(source, stores);
-    const auto loaded = stores.of<ImageStore>()->known(source);
+    if (role.role == stability::frfRole) return chatter_common::understoodResponse(source, stores);
+    const auto loaded = stores.of<task::CacheOf<io::ImageInput>>()->known(source);
     if (!loaded) return {};
     const io::Image& image = loaded->file;
     return understoodText(io::imageFacts(source.path, image),
                           tr("%1 × %2 px, %3 bit").arg(image.width).arg(image.height).arg(image.bits));
 }
 
-void SurfacePanel::showResult(const std::shared_ptr<const SurfaceOutcome>& outcome)
+void SurfacePanel::showResult(const std::shared_ptr<const ShownOutcome>& outcome)
 {
     views_->setOutcome(outcome);
-}
-
-report::Answer SurfacePanel::answer(const SurfaceOutcome& outcome) const
-{
-    return surface_panel::answerOf(outcome, screenLanguage());
-}
-
-report::Document SurfacePanel::document(const SurfaceOutcome& outcome) const
-{
-    return reportOf(outcome, screenLanguage());
 }
 
 std::vector<PanelExport> SurfacePanel::exports() const

@@ -2,8 +2,8 @@
 // picture.
 #pragma once
 
-#include "widgets/core/panel/panel.h"
-#include "widgets/surface/surface_outcome.h"
+#include "widgets/core/panel/task_panel.h"
+#include "widgets/surface/shown_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -12,7 +12,7 @@ class SurfaceViews;
 /// The panel's line of the panel table.
 PanelFacts surfacePanelFacts();
 
-class SurfacePanel : public Panel<SurfaceOutcome> {
+class SurfacePanel : public TaskPanel<ShownOutcome> {
     Q_OBJECT
 
 public:
@@ -22,15 +22,11 @@ public:
     void setPresenting(bool presenting) override;
 
 protected:
-    Compute compute(const project::PanelState& state) const override;
-    void showResult(const std::shared_ptr<const SurfaceOutcome>& outcome) override;
-    report::Answer answer(const SurfaceOutcome& outcome) const override;
-    Notes notes(const SurfaceOutcome& outcome) const override { return outcome.asks() ? Notes{} : outcome.notes; }
-    report::Document document(const SurfaceOutcome& outcome) const override;
-    std::optional<Error> problem(const SurfaceOutcome& outcome) const override { return outcome.refused; }
+    void showResult(const std::shared_ptr<const ShownOutcome>& outcome) override;
+    Notes notes(const ShownOutcome& outcome) const override { return outcome.asks() ? Notes{} : outcome.notes; }
+    std::optional<Error> problem(const ShownOutcome& outcome) const override { return outcome.refused; }
     std::vector<PanelExport> exports() const override;
     void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const override;
-    Worker::Job makeReadingJob(const project::PanelState& state) const override;
     QString understood(const InputRole& role, const project::Source& source) const override;
     Values view() const override;
     void restoreView(const Values& kept) override;
@@ -45,7 +41,6 @@ private:
     void chooseCandidate(double frequency_hz);
     void setMade(const std::string& key, const Value& value, int gesture);
     void connectQuiz();
-    void sendMarks();
 
     SurfaceViews* views_;
 };

@@ -155,7 +155,7 @@ void SurfaceViews::connectParts()
         connect(plot, &plot::PlotWidget::notWritten, this, &SurfaceViews::notWritten);
 }
 
-void SurfaceViews::setOutcome(const std::shared_ptr<const SurfaceOutcome>& outcome)
+void SurfaceViews::setOutcome(const std::shared_ptr<const ShownOutcome>& outcome)
 {
     outcome_ = outcome;
     if (chosen_ >= static_cast<int>(outcome->shown.size())) chosen_ = 0;

@@ -14,8 +14,8 @@
 #include "widgets/surface/comparison_view.h"
 #include "widgets/surface/generator_pane.h"
 #include "widgets/surface/photograph_view.h"
+#include "widgets/surface/shown_outcome.h"
 #include "widgets/surface/surface_bar.h"
-#include "widgets/surface/surface_outcome.h"
 
 namespace lathelier::surface_panel {
 
@@ -25,7 +25,7 @@ class SurfaceViews : public QWidget {
 public:
     explicit SurfaceViews(QWidget* parent = nullptr);
 
-    void setOutcome(const std::shared_ptr<const SurfaceOutcome>& outcome);
+    void setOutcome(const std::shared_ptr<const ShownOutcome>& outcome);
     PrimaryViews* primaryViews() const { return primaryViews_; }
     PictureView* marks() const { return marks_; }
     plot::ChartView* spectrum() const { return spectrum_; }
@@ -70,7 +70,7 @@ private:
     void showGenerator();
     const surface::ImageMarks* marksShown() const;
 
-    std::shared_ptr<const SurfaceOutcome> outcome_;
+    std::shared_ptr<const ShownOutcome> outcome_;
     int chosen_ = 0;
     int line_ = -1;
     bool presenting_ = false;

@@ -2,9 +2,9 @@
 #include "engine/surface/surface_plots.h"
 #include "engine/surface/surface_report.h"
 #include "engine/surface/surface_words.h"
+#include "engine/surface/task/next_speed.h"
+#include "engine/surface/task/surface_answer.h"
 #include "widgets/core/language.h"
-#include "widgets/surface/next_speed.h"
-#include "widgets/surface/surface_answer.h"
 #include "widgets/surface/surface_overlays.h"
 #include "widgets/surface/surface_views.h"
 
@@ -87,7 +87,7 @@ void SurfaceViews::showWords()
 {
     const Language language = screenLanguage();
     QString html;
-    for (const report::Section& section : surface_panel::words(*outcome_, language)) {
+    for (const report::Section& section : surface::words(*outcome_, language)) {
         html += "<h3>" + QString::fromStdString(captionText(section.title, language)).toHtmlEscaped() + "</h3>";
         for (const report::Block& block : section.blocks)
             if (const auto* sentence = std::get_if<report::Paragraph>(&block))

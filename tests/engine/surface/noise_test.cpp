@@ -18,21 +18,21 @@ namespace {
 constexpr int side = 384;
 
 /// Brightness as it is made, mean 0, spread about 1.
-using Field = std::vector<double>;
+using Brightness = std::vector<double>;
 
-Field white(std::uint64_t seed, std::uint64_t stream)
+Brightness white(std::uint64_t seed, std::uint64_t stream)
 {
-    Field field(side * side);
+    Brightness field(side * side);
     for (std::size_t i = 0; i < field.size(); ++i) field[i] = randomNormal(seed, stream, i);
     return field;
 }
 
-double& at(Field& field, int x, int y)
+double& at(Brightness& field, int x, int y)
 {
     return field[static_cast<std::size_t>((y + side) % side * side + (x + side) % side)];
 }
 
-void normalize(Field& field)
+void normalize(Brightness& field)
 {
     double sum = 0, squares = 0;
     for (const double v : field) sum += v, squares += v * v;
@@ -41,7 +41,7 @@ void normalize(Field& field)
 }
 
 /// Exponential smoothing forth and back along x or y, twice round.
-void smooth(Field& field, bool along_x, double length)
+void smooth(Brightness& field, bool along_x, double length)
 {
     const double keep = std::exp(-1 / length);
     for (int line = 0; line < side; ++line)
@@ -58,12 +58,12 @@ void smooth(Field& field, bool along_x, double length)
 }
 
 /// Sums of smooth fields of all widths: about 1/f, or 1/f² with growing weights.
-Field coloured(std::uint64_t seed, double growth)
+Brightness coloured(std::uint64_t seed, double growth)
 {
-    Field sum(side * side, 0.0);
+    Brightness sum(side * side, 0.0);
     double weight = 1;
     for (int octave = 0; octave < 5; ++octave, weight *= growth) {
-        Field part = white(seed, static_cast<std::uint64_t>(octave) + 10);
+        Brightness part = white(seed, static_cast<std::uint64_t>(octave) + 10);
         if (octave > 0) {
             smooth(part, true, std::pow(2.2, octave));
             smooth(part, false, std::pow(2.2, octave));
@@ -75,9 +75,9 @@ Field coloured(std::uint64_t seed, double growth)
 }
 
 /// Random lines along a direction, each of its own brightness over a width of about a pixel.
-Field grooves(std::uint64_t seed, double tilt_deg, double length)
+Brightness grooves(std::uint64_t seed, double tilt_deg, double length)
 {
-    Field field(side * side);
+    Brightness field(side * side);
     const double c = std::cos(tilt_deg * std::numbers::pi / 180), s = std::sin(tilt_deg * std::numbers::pi / 180);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
@@ -97,7 +97,7 @@ Field grooves(std::uint64_t seed, double tilt_deg, double length)
 
 struct Kind {
     const char* name;
-    Field (*make)(std::uint64_t seed);
+    Brightness (*make)(std::uint64_t seed);
     int jpeg_quality = 0;  ///< 0: not through a JPEG file
 };
 
@@ -109,7 +109,7 @@ const std::vector<Kind>& kinds()
         {"1/f2", [](std::uint64_t s) { return coloured(s, 2.5); }},
         {"blurred",
          [](std::uint64_t s) {
-             Field f = white(s, 1);
+             Brightness f = white(s, 1);
              smooth(f, true, 1.5);
              smooth(f, false, 1.5);
              return f;
@@ -118,8 +118,8 @@ const std::vector<Kind>& kinds()
         {"tilted grooves", [](std::uint64_t s) { return grooves(s, 17, 300); }},
         {"ground",
          [](std::uint64_t s) {
-             Field f = grooves(s, 3, 40);
-             const Field w = white(s, 7);
+             Brightness f = grooves(s, 3, 40);
+             const Brightness w = white(s, 7);
              for (std::size_t i = 0; i < f.size(); ++i) f[i] += 0.5 * w[i];
              return f;
          }},
@@ -128,15 +128,15 @@ const std::vector<Kind>& kinds()
         {"JPEG 90", [](std::uint64_t s) { return coloured(s, 1.4); }, 90},
         {"row noise",
          [](std::uint64_t s) {
-             Field f = white(s, 1);
+             Brightness f = white(s, 1);
              for (int y = 0; y < side; ++y)
                  for (int x = 0; x < side; ++x) at(f, x, y) += 0.5 * randomNormal(s, 8, static_cast<std::uint64_t>(y));
              return f;
          }},
         {"demosaiced",
          [](std::uint64_t s) {
-             Field f = coloured(s, 1.4);
-             const Field w = white(s, 9);
+             Brightness f = coloured(s, 1.4);
+             const Brightness w = white(s, 9);
              for (int y = 0; y < side; ++y)
                  for (int x = 0; x < side; ++x)  // every second pixel is the mean of its neighbours
                      at(f, x, y) += (x + y) % 2 == 0 ? w[static_cast<std::size_t>(y * side + x)]
@@ -145,13 +145,13 @@ const std::vector<Kind>& kinds()
          }},
         {"scale bar",
          [](std::uint64_t s) {
-             Field f = coloured(s, 1.4);
+             Brightness f = coloured(s, 1.4);
              for (int y = 350; y < 356; ++y)
                  for (int x = 240; x < 350; ++x) at(f, x, y) = 4;
              return f;
          }},
         {"highlight", [](std::uint64_t s) {
-             Field f = coloured(s, 1.4);
+             Brightness f = coloured(s, 1.4);
              for (int y = 0; y < side; ++y)
                  for (int x = 0; x < side; ++x) at(f, x, y) += 3 * std::exp(-std::pow((x - 130) / 35.0, 2));
              return f;
@@ -168,7 +168,7 @@ TEST(SurfaceNoise, FourteenKindsRaiseNoAlarm)
     for (const Kind& kind : kinds()) {
         double largest = 0;
         for (int i = 0; i < count; ++i) {
-            const Field field = kind.make(static_cast<std::uint64_t>(1000 + i));
+            const Brightness field = kind.make(static_cast<std::uint64_t>(1000 + i));
             io::Image image;
             image.width = image.height = side;
             for (const double v : field)

@@ -4,9 +4,9 @@
 #include <QToolButton>
 
 #include "engine/report/html.h"
+#include "engine/surface/task/surface_answer.h"
 #include "tests/widgets/surface/surface_fixture.h"
 #include "widgets/core/resources.h"
-#include "widgets/surface/surface_answer.h"
 
 namespace lathelier::surface_panel {
 
@@ -26,9 +26,9 @@ private slots:
     void aPictureIsMadeForAClass()
     {
         QVERIFY(!panel_->hasResult());
-        set(makeKey, true);
+        set(surface::makeKey, true);
         settle();
-        QVERIFY(panel_->result()->synthetic && !panel_->result()->made_png.empty());
+        QVERIFY(panel_->result()->sources.synthetic && !panel_->result()->made_png.empty());
         QVERIFY(views().generator()->isVisible());
         const auto& first = panel_->result()->first();
         QVERIFY(first.chatter_marks && std::abs(*first.chatter_marks->frequency_hz - 361) < 1);
@@ -45,7 +45,7 @@ private slots:
         QVERIFY(panel_->result()->first().chatter_marks);
         // A dropped photograph takes the place of the picture.
         drop(panel_.get(), {before_});
-        QTRY_VERIFY(!makesPicture(session_->panel("surface").parameters));
+        QTRY_VERIFY(!surface::makesPicture(session_->panel("surface").parameters));
         settle();
         QVERIFY(!views().generator()->isVisible());
     }
@@ -53,14 +53,14 @@ private slots:
     /// Until the answer is given nothing shows the frequency.
     void aQuestionIsAskedAndChecked()
     {
-        set(makeKey, true);
+        set(surface::makeKey, true);
         settle();
         QuizPane* quiz = views().generator()->quiz();
         panel_->findChild<QCheckBox*>("quizAsk")->click();
         settle();
         QVERIFY(panel_->result()->asks());
         const double truth_hz = pictureOf(panel_->result()->question).frequency_hz;
-        const report::Answer open = answerOf(*panel_->result(), {});
+        const report::Answer open = surface::answer(*panel_->result(), {});
         QVERIFY(!open.value && open.findings.empty());
         for (const char* view : {"spectrum", "words", "tables", "model"})
             QVERIFY2(!views().primaryViews()->keys().contains(view), view);
@@ -77,7 +77,7 @@ private slots:
         quiz->check()->click();
         settle();
         QVERIFY(!panel_->result()->asks());
-        const report::Answer right = answerOf(*panel_->result(), {});
+        const report::Answer right = surface::answer(*panel_->result(), {});
         QVERIFY(report::findingText(right.findings[0]).find("is right") != std::string::npos);
         QVERIFY(right.value && std::abs(*right.value - truth_hz) < 1);
         QVERIFY(views().primaryViews()->keys().contains("spectrum"));

@@ -7,10 +7,10 @@
 
 #include "engine/report/html.h"
 #include "engine/surface/surface_codes.h"
+#include "engine/surface/task/surface_answer.h"
 #include "tests/widgets/surface/surface_fixture.h"
 #include "widgets/core/language.h"
 #include "widgets/core/resources.h"
-#include "widgets/surface/surface_answer.h"
 
 namespace lathelier::surface_panel {
 
@@ -39,7 +39,7 @@ private slots:
         QVERIFY(chatter && chatter->frequency_hz && std::abs(*chatter->frequency_hz - 361) < 0.3);
         QVERIFY(chatter->m_certain && chatter->kind == surface::ChatterKind::Regenerative);
         QVERIFY(!found().images[1].chatter_marks && found().images[1].feed_marks);
-        const report::Answer answer = answerOf(*panel_->result(), {});
+        const report::Answer answer = surface::answer(*panel_->result(), {});
         QVERIFY(answer.value && std::abs(*answer.value - 361) < 0.3 && *answer.expanded_uncertainty > 3);
         QCOMPARE(answer.findings.size(), std::size_t{2});  // the other picture, the speed relation check
         QVERIFY(report::findingText(answer.findings[0]).find("no chatter marks above") != std::string::npos);
@@ -70,10 +70,10 @@ private slots:
         drop(panel_.get(), {after_});
         QTRY_COMPARE(session_->panel("surface").inputs.size(), std::size_t{2});
         drop(panel_.get(), {field_});
-        QTRY_COMPARE(QString::fromStdString(session_->panel("surface").inputs.at(afterRole).path), field_);
-        QCOMPARE(QString::fromStdString(session_->panel("surface").inputs.at(beforeRole).path), before_);
+        QTRY_COMPARE(QString::fromStdString(session_->panel("surface").inputs.at(surface::afterRole).path), field_);
+        QCOMPARE(QString::fromStdString(session_->panel("surface").inputs.at(surface::beforeRole).path), before_);
         session_->undoStack().undo();
-        QCOMPARE(QString::fromStdString(session_->panel("surface").inputs.at(afterRole).path), after_);
+        QCOMPARE(QString::fromStdString(session_->panel("surface").inputs.at(surface::afterRole).path), after_);
     }
 
     void theScaleIsSetByTwoClicks()

@@ -1,10 +1,10 @@
-#include "widgets/surface/surface_question.h"
+#include "engine/surface/task/surface_question.h"
 
 #include "engine/core/field_within.h"
 #include "engine/core/units.h"
 #include "engine/surface/quiz.h"
 
-namespace lathelier::surface_panel {
+namespace lathelier::surface {
 namespace {
 
 constexpr int fieldWidth_px = 560, fieldHeight_px = 420;  // of a small field
@@ -18,16 +18,24 @@ bool isSet(const Values& parameters, const char* key, bool otherwise)
     return there ? *there : otherwise;
 }
 
+/// What the evaluation does not have is kept in a window.
+std::vector<Field<SurfaceQuestion>> withKept(std::vector<Field<SurfaceQuestion>> all)
+{
+    const Values evaluated = toValues(SurfaceParameters{});
+    for (Field<SurfaceQuestion>& field : all) field.info.is_kept = !find(evaluated, field.info.key);
+    return all;
+}
+
 }  // namespace
 
-surface::SyntheticParameters demonstration()
+SyntheticParameters demonstration()
 {
-    surface::SyntheticParameters p;
+    SyntheticParameters p;
     p.cylinder = true;
     p.feed_mm_rev = 0.2;
     p.nose_radius_mm = 0.8;
     p.amplitude_um = 18;
-    p.cut = surface::CutDirection::Down;
+    p.cut = CutDirection::Down;
     p.width = fieldWidth_px;
     p.height = fieldHeight_px;
     p.stamped = true;
@@ -38,16 +46,22 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
 {
     using Q = SurfaceQuestion;
     const Text rpm = LT_TEXT("Engine", "rpm");
-    static const std::vector<Field<Q>> all = described<Q>(
-        within(&Q::surface, "feed_mm_rev"), within(&Q::surface, "diameter_mm"),
-        field("speed_before_rpm", &Q::speed_before_rpm, Range{1, 100000},
+    static const std::vector<Field<Q>> all = withKept(described<Q>(
+        within(&Q::surface, "feed_mm_rev"), within(&Q::surface, "diameter_mm"), within(&Q::surface, "speed_rpm"),
+        within(&Q::surface, "mm_per_px"), within(&Q::surface, "scale_px_mm"), within(&Q::surface, "scale_from_feed"),
+        within(&Q::surface, "unroll"), within(&Q::surface, "axis_px"), within(&Q::surface, "roi"),
+        within(&Q::surface, "feed_direction_deg"), within(&Q::surface, "cut_direction"),
+        within(&Q::surface, "expect_hz"), within(&Q::surface, "alpha"),
+        within(&Q::surface, "speed_uncertainty_percent"),
+        field(speedBeforeKey, &Q::speed_before_rpm, Range{1, 100000},
               Label{LT_TEXT("Engine", "Spindle speed"),
                     LT_TEXT("Engine", "That the first surface was cut with; none: not known."), rpm}),
-        field("speed_after_rpm", &Q::speed_after_rpm, Range{1, 100000},
+        field(speedAfterKey, &Q::speed_after_rpm, Range{1, 100000},
               Label{LT_TEXT("Engine", "Speed after"),
                     LT_TEXT("Engine", "That the second surface was cut with; none: as the first."), rpm}),
-        within(&Q::surface, "mm_per_px"), within(&Q::surface, "scale_px_mm"), within(&Q::surface, "scale_from_feed"),
-        within(&Q::surface, "feed_direction_deg"), within(&Q::surface, "cut_direction"), within(&Q::surface, "unroll"),
+        field(spareRegionsKey, &Q::spare_regions,
+              Label{LT_TEXT("Engine", "Regions kept"),
+                    LT_TEXT("Engine", "Those of pictures that were taken away are not used.")}),
         field("lighting", &Q::lighting,
               Label{LT_TEXT("Engine", "Light"),
                     LT_TEXT("Engine",
@@ -72,14 +86,11 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
               Label{LT_TEXT("Engine", "Second picture down"),
                     LT_TEXT("Engine", "By two clicks on one place in both, in pixels of the comparison."),
                     LT_TEXT("Engine", "px"), true}),
-        within(&Q::surface, "expect_hz"),
         field(makeKey, &Q::make_picture,
               Label{LT_TEXT("Engine", "Make a picture"),
                     LT_TEXT("Engine",
                             "For training: a picture is made from physics, with sliders, in place of the "
                             "files.")}),
-        within(&Q::surface, "axis_px"), foldedWithin(&Q::surface, "roi"), within(&Q::surface, "alpha"),
-        within(&Q::surface, "speed_uncertainty_percent"),
         group("made", &Q::made, Label{LT_TEXT("Engine", "Picture that is made"), {}}),
         field(quizKey, &Q::quiz,
               Label{LT_TEXT("Engine", "Question"), LT_TEXT("Engine", "The picture's vibration is to be found.")}),
@@ -88,7 +99,7 @@ const std::vector<Field<SurfaceQuestion>>& fieldsOf(const SurfaceQuestion*)
                     LT_TEXT("Engine", "Another number is another picture.")}),
         field(quizAnswerKey, &Q::quiz_answer_hz, Range{0.1, 100000},
               Label{LT_TEXT("Engine", "Answer"), LT_TEXT("Engine", "Frequency that was read off the picture."),
-                    unit::hz}));
+                    unit::hz})));
     return all;
 }
 
@@ -97,7 +108,7 @@ bool isAsking(const SurfaceQuestion& question)
     return question.make_picture && question.quiz && !question.quiz_answer_hz;
 }
 
-void applyOwnScale(surface::NamedImage& after, const SurfaceQuestion& question)
+void applyOwnScale(NamedImage& after, const SurfaceQuestion& question)
 {
     if (question.taken_alike) return;
     after.mm_per_px = question.after_mm_per_px;
@@ -114,12 +125,11 @@ bool areTakenAlike(const Values& parameters)
     return isSet(parameters, "taken_alike", true);
 }
 
-surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pictures)
+SurfaceParameters parametersOf(const SurfaceQuestion& question, std::size_t pictures)
 {
-    surface::SurfaceParameters p = question.surface;
-    p.speed_rpm.clear();
+    SurfaceParameters p = question.surface;
     if (question.make_picture) {
-        const surface::SyntheticParameters made = pictureOf(question);
+        const SyntheticParameters made = pictureOf(question);
         p.feed_mm_rev = made.feed_mm_rev;
         p.diameter_mm = made.diameter_mm;
         p.speed_rpm = {{made.speed_rpm}};
@@ -133,18 +143,27 @@ surface::SurfaceParameters parametersOf(const SurfaceQuestion& question, std::si
         return p;
     }
     const bool after = pictures > 1 && question.speed_after_rpm;
-    if (question.speed_before_rpm || after) p.speed_rpm.push_back({question.speed_before_rpm.value_or(0)});
+    if (question.speed_before_rpm || after) p.speed_rpm = {{question.speed_before_rpm.value_or(0)}};
     if (after) p.speed_rpm.push_back({*question.speed_after_rpm});
-    if (p.roi.size() > pictures) p.roi.resize(pictures);
+    if (question.spare_regions && p.roi.size() > pictures) p.roi.resize(pictures);
     return p;
 }
 
-surface::SyntheticParameters pictureOf(const SurfaceQuestion& question)
+Values statedValues(const SurfaceQuestion& question, std::size_t pictures, Values parameters)
 {
-    surface::SyntheticParameters p = question.made;
+    for (const auto& [key, value] : toValues(parametersOf(question, pictures))) set(parameters, key, value);
+    std::erase_if(parameters, [](const auto& one) {
+        return one.first == speedBeforeKey || one.first == speedAfterKey || one.first == spareRegionsKey;
+    });
+    return parameters;
+}
+
+SyntheticParameters pictureOf(const SurfaceQuestion& question)
+{
+    SyntheticParameters p = question.made;
     if (question.quiz) {
         p.cylinder = true;
-        p = surface::quizPicture(question.quiz_number, p);
+        p = quizPicture(question.quiz_number, p);
     }
     if (!p.cylinder) return p;
     p.width = wholeWidth_px;
@@ -153,4 +172,4 @@ surface::SyntheticParameters pictureOf(const SurfaceQuestion& question)
     return p;
 }
 
-}  // namespace lathelier::surface_panel
+}  // namespace lathelier::surface

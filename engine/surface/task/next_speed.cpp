@@ -1,13 +1,13 @@
-#include "widgets/surface/next_speed.h"
+#include "engine/surface/task/next_speed.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/core/texts.h"
 #include "engine/surface/surface_words.h"
-#include "widgets/surface/surface_outcome.h"
+#include "engine/surface/task/surface_task.h"
 
-namespace lathelier::surface_panel {
+namespace lathelier::surface {
 
 std::optional<stability::SpeedResult> nextSpeed(Frf response, const stability::SurfaceMarks& marks,
                                                 const stability::ModelCheck& check)
@@ -26,7 +26,7 @@ std::optional<stability::SpeedResult> nextSpeed(Frf response, const stability::S
 
 report::Table nextSpeedTable(const SurfaceOutcome& outcome)
 {
-    report::Table table = surface::speedTable(outcome.first());
+    report::Table table = speedTable(outcome.first());
     if (!outcome.next || table.rows.empty()) return table;
     table.title = LT_TEXT("Engine", "Speeds by the marks, and by the model moved to the marks");
     table.columns = {LT_TEXT("Engine", "Waves, k"),
@@ -55,4 +55,4 @@ std::optional<report::Finding> nextSpeedFinding(const SurfaceOutcome& outcome, c
     return finding;
 }
 
-}  // namespace lathelier::surface_panel
+}  // namespace lathelier::surface

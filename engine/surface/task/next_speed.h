@@ -10,7 +10,7 @@
 #include "engine/stability/marks_item.h"
 #include "engine/stability/speed_choice.h"
 
-namespace lathelier::surface_panel {
+namespace lathelier::surface {
 
 struct SurfaceOutcome;
 
@@ -26,4 +26,4 @@ report::Table nextSpeedTable(const SurfaceOutcome& outcome);
 /// "Speed next: 1979 rpm …"; nothing without a model that agrees.
 std::optional<report::Finding> nextSpeedFinding(const SurfaceOutcome& outcome, const Language& language);
 
-}  // namespace lathelier::surface_panel
+}  // namespace lathelier::surface

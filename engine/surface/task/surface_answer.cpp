@@ -1,17 +1,14 @@
-#include "widgets/surface/surface_answer.h"
+#include "engine/surface/task/surface_answer.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/core/texts.h"
-#include "engine/report/result_json.h"
 #include "engine/surface/quiz.h"
-#include "engine/surface/surface_quantities.h"
 #include "engine/surface/surface_report.h"
 #include "engine/surface/surface_words.h"
-#include "widgets/surface/next_speed.h"
+#include "engine/surface/task/next_speed.h"
 
-namespace lathelier::surface_panel {
+namespace lathelier::surface {
 namespace {
 
 report::Finding asFinding(report::Paragraph paragraph)
@@ -22,7 +19,7 @@ report::Finding asFinding(report::Paragraph paragraph)
 /// Ambiguity of the picture that the model resolves.
 std::optional<report::Finding> choiceByModel(const SurfaceOutcome& outcome, const Language& language)
 {
-    const surface::ChatterMarks& chatter = *outcome.first().chatter_marks;
+    const ChatterMarks& chatter = *outcome.first().chatter_marks;
     if (!outcome.check || chatter.m_certain || outcome.question.surface.expect_hz) return std::nullopt;
     report::Finding finding;
     finding.pattern = LT_TEXT("Engine", "Let the model choose among the candidates: near {model} Hz");
@@ -33,7 +30,7 @@ std::optional<report::Finding> choiceByModel(const SurfaceOutcome& outcome, cons
 
 report::Answer openQuestion(const SurfaceOutcome& outcome, const Language& language)
 {
-    const surface::SyntheticParameters made = pictureOf(outcome.question);
+    const SyntheticParameters made = pictureOf(outcome.question);
     report::Answer answer;
     answer.quantity = LT_TEXT("Engine", "Question");
     answer.subject = std::to_string(outcome.question.quiz_number);
@@ -51,45 +48,42 @@ std::optional<report::Finding> checkedQuestion(const SurfaceOutcome& outcome, co
 {
     const SurfaceQuestion& question = outcome.question;
     if (!question.make_picture || !question.quiz || !question.quiz_answer_hz) return std::nullopt;
-    const surface::QuizAnswer checked = surface::checkedAnswer(*question.quiz_answer_hz, pictureOf(question));
+    const QuizAnswer checked = checkedAnswer(*question.quiz_answer_hz, pictureOf(question));
     report::Finding finding;
     finding.values = {{"answer", fixed(*question.quiz_answer_hz, 1, language)},
                       {"k", std::int64_t{std::abs(checked.waves)}}};
     switch (checked.verdict) {
-        case surface::QuizVerdict::Right:
+        case QuizVerdict::Right:
             finding.pattern = LT_TEXT("Engine", "{answer} Hz is right");
             finding.verdict = Verdict::Pass;
             break;
-        case surface::QuizVerdict::OtherSign:
+        case QuizVerdict::OtherSign:
             finding.pattern = LT_TEXT("Engine", "{answer} Hz has ν with the other sign: look which way the bands lean");
             break;
-        case surface::QuizVerdict::OtherWaves:
+        case QuizVerdict::OtherWaves:
             finding.pattern = LT_TEXT("Engine", "{answer} Hz has ν right and m wrong by {k}: count the waves again");
             break;
-        case surface::QuizVerdict::Multiple:
+        case QuizVerdict::Multiple:
             finding.pattern = LT_TEXT("Engine", "{answer} Hz is a multiple or a part of the frequency");
             break;
-        case surface::QuizVerdict::Wrong:
-            finding.pattern = LT_TEXT("Engine", "{answer} Hz is no reading of these marks");
-            break;
+        case QuizVerdict::Wrong: finding.pattern = LT_TEXT("Engine", "{answer} Hz is no reading of these marks"); break;
     }
-    if (checked.verdict != surface::QuizVerdict::Right) finding.verdict = Verdict::Fail;
+    if (checked.verdict != QuizVerdict::Right) finding.verdict = Verdict::Fail;
     return finding;
 }
 
-/// Stated lighting.
-report::Paragraph lightSentence(const SurfaceOutcome& outcome)
+report::Paragraph lightSentence(const SurfaceOutcome& outcome, Text not_stated)
 {
     const std::string& light = outcome.question.lighting;
-    if (light.empty()) return {LT_TEXT("Engine", "How the light fell is not stated; state it in the field Light."), {}};
+    if (light.empty()) return {not_stated, {}};
     return {LT_TEXT("Engine", "Light, as stated: {light}"), {{"light", light}}};
 }
 
 std::optional<report::Finding> truthOfMade(const SurfaceOutcome& outcome, const Language& language)
 {
     if (!outcome.question.make_picture) return std::nullopt;
-    const surface::SyntheticParameters made = pictureOf(outcome.question);
-    const surface::Waves waves = surface::wavesPerRevolution(made.frequency_hz, made.speed_rpm);
+    const SyntheticParameters made = pictureOf(outcome.question);
+    const Waves waves = wavesPerRevolution(made.frequency_hz, made.speed_rpm);
     report::Finding finding;
     finding.pattern = made.amplitude_um > 0
                           ? LT_TEXT("Engine", "The picture was made with {frequency} Hz: m = {m}, ν = {nu}")
@@ -115,7 +109,6 @@ report::Document reportOfQuestion(const SurfaceOutcome& outcome, const Language&
 {
     report::Document document;
     document.title = LT_TEXT("Engine", "Marks of turned surfaces");
-    document.synthetic = true;
     document.sections.push_back({LT_TEXT("Engine", "Question"),
                                  {openQuestion(outcome, language),
                                   report::Picture{LT_TEXT("Engine", "Picture that is made"), outcome.made_png}}});
@@ -124,14 +117,14 @@ report::Document reportOfQuestion(const SurfaceOutcome& outcome, const Language&
 
 }  // namespace
 
-report::Answer answerOf(const SurfaceOutcome& outcome, const Language& language)
+report::Answer answer(const SurfaceOutcome& outcome, const Language& language)
 {
     if (outcome.asks()) return openQuestion(outcome, language);
-    report::Answer answer = surface::answer(outcome.first(), language);
-    answer.subject = outcome.shown.front().name;
-    if (outcome.marks) answer.quantity = LT_TEXT("Engine", "Chatter frequency");
+    report::Answer all = answer(outcome.first(), language);
+    all.subject = outcome.names.front();
+    if (outcome.marks) all.quantity = LT_TEXT("Engine", "Chatter frequency");
     const auto say = [&](std::optional<report::Finding> finding) {
-        if (finding && answer.findings.size() < 3) answer.findings.push_back(*std::move(finding));
+        if (finding && all.findings.size() < 3) all.findings.push_back(*std::move(finding));
     };
     say(checkedQuestion(outcome, language));
     say(truthOfMade(outcome, language));
@@ -143,35 +136,33 @@ report::Answer answerOf(const SurfaceOutcome& outcome, const Language& language)
     }
     if (auto relation_check = speedRelationSentence(outcome.first(), outcome.result->parameters, language))
         say(asFinding(*std::move(relation_check)));
-    return answer;
+    return all;
 }
 
 std::vector<report::Section> words(const SurfaceOutcome& outcome, const Language& language)
 {
     std::vector<report::Section> sections = surfaceWords(*outcome.result, language);
     if (outcome.marks && outcome.check && sections.size() > 1) addModel(outcome, sections[1], language);
-    if (!outcome.question.make_picture) sections.back().blocks.emplace_back(lightSentence(outcome));
+    if (!outcome.question.make_picture)
+        sections.back().blocks.emplace_back(lightSentence(
+            outcome, LT_TEXT("Engine", "How the light fell is not stated; state it in the field Light.")));
     return sections;
 }
 
 report::Document reportOf(const SurfaceOutcome& outcome, const Language& language)
 {
-    if (!outcome.result) throw *outcome.refused;
     if (outcome.asks()) return reportOfQuestion(outcome, language);
-    surface::SurfaceResult result = *outcome.result;
-    for (std::size_t i = 0; i < result.images.size(); ++i) result.images[i].path = outcome.shown[i].name;
+    SurfaceResult result = *outcome.result;
+    for (std::size_t i = 0; i < result.images.size(); ++i) result.images[i].path = outcome.names[i];
     result.notes = outcome.notes;  // those of the files as well
     report::Document document = surfaceReport(result, language);
-    document.inputs = outcome.inputs;
-    document.synthetic = outcome.synthetic;
     report::Section& summary = document.sections.front();
-    if (!summary.blocks.empty()) summary.blocks.front() = report::Block(answerOf(outcome, language));
+    if (!summary.blocks.empty()) summary.blocks.front() = report::Block(answer(outcome, language));
     if (outcome.marks && outcome.check) addModel(outcome, document.sections.at(2), language);
     if (outcome.next) document.sections.at(2).blocks.emplace_back(nextSpeedTable(outcome));
-    if (!outcome.question.make_picture) summary.blocks.emplace_back(lightSentence(outcome));
-    document.results = {report::toText(report::wholeResult("surface", outcome.inputs, toValues(result.parameters),
-                                                           toJson(*outcome.result), outcome.notes))};
+    if (!outcome.question.make_picture)
+        summary.blocks.emplace_back(lightSentence(outcome, LT_TEXT("Engine", "How the light fell is not stated.")));
     return document;
 }
 
-}  // namespace lathelier::surface_panel
+}  // namespace lathelier::surface

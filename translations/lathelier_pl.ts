@@ -1164,10 +1164,6 @@
         <translation>Kopia</translation>
     </message>
     <message>
-        <source>Scan of the part to be judged</source>
-        <translation>Skan ocenianej części</translation>
-    </message>
-    <message>
         <source>Point clouds and meshes</source>
         <translation>Chmury punktów i siatki</translation>
     </message>
@@ -2196,10 +2192,6 @@
         <translation>Oceń punkty takie, jakie są; to ustawienie domyślne.</translation>
     </message>
     <message>
-        <source>Superimpose</source>
-        <translation>Nałóż</translation>
-    </message>
-    <message>
         <source>Lay the profile of this file on the one given: rotation and centre fitted.</source>
         <translation>Nałóż profil z tego pliku na podany: dopasowuje się obrót i środek.</translation>
     </message>
@@ -2704,32 +2696,12 @@
         <translation>Wykres do nałożenia</translation>
     </message>
     <message>
-        <source>The same section from a roundness instrument, for the difference</source>
-        <translation>Ten sam przekrój z przyrządu do okrągłości, dla porównania</translation>
-    </message>
-    <message>
-        <source>Reading the profile</source>
-        <translation>Odczyt profilu</translation>
-    </message>
-    <message>
-        <source>Reading the record</source>
-        <translation>Odczyt zapisu</translation>
-    </message>
-    <message>
         <source>Trajectories</source>
         <translation>Trajektorie</translation>
     </message>
     <message>
         <source>Signals</source>
         <translation>Sygnały</translation>
-    </message>
-    <message>
-        <source>Reading the trace</source>
-        <translation>Odczyt wykresu</translation>
-    </message>
-    <message>
-        <source>Laying the trace on the profile</source>
-        <translation>Nakładanie wykresu na profil</translation>
     </message>
     <message>
         <source>Laid over each other</source>
@@ -5928,10 +5900,6 @@
         <translation>Charakterystyka</translation>
     </message>
     <message>
-        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: the first.</source>
-        <translation>Która z kilku w pliku: jej numer albo węzły jako 12/5 (odpowiedź/siła). Puste: pierwsza.</translation>
-    </message>
-    <message>
         <source>Fit modes</source>
         <translation>Dopasuj postacie</translation>
     </message>
@@ -5950,10 +5918,6 @@
     <message>
         <source>Use for lobes</source>
         <translation>Do krzywych workowych</translation>
-    </message>
-    <message>
-        <source>What “Use this response” hands on: the response, or its modal model.</source>
-        <translation>Co przekazuje „Użyj tej charakterystyki”: charakterystykę albo jej model modalny.</translation>
     </message>
     <message>
         <source>Modes changed by hand</source>
@@ -12260,10 +12224,6 @@
         <translation>Wartość początkowa liczb losowych.</translation>
     </message>
     <message>
-        <source>Scan or mesh of the original; or its drawing: STEP, SHAFT.json, a shaft</source>
-        <translation>Skan lub siatka oryginału albo jego rysunek: STEP, SHAFT.json, wał</translation>
-    </message>
-    <message>
         <source>Drop two files here, first the original (scan or drawing), then the copy.</source>
         <translation>Upuść tu dwa pliki, najpierw oryginał (skan lub rysunek), potem kopię.</translation>
     </message>
@@ -12306,10 +12266,6 @@
     <message>
         <source>material stays</source>
         <translation>materiał pozostaje</translation>
-    </message>
-    <message>
-        <source>this speed</source>
-        <translation>ta prędkość obrotowa</translation>
     </message>
     <message>
         <source>Why this speed: z {from:1}-{to:1} mm</source>
@@ -13170,10 +13126,6 @@
     <message>
         <source>Picture (before)</source>
         <translation>Obraz (przed)</translation>
-    </message>
-    <message>
-        <source>Photograph of a turned surface: PNG, JPEG or TIFF</source>
-        <translation>Zdjęcie toczonej powierzchni: PNG, JPEG lub TIFF</translation>
     </message>
     <message>
         <source>Picture after</source>
@@ -14719,6 +14671,166 @@
         <source>two lines of the contour have the same direction</source>
         <translation>dwie proste konturu mają ten sam kierunek</translation>
     </message>
+    <message>
+        <source>The original: a point cloud or mesh; or its drawing: a STEP file or SHAFT.json (mm). A drawing adds the sizes row by row.</source>
+        <translation>Oryginał: chmura punktów lub siatka; albo jego rysunek: plik STEP lub SHAFT.json (mm). Rysunek dodaje wymiary wiersz po wierszu.</translation>
+    </message>
+    <message>
+        <source>The copy: a point cloud or mesh.</source>
+        <translation>Kopia: chmura punktów lub siatka.</translation>
+    </message>
+    <message>
+        <source>Deviations of all points (PLY)…</source>
+        <translation>Odchyłki wszystkich punktów (PLY)…</translation>
+    </message>
+    <message>
+        <source>Point cloud (*.ply)</source>
+        <translation>Chmura punktów (*.ply)</translation>
+    </message>
+    <message>
+        <source>this speed {speed}</source>
+        <translation>ta prędkość {speed}</translation>
+    </message>
+    <message>
+        <source>The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: {depth_mm:3} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives {exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.</source>
+        <translation>Reguła z artykułów, która nie zna głębokości, daje {speed_rpm} 1/min dla z = {z_start_mm} … {z_end_mm} mm: przy {depth_mm:3} mm występują tam drgania samowzbudne, stabilne jest do {stable_depth_mm:3} mm. Zależność ścisła daje {exact_rpm:0} 1/min, stabilnie do {exact_depth_mm:3} mm.</translation>
+    </message>
+    <message>
+        <source>The worn part: a point cloud or mesh.</source>
+        <translation>Zużyta część: chmura punktów lub siatka.</translation>
+    </message>
+    <message>
+        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: the first of a driving point, else the first.</source>
+        <translation>Która z kilku w pliku: jej numer albo węzły jako 12/5 (odpowiedź/siła). Puste: pierwsza z punktu wymuszenia, w braku takiej pierwsza.</translation>
+    </message>
+    <message>
+        <source>What is handed on and written: the response, or its modal model.</source>
+        <translation>Co jest przekazywane i zapisywane: charakterystyka albo jej model modalny.</translation>
+    </message>
+    <message>
+        <source>{response}, modal model</source>
+        <translation>{response}, model modalny</translation>
+    </message>
+    <message>
+        <source>Response (CSV)…</source>
+        <translation>Charakterystyka (CSV)…</translation>
+    </message>
+    <message>
+        <source>Response (UFF 58)…</source>
+        <translation>Charakterystyka (UFF 58)…</translation>
+    </message>
+    <message>
+        <source>Modes (CSV)…</source>
+        <translation>Postacie (CSV)…</translation>
+    </message>
+    <message>
+        <source>by the rule {speed}</source>
+        <translation>według reguły {speed}</translation>
+    </message>
+    <message>
+        <source>Stable speeds</source>
+        <translation>Prędkości stabilne</translation>
+    </message>
+    <message>
+        <source>By the rule of the papers, which knows no depth</source>
+        <translation>Według reguły z artykułów, która nie zna głębokości</translation>
+    </message>
+    <message>
+        <source>Stable speeds of the range, the deepest first</source>
+        <translation>Stabilne prędkości zakresu, od największej głębokości</translation>
+    </message>
+    <message>
+        <source>Limit, in multiples of the least</source>
+        <translation>Granica, w wielokrotnościach najmniejszej</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Granica</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <translation>Zapas</translation>
+    </message>
+    <message>
+        <source>Stable at the depth</source>
+        <translation>Stabilna przy tej głębokości</translation>
+    </message>
+    <message>
+        <source>Whether it is stable depends on the depth of cut, which is not given</source>
+        <translation>Czy jest stabilna, zależy od głębokości skrawania, której nie podano</translation>
+    </message>
+    <message>
+        <source>How the light fell is not stated.</source>
+        <translation>Nie podano, jak padało światło.</translation>
+    </message>
+    <message>
+        <source>Regions kept</source>
+        <translation>Zachowane obszary</translation>
+    </message>
+    <message>
+        <source>Those of pictures that were taken away are not used.</source>
+        <translation>Obszary usuniętych obrazów nie są używane.</translation>
+    </message>
+    <message>
+        <source>Marks of {picture}</source>
+        <translation>Ślady z {picture}</translation>
+    </message>
+    <message>
+        <source>A photograph (PNG, JPEG, TIFF); several are compared, the first being before.</source>
+        <translation>Zdjęcie (PNG, JPEG, TIFF); kilka jest porównywanych, pierwsze to stan przed.</translation>
+    </message>
+    <message>
+        <source>Sound of the cut (WAV)…</source>
+        <translation>Dźwięk skrawania (WAV)…</translation>
+    </message>
+    <message>
+        <source>Sound (*.wav)</source>
+        <translation>Dźwięk (*.wav)</translation>
+    </message>
+    <message>
+        <source>Waveform (CSV)…</source>
+        <translation>Przebieg (CSV)…</translation>
+    </message>
+    <message>
+        <source>A probe record (CSV or L-Graph .dat/.par), or one for each section.</source>
+        <translation>Zapis sond (CSV lub L-Graph .dat/.par), albo po jednym dla każdego przekroju.</translation>
+    </message>
+    <message>
+        <source>Number of the section of the record; without it the one that deviates most.</source>
+        <translation>Numer przekroju zapisu; bez niego ten o największej odchyłce.</translation>
+    </message>
+    <message>
+        <source>A measured profile: x,y or angle,radius in a text table.</source>
+        <translation>Zmierzony profil: x,y lub kąt,promień w tabeli tekstowej.</translation>
+    </message>
+    <message>
+        <source>Judge a section of this probe record in place of a profile.</source>
+        <translation>Oceń przekrój tego zapisu sond zamiast profilu.</translation>
+    </message>
+    <message>
+        <source>For statistical process control (Q-DAS)…</source>
+        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
+    </message>
+    <message>
+        <source>Q-DAS (*.dfq)</source>
+        <translation>Q-DAS (*.dfq)</translation>
+    </message>
+    <message>
+        <source>Table of all sections (CSV)…</source>
+        <translation>Tabela wszystkich przekrojów (CSV)…</translation>
+    </message>
+    <message>
+        <source>Trajectories and images of all sections (CSV)…</source>
+        <translation>Trajektorie i obrazy wszystkich przekrojów (CSV)…</translation>
+    </message>
+    <message>
+        <source>The record has no section {section}: section {used}, which deviates most, is judged.</source>
+        <translation>Zapis nie ma przekroju {section}: oceniany jest przekrój {used}, o największej odchyłce.</translation>
+    </message>
+    <message>
+        <source>Verify installation</source>
+        <translation>Sprawdzenie instalacji</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>
@@ -15786,6 +15898,10 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>&amp;Open the folder</source>
         <translation>&amp;Otwórz folder</translation>
     </message>
+    <message>
+        <source>Open a step of the chain</source>
+        <translation>Otwórz krok łańcucha</translation>
+    </message>
 </context>
 <context>
     <name>lathelier::chain_panel::ChainViews</name>
@@ -15955,14 +16071,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Swap reference and copy</source>
         <translation>Zamień oryginał z kopią</translation>
-    </message>
-    <message>
-        <source>Deviations of all points (PLY)…</source>
-        <translation>Odchyłki wszystkich punktów (PLY)…</translation>
-    </message>
-    <message>
-        <source>Point cloud (*.ply)</source>
-        <translation>Chmura punktów (*.ply)</translation>
     </message>
     <message>
         <source>Deviations of all points (CSV)…</source>
@@ -16624,30 +16732,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Back to the fit</source>
         <translation>Powrót do dopasowania</translation>
     </message>
-    <message>
-        <source>%1, modal model</source>
-        <translation>%1, model modalny</translation>
-    </message>
-    <message>
-        <source>Response (CSV)…</source>
-        <translation>Charakterystyka (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Response (UFF 58)…</source>
-        <translation>Charakterystyka (UFF 58)…</translation>
-    </message>
-    <message>
-        <source>Universal file (*.uff)</source>
-        <translation>Plik uniwersalny (*.uff)</translation>
-    </message>
-    <message>
-        <source>Modes (CSV)…</source>
-        <translation>Postacie (CSV)…</translation>
-    </message>
 </context>
 <context>
     <name>lathelier::frf_panel::FrfViews</name>
@@ -16732,25 +16816,6 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     <message>
         <source>Double click: work at this speed</source>
         <translation>Dwukrotne kliknięcie: pracuj z tą prędkością</translation>
-    </message>
-</context>
-<context>
-    <name>lathelier::longitudinal_panel::LongitudinalPanel</name>
-    <message>
-        <source>Table of all sections (CSV)…</source>
-        <translation>Tabela wszystkich przekrojów (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>For statistical process control (Q-DAS)…</source>
-        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
-    </message>
-    <message>
-        <source>Q-DAS (*.dfq)</source>
-        <translation>Q-DAS (*.dfq)</translation>
     </message>
 </context>
 <context>
@@ -17306,14 +17371,6 @@ odchyłka %3</translation>
     <message>
         <source>Table (*.csv)</source>
         <translation>Tabela (*.csv)</translation>
-    </message>
-    <message>
-        <source>For statistical process control (Q-DAS)…</source>
-        <translation>Do statystycznego sterowania procesem (Q-DAS)…</translation>
-    </message>
-    <message>
-        <source>Q-DAS (*.dfq)</source>
-        <translation>Q-DAS (*.dfq)</translation>
     </message>
     <message>
         <source>section %1 of %2</source>
@@ -17893,10 +17950,6 @@ Wszystkie inne widoki działają.</translation>
         <translation>Zmień wytwarzany obraz</translation>
     </message>
     <message>
-        <source>Marks of %1</source>
-        <translation>Ślady z %1</translation>
-    </message>
-    <message>
         <source>%1 × %2 px, %3 bit</source>
         <translation>%1 × %2 px, %3 bitów</translation>
     </message>
@@ -18184,20 +18237,8 @@ Wszystkie inne widoki działają.</translation>
         <translation>Krok przewodnika</translation>
     </message>
     <message>
-        <source>Sound of the cut (WAV)…</source>
-        <translation>Dźwięk skrawania (WAV)…</translation>
-    </message>
-    <message>
         <source>Sound (*.wav)</source>
         <translation>Dźwięk (*.wav)</translation>
-    </message>
-    <message>
-        <source>Waveform (CSV)…</source>
-        <translation>Przebieg (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
     </message>
     <message>
         <source>Demonstration (sound and a folder of pictures)…</source>
@@ -18494,14 +18535,6 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Change the channels</source>
         <translation>Zmień kanały</translation>
-    </message>
-    <message>
-        <source>Trajectories and images of all sections (CSV)…</source>
-        <translation>Trajektorie i obrazy wszystkich przekrojów (CSV)…</translation>
-    </message>
-    <message>
-        <source>Table (*.csv)</source>
-        <translation>Tabela (*.csv)</translation>
     </message>
     <message>
         <source>Change a calibration</source>

@@ -14,7 +14,7 @@ constexpr std::size_t angles = 360;
 constexpr double usualMagnification = 1000;
 constexpr double mostOfRadius = 0.5;  // largest drawn deviation relative to the radius
 
-double turned(double angle_rad)
+double positiveAngle(double angle_rad)
 {
     const double turn = 2 * std::numbers::pi;
     const double rest = std::fmod(angle_rad, turn);
@@ -27,7 +27,7 @@ std::vector<double> radiiAtEvenAngles(const std::vector<Eigen::Vector2d>& points
     std::vector<std::pair<double, double>> polar;
     for (const Eigen::Vector2d& point : points_mm) {
         const Eigen::Vector2d arm = point - centre_mm;
-        polar.emplace_back(turned(std::atan2(arm.y(), arm.x())), arm.norm());
+        polar.emplace_back(positiveAngle(std::atan2(arm.y(), arm.x())), arm.norm());
     }
     std::sort(polar.begin(), polar.end());
     std::vector<double> radii(angles, 0);
@@ -38,8 +38,8 @@ std::vector<double> radiiAtEvenAngles(const std::vector<Eigen::Vector2d>& points
         while (next < polar.size() && polar[next].first < angle) ++next;
         const auto& [a, ra] = polar[(next + polar.size() - 1) % polar.size()];
         const auto& [b, rb] = polar[next % polar.size()];
-        const double span = turned(b - a);
-        const double share = span > 0 ? turned(angle - a) / span : 0;
+        const double span = positiveAngle(b - a);
+        const double share = span > 0 ? positiveAngle(angle - a) / span : 0;
         radii[i] = ra + share * (rb - ra);
     }
     return radii;

@@ -23,9 +23,10 @@ task::Input recordInput(const char* option)
     return input;
 }
 
-Records takeRecords(const project::PanelState& state, Stores& stores, task::Sources& sources, const Progress& progress)
+TakenRecords takeRecords(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                         const Progress& progress)
 {
-    Records records;
+    TakenRecords records;
     const std::vector<std::string> keys = project::keysOf(state, recordRole);
     const auto count = static_cast<double>(keys.size());
     for (const std::string& key : keys) {
@@ -40,12 +41,12 @@ Records takeRecords(const project::PanelState& state, Stores& stores, task::Sour
     return records;
 }
 
-std::string keyOf(const Records& records, const TrajectoryParameters& parameters)
+std::string keyOf(const TakenRecords& records, const TrajectoryParameters& parameters)
 {
     return records.key + lathelier::toJson(toValues(parameters)).dump();
 }
 
-std::shared_ptr<const TrajectoryResult> evaluate(const Records& records, const TrajectoryParameters& parameters,
+std::shared_ptr<const TrajectoryResult> evaluate(const TakenRecords& records, const TrajectoryParameters& parameters,
                                                  Stores& stores, const Progress& progress)
 {
     return stores.of<EvaluatedRecords>()->find(keyOf(records, parameters), progress, [&](const Progress& part) {

@@ -21,20 +21,21 @@ using RecordPtr = std::shared_ptr<const Loaded<io::ProbeFile>>;
 /// The input: one record of all sections, or one for each.
 task::Input recordInput(const char* option);
 
-/// Records as read, in the order of the inputs.
-struct Records {
+/// TakenRecords as read, in the order of the inputs.
+struct TakenRecords {
     std::vector<RecordPtr> files;  ///< never null
     std::string key;               ///< content and how it was read
 };
 
 /// Errors: those of readProbeRecord(), with the path. Throws Cancelled.
-Records takeRecords(const project::PanelState& state, Stores& stores, task::Sources& sources, const Progress& progress);
+TakenRecords takeRecords(const project::PanelState& state, Stores& stores, task::Sources& sources,
+                         const Progress& progress);
 
 /// What the evaluation of these records depends on, to the last bit.
-std::string keyOf(const Records& records, const TrajectoryParameters& parameters);
+std::string keyOf(const TakenRecords& records, const TrajectoryParameters& parameters);
 
 /// Never null. Errors: those of trajectory(). Throws Cancelled.
-std::shared_ptr<const TrajectoryResult> evaluate(const Records& records, const TrajectoryParameters& parameters,
+std::shared_ptr<const TrajectoryResult> evaluate(const TakenRecords& records, const TrajectoryParameters& parameters,
                                                  Stores& stores, const Progress& progress);
 
 /// Index of the section with this number; without a number, or where there is none of it, that of the worst one.

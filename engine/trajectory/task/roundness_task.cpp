@@ -103,7 +103,7 @@ private:
 
     void judgeSection(const Progress& progress)
     {
-        const Records records = takeRecords(state_, stores_, sources_, progress.part(0, 0.4));
+        const TakenRecords records = takeRecords(state_, stores_, sources_, progress.part(0, 0.4));
         if (records.files.empty()) throw Error(errors::oneNeeded, {{"names", roundnessTask().one_of.label}});
         const TrajectoryParameters parameters = outcome_.question.ofRecord();
         outcome_.trajectory =

@@ -23,7 +23,7 @@ struct TimeSignals : Memo<std::vector<TimeSignal>> {};
 /// A started answer: the records, without their evaluation.
 struct Begun {
     TrajectoryParameters parameters;
-    Records records;
+    TakenRecords records;
 };
 
 Begun begin(TrajectoryOutcome& outcome, const project::PanelState& state, Stores& stores, task::Sources& sources,

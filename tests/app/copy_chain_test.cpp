@@ -6,7 +6,6 @@
 #include <QToolBar>
 #include <QUndoStack>
 
-#include "app/cli/verb_answer.h"
 #include "app/gui/panels.h"
 #include "engine/chain/dossier.h"
 #include "engine/deflection/setup_file.h"
@@ -174,6 +173,34 @@ private slots:
         session_->undoStack().redo();
         settle();
         QCOMPARE(state("proof"), StepState::Done);
+    }
+
+    /// A click on a step shows the chain's own data; the chain's question stays as it was.
+    void aStepOpensWithTheDataOfTheChain()
+    {
+        dropAll();
+        session_->edit("Own work", [](project::Project& project) {
+            project.panels["turning"].inputs["job"].path = "/somewhere/else/job.json";
+            project.panels["deflection"].parameters = {{"tolerance_um", 5.0}};
+        });
+        settle();
+        runAll();
+        const int steps = session_->undoStack().count();
+        QTest::mouseClick(strip().tile("program"), Qt::LeftButton);
+        QCOMPARE(session_->undoStack().count(), steps + 1);
+        const project::PanelState turning = session_->project().panels.at("turning");
+        QCOMPARE(turning.inputs.at("shaft").path, out() + "/drawing.json");
+        QVERIFY(turning.inputs.at("job").path.find("chain_job.json") != std::string::npos);
+        QTest::mouseClick(strip().tile("deflection"), Qt::LeftButton);
+        const project::PanelState deflection = session_->project().panels.at("deflection");
+        QVERIFY(deflection.inputs.at("program").path.starts_with(out() + "/program"));
+        QVERIFY(find(deflection.parameters, "band"));
+        settle();
+        for (const char* key : {"scan", "drawing", "machine", "speeds", "program", "deflection", "copy", "proof"})
+            QCOMPARE(state(key), StepState::Done);
+        session_->undoStack().undo();
+        session_->undoStack().undo();
+        QCOMPARE(session_->project().panels.at("turning").inputs.at("job").path, "/somewhere/else/job.json");
     }
 
     void aChangedFileMakesWhatFollowsOutOfDate()

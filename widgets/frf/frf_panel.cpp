@@ -54,18 +54,19 @@ void FrfPanel::dragMode(int index, double frequency_hz, double magnitude_mm_N, b
     receptance::ModesQuestion question;
     question.modes = outcome->study.model.modes;
     question.modes[at] = receptance::draggedMode(outcome->study.model, at, frequency_hz, magnitude_mm_N);
-    const Value dragged = *find(toValues(question), receptance::changedModesKey);
+    const Value dragged = *lathelier::find(toValues(question), receptance::changedModesKey);
     editState(
         tr("Drag a peak"),
-        [&](project::PanelState& state) { set(state.parameters, receptance::changedModesKey, dragged); },
+        [&](project::PanelState& state) { lathelier::set(state.parameters, receptance::changedModesKey, dragged); },
         QString("frf/modes/%1").arg(gesture_));
     gesture_ += dropped;
 }
 
 void FrfPanel::goBackToTheFit()
 {
-    editState(tr("Back to the fit"),
-              [](project::PanelState& state) { set(state.parameters, receptance::changedModesKey, Rows{}); });
+    editState(tr("Back to the fit"), [](project::PanelState& state) {
+        lathelier::set(state.parameters, receptance::changedModesKey, Rows{});
+    });
 }
 
 QString FrfPanel::understood(const InputRole&, const project::Source& source) const

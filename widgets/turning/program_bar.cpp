@@ -35,12 +35,13 @@ ProgramBar::ProgramBar(QWidget* parent)
 
 void ProgramBar::setOutcome(const cam::TurningOutcome& outcome, std::size_t setup)
 {
-    const ShownProgram& program = outcome.programs[setup];
+    const cam::ShownProgram& program = outcome.programs[setup];
     const cam::CheckResult& check = outcome.plan->setups[setup].check;
     const bool is_sound = isSound(outcome, setup);
-    QString of = program.origin == ProgramOrigin::Planned     ? tr("planned")
-                 : program.origin == ProgramOrigin::Corrected ? tr("compensated")
-                                                              : screenFileName(QString::fromStdString(program.name));
+    QString of = program.origin == cam::ProgramOrigin::Planned ? tr("planned")
+                 : program.origin == cam::ProgramOrigin::Corrected
+                     ? tr("compensated")
+                     : screenFileName(QString::fromStdString(program.name));
     if (program.is_changed) of = tr("%1, changed by hand").arg(of);
     const QString state = program.is_void           ? tr("? Check void: the text was changed after it")
                           : check.path.has_errors   ? tr("✗ The program has errors")

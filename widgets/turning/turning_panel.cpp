@@ -35,7 +35,7 @@ PanelInputs panelInputs()
                                           "Drop a job (JOB.json) and a shaft here: its turning program follows, read "
                                           "back and checked."));
     const auto& hidden = {cam::jobOfKey, cam::skippedKey, cam::orderKey, cam::draftsKey};
-    for (FieldInfo& info : infos<TurningQuestion>())
+    for (FieldInfo& info : infos<cam::TurningQuestion>())
         if (std::find(hidden.begin(), hidden.end(), info.key) == hidden.end()) inputs.fields.push_back(std::move(info));
     for (InputRole& role : inputs.roles) {
         role.required = false;  // either may hold the part: missingInputs()
@@ -117,7 +117,7 @@ void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool 
 {
     const QString name = screenText(cam::nameOf(operation.kind));
     change(on ? tr("Switch on: %1").arg(name) : tr("Switch off: %1").arg(name), [&](project::PanelState& state) {
-        cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
+        cam::TurningParameters plan = fromValues<cam::TurningQuestion>(state.parameters).plan;
         std::erase(plan.skipped, operation);
         if (!on) plan.skipped.push_back(operation);
         lathelier::set(state.parameters, cam::skippedKey, *lathelier::find(toValues(plan), cam::skippedKey));
@@ -128,7 +128,7 @@ void TurningPanel::switchOperation(const cam::SkippedOperation& operation, bool 
 void TurningPanel::setOrder(const QString& step, int clamping, const std::vector<cam::OperationStep>& order)
 {
     change(step, [&](project::PanelState& state) {
-        cam::TurningParameters plan = fromValues<TurningQuestion>(state.parameters).plan;
+        cam::TurningParameters plan = fromValues<cam::TurningQuestion>(state.parameters).plan;
         std::erase_if(plan.order, [clamping](const cam::OperationStep& each) { return each.setup == clamping; });
         plan.order.insert(plan.order.end(), order.begin(), order.end());
         lathelier::set(state.parameters, cam::orderKey, *lathelier::find(toValues(plan), cam::orderKey));
@@ -197,7 +197,7 @@ void TurningPanel::showResult(const std::shared_ptr<const cam::TurningOutcome>& 
     inputColumn().form().setValues(toValues(outcome->plan->stated));  // also those of a file
     bool is_newest = false;
     try {
-        is_newest = outcome->question.drafts == fromValues<TurningQuestion>(state().parameters).drafts;
+        is_newest = outcome->question.drafts == fromValues<cam::TurningQuestion>(state().parameters).drafts;
     } catch (const Error&) {
         is_newest = false;  // the present request is invalid and reports its error
     }

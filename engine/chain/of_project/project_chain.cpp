@@ -29,9 +29,15 @@ const project::Source* sourceAt(const project::Project& project, const char* pan
     return source == state->second.inputs.end() ? nullptr : &source->second;
 }
 
+/// Made by the chain: an item, or a file of its folder but for those that were written for it ("given").
 bool isOfTheChain(const project::Project& project, const project::Source& source)
 {
-    if (source.item.empty()) return false;
+    if (source.item.empty()) {
+        const auto own = project.panels.find(chainKey);
+        const Value* const value = own == project.panels.end() ? nullptr : find(own->second.parameters, folderKey);
+        const auto* const folder = value ? std::get_if<std::string>(value) : nullptr;
+        return folder && !folder->empty() && fs::path(source.path).parent_path() == fs::path(*folder);
+    }
     const auto item = project.items.find(source.item);
     return item == project.items.end() || item->second.origin.panel == chainKey;
 }

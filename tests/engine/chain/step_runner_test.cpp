@@ -209,8 +209,8 @@ TEST(StepRunner, FilesBelowTheFolderAreNamedFromThere)
     const std::string given = shop.folder + "/given/job.txt";
     std::filesystem::create_directories(shop.folder + "/given");
     io::writeFile(given, "job\n");
-    StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-    runner.run({"recognise", taskNamed("read"), {given}, {}, {{"out", "a.txt"}}}, {});
+    StepRunner runner(shop.folder, RunMode::Everything, nullptr);
+    runner.run({"recognise", shop.taskNamed("read"), {given}, {}, {{"out", "a.txt"}}}, {});
     EXPECT_EQ(runner.dossier().steps.front().inputs.front().path, "given/job.txt");
     const std::string path = shop.folder + "/" + dossierFile;
     io::writeFile(path, report::toText(wholeDossier(runner.dossier(), {}, {})));
@@ -226,8 +226,8 @@ TEST(StepRunner, TheSameFilesAreTheSameQuestionFromWhereverTheyAreNamed)
     namespace fs = std::filesystem;
     Workshop shop;
     const auto requests = [&shop](const std::string& scan) {
-        StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-        runner.run({"recognise", taskNamed("read"), {scan}, {{"job", scan}}, {{"out", "a.txt"}}}, {});
+        StepRunner runner(shop.folder, RunMode::Everything, nullptr);
+        runner.run({"recognise", shop.taskNamed("read"), {scan}, {{"job", scan}}, {{"out", "a.txt"}}}, {});
         runner.make("proof", {"a.txt"},
                     [] {
                         return MadeStep{std::make_shared<const Json>(Json::object()), {}, {}};
@@ -249,8 +249,8 @@ TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)
 {
     Workshop shop;
     io::writeFile(shop.scan, "soft\n");
-    StepRunner runner(shop.folder, shop.asker(), RunMode::Everything, nullptr);
-    StepRequest step{"recognise", "read", {shop.scan}, {}, {{"out", "a.txt"}}};
+    StepRunner runner(shop.folder, RunMode::Everything, nullptr);
+    StepRequest step{"recognise", shop.taskNamed("read"), {shop.scan}, {}, {{"out", "a.txt"}}};
     step.outputs_if_possible = {{"hard", "hard.txt"}};
     runner.run(step, {});
     EXPECT_EQ(shop.asked.size(), 2u);
@@ -260,12 +260,12 @@ TEST(StepRunner, AnOutputThatIsRefusedIsLeftOut)
     EXPECT_FALSE(runner.canRead("hard.txt"));
 }
 
-TEST(StepRunner, AStepThatIsNoVerbFollowsItsFiles)
+TEST(StepRunner, AStepThatIsNoTaskFollowsItsFiles)
 {
     Workshop shop;
     int made = 0;
     const auto go = [&](RunMode mode) {
-        StepRunner runner(shop.folder, shop.asker(), mode, shop.earlier);
+        StepRunner runner(shop.folder, mode, shop.earlier);
         runner.write("in.txt", mode == RunMode::DryRun ? "new" : "old");
         runner.make("proof", {"in.txt"},
                     [&] {
@@ -287,7 +287,7 @@ TEST(StepRunner, AStepThatIsNoVerbFollowsItsFiles)
 TEST(StepRunner, AFolderThatCannotBeMadeIsRefused)
 {
     Workshop shop;
-    EXPECT_THROW(StepRunner(shop.scan + "/chain", shop.asker(), RunMode::Everything, nullptr), Error);
+    EXPECT_THROW(StepRunner(shop.scan + "/chain", RunMode::Everything, nullptr), Error);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ class TurningChangesTest : public QObject, PanelFixture<TurningPanel> {
         settle();
     }
     const cam::TurningPlan& plan() const { return *panel_->result()->plan; }
-    const ShownProgram& program(std::size_t setup = 0) const { return panel_->result()->programs[setup]; }
+    const cam::ShownProgram& program(std::size_t setup = 0) const { return panel_->result()->programs[setup]; }
     TurningViews& views() const { return panel_->views(); }
     /// As somebody types it: another text in the editor, announced.
     void type(const QByteArray& text)
@@ -107,7 +107,7 @@ private slots:
             project.panels["turning"].inputs[cam::programRole].item = "corrected";
         });
         settle();
-        QCOMPARE(program().origin, ProgramOrigin::Planned);
+        QCOMPARE(program().origin, cam::ProgramOrigin::Planned);
         const Notes& notes = panel_->result()->notes;
         const auto says = [&](const char* key) {
             return std::any_of(notes.begin(), notes.end(),
@@ -161,10 +161,10 @@ private slots:
             QVERIFY(!courses.chart(course)->data().curves.empty());
         }
         // The same left edge, so that a place is below itself.
-        QTRY_VERIFY(std::abs(courses.chart(cam::Course::Speed)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
-                    1.5);
-        QVERIFY(std::abs(courses.chart(cam::Course::Roughness)->pixelAt(0, 0).x() - views().contour()->pixelAt(0, 0).x()) <
-                1.5);
+        QTRY_VERIFY(std::abs(courses.chart(cam::Course::Speed)->pixelAt(0, 0).x() -
+                             views().contour()->pixelAt(0, 0).x()) < 1.5);
+        QVERIFY(std::abs(courses.chart(cam::Course::Roughness)->pixelAt(0, 0).x() -
+                         views().contour()->pixelAt(0, 0).x()) < 1.5);
         session_->collectViews();
         QCOMPARE(session_->view("turning", "courses"), Value(std::int64_t{1 | 2 | 8}));
     }
@@ -303,7 +303,7 @@ private slots:
             settle();
         };
         give(corrected);
-        QCOMPARE(program().origin, ProgramOrigin::Corrected);
+        QCOMPARE(program().origin, cam::ProgramOrigin::Corrected);
         QCOMPARE(QByteArray::fromStdString(corrected.text), typed());
         QVERIFY(!plan().is_refused);
         QVERIFY(views().bar()->state().contains("compensated, checked"));
@@ -323,7 +323,7 @@ private slots:
         session_->edit("Clear",
                        [](project::Project& project) { project.panels["turning"].inputs.erase(cam::programRole); });
         settle();
-        QCOMPARE(program().origin, ProgramOrigin::Planned);
+        QCOMPARE(program().origin, cam::ProgramOrigin::Planned);
         QCOMPARE(typed(), QByteArray::fromStdString(plan().setups[0].text));
     }
 

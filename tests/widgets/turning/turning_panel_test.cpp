@@ -141,7 +141,7 @@ private slots:
         const auto tools_of = [](const char* name) {
             const QString path = QString(LATHELIER_SOURCE_DIR "/tests/data/projects/") + name;
             const project::Project kept = project::readProject(path.toStdString()).project;
-            return fromValues<TurningQuestion>(kept.panels.at("turning").parameters).job.tools;
+            return fromValues<cam::TurningQuestion>(kept.panels.at("turning").parameters).job.tools;
         };
         const auto tools = tools_of("version_4.lathelier");
         QCOMPARE(tools.size(), std::size_t{4});

@@ -14,7 +14,6 @@
 #include "engine/deflection/deflection_task.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/project/project_file.h"
 #include "engine/sample/sample.h"
 #include "engine/sample/sample_files.h"
 #include "engine/sample/sample_record.h"
@@ -63,7 +62,10 @@ class TaskAnswersTest : public QObject {
     {
         task::Request request;
         request.parameters = begins_with;
-        for (const auto& [key, value] : state.parameters) set(request.parameters, key, value);
+        for (const auto& [key, value] : state.parameters) {  // a state that panels share has those of other tasks too
+            const auto is_field = [&key = key](const FieldInfo& field) { return field.key == key; };
+            if (std::any_of(task.fields.begin(), task.fields.end(), is_field)) set(request.parameters, key, value);
+        }
         request.exports = std::move(exports);
         for (const task::Input& input : task.inputs)
             for (const std::string& key : project::keysOf(state, input.role)) {
@@ -80,12 +82,8 @@ class TaskAnswersTest : public QObject {
     static void areEqual(const Json& panel, const Json& verb)
     {
         QVERIFY(panel.contains("parameters") && panel.contains("inputs"));
-        for (const auto& [key, value] : verb.items())
-            if (!panel.contains(key) || panel[key] != value)
-                QFAIL((key + ": " + value.dump().substr(0, 400) +
-                       "\npanel: " + (panel.contains(key) ? panel[key].dump().substr(0, 400) : std::string("nothing")))
-                          .c_str());
-        QCOMPARE(panel.size(), verb.size());
+        const Json difference = Json::diff(panel, verb);
+        if (!difference.empty()) QFAIL(difference.dump(1).substr(0, 1500).c_str());
     }
 
     std::string path(const char* name) const { return folder_.filePath(name).toStdString(); }
@@ -125,7 +123,8 @@ private slots:
         QTest::addColumn<QString>("id");
         int count = 0;
         for (const PanelFacts& facts : panelTable()) {
-            if (!facts.task) continue;
+            // Surface asks a window in other fields than the command line: surfaceBeforeAndAfter().
+            if (!facts.task || facts.id == "surface") continue;
             if (facts.missing && !facts.missing(stateOf(facts)).empty()) continue;  // the sample gives it items only
             QTest::newRow(facts.id.c_str()) << QString::fromStdString(facts.id);
             ++count;
@@ -139,7 +138,9 @@ private slots:
         const PanelFacts& facts = factsOf(id.toStdString());
         const task::Task& task = *facts.task;
         const project::PanelState state = stateOf(facts);
-        areEqual(ofPanel(facts, state), ofVerb(task, state, facts.begins_with));
+        std::map<std::string, std::string> exports;
+        if (id == "correction") exports["compensate"] = path("corrected.nc");
+        areEqual(ofPanel(facts, state), ofVerb(task, state, facts.begins_with, exports));
     }
 
     void deflectionWithASpindleAndAnInsertOfTheLibrary()
@@ -152,12 +153,13 @@ private slots:
         state.parameters = {{"tolerance_um", 30.0}, {"changed_insert", std::string("dnmg_150608")}, {"band", true}};
         const task::Task& task = deflection::deflectionTask();
         const Json panel = ofPanel(factsOf("deflection"), state);
-        areEqual(panel, ofVerb(task, state));
+        const Values& usual = factsOf("deflection").begins_with;
+        areEqual(panel, ofVerb(task, state, usual));
         QCOMPARE(panel["parameters"]["spindle"].get<std::string>(), path("stiff.json"));
         state.inputs.erase(deflection::spindleRole);
-        QVERIFY(ofVerb(task, state)["max_um"] != panel["max_um"]);  // the chuck is that spindle
+        QVERIFY(ofVerb(task, state, usual)["max_um"] != panel["max_um"]);  // the chuck is that spindle
         areEqual(ofPanel(factsOf("correction"), state),
-                 ofVerb(task, state, {}, {{"compensate", path("corrected.nc")}}));
+                 ofVerb(task, state, factsOf("correction").begins_with, {{"compensate", path("corrected.nc")}}));
     }
 
     void compare()

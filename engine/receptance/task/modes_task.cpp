@@ -184,27 +184,33 @@ void addWriters(task::Outcome& all, const std::shared_ptr<const ModesOutcome>& o
 const std::vector<Field<ModesQuestion>>& fieldsOf(const ModesQuestion*)
 {
     using Q = ModesQuestion;
-    static const std::vector<Field<Q>> all{
-        field("response", &Q::response,
-              Label{LT_TEXT("Engine", "Response"),
-                    LT_TEXT("Engine",
-                            "Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: "
-                            "the first of a driving point, else the first.")}),
-        field("fit", &Q::fit, Label{LT_TEXT("Engine", "Fit modes"), LT_TEXT("Engine", "Finds the modes.")}),
-        within(&Q::modal, "number_of_modes"),
-        within(&Q::modal, "range_hz"),
-        field("handed_on", &Q::handed_on,
-              {{"measured", LT_TEXT("Engine", "The response itself")}, {"model", LT_TEXT("Engine", "The modal model")}},
-              Label{LT_TEXT("Engine", "Use for lobes"),
-                    LT_TEXT("Engine", "What is handed on and written: the response, or its modal model.")}),
-        rows(changedModesKey, &Q::modes, Range{0, mostModes},
-             Label{LT_TEXT("Engine", "Modes changed by hand"),
-                   LT_TEXT("Engine", "In place of those of the fit; drag a peak in the magnitude chart.")}),
-        within(&Q::modal, "complex_residues"),
-        foldedWithin(&Q::computing, "respond_z_mm"),
-        foldedWithin(&Q::computing, "excite_z_mm"),
-        foldedWithin(&Q::computing, "shear"),
-        foldedWithin(&Q::computing, "step_correction")};
+    static const std::vector<Field<Q>> all = [] {
+        std::vector<Field<Q>> made{
+            field(
+                "response", &Q::response,
+                Label{LT_TEXT("Engine", "Response"),
+                      LT_TEXT("Engine",
+                              "Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: "
+                              "the first of a driving point, else the first.")}),
+            field("fit", &Q::fit, Label{LT_TEXT("Engine", "Fit modes"), LT_TEXT("Engine", "Finds the modes.")}),
+            within(&Q::modal, "number_of_modes"),
+            within(&Q::modal, "range_hz"),
+            field("handed_on", &Q::handed_on,
+                  {{"measured", LT_TEXT("Engine", "The response itself")},
+                   {"model", LT_TEXT("Engine", "The modal model")}},
+                  Label{LT_TEXT("Engine", "Use for lobes"),
+                        LT_TEXT("Engine", "What is handed on and written: the response, or its modal model.")}),
+            rows(changedModesKey, &Q::modes, Range{0, mostModes},
+                 Label{LT_TEXT("Engine", "Modes changed by hand"),
+                       LT_TEXT("Engine", "In place of those of the fit; drag a peak in the magnitude chart.")}),
+            within(&Q::modal, "complex_residues"),
+            foldedWithin(&Q::computing, "respond_z_mm"),
+            foldedWithin(&Q::computing, "excite_z_mm"),
+            foldedWithin(&Q::computing, "shear"),
+            foldedWithin(&Q::computing, "step_correction")};
+        made[1].info.is_kept = true;  // of a window, which shows a response without its modes as well
+        return made;
+    }();
     return all;
 }
 

@@ -190,7 +190,7 @@ private slots:
         panel_->openFiles({QString::fromStdString(shaft_path), QString::fromStdString(spindle_path)});
         QTRY_VERIFY(panel_->result()->study.computed != nullptr);
         settle();
-        QCOMPARE(panel_->result()->inputs.size(), std::size_t{3});
+        QCOMPARE(panel_->result()->sources.inputs.size(), std::size_t{3});
         const Frf& computed = *study().computed;
         QCOMPARE(computed.frequency_hz.front(), 40.0);
         const auto& curves = panel_->views().magnitude()->data().curves;

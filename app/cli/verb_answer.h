@@ -1,4 +1,4 @@
-// A verb asked once: its answer with everything that was refused, its object, its exit code. 
+// A verb asked once: its answer with everything that was refused, its object, its exit code.
 #pragma once
 
 #include "app/cli/arguments.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <optional>
 
-#include "engine/trajectory/trajectory.h"
 #include "engine/core/scan.h"
+#include "engine/trajectory/trajectory.h"
 
 namespace lathelier::trajectory {
 

@@ -7,9 +7,9 @@
 #include <QWidget>
 
 #include "engine/report/document.h"
+#include "engine/trajectory/stacked_sections.h"
 #include "engine/trajectory/task/trajectory_task.h"
 #include "widgets/core/panel/primary_views.h"
-#include "engine/trajectory/stacked_sections.h"
 #include "widgets/plot/chart_view.h"
 #include "widgets/trajectory_common/section_bar.h"
 

@@ -245,8 +245,12 @@ task::Outcome outcomeOf(const std::shared_ptr<const TurnOutcome>& outcome)
     all.json = [outcome] { return toJson(*outcome->plan); };
     all.summary = [outcome](const Language& language) { return planSummary(*outcome->plan, language); };
     all.products = [outcome](const Language& language) { return productsOf(outcome, language); };
-    all.writers[programExport] = [outcome](const std::string& path, const Language&, const Progress&) { writeAll(*outcome, path); };
-    all.writers[sheetExport] = [outcome](const std::string& path, const Language&, const Progress&) { writeSetupSheet(*outcome, path); };
+    all.writers[programExport] = [outcome](const std::string& path, const Language&, const Progress&) {
+        writeAll(*outcome, path);
+    };
+    all.writers[sheetExport] = [outcome](const std::string& path, const Language&, const Progress&) {
+        writeSetupSheet(*outcome, path);
+    };
     return settled(turnTask(), std::move(all), outcome->understanding);
 }
 

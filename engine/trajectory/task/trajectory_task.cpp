@@ -16,7 +16,7 @@ namespace lathelier::trajectory {
 namespace {
 
 constexpr double recordReadingShare = 0.4;  ///< of the progress
-constexpr int signalPoints = 200000;       ///< of a channel: single turns have to be seen when zoomed in
+constexpr int signalPoints = 200000;        ///< of a channel: single turns have to be seen when zoomed in
 
 struct TimeSignals : Memo<std::vector<TimeSignal>> {};
 

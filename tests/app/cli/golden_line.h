@@ -37,8 +37,8 @@ struct Run {
 };
 
 struct Line {
-    std::string name;    ///< "compare.txt:12"
-    std::string source;  ///< as written
+    std::string name;                              ///< "compare.txt:12"
+    std::string source;                            ///< as written
     std::vector<std::vector<std::string>> before;  ///< words of the commands before it
     Run run;
     int exit_code = 0;

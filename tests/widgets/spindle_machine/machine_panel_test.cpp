@@ -51,8 +51,8 @@ private slots:
         const receptance::SpindleOutcome& outcome = *panel_->result();
         QVERIFY(outcome.identified != nullptr);
         QCOMPARE(outcome.identified->frfs, std::size_t{18});
-        QVERIFY(outcome.identified->residual_rms_percent < 2);  // noise of 1 %
-        QCOMPARE(outcome.sources.inputs.size(), std::size_t{2});        // the responses too
+        QVERIFY(outcome.identified->residual_rms_percent < 2);    // noise of 1 %
+        QCOMPARE(outcome.sources.inputs.size(), std::size_t{2});  // the responses too
         const receptance::Complex H = outcome.spindle.at(500)(0, 0);
         QVERIFY(std::abs(H - 1.0 / (14850.0 * receptance::Complex(1, 0.06))) < 0.05 / 14850);
         QCOMPARE(panel_->views().magnitude()->data().curves.size(), std::size_t{3});

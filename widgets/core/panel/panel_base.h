@@ -45,7 +45,7 @@ public:
     /// file, their heads are read first, in the background.
     void openFiles(const QStringList& paths);
     virtual void openFound(const std::vector<FoundFile>& files);  ///< the same with files whose kind is known
-    void askForFiles();                                   ///< openFiles() with a file dialog
+    void askForFiles();                                           ///< openFiles() with a file dialog
     void cancel();
     void recompute();  ///< recomputes although the state is unchanged (a file on disk may have changed)
 

@@ -110,7 +110,7 @@ Value valueOf(const std::optional<double>& value)
 
 }  // namespace
 
-std::optional<double> SafeSpeed::recommended_rpm() const
+std::optional<double> SafeSpeed::recommendedRpm() const
 {
     return best.is_stable ? std::optional(best.speed_rpm) : std::nullopt;
 }

@@ -40,7 +40,7 @@ struct SafeSpeed {
     std::vector<DepthAtSpeed> peaks;  ///< pockets of the range, the deepest first, at most 5
 
     /// The speed to recommend; none: no speed of the range is stable at the depth.
-    std::optional<double> recommended_rpm() const;
+    std::optional<double> recommendedRpm() const;
 };
 
 /// ± share of a speed within which the limit has to hold.

@@ -55,8 +55,8 @@ void addLine(report::Plot& plot, double speed_rpm, const Text& pattern, const La
 /// The speed by depth; that of the rule, which knows no depth, only where there is none.
 void addSpeeds(report::Plot& plot, const LobesMarks& marks, const Language& language)
 {
-    if (marks.safe && marks.safe->recommended_rpm())
-        addLine(plot, *marks.safe->recommended_rpm(), LT_TEXT("Engine", "recommended {speed}"), language);
+    if (marks.safe && marks.safe->recommendedRpm())
+        addLine(plot, *marks.safe->recommendedRpm(), LT_TEXT("Engine", "recommended {speed}"), language);
     if (marks.rule && !marks.safe)
         addLine(plot, marks.rule->recommended_rpm, LT_TEXT("Engine", "by the rule {speed}"), language);
     const bool is_at_selected = marks.point && marks.rule && marks.point->speed_rpm == marks.rule->selected_rpm;

@@ -55,7 +55,7 @@ void SpeedViews::show()
     else
         keys_->setReading(screenNumber(told.value.value_or(0), 0), screenText(unit::rpm),
                           QString::fromStdString(report::sentenceText(told, screenLanguage())),
-                          outcome_->recommended_rpm().has_value());
+                          outcome_->recommendedRpm().has_value());
     if (outcome_->safe)
         candidates_->setTable(stability::pocketsTable(*outcome_->safe, false));
     else if (outcome_->published)

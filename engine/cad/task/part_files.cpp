@@ -80,7 +80,7 @@ std::vector<task::Export> partExports()
 std::map<std::string, task::WriteExport> partWriters(const std::shared_ptr<const PartToWrite>& part)
 {
     using Content = std::function<std::string(const Language&, const Progress&)>;
-    const auto whole = [part](Content content) -> task::WriteExport {
+    const auto whole = [part](const Content& content) -> task::WriteExport {
         return [part, content](const std::string& path, const Language& language, const Progress& progress) {
             if (part->require_complete) part->require_complete();
             io::writeFile(path, content(language, progress));

@@ -160,9 +160,9 @@ const std::vector<Field<SpeedQuestion>>& fieldsOf(const SpeedQuestion*)
     return all;
 }
 
-std::optional<double> SpeedOutcome::recommended_rpm() const
+std::optional<double> SpeedOutcome::recommendedRpm() const
 {
-    if (safe) return safe->recommended_rpm();
+    if (safe) return safe->recommendedRpm();
     return published ? std::optional(published->recommended_rpm) : std::nullopt;
 }
 

@@ -37,7 +37,7 @@ struct SpeedOutcome : task::Answered {
     std::optional<Error> problem;            ///< a value that is missing, or no speed by the rule
 
     /// The speed that is recommended: by the depth where it is given, else by the rule.
-    std::optional<double> recommended_rpm() const;
+    std::optional<double> recommendedRpm() const;
 };
 
 /// A value that is missing, or no speed by the rule, is part of the outcome. Errors: those of takeResponse(),

@@ -68,13 +68,13 @@ TEST(SafeSpeed, NoSpeedOfTheRangeBearsMoreWithinTwoPercent)
     };
     const double best = leastAbout(safe.best.speed_rpm);
     for (double speed = 2600; speed <= 4000; speed += 50) EXPECT_LE(leastAbout(speed), best * 1.01) << speed;
-    EXPECT_TRUE(safe.recommended_rpm().has_value());
+    EXPECT_TRUE(safe.recommendedRpm().has_value());
 }
 
 TEST(SafeSpeed, WhereNothingIsStableNothingIsRecommended)
 {
     const SafeSpeed safe = safeSpeed(frfOf(paperRod, 10000), withCoefficient(2000), {2885, 5, {2700, 3100}});
-    EXPECT_FALSE(safe.recommended_rpm().has_value());
+    EXPECT_FALSE(safe.recommendedRpm().has_value());
     EXPECT_LT(*safe.best.margin, 0);
     const Json json = toJson(safe, false);
     EXPECT_EQ(json["stable_at_selected"], false);

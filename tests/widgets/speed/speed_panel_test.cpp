@@ -143,7 +143,7 @@ private slots:
         QCOMPARE(reading(), QString("%1 1/min").arg(std::round(outcome.safe->best.speed_rpm)));
         set("depth_mm", 200.0);  // deeper than any lobe
         QTRY_COMPARE(panel_->result()->safe->question.depth, 200.0);
-        QVERIFY(!panel_->result()->recommended_rpm());
+        QVERIFY(!panel_->result()->recommendedRpm());
         QVERIFY(line().contains("No speed"));
     }
 

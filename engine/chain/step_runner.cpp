@@ -213,7 +213,7 @@ Json StepRunner::run(const StepRequest& wanted, const Progress& progress)
         for (const auto& [option, name] : wanted.outputs_if_possible) question.exports.erase(option);
         reply = task::reply(*wanted.task, question, progress.part(0.5, 1));
     }
-    const Json result = task::resultOf(*wanted.task, reply);
+    Json result = task::resultOf(*wanted.task, reply);
     step.result = resultOf(wanted.id);
     io::writeFile(path(step.result), report::toText(result));
     aside.forget();

@@ -51,7 +51,8 @@ void run(const Task& task, const Request& request, Reply& reply, const Progress&
     for (const auto& [option, path] : request.exports) {
         const auto writer = reply.outcome.writers.find(option);
         if (writer == reply.outcome.writers.end()) continue;
-        gather(reply, [&] { writer->second(path, {}, progress); });  // the other files are written all the same
+        // The other files are written all the same.
+        gather(reply, [&, &to = path] { writer->second(to, {}, progress); });
     }
 }
 

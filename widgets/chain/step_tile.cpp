@@ -19,8 +19,8 @@ bool isDark(const QPalette& palette)
 QColor colourOf(const chain::StepStanding& standing, const QPalette& palette)
 {
     const bool dark = isDark(palette);
-    const QColor bad = dark ? QColor(0xff, 0x80, 0x60) : QColor(0xb0, 0x2a, 0x00);
-    const QColor unsure = dark ? QColor(0xf0, 0xb4, 0x40) : QColor(0x8a, 0x5a, 0x00);
+    QColor bad = dark ? QColor(0xff, 0x80, 0x60) : QColor(0xb0, 0x2a, 0x00);
+    QColor unsure = dark ? QColor(0xf0, 0xb4, 0x40) : QColor(0x8a, 0x5a, 0x00);
     switch (standing.state) {
         case chain::StepState::Done:
             if (!standing.isSound()) return *standing.verdict == Verdict::Fail ? bad : unsure;

@@ -110,7 +110,7 @@ std::string takeComputed(ModesOutcome& outcome, const project::PanelState& state
     const auto machine = task::take<SpindleInput>(state, spindleRole, stores, progress.part(0.1, 0.2), sources);
     ReceptanceParameters computing = outcome.question.computing;
     chooseLines(computing, outcome, machine);
-    const std::string key = digestsFrom(sources, read) + toJson(lathelier::toValues(computing)).dump();
+    std::string key = digestsFrom(sources, read) + toJson(lathelier::toValues(computing)).dump();
     const std::string name = task::nameOf(*task::sourceOf(state, shaftRole));
     const auto found = stores.of<ComputedShafts>()->find(key, progress.part(0.2, 1), [&](const Progress& part) {
         return shaftReceptance(*shaft, computing, machine, part);

@@ -68,7 +68,7 @@ SafeSpeed safeOverPass(const PassResult& result, const std::optional<double>& se
     question.depth = *result.parameters.pass_depth_mm;
     question.range_rpm = range_rpm;
     question.selected_rpm = selected_rpm.value_or(result.speed_rpm.front());
-    const SafeSpeed safe = safeSpeedOn(result.worst, question);
+    SafeSpeed safe = safeSpeedOn(result.worst, question);
     if (selected_rpm) return safe;
     question.selected_rpm = safe.best.speed_rpm;
     return safeSpeedOn(result.worst, question);

@@ -228,7 +228,7 @@ void ComparePanel::assignFiles(project::PanelState& state, const std::vector<Fou
         else
             scans.push_back(file);
     }
-    TaskPanel::assignFiles(state, scans);
+    assignInOrder(state, scans);
 }
 
 void ComparePanel::showPlace(const report::Place& place)

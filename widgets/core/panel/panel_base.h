@@ -126,6 +126,9 @@ protected:
     /// Assigns files of any kind to the inputs of `state`; by default to empty ones first, in order.
     virtual void assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const;
 
+    /// The rule of files of one kind: free inputs in their order, then the next part; more files replace all.
+    void assignInOrder(project::PanelState& state, const std::vector<FoundFile>& files) const;
+
     /// Reads the given inputs of an incomplete state, so that their facts can be shown.
     virtual Worker::Job makeReadingJob(const project::PanelState& state) const;
 

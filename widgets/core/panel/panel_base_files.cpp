@@ -147,6 +147,11 @@ void PanelBase::offerOtherRole(const project::PanelState& before)
 
 void PanelBase::assignFiles(project::PanelState& state, const std::vector<FoundFile>& files) const
 {
+    assignInOrder(state, files);
+}
+
+void PanelBase::assignInOrder(project::PanelState& state, const std::vector<FoundFile>& files) const
+{
     std::vector<std::string> free;
     const InputRole* rest = nullptr;  // accepts the remaining files
     for (const InputRole& role : inputs_.roles) {

@@ -30,13 +30,6 @@ FieldInfo fileOption(const task::Input& input)
     return info;
 }
 
-/// Does its file give a field that a window edits?
-bool isField(const task::Task& task, const task::Input& input)
-{
-    return std::any_of(task.fields.begin(), task.fields.end(),
-                       [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
-}
-
 Operand operandOf(const task::Task& task, const task::Input& input)
 {
     Operand operand{task::operandOf(input), input.help.english, input.several, false, !task::isNeeded(task, input)};
@@ -78,7 +71,7 @@ Verb verbOf(const task::Task& task)
         io::unite(verb.kinds, input.kinds);
         if (input.option.empty())
             verb.operands.push_back(operandOf(task, input));
-        else if (!isField(task, input))
+        else if (!task::givesField(task, input))
             verb.parameters.push_back({fileOption(input), std::string()});
     }
     for (const FieldInfo& field : task.fields) {

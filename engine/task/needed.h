@@ -1,4 +1,4 @@
-// Which inputs a task cannot do without.
+// What may stand in place of an input of a task.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,13 @@ inline bool isReplaceable(const Task& task, const Input& input)
 {
     const std::vector<std::string>& keys = task.one_of.keys;
     return std::find(keys.begin(), keys.end(), input.role) != keys.end();
+}
+
+/// Whether its file gives a field that a window edits.
+inline bool givesField(const Task& task, const Input& input)
+{
+    return std::any_of(task.fields.begin(), task.fields.end(),
+                       [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
 }
 
 /// Required, and nothing may stand in its place.

@@ -6,6 +6,7 @@
 #include "engine/io/import.h"
 #include "engine/report/result_json.h"
 #include "engine/report/understanding_report.h"
+#include "engine/task/needed.h"
 
 namespace lathelier::task {
 
@@ -108,9 +109,8 @@ Values parametersOf(const Task& task, const project::PanelState& state)
     }
     for (const Input& input : task.inputs) {
         const project::Source* const source = sourceOf(state, input.role);
-        const bool is_field = std::any_of(task.fields.begin(), task.fields.end(),
-                                          [&](const FieldInfo& field) { return task.fileOf(field) == &input; });
-        if (!input.option.empty() && !is_field) set(all, input.option, source ? nameOf(*source) : std::string());
+        if (!input.option.empty() && !givesField(task, input))
+            set(all, input.option, source ? nameOf(*source) : std::string());
         if (!source) continue;
         for (const auto& [key, value] : source->import) set(reading, key, value);
     }

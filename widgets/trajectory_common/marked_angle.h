@@ -13,7 +13,7 @@ class MarkedAngle : public QObject {
 public:
     std::optional<double> angle_deg() const { return angle_deg_; }
     void set(std::optional<double> angle_deg);
-    void takeBack();  ///< the last set(): undoes the last set(), which was the first half of a double click
+    void takeBack();  ///< undoes the last set(), which was the first half of a double click
 
 signals:
     void changed();

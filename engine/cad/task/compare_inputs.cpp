@@ -14,6 +14,7 @@
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/registration/verdict/zones_input.h"
 #include "engine/shaft/shaft_rules.h"
+#include "engine/task/read_key.h"
 
 namespace lathelier::cad {
 namespace {
@@ -159,8 +160,7 @@ ReferenceTaken takeReference(const project::PanelState& state, Stores& stores, t
     else
         taken.scan = task::takeFile<io::ScanInput>(state, referenceRole, stores, progress, sources);
     if (taken.drawn) checkDrawn(*taken.drawn, source, sources);
-    taken.key = toJson(source.import).dump();
-    for (std::size_t i = first; i < sources.inputs.size(); ++i) taken.key += sources.inputs[i].sha256;
+    taken.key = task::readKey(state, {referenceRole}, sources, first);
     return taken;
 }
 

@@ -44,8 +44,8 @@ std::string keyOf(const CompareOutcome& outcome, registration::CompareDetail det
         fitted.decision = asked.decision;
         fitted.scanner_accuracy_mm = asked.scanner_accuracy_mm;
     }
-    return outcome.reference.key + outcome.copy->digest() + toJson(outcome.asked.inputs.at(copyRole).import).dump() +
-           toJson(toValues(fitted)).dump() + (detail == registration::CompareDetail::Full ? "full" : "summary");
+    return outcome.scansKey() + toJson(toValues(fitted)).dump() +
+           (detail == registration::CompareDetail::Full ? "full" : "summary");
 }
 
 Compared computed(const CompareOutcome& outcome, registration::CompareDetail detail, const Progress& progress)
@@ -138,6 +138,11 @@ task::Outcome runCompare(const project::PanelState& state, const task::Wanted& w
 }
 
 }  // namespace
+
+std::string CompareOutcome::scansKey() const
+{
+    return reference.key + copy->digest() + toJson(asked.inputs.at(copyRole).import).dump();
+}
 
 CompareOutcome answerCompare(const project::PanelState& state, registration::CompareDetail detail, Stores& stores,
                              task::Sources& sources, const Progress& progress)

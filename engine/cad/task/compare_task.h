@@ -36,6 +36,7 @@ struct CompareOutcome : task::Answered {
     std::vector<report::Picture> pictures;          ///< of the views, for the report
 
     const Scan& copyScan() const { return copy->file.scan; }
+    std::string scansKey() const;  ///< changes with the content of both and with how they were read
 };
 
 /// Without the further copies. Another limit or rule aligns nothing anew. Errors: those of takeReference(), ScanInput,

@@ -68,9 +68,7 @@ void addViews(CompareOutcome& outcome, Stores& stores, const Progress& progress)
             mesh.file.scan = features::shaftMesh(drawn->shaft, shownSagitta_mm, part).scan;
             return mesh;
         });
-    const std::string key = outcome.reference.key + outcome.copy->digest() +
-                            toJson(outcome.asked.inputs.at(copyRole).import).dump() +
-                            toJson(toValues(fittedOf(outcome.question.compare))).dump();
+    const std::string key = outcome.scansKey() + toJson(toValues(fittedOf(outcome.question.compare))).dump();
     outcome.form = *stores.of<DeviationForms>()->find(
         key, progress.part(0.2, 1, LT_TEXT("Engine", "Averaging the deviation locally")),
         [&](const Progress& part) { return formOf(outcome, part); });

@@ -20,6 +20,7 @@
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
 #include "engine/task/memo.h"
+#include "engine/task/read_key.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -39,14 +40,6 @@ void append(Notes& all, const Notes& more)
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Of what was read since then.
-std::string digestsFrom(const task::Sources& sources, std::size_t read)
-{
-    std::string all;
-    for (std::size_t i = read; i < sources.inputs.size(); ++i) all += sources.inputs[i].sha256 + ' ';
-    return all;
-}
-
 /// Takes the response. Gives its cache key; empty without one.
 std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state, Stores& stores,
                          task::Sources& sources, const Progress& progress)
@@ -59,7 +52,7 @@ std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state
         outcome.name = source->item;
         outcome.study.measured =
             std::make_shared<const Frf>(*task::take<io::FrfInput>(state, responseRole, stores, progress, sources));
-        return digestsFrom(sources, read);
+        return task::readKey(state, {responseRole}, sources, read);
     }
     const std::vector<io::MeasuredFrf>& all = loaded->file.frfs;
     const std::string& wanted = outcome.question.response;
@@ -72,7 +65,7 @@ std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state
     outcome.name = std::filesystem::path(source->path).filename().string();
     if (const std::string pair = io::nodePair(chosen); all.size() > 1)
         outcome.name += " " + (pair.empty() ? wanted : pair);
-    return digestsFrom(sources, read) + toJson(source->import).dump() + "#" + std::to_string(&chosen - all.data());
+    return task::readKey(state, {responseRole}, sources, read) + "#" + std::to_string(&chosen - all.data());
 }
 
 /// Error valueNotUnderstood for a mode without stiffness.
@@ -110,7 +103,8 @@ std::string takeComputed(ModesOutcome& outcome, const project::PanelState& state
     const auto machine = task::take<SpindleInput>(state, spindleRole, stores, progress.part(0.1, 0.2), sources);
     ReceptanceParameters computing = outcome.question.computing;
     chooseLines(computing, outcome, machine);
-    std::string key = digestsFrom(sources, read) + toJson(lathelier::toValues(computing)).dump();
+    std::string key =
+        task::readKey(state, {shaftRole, spindleRole}, sources, read) + toJson(lathelier::toValues(computing)).dump();
     const std::string name = task::nameOf(*task::sourceOf(state, shaftRole));
     const auto found = stores.of<ComputedShafts>()->find(key, progress.part(0.2, 1), [&](const Progress& part) {
         return shaftReceptance(*shaft, computing, machine, part);

@@ -11,6 +11,7 @@
 #include "engine/receptance/shaft_place.h"
 #include "engine/receptance/spindle_input.h"
 #include "engine/task/memo.h"
+#include "engine/task/read_key.h"
 #include "engine/task/task_codes.h"
 
 namespace lathelier::stability {
@@ -22,14 +23,6 @@ struct ComputedResponses : Memo<receptance::ShaftReceptanceResult> {};
 void append(Notes& notes, const Notes& more)
 {
     notes.insert(notes.end(), more.begin(), more.end());
-}
-
-/// Of what was read since then.
-std::string digestsFrom(const task::Sources& sources, std::size_t read)
-{
-    std::string all;
-    for (std::size_t i = read; i < sources.inputs.size(); ++i) all += sources.inputs[i].sha256 + ' ';
-    return all;
 }
 
 /// Of a file with its notes on the choice and on its plausibility.
@@ -47,7 +40,7 @@ PointResponse measured(const project::PanelState& state, Stores& stores, task::S
     } else {
         found.frf = std::make_shared<const Frf>(*task::take<io::FrfInput>(state, frfRole, stores, progress, sources));
     }
-    found.basis = digestsFrom(sources, read);
+    found.basis = task::readKey(state, {frfRole}, sources, read);
     return found;
 }
 
@@ -65,7 +58,8 @@ PointResponse computed(const project::PanelState& state, const ResponseQuestion&
             task::take<io::MaterialInput>(state, materialRole, stores, reading.part(0.4, 0.6), sources))
         found.shaft->material = *material;
     found.spindle = task::take<receptance::SpindleInput>(state, spindleRole, stores, reading.part(0.6, 1), sources);
-    found.basis = toJson(lathelier::toValues(question.computing)).dump() + digestsFrom(sources, read);
+    found.basis = toJson(lathelier::toValues(question.computing)).dump() +
+                  task::readKey(state, {shaftRole, materialRole, spindleRole}, sources, read);
     if (bar && !task::sourceOf(state, shaftRole)) found.basis += toJson(lathelier::toValues(*bar)).dump();
     const auto response = stores.of<ComputedResponses>()->find(
         found.basis, progress.part(0.1, 1, LT_TEXT("Engine", "Computing")), [&](const Progress& part) {

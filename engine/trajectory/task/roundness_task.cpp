@@ -13,6 +13,7 @@
 #include "engine/form/roundness/superimpose_report.h"
 #include "engine/io/profile/profile_input.h"
 #include "engine/task/memo.h"
+#include "engine/task/read_key.h"
 #include "engine/task/task_codes.h"
 #include "engine/trajectory/trajectory_codes.h"
 
@@ -34,9 +35,7 @@ TakenProfile takeProfile(const project::PanelState& state, const std::string& ro
 {
     const std::size_t before = sources.inputs.size();
     TakenProfile taken{*task::take<io::ProfileInput>(state, role, stores, progress, sources), {}};
-    const project::Source& source = state.inputs.at(role);
-    taken.key = task::nameOf(source) + "\n" + lathelier::toJson(source.import).dump() + "\n";
-    for (std::size_t i = before; i < sources.inputs.size(); ++i) taken.key += sources.inputs[i].sha256;
+    taken.key = task::nameOf(state.inputs.at(role)) + "\n" + task::readKey(state, {role}, sources, before);
     return taken;
 }
 

@@ -1,0 +1,44 @@
+// The task lobes asked again with other reading options, as a window does it.
+#include "engine/stability/task/lobes_task.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/io/file.h"
+#include "engine/stability/modes.h"
+#include "engine/task/stores.h"
+#include "tests/engine/stability/machines.h"
+#include "tests/scratch_folder.h"
+
+namespace lathelier::stability {
+namespace {
+
+double leastDepth_mm(const project::PanelState& state, Stores& stores)
+{
+    task::Sources sources;
+    return *answerLobes(state, stores, sources, {}).lobes->minimum_depth_mm;
+}
+
+TEST(LobesTask, AnotherUnitOfTheFileIsAnotherLimit)
+{
+    const ScratchFolder folder;
+    std::string text = "frequency_hz,real,imag\n";
+    for (double f = 100; f <= 400; f += 0.5) {
+        const std::complex<double> g = receptanceOf(paperA, f);
+        text += std::to_string(f) + "," + std::to_string(1e6 * g.real()) + "," + std::to_string(1e6 * g.imag()) + "\n";
+    }
+    const std::string path = (folder / "response.csv").string();
+    io::writeFile(path, text);
+    project::PanelState state;
+    state.inputs[frfRole].path = path;
+    state.parameters = {{"cutting_coefficient_N_mm2", coefficient_N_mm2}};
+    Stores stores;
+    set(state.inputs[frfRole].import, "frf_unit", std::string("mm/N"));
+    // 2 ζ (1 + ζ) k / K_r of one mode, with the values of the file 1e6 times the receptance.
+    const double expected_mm = 2 * 0.03 * 1.03 * 1e4 / coefficient_N_mm2 / 1e6;
+    EXPECT_NEAR(leastDepth_mm(state, stores), expected_mm, 1e-3 * expected_mm);
+    set(state.inputs[frfRole].import, "frf_unit", std::string("m/N"));
+    EXPECT_NEAR(leastDepth_mm(state, stores), expected_mm / 1000, 1e-6 * expected_mm);
+}
+
+}  // namespace
+}  // namespace lathelier::stability

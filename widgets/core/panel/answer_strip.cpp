@@ -87,6 +87,8 @@ void FindingLink::offer(const QString& text, bool leads)
 {
     leads_ = leads;
     say(text);
+    // A short text leaves what it does not need to the long ones beside it.
+    setMaximumWidth(text.isEmpty() ? QWIDGETSIZE_MAX : sizeHint().width());
     setToolTip(text);
     setAccessibleName(text.isEmpty() ? tr("no finding") : text);
     setFocusPolicy(leads ? Qt::StrongFocus : Qt::NoFocus);
@@ -217,7 +219,7 @@ AnswerStrip::AnswerStrip(QWidget* parent)
     first->addWidget(ruler_, 1);
     first->addWidget(notes_, 0, Qt::AlignTop);
     auto* third = new QHBoxLayout;
-    third->setSpacing(10);
+    third->setSpacing(20);
     for (std::size_t i = 0; i < findings_.size(); ++i) {
         static constexpr std::array<const char*, 3> names{"finding1", "finding2", "finding3"};
         auto* button = new FindingLink(names[i]);
@@ -232,6 +234,7 @@ AnswerStrip::AnswerStrip(QWidget* parent)
         third->addWidget(button, 1);
         findings_[i] = button;
     }
+    third->addStretch();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 6, 10, 6);
     layout->setSpacing(3);

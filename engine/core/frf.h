@@ -19,6 +19,8 @@ struct Frf {
     std::vector<double> frequency_hz;                ///< of each line, ascending
     std::vector<std::complex<double>> value;         ///< mm/N, mm/s/N or mm/s²/N by `quantity`
     std::vector<double> coherence;                   ///< γ² for each line; empty: not known
+    std::vector<double> noise;  ///< standard deviation of the real and of the imaginary part, in the unit of `value`,
+                                ///< for each line; empty: not known, or computed without any
 };
 
 using FrfPtr = std::shared_ptr<const Frf>;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "engine/core/item_numbers.h"
 
@@ -22,6 +23,7 @@ Values toValues(const Frf& frf)
                   {"real_mm_N", std::move(real_mm_N)},
                   {"imag_mm_N", std::move(imag_mm_N)}};
     if (!frf.coherence.empty()) set(values, "coherence", frf.coherence);
+    if (!frf.noise.empty()) set(values, "noise_mm_N", frf.noise);
     return values;
 }
 
@@ -42,10 +44,11 @@ std::optional<Frf> frfOf(const Values& values)
     frf.frequency_hz = std::move(*frequency_hz);
     frf.value.reserve(lines);
     for (std::size_t line = 0; line < lines; ++line) frf.value.emplace_back((*real_mm_N)[line], (*imag_mm_N)[line]);
-    if (find(values, "coherence")) {
-        auto coherence = numbersIn(values, "coherence");
-        if (!coherence || coherence->size() != lines) return std::nullopt;
-        frf.coherence = std::move(*coherence);
+    for (auto [key, kept] : {std::pair{"coherence", &frf.coherence}, std::pair{"noise_mm_N", &frf.noise}}) {
+        if (!find(values, key)) continue;
+        auto numbers = numbersIn(values, key);
+        if (!numbers || numbers->size() != lines) return std::nullopt;
+        *kept = std::move(*numbers);
     }
     return frf;
 }

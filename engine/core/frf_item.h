@@ -10,8 +10,8 @@ namespace lathelier {
 
 inline constexpr const char* frfItem = "frf";  ///< kind of the item
 
-/// name, frequency_hz, real_mm_N, imag_mm_N, and coherence where it is known. Precondition: a receptance whose values
-/// are finite. Error linesTooMany for more lines than a project file holds.
+/// name, frequency_hz, real_mm_N, imag_mm_N, and coherence and noise_mm_N where they are known. Precondition: a
+/// receptance whose values are finite. Error linesTooMany for more lines than a project file holds.
 Values toValues(const Frf& frf);
 
 /// The same back; nothing when the values are not those of a receptance: lists of different lengths, lines that do not

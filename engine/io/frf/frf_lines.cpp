@@ -18,11 +18,13 @@ std::int64_t dropUnusableLines(Frf& frf)
         frf.frequency_hz[kept] = frf.frequency_hz[i];
         frf.value[kept] = frf.value[i];
         if (!frf.coherence.empty()) frf.coherence[kept] = frf.coherence[i];
+        if (!frf.noise.empty()) frf.noise[kept] = frf.noise[i];
         ++kept;
     }
     frf.frequency_hz.resize(kept);
     frf.value.resize(kept);
     if (!frf.coherence.empty()) frf.coherence.resize(kept);
+    if (!frf.noise.empty()) frf.noise.resize(kept);
     return static_cast<std::int64_t>(all - kept);
 }
 

@@ -13,7 +13,9 @@ Frf toReceptance(const Frf& frf)
         if (!(frf.frequency_hz[i] > 0)) continue;
         const std::complex<double> iw(0, 2 * std::numbers::pi * frf.frequency_hz[i]);
         result.frequency_hz.push_back(frf.frequency_hz[i]);
-        result.value.push_back(frf.value[i] / (frf.quantity == FrfQuantity::Mobility ? iw : iw * iw));
+        const std::complex<double> divisor = frf.quantity == FrfQuantity::Mobility ? iw : iw * iw;
+        result.value.push_back(frf.value[i] / divisor);
+        if (!frf.noise.empty()) result.noise.push_back(frf.noise[i] / std::abs(divisor));
         if (!frf.coherence.empty()) result.coherence.push_back(frf.coherence[i]);
     }
     return result;

@@ -16,7 +16,7 @@ struct MeasuredFrf {
 };
 
 /// The same response as displacement per force: mobility / (iω), accelerance / (-ω²). Lines at or below 0 Hz, where
-/// these have no receptance, are removed with their coherence; a receptance is returned as it is.
+/// these have no receptance, are removed with their coherence and noise; a receptance is returned as it is.
 Frf toReceptance(const Frf& frf);
 
 /// True when response and force share a stated node and direction.

@@ -99,12 +99,17 @@ Rows parseRows(const FieldInfo& info, std::string_view typed)
 {
     Rows result;
     const std::string_view between = info.columns.size() == 1 ? ";," : ";";  // a list of single values
+    const std::string_view within =
+        std::all_of(info.columns.begin(), info.columns.end(),
+                    [](const FieldInfo& column) { return column.kind == FieldInfo::Kind::Number; })
+            ? ",:"
+            : ",";
     while (!typed.empty()) {
         const std::size_t end = std::min(typed.find_first_of(between), typed.size());
         std::string_view line = typed.substr(0, end);
         Row row;
         for (const FieldInfo& column : info.columns) {
-            const std::size_t comma = std::min(line.find(','), line.size());
+            const std::size_t comma = std::min(line.find_first_of(within), line.size());
             const std::string_view cell = line.substr(0, comma);
             FieldInfo named = column;
             named.key = info.key + "[" + std::to_string(result.rows.size() + 1) + "]." + column.key;

@@ -8,6 +8,7 @@
 #include "engine/beam/natural_frequencies.h"
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/core/unusual.h"
 #include "engine/receptance/coupling.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/refined_lines.h"
@@ -39,6 +40,21 @@ void checkReach(const SpindleReceptance& spindle, const std::vector<double>& fre
 {
     spindle.at(frequency_hz.front());
     spindle.at(frequency_hz.back());
+}
+
+/// What of shaft and supports is hardly meant.
+void noteUnusualHolding(const Shaft& shaft, const ShaftHolding& holding, Notes& notes)
+{
+    const UsualRange length{"length_mm", {2, 20000}}, stiffness{"radial_N_mm", {100, 5e6}};
+    noteUnusual(length, shaft.length_mm(), notes);
+    if (shaft.material)
+        noteUnusual(*shaft.material,
+                    {{"elastic_modulus_MPa", {1000, 1e6}}, {"density_kg_m3", {500, 25000}}, {"loss_factor", {0, 0.2}}},
+                    notes);
+    if (const SpindleSprings* const springs = holding.spindle ? holding.spindle->springs() : nullptr)
+        noteUnusual(*springs, {stiffness, {"tilt_N_mm_rad", {1e6, 1e12}}}, notes);
+    for (const beam::Support& support : holding.supports)
+        if (std::isfinite(support.radial_N_mm)) noteUnusual(stiffness, support.radial_N_mm, notes);
 }
 
 }  // namespace
@@ -152,6 +168,7 @@ ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptancePa
     ShaftReceptanceResult result;
     result.parameters = withinLines(parameters, spindle);
     result.length_mm = shaft.length_mm();
+    noteUnusualHolding(shaft, holding, result.notes);
     const Material material = materialOf(shaft, result.used, result.notes);
     result.frf = receptanceOf(shaft, material, parameters, holding, progress, lines);
     progress.report(0.7);

@@ -92,7 +92,7 @@ Boundary boundaryOf(const Frf& frf, double factor, int steps)
     return boundary;
 }
 
-std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch)
+std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch, double looser)
 {
     const auto isLine = [&](std::size_t from, std::size_t to) {
         const BoundaryPoint& a = stretch[from];
@@ -101,14 +101,14 @@ std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch)
         // Speeds are f/(k + turns): nearly linear only if f or the turns hardly change. k = 0 is the worst case.
         const double bend = std::abs(b.phase_turns - a.phase_turns) / std::min(a.phase_turns, b.phase_turns) *
                             (b.frequency_hz / a.frequency_hz - 1) / 4;
-        if (!(bend < straightSpeed)) return false;
+        if (!(bend < looser * straightSpeed)) return false;
         for (std::size_t i = from + 1; i < to; ++i) {
             const BoundaryPoint& p = stretch[i];
             const double share = (p.frequency_hz - a.frequency_hz) / (b.frequency_hz - a.frequency_hz);
             const double depth = depth_a + share * (depth_b - depth_a);
             const double turns = a.phase_turns + share * (b.phase_turns - a.phase_turns);
-            if (std::abs(depth * p.compliance_mm_N - 1) > straightDepth ||
-                std::abs(turns - p.phase_turns) > straightTurns)
+            if (std::abs(depth * p.compliance_mm_N - 1) > looser * straightDepth ||
+                std::abs(turns - p.phase_turns) > looser * straightTurns)
                 return false;
         }
         return true;

@@ -26,8 +26,8 @@ using Boundary = std::vector<std::vector<BoundaryPoint>>;
 Boundary boundaryOf(const Frf& frf, double factor, int steps);
 
 /// Omits points that linear interpolation over the frequency reproduces: depth to 2e-5, phase to 1e-6 turns, speed of
-/// every lobe to 1e-6.
-std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch);
+/// every lobe to 1e-6; `looser`: times these tolerances.
+std::vector<BoundaryPoint> thinned(const std::vector<BoundaryPoint>& stretch, double looser = 1);
 
 /// The value of the receptance at `frequency_hz` by that interpolation; the nearest line's outside.
 std::complex<double> interpolated(const Frf& frf, double frequency_hz);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "engine/core/core_codes.h"
@@ -11,12 +11,16 @@
 #include "engine/stability/envelope.h"
 #include "engine/stability/lobe_uncertainty.h"
 #include "engine/stability/process_damping.h"
+#include "engine/stability/slow_lobes.h"
 #include "engine/stability/stability_codes.h"
 
 namespace lathelier::stability {
 namespace {
 
 constexpr int stepsOfMeasured = 8;          ///< interpolated points per line interval
+constexpr double doubtfulNoise = 0.25;      ///< of the least real part, above which it may be that of noise
+constexpr std::size_t fewestInWidth = 3;    ///< lines in the half-power band of the resonance that limits
+constexpr double looserInPart = 250;        ///< tolerance of the lobes where they are listed in part
 constexpr std::size_t mostLobes = 200;      ///< that are listed
 constexpr std::size_t denseEnough = 20000;  ///< number of lines above which no points are interpolated
 
@@ -66,21 +70,26 @@ double dampingOf(const LobeParameters& p)
     return dampingRatioOf(*p.process_damping_N_mm, *p.diameter_mm, *p.cutting_coefficient_N_mm2);
 }
 
-/// Calls use(curve) for all lobes that may reach the speeds, in their order. A few hundred are kept at a time: at slow
-/// speeds there may be many thousands.
+std::vector<int> numbersOf(const LobeRange& range)
+{
+    std::vector<int> numbers(static_cast<std::size_t>(std::max(0, range.last - range.first + 1)));
+    std::iota(numbers.begin(), numbers.end(), range.first);
+    return numbers;
+}
+
+/// Calls use(curve) for these lobes in their order. A few hundred are kept at a time: at slow speeds there may be many
+/// thousands.
 template <class Use>
-void forEachCurve(const Boundary& boundary, SpeedRelation relation, const Interval& speed_rpm, double beta,
-                  const Progress& progress, Use use)
+void forEachCurve(const Boundary& boundary, const std::vector<int>& lobes, SpeedRelation relation,
+                  const Interval& speed_rpm, double beta, const Progress& progress, Use use)
 {
     constexpr std::size_t atOnce = 256;
-    const LobeRange all = lobesWithin(boundary, relation, speed_rpm);
-    const auto count = static_cast<std::size_t>(std::max(0, all.last - all.first + 1));
     std::vector<LobeCurve> curves;
-    for (std::size_t start = 0; start < count; start += atOnce) {
-        curves.assign(std::min(atOnce, count - start), {});
+    for (std::size_t start = 0; start < lobes.size(); start += atOnce) {
+        curves.assign(std::min(atOnce, lobes.size() - start), {});
         parallelFor(curves.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
-                const int k = all.first + static_cast<int>(start + i);
+                const int k = lobes[start + i];
                 curves[i] = beta > 0 ? dampedLobeCurve(boundary, k, beta) : lobeCurve(boundary, k, relation, speed_rpm);
             }
         });
@@ -90,42 +99,6 @@ void forEachCurve(const Boundary& boundary, SpeedRelation relation, const Interv
         }
     }
 }
-
-/// Lobes with their least depth, of which only the strongest are kept.
-class StrongestLobes {
-public:
-    void add(Lobe lobe)
-    {
-        double least = std::numeric_limits<double>::infinity();
-        for (const double depth : lobe.depth_mm) least = std::min(least, std::isnan(depth) ? least : depth);
-        ++count_;
-        lobes_.emplace_back(least, std::move(lobe));
-        if (lobes_.size() >= 2 * mostLobes) shrink();
-    }
-
-    /// By ascending k.
-    std::vector<Lobe> take()
-    {
-        if (lobes_.size() > mostLobes) shrink();
-        std::vector<Lobe> result;
-        result.reserve(lobes_.size());
-        for (auto& [least, lobe] : lobes_) result.push_back(std::move(lobe));
-        return result;
-    }
-
-    std::size_t count() const { return count_; }
-
-private:
-    void shrink()
-    {
-        std::stable_sort(lobes_.begin(), lobes_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        lobes_.resize(mostLobes);
-        std::sort(lobes_.begin(), lobes_.end(), [](const auto& a, const auto& b) { return a.second.k < b.second.k; });
-    }
-
-    std::vector<std::pair<double, Lobe>> lobes_;
-    std::size_t count_ = 0;
-};
 
 LobeLimit scaled(LobeLimit limit, double factor)
 {
@@ -144,10 +117,85 @@ Boundary denseBoundary(const Frf& frf, double factor)
 LobeLimit limitIn(const Boundary& boundary, const LobeParameters& p, double beta, double per_N_mm,
                   const Interval& speed_rpm, int points, const Progress& progress)
 {
-    if (!(beta > 0)) return scaled(envelope(boundary, p.relation, speed_rpm, points), per_N_mm);
+    const LobeRange lobes = lobesWithin(boundary, p.relation, speed_rpm);
+    if (!(beta > 0) && lobes.last - lobes.first >= static_cast<int>(mostLobes))
+        return scaled(envelopeBySpeed(boundary, p.relation, speed_rpm, points, progress), per_N_mm);
     LowerEnvelope limit(speed_rpm, points);
-    forEachCurve(boundary, p.relation, speed_rpm, beta, progress, [&](const LobeCurve& curve) { limit.add(curve); });
+    forEachCurve(boundary, numbersOf(lobes), p.relation, speed_rpm, beta, progress,
+                 [&](const LobeCurve& curve) { limit.add(curve); });
     return scaled(limit.take(), per_N_mm);
+}
+
+/// The lobes that are listed, with the number of those that reach the speeds.
+void listLobes(const Boundary& boundary, double beta, double per_N_mm, LobeResult& result, const Progress& progress)
+{
+    const SpeedRelation relation = result.parameters.relation;
+    const LobeRange all = lobesWithin(boundary, relation, result.speed_rpm);
+    std::vector<int> numbers = numbersOf(all);
+    const bool is_part = numbers.size() > mostLobes;
+    if (is_part) numbers = strongestLobes(boundary, relation, result.speed_rpm, all.first, all.last, mostLobes);
+    Boundary drawn = boundary;
+    if (is_part)
+        for (auto& stretch : drawn) stretch = thinned(stretch, looserInPart);
+    forEachCurve(drawn, numbers, relation, result.speed_rpm, beta, progress, [&](const LobeCurve& curve) {
+        Lobe lobe = shownPart(curve, result.speed_rpm, per_N_mm);
+        if (!lobe.speed_rpm.empty()) result.lobes.push_back(std::move(lobe));
+    });
+    result.lobes_in_range = is_part ? static_cast<std::size_t>(all.last - all.first + 1) : result.lobes.size();
+    if (is_part)
+        result.notes.push_back(
+            {notes::lobesLeftOut, {{"count", static_cast<std::int64_t>(result.lobes_in_range - result.lobes.size())}}});
+}
+
+/// The least real part against the noise of its line, and by how many lines its resonance is seen.
+void judgeMinimum(const Frf& frf, const LeastRealPart& least, LobeResult& result)
+{
+    if (frf.noise.size() != frf.value.size()) return;
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(frf.frequency_hz.begin(), frf.frequency_hz.end() - 1, least.frequency_hz) -
+        frf.frequency_hz.begin());
+    const double share = std::abs(result.parameters.direction_factor) * frf.noise[at] / std::abs(least.real_mm_N);
+    result.minimum_noise_percent = 100 * share;
+    if (share > doubtfulNoise)
+        result.notes.push_back(
+            {notes::minimumInNoise, {{"frequency_hz", least.frequency_hz}, {"noise_percent", 100 * share}}});
+    // Around the resonance, whose least real part lies half its width above it.
+    std::size_t peak = at;
+    while (peak > 0 && std::abs(frf.value[peak - 1]) > std::abs(frf.value[peak])) --peak;
+    while (peak + 1 < frf.value.size() && std::abs(frf.value[peak + 1]) > std::abs(frf.value[peak])) ++peak;
+    const double half_power = std::abs(frf.value[peak]) / std::sqrt(2.0);
+    std::size_t first = peak, last = peak;
+    while (first > 0 && std::abs(frf.value[first - 1]) >= half_power) --first;
+    while (last + 1 < frf.value.size() && std::abs(frf.value[last + 1]) >= half_power) ++last;
+    if (last + 1 - first < fewestInWidth)
+        result.notes.push_back(
+            {notes::minimumNotResolved,
+             {{"frequency_hz", least.frequency_hz}, {"lines", static_cast<std::int64_t>(last + 1 - first)}}});
+}
+
+/// Standard deviation of the limit by the noise of the line of its frequency, as a share; empty: not known.
+std::vector<double> noiseOfLimit(const Frf& frf, double factor, const LobeLimit& limit)
+{
+    if (frf.noise.size() != frf.value.size()) return {};
+    std::vector<double> shares;
+    shares.reserve(limit.frequency_hz.size());
+    for (const double f : limit.frequency_hz) {
+        if (std::isnan(f)) {
+            shares.push_back(0);
+            continue;
+        }
+        const auto at = static_cast<std::size_t>(
+            std::lower_bound(frf.frequency_hz.begin(), frf.frequency_hz.end() - 1, f) - frf.frequency_hz.begin());
+        const double real = std::abs(factor * interpolated(frf, f).real());
+        shares.push_back(real > 0 ? std::min(1.0, std::abs(factor) * frf.noise[at] / real) : 1.0);
+    }
+    return shares;
+}
+
+/// The depth over N/mm: 1/K_r, or normalised to a least depth of 1.
+double depthPerForce(const LobeParameters& p, const LeastRealPart& least)
+{
+    return p.cutting_coefficient_N_mm2 ? 1 / *p.cutting_coefficient_N_mm2 : -2 * least.real_mm_N;
 }
 
 /// With process damping the minimum is taken over the shown speeds, as the limit rises at low speeds.
@@ -209,6 +257,11 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
                         LT_TEXT("Engine", "Of the turned surface; for the process damping."), unit::mm, true}),
             uncertainty("uncertainty_frequency_percent", &P::uncertainty_frequency_percent,
                         LT_TEXT("Engine", "Uncertainty of the frequencies")),
+            field("uncertainty_damping_percent", &P::uncertainty_damping_percent, Range{0, 50},
+                  Label{LT_TEXT("Engine", "Uncertainty of the damping"),
+                        LT_TEXT("Engine",
+                                "One standard deviation of each damping ratio; of modes that are stated or fitted."),
+                        unit::percent, true}),
             uncertainty("uncertainty_compliance_percent", &P::uncertainty_compliance_percent,
                         LT_TEXT("Engine", "Uncertainty of the compliance")),
             uncertainty("uncertainty_coefficient_percent", &P::uncertainty_coefficient_percent,
@@ -220,34 +273,30 @@ const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*)
 LobeLimit limitOf(const Frf& frf, const LobeParameters& parameters, const Progress& progress)
 {
     const double beta = dampingOf(parameters);
-    if (!parameters.cutting_coefficient_N_mm2)
-        throw Error(errors::valueNotUnderstood, {{"parameter", "cutting_coefficient_N_mm2"},
-                                                 {"found", Value()},
-                                                 {"expected", LT_TEXT("Engine", "the cutting coefficient")}});
-    const Interval speeds = speedsOf(parameters, leastRealPart(frf, parameters.direction_factor).frequency_hz);
-    return limitIn(denseBoundary(frf, parameters.direction_factor), parameters, beta,
-                   1 / *parameters.cutting_coefficient_N_mm2, speeds, parameters.points, progress);
+    const LeastRealPart least = leastRealPart(frf, parameters.direction_factor);
+    return limitIn(denseBoundary(frf, parameters.direction_factor), parameters, beta, depthPerForce(parameters, least),
+                   speedsOf(parameters, least.frequency_hz), parameters.points, progress);
 }
 
-LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Progress& progress)
+LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Progress& progress,
+                     const receptance::UncertainModel& modes)
 {
     LobeResult result;
     result.parameters = parameters;
+    noteUnusual(parameters, {usualCoefficient}, result.notes);
     const double beta = dampingOf(parameters);
+    const bool is_modal = modes.isKnown() && !(beta > 0);
+    if (parameters.uncertainty_damping_percent > 0 && !is_modal)
+        throw Error(errors::valueNotUnderstood,
+                    {{"parameter", "uncertainty_damping_percent"},
+                     {"found", parameters.uncertainty_damping_percent},
+                     {"expected", LT_TEXT("Engine", "a response by its modes: stated ones, or the fitted model")}});
     const LeastRealPart least = leastRealPart(frf, parameters.direction_factor);
     result.speed_rpm = speedsOf(parameters, least.frequency_hz);
     const bool chatters = least.real_mm_N < 0;
     const Boundary boundary = denseBoundary(frf, parameters.direction_factor);
-    // The depth over N/mm: 1/K_r, or normalised to a least depth of 1.
-    const double per_N_mm = result.isRelative() ? -2 * least.real_mm_N : 1 / *parameters.cutting_coefficient_N_mm2;
-    LowerEnvelope limit(result.speed_rpm, parameters.points);
-    StrongestLobes lobes;
-    forEachCurve(boundary, parameters.relation, result.speed_rpm, beta, progress, [&](const LobeCurve& curve) {
-        limit.add(curve);
-        Lobe lobe = chatters ? shownPart(curve, result.speed_rpm, per_N_mm) : Lobe{};
-        if (!lobe.speed_rpm.empty()) lobes.add(std::move(lobe));
-    });
-    result.limit = scaled(limit.take(), per_N_mm);
+    const double per_N_mm = depthPerForce(parameters, least);
+    result.limit = limitIn(boundary, parameters, beta, per_N_mm, result.speed_rpm, parameters.points, progress);
     if (parameters.relation == SpeedRelation::Published) result.notes.push_back({notes::publishedRelation, {}});
     if (!chatters) {
         result.notes.push_back({notes::noLimit, {}});
@@ -261,16 +310,16 @@ LobeResult findLobes(const Frf& frf, const LobeParameters& parameters, const Pro
         result.minimum_depth_mm = per_N_mm / (-2 * least.real_mm_N);
         result.frequency_of_minimum_hz = least.frequency_hz;
     }
-    result.lobes = lobes.take();
-    result.lobes_in_range = lobes.count();
-    if (result.lobes.size() < lobes.count())
-        result.notes.push_back(
-            {notes::lobesLeftOut, {{"count", static_cast<std::int64_t>(lobes.count() - result.lobes.size())}}});
-    if (isUncertain(parameters)) {
+    listLobes(boundary, beta, per_N_mm, result, progress);
+    judgeMinimum(frf, least, result);
+    const std::vector<double> noise = noiseOfLimit(frf, parameters.direction_factor, result.limit);
+    if (is_modal && isUncertain(parameters, modes)) {
+        result.band = bandOfModes(parameters, result.limit, modes, per_N_mm, progress);
+    } else if (!is_modal && (isUncertain(parameters, {}) || !noise.empty())) {
         const LimitOver limitOver = [&](const Interval& speed_rpm, int points) {
             return limitIn(boundary, parameters, beta, per_N_mm, speed_rpm, points, progress);
         };
-        result.band = bandOf(parameters, result.limit, limitOver, progress);
+        result.band = bandOfWhole(parameters, result.limit, noise, limitOver, progress);
     }
     progress.report(1);
     return result;

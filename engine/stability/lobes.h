@@ -12,6 +12,8 @@
 #include "engine/core/frf.h"
 #include "engine/core/progress.h"
 #include "engine/core/units.h"
+#include "engine/core/unusual.h"
+#include "engine/receptance/modal/uncertain_model.h"
 #include "engine/stability/boundary.h"
 
 namespace lathelier::stability {
@@ -27,11 +29,15 @@ struct LobeParameters {
     std::optional<double> process_damping_N_mm;       ///< C of a force C (a/v) ẋ; none: no process damping
     std::optional<double> diameter_mm;                ///< of the turned surface; for the process damping
     double uncertainty_frequency_percent = 0;         ///< standard uncertainty of the natural frequencies
-    double uncertainty_compliance_percent = 0;        ///< standard uncertainty of the receptance's size
-    double uncertainty_coefficient_percent = 0;       ///< standard uncertainty of the cutting coefficient
+    double uncertainty_damping_percent = 0;           ///< standard uncertainty of the damping ratios; of modes only
+    double uncertainty_compliance_percent = 0;   ///< standard uncertainty of the receptance's size, or of each mode
+    double uncertainty_coefficient_percent = 0;  ///< standard uncertainty of the cutting coefficient
 };
 
 const std::vector<Field<LobeParameters>>& fieldsOf(const LobeParameters*);
+
+/// Of steels, cast iron, light metals and plastics.
+inline const UsualRange usualCoefficient{"cutting_coefficient_N_mm2", {50, 20000}};
 
 /// One lobe within the range of speeds, by ascending chatter frequency. NaN in all three lists separates stretches.
 struct Lobe {
@@ -51,9 +57,10 @@ struct LobeLimit {
 
 /// 95 % band of the limit under the stated uncertainties.
 struct LobeBand {
-    std::vector<double> low_mm;   ///< 2.5 % quantile at each speed of the limit; NaN where no lobe limits
-    std::vector<double> high_mm;  ///< 97.5 % quantile
-    LobeLimit whole;              ///< the limit over a wider range, used by the samples
+    std::vector<double> low_mm;     ///< 2.5 % quantile at each speed of the limit; NaN where no lobe limits
+    std::vector<double> high_mm;    ///< 97.5 % quantile
+    std::vector<double> drawn_rpm;  ///< evenly spaced speeds of `drawn`
+    std::vector<float> drawn;       ///< limits of the 1000 machines, one after another; infinite where no lobe limits
 };
 
 struct LobeResult {
@@ -66,19 +73,23 @@ struct LobeResult {
     std::vector<Lobe> lobes;                        ///< that reach the range, at most the 200 strongest; k ascending
     std::size_t lobes_in_range = 0;                 ///< with those that are not listed
     std::optional<LobeBand> band;                   ///< with uncertainties
-    Notes notes;                                    ///< noLimit, coefficientUnknown, publishedRelation, minimumAtEdge,
-                                                    ///< lobesLeftOut
+    /// Standard deviation by the noise of the line that limits, in percent of the least depth; none: not known.
+    std::optional<double> minimum_noise_percent;
+    Notes notes;  ///< noLimit, coefficientUnknown, publishedRelation, minimumAtEdge, minimumInNoise,
+                  ///< minimumNotResolved, lobesLeftOut
 
     /// Are depths multiples of the least one?
     bool isRelative() const { return !parameters.cutting_coefficient_N_mm2; }
 };
 
-/// The lobes of the receptance `frf` (mm/N) of the point that is cut. Errors: notAReceptance, tooFewLines;
-/// valueNotUnderstood for more than one range of speeds, and for process damping without coefficient, diameter or the
-/// exact relation. Throws Cancelled.
-LobeResult findLobes(const Frf& frf, const LobeParameters& parameters = {}, const Progress& progress = {});
+/// The lobes of the receptance `frf` (mm/N) of the point that is cut. `modes`: of which it consists; with process
+/// damping it errs as a whole all the same. Errors: notAReceptance, tooFewLines; valueNotUnderstood for more than one
+/// range of speeds, for process damping without coefficient, diameter or the exact relation, and for an uncertainty of
+/// the damping without modes. Throws Cancelled.
+LobeResult findLobes(const Frf& frf, const LobeParameters& parameters = {}, const Progress& progress = {},
+                     const receptance::UncertainModel& modes = {});
 
-/// LobeResult::limit alone. Errors as findLobes(); valueNotUnderstood without a cutting coefficient. Throws Cancelled.
+/// LobeResult::limit alone, whatever is uncertain. Errors as findLobes(). Throws Cancelled.
 LobeLimit limitOf(const Frf& frf, const LobeParameters& parameters, const Progress& progress = {});
 
 /// The limit at evenly spaced speeds from `from_rpm` to `to_rpm`, in 1/compliance (N/mm): divided by K_r it is a depth.

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "engine/core/units.h"
+#include "engine/core/unusual.h"
 
 namespace lathelier::stability {
 namespace {
 
-constexpr double perWidth = 16;      ///< lines in half a resonance's width ζ f_n
-constexpr double widthsAround = 12;  ///< number of these widths on each side with dense lines
-constexpr double lineRatio = 1.004;  ///< ratio of neighbouring line frequencies elsewhere
 constexpr double belowLowest = 0.1;  ///< first line over the lowest natural frequency
 constexpr double aboveHighest = 5;   ///< last line over the highest natural frequency, at least
 
@@ -27,6 +25,28 @@ const std::vector<Field<Mode>>& fieldsOf(const Mode*)
               Label{LT_TEXT("Engine", "Modal stiffness"), LT_TEXT("Engine", "Force over displacement at rest."),
                     unit::N_mm, false, true})};
     return all;
+}
+
+std::vector<double> linesAround(const std::vector<Mode>& modes, const Interval& range_hz, const LineDensity& density)
+{
+    std::vector<double> lines;
+    for (double f = range_hz.from; f < range_hz.to; f *= density.ratio) lines.push_back(f);
+    lines.push_back(range_hz.to);
+    for (const Mode& mode : modes) {
+        const double step = mode.damping_ratio * mode.frequency_hz / density.per_width;
+        const int count = static_cast<int>(density.widths_around * density.per_width);
+        for (int i = -count; i <= count; ++i)
+            if (const double f = mode.frequency_hz + i * step; f > range_hz.from && f < range_hz.to) lines.push_back(f);
+    }
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+    return lines;
+}
+
+void noteUnusualModes(const std::vector<Mode>& modes, Notes& notes)
+{
+    for (const Mode& mode : modes)
+        noteUnusual(mode, {{"damping_ratio", {1e-4, 0.4}}, {"stiffness_N_mm", {10, 2e6}}}, notes);
 }
 
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz)
@@ -50,16 +70,7 @@ Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm)
     }
     // The lobe k = 0 carries frequencies up to N/60.
     const double end = std::max(aboveHighest * highest, 1.1 * highest_speed_rpm / 60);
-    for (double f = belowLowest * lowest; f < end; f *= lineRatio) frf.frequency_hz.push_back(f);
-    frf.frequency_hz.push_back(end);
-    for (const Mode& mode : modes) {
-        const double step = mode.damping_ratio * mode.frequency_hz / perWidth;
-        const int count = static_cast<int>(widthsAround * perWidth);
-        for (int i = -count; i <= count; ++i)
-            if (const double f = mode.frequency_hz + i * step; f > 0) frf.frequency_hz.push_back(f);
-    }
-    std::sort(frf.frequency_hz.begin(), frf.frequency_hz.end());
-    frf.frequency_hz.erase(std::unique(frf.frequency_hz.begin(), frf.frequency_hz.end()), frf.frequency_hz.end());
+    frf.frequency_hz = linesAround(modes, {belowLowest * lowest, end});
     for (const double f : frf.frequency_hz) frf.value.push_back(receptanceOf(modes, f));
     return frf;
 }

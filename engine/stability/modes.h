@@ -4,8 +4,10 @@
 
 #include <vector>
 
+#include "engine/core/error.h"
 #include "engine/core/fields.h"
 #include "engine/core/frf.h"
+#include "engine/core/value.h"
 
 namespace lathelier::stability {
 
@@ -19,8 +21,22 @@ struct Mode {
 
 const std::vector<Field<Mode>>& fieldsOf(const Mode*);
 
+/// Notes valueUnusual for values that are hardly meant.
+void noteUnusualModes(const std::vector<Mode>& modes, Notes& notes);
+
 /// Upper end of the lobes of modes if no speed range is stated.
 inline constexpr double usualHighestSpeed_rpm = 10000;
+
+/// How dense lines are.
+struct LineDensity {
+    double per_width = 16;      ///< lines in half a resonance's width ζ f_n
+    double widths_around = 12;  ///< number of these widths on each side of a resonance with dense lines
+    double ratio = 1.004;       ///< of neighbouring frequencies elsewhere
+};
+
+/// Ascending lines from `range_hz.from` > 0 to `range_hz.to`, dense about the modes.
+std::vector<double> linesAround(const std::vector<Mode>& modes, const Interval& range_hz,
+                                const LineDensity& density = {});
 
 /// Receptance in mm/N at one frequency.
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz);

@@ -154,14 +154,11 @@ SafeSpeed safeSpeed(const Frf& frf, const LobeParameters& lobes, const SafeSpeed
 {
     LobeParameters asked = lobes;
     asked.relation = SpeedRelation::Exact;
-    asked.uncertainty_frequency_percent = asked.uncertainty_compliance_percent = asked.uncertainty_coefficient_percent =
-        0;
     const Interval wide = withMargins({std::min(question.range_rpm.from, question.selected_rpm),
                                        std::max(question.range_rpm.to, question.selected_rpm)});
     asked.speed_rpm = {wide};
     asked.points = speedsOfRange;
-    SafeSpeed safe = safeSpeedOn(findLobes(frf, asked, progress).limit, question);
-    return safe;
+    return safeSpeedOn(limitOf(frf, asked, progress), question);
 }
 
 Json toJson(const SafeSpeed& safe, bool is_relative)

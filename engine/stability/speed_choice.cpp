@@ -41,11 +41,19 @@ std::optional<Interval> rangeOf(const SpeedParameters& p)
     return Interval{spindleSpeed(range.from, *p.diameter_mm), spindleSpeed(range.to, *p.diameter_mm)};
 }
 
-/// Speed range of lobe k: between the minima of published lobes, or the exact pocket.
-Interval lobeEnds(double frequency_hz, int k, SpeedRelation relation)
+/// ε/2π at the foot of an exact lobe of a lightly damped mode: there ψ is -3π/4, for a negative direction factor it is
+/// turned by π.
+double footTurns(const SpeedParameters& p)
 {
-    if (relation == SpeedRelation::Published) return {60 * frequency_hz / k, 60 * frequency_hz / (k - 1)};
-    return {60 * frequency_hz / (k + 0.75), 60 * frequency_hz / (k - 0.25)};
+    return p.direction_factor < 0 ? 0.25 : 0.75;
+}
+
+/// Speed range of lobe k: between the minima of published lobes, or the exact pocket between its feet.
+Interval lobeEnds(double frequency_hz, int k, const SpeedParameters& p)
+{
+    if (p.relation == SpeedRelation::Published) return {60 * frequency_hz / k, 60 * frequency_hz / (k - 1)};
+    const double turns = footTurns(p);
+    return {60 * frequency_hz / (k + turns), 60 * frequency_hz / (k + turns - 1)};
 }
 
 /// The speed of a pocket that maximises the minimum limit within ±2 %.
@@ -73,10 +81,11 @@ double robustSpeed(const Boundary& boundary, const Interval& pocket)
 }
 
 /// Lobe of the selected speed.
-int lobeOf(double frequency_hz, double selected_rpm, SpeedRelation relation)
+int lobeOf(double frequency_hz, double selected_rpm, const SpeedParameters& p)
 {
     const double waves = 60 * frequency_hz / selected_rpm;
-    const double k = relation == SpeedRelation::Published ? std::ceil(waves * (1 - 1e-12)) : std::floor(waves + 0.25);
+    const double k =
+        p.relation == SpeedRelation::Published ? std::ceil(waves * (1 - 1e-12)) : std::floor(waves + 1 - footTurns(p));
     return static_cast<int>(std::min(k, 1e9));
 }
 
@@ -86,13 +95,12 @@ std::vector<SpeedCandidate> candidatesOf(const Frf& frf, const SpeedResult& resu
     const SpeedParameters& p = result.parameters;
     const bool published = p.relation == SpeedRelation::Published;
     const double lowest = std::min(range ? range->from : result.selected_rpm, result.selected_rpm);
-    const int last =
-        std::min({lobeOf(result.frequency_hz, lowest, p.relation) + beyond, result.k + mostLobes, 2 * mostLobes});
+    const int last = std::min({lobeOf(result.frequency_hz, lowest, p) + beyond, result.k + mostLobes, 2 * mostLobes});
     const double shift = p.peak_shift.value_or(standardPeakShift);
     const Boundary boundary = published ? Boundary{} : boundaryOf(frf, p.direction_factor, 4);
     std::vector<SpeedCandidate> candidates;
     for (int k = published ? 2 : 1; k <= last; ++k) {
-        const Interval ends = lobeEnds(result.frequency_hz, k, p.relation);
+        const Interval ends = lobeEnds(result.frequency_hz, k, p);
         const double speed = published ? ends.from + shift * (ends.to - ends.from) : robustSpeed(boundary, ends);
         candidates.push_back({k, speed, !range || (speed >= range->from && speed <= range->to)});
     }
@@ -176,12 +184,12 @@ SpeedResult chooseSpeed(const Frf& frf, const SpeedParameters& parameters)
     result.frequency_hz = least.frequency_hz;
     if (!(least.real_mm_N < 0)) refuseSpeed(result, LT_TEXT("Engine", "nothing chatters: every speed is stable"));
     if (least.at_edge) result.notes.push_back({notes::minimumAtEdge, {{"frequency_hz", least.frequency_hz}}});
-    result.k = lobeOf(least.frequency_hz, result.selected_rpm, parameters.relation);
+    result.k = lobeOf(least.frequency_hz, result.selected_rpm, parameters);
     result.candidates = candidatesOf(frf, result, range);
     const int first = parameters.relation == SpeedRelation::Published ? 2 : 1;
     if (result.k < first)
         refuseSpeed(result, LT_TEXT("Engine", "it lies above the last lobe, which has no upper neighbour"));
-    result.lobe_rpm = lobeEnds(least.frequency_hz, result.k, parameters.relation);
+    result.lobe_rpm = lobeEnds(least.frequency_hz, result.k, parameters);
     const SpeedCandidate* best = nearest(result);
     if (!best) refuseSpeed(result, LT_TEXT("Engine", "no candidate lies in the range of cutting speeds"));
     if (parameters.rule == SpeedRule::Lobe) {

@@ -62,11 +62,25 @@ inline constexpr NoteCode minimumAtEdge{
             "The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits "
             "the depth may lie outside.")};
 
+inline constexpr NoteCode minimumInNoise{
+    "minimum_in_noise", Severity::Warning,
+    LT_TEXT("Engine",
+            "The least real part, at {frequency_hz} Hz, hardly stands out of the noise of its line ({noise_percent} % "
+            "of it): the least depth may be that of the noise. State the range that was excited with --range-hz."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode minimumNotResolved{
+    "minimum_not_resolved", Severity::Warning,
+    LT_TEXT("Engine",
+            "The resonance that limits the depth, at {frequency_hz} Hz, is seen by {lines} lines within its half-power "
+            "band: the least depth may be wrong by 15 %. Measure longer for a finer resolution, or use the fitted "
+            "model.")};
+
 inline constexpr NoteCode lobesLeftOut{
     "lobes_left_out", Severity::Info,
     LT_TEXT("Engine",
-            "So many lobes reach these speeds that {count} of them, those with the largest depths, are not listed. The "
-            "limit is that of all.")};
+            "So many lobes reach these speeds that {count} of them are not listed: those farthest from the foot of the "
+            "lobes, and the slowest. The limit is that of all.")};
 
 inline constexpr NoteCode modesFitted{
     "modes_fitted", Severity::Info,

@@ -10,19 +10,40 @@
 namespace lathelier::task {
 namespace {
 
+/// Of an input or a field on the command line.
+std::string nameOnCommandLine(const Task& task, const std::string& key)
+{
+    const Input* const input = task.input(key);
+    return !input ? optionName(key) : input->option.empty() ? operandOf(*input) : optionName(input->option);
+}
+
+std::string namesOf(const Task& task, const std::vector<std::string>& keys)
+{
+    std::string names;
+    for (const std::string& key : keys) names += (names.empty() ? "" : ", ") + nameOnCommandLine(task, key);
+    return names;
+}
+
 /// Where inputs stand in each other's place, exactly one of them.
 void requireOne(const Task& task, const project::PanelState& state)
 {
     if (task.one_of.keys.empty()) return;
     const std::size_t given = givenOf(task, state).size();
     if (given == 1 || (given > 1 && task.one_of.together)) return;
-    std::string names;
-    for (const std::string& key : task.one_of.keys) {
-        const Input* const input = task.input(key);
-        if (!names.empty()) names += ", ";
-        names += !input ? optionName(key) : input->option.empty() ? operandOf(*input) : optionName(input->option);
+    throw Error(given == 0 ? errors::oneNeeded : errors::oneOnly, {{"names", namesOf(task, task.one_of.keys)}});
+}
+
+/// Error onlyWith for what is given without that to which it belongs.
+void refuseWhatSaysNothing(const Task& task, const project::PanelState& state)
+{
+    for (const OnlyWith& rule : task.only_with) {
+        const auto given = [&](const std::string& key) { return isGiven(task, state, key); };
+        if (std::any_of(rule.with.begin(), rule.with.end(), given)) continue;
+        const auto idle = std::find_if(rule.keys.begin(), rule.keys.end(), given);
+        if (idle != rule.keys.end())
+            throw Error(errors::onlyWith,
+                        {{"name", nameOnCommandLine(task, *idle)}, {"names", namesOf(task, rule.with)}});
     }
-    throw Error(given == 0 ? errors::oneNeeded : errors::oneOnly, {{"names", names}});
 }
 
 /// Takes the operands of an input from `next` on; all that are left where it has several.
@@ -82,6 +103,7 @@ project::PanelState askedState(const Task& task, const std::vector<std::string>&
             for (auto& [role, source] : state.inputs) set(source.import, key, value);
     }
     requireOne(task, state);
+    refuseWhatSaysNothing(task, state);
     return state;
 }
 

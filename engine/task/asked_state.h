@@ -19,7 +19,7 @@ bool isOfCommandLine(const Input& input);
 
 /// `operands` in the order of the inputs without an option; `parameters` by key: options of inputs, fields of the
 /// question, and reading options, which are those of every file. Errors: valueNotUnderstood where a required input is
-/// not given, oneNeeded, oneOnly.
+/// not given, oneNeeded, oneOnly, onlyWith.
 project::PanelState askedState(const Task& task, const std::vector<std::string>& operands, const Values& parameters);
 
 /// Adds the file that an error of a computation is about: the operand whose role it names, else the last operand; of

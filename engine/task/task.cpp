@@ -87,15 +87,19 @@ const Input* Task::fileOf(const FieldInfo& field) const
     return found == inputs.end() ? nullptr : &*found;
 }
 
+bool isGiven(const Task& task, const project::PanelState& state, const std::string& key)
+{
+    if (sourceOf(state, key)) return true;
+    const Value* const value = find(state.parameters, key);
+    const Value* const usual = find(task.defaults, key);
+    return value && usual && *value != *usual;
+}
+
 std::vector<std::string> givenOf(const Task& task, const project::PanelState& state)
 {
     std::vector<std::string> given;
-    for (const std::string& key : task.one_of.keys) {
-        const Value* const value = find(state.parameters, key);
-        const auto* const rows = value ? std::get_if<Rows>(value) : nullptr;
-        const bool is_field = value && !std::holds_alternative<std::monostate>(*value) && !(rows && rows->rows.empty());
-        if (is_field || state.inputs.count(key) > 0) given.push_back(key);
-    }
+    for (const std::string& key : task.one_of.keys)
+        if (isGiven(task, state, key)) given.push_back(key);
     return given;
 }
 

@@ -90,6 +90,12 @@ struct OneOf {
     bool together = false;          ///< they do not stand in each other's place
 };
 
+/// Inputs and fields that say nothing without one of others.
+struct OnlyWith {
+    std::vector<std::string> keys;  ///< roles and keys of fields
+    std::vector<std::string> with;  ///< roles and keys of fields of which one is needed
+};
+
 struct Task {
     std::string key;        ///< of the verb and in JSON: "deflection"
     Text title;             ///< of its panel
@@ -97,8 +103,9 @@ struct Task {
     std::string workspace;  ///< where its panels stand: "chatter"
     std::vector<Input> inputs;
     OneOf one_of = {};
-    std::vector<FieldInfo> fields;  ///< of its question
-    Values defaults;                ///< of the fields
+    std::vector<OnlyWith> only_with = {};  ///< the command line refuses what says nothing
+    std::vector<FieldInfo> fields;         ///< of its question
+    Values defaults;                       ///< of the fields
     std::vector<Export> exports;
     std::vector<std::string> products;  ///< kinds of items that it makes
     bool always_strict = false;         ///< a verdict against it is exit code 1 without --strict too
@@ -113,6 +120,9 @@ struct Task {
     /// nullptr: none.
     const Input* fileOf(const FieldInfo& field) const;
 };
+
+/// Whether the state has the input of this role, or a value of the field of this key that is not its default.
+bool isGiven(const Task& task, const project::PanelState& state, const std::string& key);
 
 /// Those of task.one_of that the state has, in their order.
 std::vector<std::string> givenOf(const Task& task, const project::PanelState& state);

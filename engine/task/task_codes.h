@@ -12,6 +12,9 @@ inline constexpr ErrorCode oneNeeded{"one_needed", ErrorKind::WrongUsage, LT_TEX
 inline constexpr ErrorCode oneOnly{"one_only", ErrorKind::WrongUsage,
                                    LT_TEXT("Engine", "Only one of these can be given: {names}.")};
 
+inline constexpr ErrorCode onlyWith{"only_with", ErrorKind::WrongUsage,
+                                    LT_TEXT("Engine", "{name} says nothing here: it belongs to {names}.")};
+
 }  // namespace errors
 
 namespace notes {

@@ -19,6 +19,7 @@ std::vector<std::string> fieldsOfOthers()
     std::vector<std::string> keys;
     for (const FieldInfo& info : infos<stability::PassParameters>()) keys.push_back(info.key);
     for (const FieldInfo& info : infos<receptance::ReceptanceParameters>()) keys.push_back(info.key);
+    for (const FieldInfo& info : infos<receptance::ShaftSupports>()) keys.push_back(info.key);
     return keys;
 }
 

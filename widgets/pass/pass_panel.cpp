@@ -39,8 +39,9 @@ PanelInputs panelInputs()
         stability::lobesTask(), roles,
         {"pass_z_mm", stability::passDepthKey, "cutting_coefficient_N_mm2", "speed_rpm", stability::operatingSpeedKey},
         true, LT_TEXT("Engine", "Drop a shaft and a spindle here, then state the pass, its depth and the coefficient."),
-        {stability::modeKey, stability::operatingDepthKey, "respond_z_mm", "excite_z_mm", "rule",
-         "uncertainty_frequency_percent", "uncertainty_compliance_percent", "uncertainty_coefficient_percent"});
+        {stability::modeKey, stability::operatingDepthKey, "respond_z_mm", "excite_z_mm", "rule", "range_hz", "use",
+         "uncertainty_frequency_percent", "uncertainty_damping_percent", "uncertainty_compliance_percent",
+         "uncertainty_coefficient_percent"});
     inputs.roles = passRoles();
     for (const auto& [key, value] : begins_with) set(inputs.defaults, key, value);
     return inputs;

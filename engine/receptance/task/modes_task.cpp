@@ -15,6 +15,7 @@
 #include "engine/receptance/frf_checks.h"
 #include "engine/receptance/modal/modal_quantities.h"
 #include "engine/receptance/modal/modal_report.h"
+#include "engine/receptance/modal/uncertain_model.h"
 #include "engine/receptance/spindle_input.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/report/parameters_table.h"
@@ -256,10 +257,12 @@ task::Outcome outcomeOf(const std::shared_ptr<const ModesOutcome>& outcome)
             const std::string name = is_model ? fill(text(LT_TEXT("Engine", "{response}, modal model"), language),
                                                      {{"response", outcome->name}}, language)
                                               : outcome->name;
-            return std::vector<task::Product>{{frfItem, {}, name, [frf, name] {
+            return std::vector<task::Product>{{frfItem, {}, name, [outcome, frf, name, is_model] {
                                                    Frf item = *frf;
                                                    item.name = name;
-                                                   return toValues(item);
+                                                   Values values = toValues(item);
+                                                   if (is_model) addModel(uncertainModelOf(outcome->study), values);
+                                                   return values;
                                                }}};
         };
     return settled(modesTask(), std::move(all), outcome->understanding);

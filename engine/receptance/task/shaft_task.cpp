@@ -55,8 +55,7 @@ void takeHolding(ShaftOutcome& outcome, const project::PanelState& state, Stores
 {
     const ShaftQuestion& question = outcome.question;
     ShaftHolding& holding = outcome.holding;
-    for (const Rest& rest : question.rests)
-        holding.supports.push_back({rest.z_mm, rest.radial_N_mm, 0, rest.loss_factor});
+    holding.supports = supportsOf(question.supports);
     constexpr double rigid = std::numeric_limits<double>::infinity();
     switch (question.hold) {
         case Hold::Free: return;
@@ -78,7 +77,7 @@ io::MeasuredFrf measuredOf(const ShaftOutcome& outcome)
 std::vector<Field<ShaftQuestion>> folded(std::vector<Field<ShaftQuestion>> all)
 {
     for (Field<ShaftQuestion>& field : all) {
-        for (const char* start : {"own_material", "springs", "rests"})
+        for (const char* start : {"own_material", "springs", "tailstock", "rest"})
             if (field.info.key.starts_with(start)) field.info.advanced = true;
         field.info.is_kept = field.info.key == task::segmentsKey || field.info.key == task::segmentsOfKey;
     }
@@ -93,18 +92,6 @@ std::string nameOf(const ShaftOutcome& outcome, const Language& language)
 }
 
 }  // namespace
-
-const std::vector<Field<Rest>>& fieldsOf(const Rest*)
-{
-    static const auto all = described<Rest>(
-        field("z_mm", &Rest::z_mm, {0, 1e5},
-              Label{LT_TEXT("Engine", "z"), LT_TEXT("Engine", "From the free end; 0: a tailstock."), unit::mm}),
-        field("radial_N_mm", &Rest::radial_N_mm, {1e-6, 1e12},
-              Label{LT_TEXT("Engine", "Stiffness"), LT_TEXT("Engine", "Against deflection."), unit::N_mm}),
-        field("loss_factor", &Rest::loss_factor, {0, 2},
-              Label{LT_TEXT("Engine", "Loss factor"), LT_TEXT("Engine", "The spring is multiplied by 1 + iη.")}));
-    return all;
-}
 
 const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
 {
@@ -126,12 +113,10 @@ const std::vector<Field<ShaftQuestion>>& fieldsOf(const ShaftQuestion*)
               Label{LT_TEXT("Engine", "Held at the chuck"), LT_TEXT("Engine", "At the last segment's end.")}),
         group("springs", &Q::springs,
               Label{LT_TEXT("Engine", "Springs at the chuck"), LT_TEXT("Engine", "Where it is held by springs.")}),
-        rows("rests", &Q::rests, Range{0, 20},
-             Label{LT_TEXT("Engine", "Tailstock and rests"),
-                   LT_TEXT("Engine", "Springs between the shaft and the ground.")}),
-        within(&Q::response, "respond_z_mm"), within(&Q::response, "excite_z_mm"), within(&Q::response, "from_hz"),
-        within(&Q::response, "to_hz"), within(&Q::response, "step_hz"), within(&Q::response, "shear"),
-        within(&Q::response, "method"), within(&Q::response, "step_correction")));
+        within(&Q::supports, "tailstock"), within(&Q::supports, "rest"), within(&Q::response, "respond_z_mm"),
+        within(&Q::response, "excite_z_mm"), within(&Q::response, "from_hz"), within(&Q::response, "to_hz"),
+        within(&Q::response, "step_hz"), within(&Q::response, "shear"), within(&Q::response, "method"),
+        within(&Q::response, "step_correction")));
     return all;
 }
 

@@ -14,6 +14,7 @@
 #include "engine/receptance/library.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/receptance/shaft_study.h"
+#include "engine/receptance/shaft_supports.h"
 #include "engine/task/edited_segments.h"
 #include "engine/task/task.h"
 
@@ -22,16 +23,6 @@ namespace lathelier::receptance {
 /// Support of the shaft at its chuck face. Given: the spindle of the input, else none.
 enum class Hold { Given, Springs, Clamped, Free };
 
-/// A tailstock centre or a steady rest.
-struct Rest {
-    double z_mm = 0;             ///< from the free end
-    double radial_N_mm = 10000;  ///< radial stiffness
-    double loss_factor = 0.05;   ///< complex stiffness k (1 + i·loss_factor)
-    friend bool operator==(const Rest&, const Rest&) = default;
-};
-
-const std::vector<Field<Rest>>& fieldsOf(const Rest*);
-
 struct ShaftQuestion {
     std::vector<ShaftSegment> segments;   ///< the table; empty: as the file has them
     std::string segments_of;              ///< task::identity() of the input they were changed from
@@ -39,7 +30,7 @@ struct ShaftQuestion {
     std::optional<Material> own_material;
     Hold hold = Hold::Given;
     SpindleSprings springs;         ///< of Hold::Springs
-    std::vector<Rest> rests;        ///< additional supports
+    ShaftSupports supports;         ///< beside the chuck
     ReceptanceParameters response;  ///< places, range, step, method
 };
 

@@ -48,7 +48,7 @@ const std::vector<Field<PassParameters>>& fieldsOf(const PassParameters*)
 
 PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
                          const receptance::ReceptanceParameters& receptance,
-                         const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
+                         const receptance::ShaftHolding& holding, const LobeParameters& lobes,
                          const Progress& progress)
 {
     checkPass(parameters, lobes);
@@ -77,11 +77,9 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
         receptance::ReceptanceParameters at_tool = receptance;
         at_tool.respond_z_mm = at_tool.excite_z_mm = z_mm;
         LobeParameters asked = lobes;
-        asked.uncertainty_frequency_percent = asked.uncertainty_compliance_percent =
-            asked.uncertainty_coefficient_percent = 0;
         if (asked.process_damping_N_mm) asked.diameter_mm = station.diameter_mm;
         const Frf frf =
-            receptance::receptanceOf(now, material, at_tool, {spindle, {}}, part, receptance::LinesOf::Refined);
+            receptance::receptanceOf(now, material, at_tool, holding, part, receptance::LinesOf::Refined);
         const LobeLimit limit = limitOf(frf, asked, part);
         if (row == 0) result.speed_rpm = result.worst.speed_rpm = limit.speed_rpm;
         for (std::size_t i = 0; i < columns; ++i) {

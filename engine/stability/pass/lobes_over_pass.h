@@ -51,7 +51,7 @@ struct PassResult {
 /// Errors: valueNotUnderstood; those of cutShaft(), shaftReceptance() and findLobes(). Throws Cancelled.
 PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
                          const receptance::ReceptanceParameters& receptance,
-                         const std::optional<receptance::SpindleReceptance>& spindle, const LobeParameters& lobes,
+                         const receptance::ShaftHolding& holding, const LobeParameters& lobes,
                          const Progress& progress = {});
 
 /// Stability of the whole pass at one spindle speed.

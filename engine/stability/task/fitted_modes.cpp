@@ -1,21 +1,14 @@
 #include "engine/stability/task/fitted_modes.h"
 
-#include "engine/receptance/modal/modal_fit.h"
 #include "engine/stability/stability_codes.h"
-#include "engine/task/memo.h"
+#include "engine/stability/task/response_fit.h"
 
 namespace lathelier::stability {
-namespace {
-
-struct FittedResponses : Memo<receptance::ModalFit> {};
-
-}  // namespace
 
 std::vector<Mode> fittedModes(const Frf& frf, const std::string& basis, Stores& stores, Notes& found,
                               const Progress& progress)
 {
-    const auto fit = stores.of<FittedResponses>()->find(
-        basis, progress, [&](const Progress& fitting) { return receptance::fitModes(frf, {}, fitting); });
+    const auto fit = fitOf(frf, basis, stores, progress);
     found.insert(found.end(), fit->notes.begin(), fit->notes.end());
     if (fit->modes.empty()) throw Error(errors::modesNeeded, {});
     std::vector<Mode> modes;

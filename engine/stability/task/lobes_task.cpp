@@ -98,7 +98,7 @@ void answerPass(LobesOutcome& outcome, Stores& stores, const Progress& progress)
         outcome.response.basis + keyOf(lathelier::toValues(lobes)) + keyOf(lathelier::toValues(question.pass)),
         progress, [&](const Progress& part) {
             return lobesOverPass(*outcome.response.shaft, question.pass, question.response.computing,
-                                 outcome.response.spindle, lobes, part);
+                                 outcome.response.holding, lobes, part);
         });
     const PassResult& pass = *outcome.pass;
     const Interval range = rangeOf(question, {pass.speed_rpm.front(), pass.speed_rpm.back()});
@@ -109,6 +109,7 @@ void answerPass(LobesOutcome& outcome, Stores& stores, const Progress& progress)
 Json jsonOf(const LobesOutcome& outcome)
 {
     Json json = toJson(*outcome.lobes);
+    addUsedLines(outcome.response, json);
     if (outcome.is_judged) json["operating_point"] = pointJson(*outcome.lobes, outcome.point);
     if (outcome.pass) json["pass"] = passJson(*outcome.pass);
     if (outcome.is_judged || outcome.pass)
@@ -204,8 +205,9 @@ LobesOutcome answerLobes(const project::PanelState& state, Stores& stores, task:
     outcome.marks = task::take<MarksInput>(state, marksRole, stores, progress, sources);
     outcome.lobes = stores.of<ComputedLobes>()->find(
         outcome.response.basis + keyOf(lathelier::toValues(question.lobes)),
-        progress.part(0.4, 0.6, LT_TEXT("Engine", "Finding lobes")),
-        [&](const Progress& part) { return findLobes(*outcome.response.frf, question.lobes, part); });
+        progress.part(0.4, 0.6, LT_TEXT("Engine", "Finding lobes")), [&](const Progress& part) {
+            return findLobes(*outcome.response.frf, question.lobes, part, outcome.response.model);
+        });
     Notes found = outcome.lobes->notes;
     outcome.point = pointOf(question, *outcome.lobes);
     if (question.pass.isAsked()) {
@@ -291,6 +293,7 @@ const task::Task& lobesTask()
             LT_TEXT("Engine", "Read off a photograph by the panel Surface. They may be missing.")));
         made.inputs.back().takes_files = false;
         made.one_of = responseSources();
+        made.only_with = responseRules();
         task::askFor<LobesQuestion>(made);
         made.exports = {{limitExport, "Write limit and lobes as FILE.csv.", LT_TEXT("Engine", "Limit and lobes (CSV)…"),
                          LT_TEXT("Engine", "Table (*.csv)"), "csv"}};

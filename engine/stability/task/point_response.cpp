@@ -4,12 +4,15 @@
 
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
+#include "engine/core/units.h"
 #include "engine/io/frf/frf_input.h"
 #include "engine/io/shaft/material_input.h"
 #include "engine/io/shaft/shaft_input.h"
 #include "engine/receptance/frf_checks.h"
 #include "engine/receptance/shaft_place.h"
 #include "engine/receptance/spindle_input.h"
+#include "engine/stability/stability_codes.h"
+#include "engine/stability/task/response_fit.h"
 #include "engine/task/memo.h"
 #include "engine/task/read_key.h"
 #include "engine/task/task_codes.h"
@@ -25,22 +28,48 @@ void append(Notes& notes, const Notes& more)
     notes.insert(notes.end(), more.begin(), more.end());
 }
 
-/// Of a file with its notes on the choice and on its plausibility.
-PointResponse measured(const project::PanelState& state, Stores& stores, task::Sources& sources,
-                       const Progress& progress)
+/// In place of the lines the modes fitted to them, on lines that are dense enough. Without modes the lines stay.
+void useModel(PointResponse& found, Stores& stores, Notes& notes, const Progress& progress)
+{
+    const auto fit = fitOf(*found.frf, found.basis, stores, progress);
+    append(notes, fit->notes);
+    if (fit->modes.empty()) throw Error(errors::modesNeeded, {});
+    found.model = receptance::uncertainModelOf(*fit);
+    std::vector<Mode> modes;
+    for (const receptance::ModalMode& mode : fit->model.modes)
+        modes.push_back({mode.frequency_hz, mode.damping_ratio, mode.stiffness_N_mm});
+    Frf frf = receptance::synthesised(fit->model, linesAround(modes, fit->range_hz));
+    frf.name = found.frf->name;
+    found.frf = std::make_shared<const Frf>(std::move(frf));
+    found.basis += "#model";
+}
+
+/// Of a file with its notes on the choice and on its plausibility, or of an item.
+PointResponse measured(const project::PanelState& state, const ResponseQuestion& question, Stores& stores,
+                       task::Sources& sources, const Progress& progress)
 {
     PointResponse found;
     const std::size_t read = sources.inputs.size();
     const std::string path = task::nameOf(state.inputs.at(frfRole));
-    if (const auto loaded = task::takeFile<io::FrfInput>(state, frfRole, stores, progress, sources)) {
+    const Progress reading = progress.part(0, question.use == ResponseUse::Model ? 0.3 : 1);
+    Frf frf;
+    if (const auto loaded = task::takeFile<io::FrfInput>(state, frfRole, stores, reading, sources)) {
         const io::MeasuredFrf& used = io::preferredResponse(loaded->file.frfs);
         append(sources.notes, io::notesOfChoice(loaded->file.frfs, used, path));
         append(sources.notes, receptance::checkResponse(used, path));
-        found.frf = std::make_shared<const Frf>(io::toReceptance(used.frf));
+        frf = io::toReceptance(used.frf);
     } else {
-        found.frf = std::make_shared<const Frf>(*task::take<io::FrfInput>(state, frfRole, stores, progress, sources));
+        frf = *task::take<io::FrfInput>(state, frfRole, stores, reading, sources);
+        const Values& item = task::itemValues(state, frfRole, frfItem);
+        if (auto model = receptance::modelIn(item)) found.model = std::move(*model);
     }
+    found.lines = receptance::takeUsableLines(frf, question.range_hz, path, sources.notes);
+    found.frf = std::make_shared<const Frf>(std::move(frf));
     found.basis = task::readKey(state, {frfRole}, sources, read);
+    for (const Interval& range : question.range_hz)
+        found.basis += "#" + std::to_string(range.from) + ":" + std::to_string(range.to);
+    if (question.use == ResponseUse::Model && !found.model.isKnown())
+        useModel(found, stores, sources.notes, progress.part(0.3, 1, LT_TEXT("Engine", "Fitting modes")));
     return found;
 }
 
@@ -57,16 +86,18 @@ PointResponse computed(const project::PanelState& state, const ResponseQuestion&
     if (const auto material =
             task::take<io::MaterialInput>(state, materialRole, stores, reading.part(0.4, 0.6), sources))
         found.shaft->material = *material;
-    found.spindle = task::take<receptance::SpindleInput>(state, spindleRole, stores, reading.part(0.6, 1), sources);
+    found.holding = {task::take<receptance::SpindleInput>(state, spindleRole, stores, reading.part(0.6, 1), sources),
+                     receptance::supportsOf(question.supports)};
     found.basis = toJson(lathelier::toValues(question.computing)).dump() +
+                  toJson(lathelier::toValues(question.supports)).dump() +
                   task::readKey(state, {shaftRole, materialRole, spindleRole}, sources, read);
     if (bar && !task::sourceOf(state, shaftRole)) found.basis += toJson(lathelier::toValues(*bar)).dump();
     const auto response = stores.of<ComputedResponses>()->find(
         found.basis, progress.part(0.1, 1, LT_TEXT("Engine", "Computing")), [&](const Progress& part) {
             const project::Source* const source = task::sourceOf(state, shaftRole);
             return receptance::namingShaft(source ? source->path : std::string(), *found.shaft, [&] {
-                return receptance::shaftReceptance(*found.shaft, question.computing, found.spindle, part,
-                                                   receptance::LinesOf::Refined);
+                return receptance::heldShaftReceptance(*found.shaft, question.computing, found.holding, part,
+                                                       receptance::LinesOf::Refined);
             });
         });
     append(sources.notes, response->notes);
@@ -87,6 +118,22 @@ const std::vector<Field<ResponseQuestion>>& fieldsOf(const ResponseQuestion*)
             rows(modeKey, &Q::mode, Range{0, 50},
                  Label{LT_TEXT("Engine", "Modes"),
                        LT_TEXT("Engine", "In place of FRF: f_hz,zeta,stiffness_N_mm; several are summed.")})};
+        Field<Q> range = field("range_hz", &Q::range_hz, Range{0, 1e7},
+                               Label{LT_TEXT("Engine", "Frequencies used"),
+                                     LT_TEXT("Engine",
+                                             "Of a measured response, 100:700. Default: the lines that stand out of "
+                                             "their noise."),
+                                     unit::hz, true});
+        made.push_back(std::move(range));
+        Field<Q> use = field(
+            "use", &Q::use,
+            {{"measured", LT_TEXT("Engine", "The lines")}, {"model", LT_TEXT("Engine", "The fitted modes")}},
+            Label{LT_TEXT("Engine", "Used of a measurement"),
+                  LT_TEXT("Engine", "The lines as measured, or the modes fitted to them, with their uncertainties.")});
+        use.info.advanced = true;
+        made.push_back(std::move(use));
+        for (const FieldInfo& info : infos<receptance::ShaftSupports>())
+            made.push_back(foldedWithin(&Q::supports, info.key));
         for (const FieldInfo& info : infos<receptance::ReceptanceParameters>())
             made.push_back(foldedWithin(&Q::computing, info.key));
         return made;
@@ -118,16 +165,34 @@ task::OneOf responseSources()
     return {{frfRole, shaftRole, modeKey}, LT_TEXT("Engine", "Frequency response, shaft or modes")};
 }
 
+std::vector<task::OnlyWith> responseRules(const std::vector<std::string>& bar)
+{
+    std::vector<std::string> of_shaft{spindleRole, materialRole}, shafts{shaftRole};
+    for (const FieldInfo& info : infos<receptance::ShaftSupports>()) of_shaft.push_back(info.key);
+    for (const FieldInfo& info : infos<receptance::ReceptanceParameters>()) of_shaft.push_back(info.key);
+    shafts.insert(shafts.end(), bar.begin(), bar.end());
+    return {{std::move(of_shaft), std::move(shafts)}, {{"range_hz", "use"}, {frfRole}}};
+}
+
+void addUsedLines(const PointResponse& response, Json& json)
+{
+    json["range_used_hz"] = response.lines ? Json{response.lines->range_hz.from, response.lines->range_hz.to} : Json();
+    json["lines_left_out"] = response.lines ? Json(response.lines->left_out) : Json();
+}
+
 PointResponse takeResponse(const project::PanelState& state, const ResponseQuestion& question, double highest_rpm,
                            const std::optional<Shaft>& bar, Stores& stores, task::Sources& sources,
                            const Progress& progress)
 {
-    if (task::sourceOf(state, frfRole)) return measured(state, stores, sources, progress);
+    if (task::sourceOf(state, frfRole)) return measured(state, question, stores, sources, progress);
     if (task::sourceOf(state, shaftRole)) return computed(state, question, bar, stores, sources, progress);
     if (!question.mode.empty()) {
         PointResponse found;
         found.frf = std::make_shared<const Frf>(frfOf(question.mode, highest_rpm));
         found.modes = question.mode;
+        noteUnusualModes(question.mode, sources.notes);
+        for (const Mode& mode : question.mode)
+            found.model.model.modes.push_back({mode.frequency_hz, mode.damping_ratio, mode.stiffness_N_mm, 0});
         for (const Mode& mode : question.mode) found.basis += toJson(lathelier::toValues(mode)).dump();
         found.basis += std::to_string(highest_rpm);
         return found;

@@ -47,7 +47,11 @@ task::Outcome outcomeOf(const std::shared_ptr<const SimulateOutcome>& outcome)
     task::Outcome all;
     all.result = outcome;
     all.notes = outcome->notes;
-    all.json = [result] { return nestedJson(describedValues(*result)); };
+    all.json = [outcome] {
+        Json json = nestedJson(describedValues(*outcome->result));
+        addUsedLines(outcome->response, json);
+        return json;
+    };
     all.answer = [result](const Language& language) { return answer(*result, language); };
     all.summary = [result](const Language& language) { return simulationSummary(*result, language); };
     all.report = [outcome](const Language& language) {
@@ -81,6 +85,7 @@ const task::Task& simulateTask()
         made.workspace = "chatter";
         made.inputs = responseInputs();
         made.one_of = responseSources();
+        made.only_with = responseRules();
         task::askFor<SimulateQuestion>(made);
         made.exports = {
             {waveformExport, "Write the waveform as FILE.csv.", {}, {}, "csv"},

@@ -94,6 +94,7 @@ Json jsonOf(const SpeedOutcome& outcome)
     Json json = Json::object();
     if (outcome.published) json = nestedJson(describedValues(*outcome.published));
     if (outcome.safe) json.update(toJson(*outcome.safe, false));
+    addUsedLines(outcome.response, json);
     return json;
 }
 
@@ -190,6 +191,7 @@ SpeedOutcome answerSpeed(const project::PanelState& state, Stores& stores, task:
         if (error.code().kind != ErrorKind::NoAnswer && !isMissing(error)) throw;
         outcome.problem = error;
     }
+    noteUnusual(question, {usualCoefficient}, found);
     if (const auto missing = missingOfDepth(question)) outcome.problem = missing;
     if (selected) {
         if (question.depth_mm && question.cutting_coefficient_N_mm2) {
@@ -199,8 +201,8 @@ SpeedOutcome answerSpeed(const project::PanelState& state, Stores& stores, task:
             outcome.safe = safeSpeed(*outcome.response.frf, lobes, safeQuestion(question, *selected),
                                      progress.part(0.8, 0.9, LT_TEXT("Engine", "Finding lobes")));
         }
-        outcome.near = std::make_shared<const LobeResult>(
-            findLobes(*outcome.response.frf, shownLobes(outcome, *selected), progress.part(0.9, 1)));
+        outcome.near = std::make_shared<const LobeResult>(findLobes(
+            *outcome.response.frf, shownLobes(outcome, *selected), progress.part(0.9, 1), outcome.response.model));
     }
     outcome.record(state, sources, found);
     progress.report(1);
@@ -286,6 +288,7 @@ const task::Task& speedTask()
         made.inputs = responseInputs();
         made.one_of = responseSources();
         made.one_of.keys.emplace_back(barLengthKey);
+        made.only_with = responseRules({barLengthKey});
         task::askFor<SpeedQuestion>(made);
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,
                       const Progress& progress) {

@@ -49,7 +49,7 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
     lobes.cutting_coefficient_N_mm2 = 2000;
     lobes.speed_rpm = {{1500, 4000}};
     lobes.points = 101;
-    const PassResult result = lobesOverPass(steps(), pass, lines, spindle, lobes);
+    const PassResult result = lobesOverPass(steps(), pass, lines, {spindle, {}}, lobes);
     ASSERT_EQ(result.stations.size(), 3u);
     EXPECT_EQ(result.stations[1].z_mm, 50);
     EXPECT_NEAR(result.stations[0].diameter_mm, 28, 1e-9);
@@ -77,7 +77,7 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
     EXPECT_NEAR(pointOfPass(result, between).limit_mm, (result.worst.depth_mm[20] + result.worst.depth_mm[21]) / 2,
                 1e-12);
     lobes.cutting_coefficient_N_mm2.reset();
-    EXPECT_EQ(codeOfError([&] { lobesOverPass(steps(), pass, lines, spindle, lobes); }), errors::valueNotUnderstood);
+    EXPECT_EQ(codeOfError([&] { lobesOverPass(steps(), pass, lines, {spindle, {}}, lobes); }), errors::valueNotUnderstood);
 }
 
 }  // namespace

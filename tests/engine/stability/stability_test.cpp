@@ -165,6 +165,20 @@ TEST(Lobes, OfSlowSpeedsAreListedInPart)
     EXPECT_FALSE(contains(usual.notes, notes::lobesLeftOut));
 }
 
+/// The limit of slow speeds is found by speeds, that of few lobes by lobes: both are one.
+TEST(Lobes, OfSlowSpeedsLimitAsAllLobesDo)
+{
+    const Frf frf = frfOf({{223, 0.03, 1e4}, {410, 0.02, 3e4}}, 2000);
+    for (const SpeedRelation relation : {SpeedRelation::Exact, SpeedRelation::Published}) {
+        const Interval speeds{60, 110};
+        const LobeLimit fast = limitOf(frf, asking(relation, speeds, 201));
+        Boundary boundary = boundaryOf(frf, 1, 8);
+        const LobeLimit all = envelope(boundary, relation, speeds, 201);
+        for (std::size_t i = 0; i < 201; ++i)
+            EXPECT_NEAR(fast.depth_mm[i] * coefficient_N_mm2 / all.depth_mm[i], 1, 1e-4) << fast.speed_rpm[i];
+    }
+}
+
 TEST(Lobes, ScaleAsTheirDimensionsSay)
 {
     const LobeResult base = findLobes(frfOf(paperA, 6000), asking(SpeedRelation::Exact, {2500, 4500}, 50));
@@ -242,6 +256,34 @@ SpeedParameters selecting(double diameter_mm, double cutting_speed_m_min)
 Frf withLeastAt(double frequency_hz)
 {
     return frfOf({{frequency_hz / std::sqrt(1.06), 0.03, 1e4}}, 6000);
+}
+
+/// With a negative direction factor the feet of the lobes lie at ε/2π of about 1/4: the recommended speed lies in the
+/// pocket that is stated, whose ends are the deepest cuts into the limit.
+TEST(Speed, OfANegativeDirectionFactorLiesInItsPocket)
+{
+    const Frf frf = frfOf({{300, 0.03, 1e4}}, 60000);
+    for (const double selected_rpm : {3000.0, 4400.0, 6627.0, 9000.0}) {
+        SpeedParameters asked;
+        asked.speed_rpm = selected_rpm;
+        asked.relation = SpeedRelation::Exact;
+        asked.direction_factor = -1;
+        const SpeedResult found = chooseSpeed(frf, asked);
+        EXPECT_NEAR(found.lobe_rpm.from, 60 * found.frequency_hz / (found.k + 0.25), 1e-9);
+        EXPECT_NEAR(found.lobe_rpm.to, 60 * found.frequency_hz / (found.k - 0.75), 1e-9);
+        EXPECT_LE(found.lobe_rpm.from, selected_rpm);
+        EXPECT_GE(found.lobe_rpm.to, selected_rpm);
+        EXPECT_GT(found.recommended_rpm, found.lobe_rpm.from);
+        EXPECT_LT(found.recommended_rpm, found.lobe_rpm.to);
+        // At its ends the limit is near the least, between them no foot of another lobe lies lower.
+        LobeParameters lobes = asking(SpeedRelation::Exact, found.lobe_rpm, 401);
+        lobes.direction_factor = -1;
+        const LobeLimit limit = limitOf(frf, lobes);
+        const double least = *std::min_element(limit.depth_mm.begin(), limit.depth_mm.end());
+        EXPECT_LT(limit.depth_mm.front(), 1.1 * least);
+        EXPECT_LT(limit.depth_mm.back(), 1.1 * least);
+        EXPECT_GT(limit.depth_mm[200], 1.2 * least);
+    }
 }
 
 TEST(Speed, PaperA)

@@ -166,7 +166,7 @@ private slots:
         QVERIFY(panel_->result()->holding.spindle.has_value());
         QVERIFY(first_hz() < free_hz / 3);
         const double compliance = *panel_->result()->study.static_mm_N;
-        set("rests", Rows{{{toValues(receptance::Rest{})}}});
+        set("tailstock", Rows{{{toValues(receptance::Tailstock{})}}});
         settle();
         QVERIFY(*panel_->result()->study.static_mm_N < compliance);
         set("hold", std::string("free"));

@@ -35,24 +35,7 @@ public:
         return depth_[i - 1] + share * (depth_[i] - depth_[i - 1]);
     }
 
-    /// The least limit within ±robustShare of each speed, as far as it is known.
-    std::vector<double> leastNearby() const
-    {
-        std::vector<double> least(depth_.size());
-        std::size_t from = 0, to = 0;
-        std::vector<std::size_t> ascending;  // indices of a window with ascending depths; its first is the least
-        std::size_t head = 0;
-        for (std::size_t i = 0; i < depth_.size(); ++i) {
-            while (to < depth_.size() && speed_rpm_[to] <= speed_rpm_[i] * (1 + robustShare)) {
-                while (ascending.size() > head && depth_[ascending.back()] >= depth_[to]) ascending.pop_back();
-                ascending.push_back(to++);
-            }
-            while (speed_rpm_[from] < speed_rpm_[i] * (1 - robustShare)) ++from;
-            while (ascending[head] < from) ++head;
-            least[i] = depth_[ascending[head]];
-        }
-        return least;
-    }
+    std::vector<double> leastNearby() const { return stability::leastNearby(speed_rpm_, depth_); }
 
 private:
     const std::vector<double>& speed_rpm_;

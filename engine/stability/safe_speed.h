@@ -15,6 +15,7 @@
 #include "engine/report/answer.h"
 #include "engine/report/chart.h"
 #include "engine/stability/lobes.h"
+#include "engine/stability/nearby.h"
 
 namespace lathelier::stability {
 
@@ -42,9 +43,6 @@ struct SafeSpeed {
     /// The speed to recommend; none: no speed of the range is stable at the depth.
     std::optional<double> recommendedRpm() const;
 };
-
-/// ± share of a speed within which the limit has to hold.
-inline constexpr double robustShare = 0.02;
 
 /// The range of speeds about one that is selected, where none was asked for: from half of it to one and a half.
 Interval usualRange(double selected_rpm);

@@ -6,17 +6,18 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/units.h"
+#include "engine/stability/nearby.h"
 #include "engine/stability/refusal.h"
+#include "engine/stability/slow_lobes.h"
 #include "engine/stability/stability_codes.h"
 
 namespace lathelier::stability {
 namespace {
 
 constexpr double standardPeakShift = 0.7;
-constexpr double robustShare = 0.02;  ///< ± share of the speed
-constexpr int pocketPoints = 4001;    ///< evaluated points of a pocket
-constexpr int beyond = 4;             ///< number of candidates with k above that of the selected lobe
-constexpr int mostLobes = 500;        ///< largest number of candidates
+constexpr int pocketPoints = 4001;  ///< evaluated points of a pocket
+constexpr int beyond = 4;           ///< number of candidates with k above that of the selected lobe
+constexpr int mostLobes = 500;      ///< largest number of candidates
 
 double selectedSpeed(const SpeedParameters& p)
 {
@@ -57,26 +58,22 @@ Interval lobeEnds(double frequency_hz, int k, const SpeedParameters& p)
 }
 
 /// The speed of a pocket that maximises the minimum limit within ±2 %.
-double robustSpeed(const Boundary& boundary, const Interval& pocket)
+double robustSpeed(const LimitsBySpeed& limits, const Interval& pocket)
 {
     const Interval wide{pocket.from * (1 - robustShare), pocket.to * (1 + robustShare)};
-    LobeLimit limit = envelope(boundary, SpeedRelation::Exact, wide, pocketPoints);
-    for (double& depth : limit.depth_mm)
-        if (std::isnan(depth)) depth = HUGE_VAL;
     const double step = (wide.to - wide.from) / (pocketPoints - 1);
-    double best = pocket.from, best_depth = -1;
+    std::vector<double> speeds, depths;
     for (int i = 0; i < pocketPoints; ++i) {
-        const double speed = wide.from + i * step;
-        if (speed < pocket.from || speed > pocket.to) continue;
-        const int reach = static_cast<int>(std::ceil(robustShare * speed / step));
-        const auto from = limit.depth_mm.begin() + std::max(0, i - reach);
-        const auto to = limit.depth_mm.begin() + std::min(pocketPoints, i + reach + 1);
-        const double worst = *std::min_element(from, to);
-        if (worst > best_depth) {
-            best_depth = worst;
-            best = speed;
-        }
+        speeds.push_back(wide.from + i * step);
+        depths.push_back(limits.at(speeds.back()).depth_N_mm);
     }
+    const std::vector<double> least = leastNearby(speeds, depths);
+    double best = pocket.from, best_depth = -1;
+    for (std::size_t i = 0; i < speeds.size(); ++i)
+        if (speeds[i] >= pocket.from && speeds[i] <= pocket.to && least[i] > best_depth) {
+            best_depth = least[i];
+            best = speeds[i];
+        }
     return best;
 }
 
@@ -97,11 +94,11 @@ std::vector<SpeedCandidate> candidatesOf(const Frf& frf, const SpeedResult& resu
     const double lowest = std::min(range ? range->from : result.selected_rpm, result.selected_rpm);
     const int last = std::min({lobeOf(result.frequency_hz, lowest, p) + beyond, result.k + mostLobes, 2 * mostLobes});
     const double shift = p.peak_shift.value_or(standardPeakShift);
-    const Boundary boundary = published ? Boundary{} : boundaryOf(frf, p.direction_factor, 4);
+    const LimitsBySpeed limits(published ? Boundary{} : boundaryOf(frf, p.direction_factor, 4), SpeedRelation::Exact);
     std::vector<SpeedCandidate> candidates;
     for (int k = published ? 2 : 1; k <= last; ++k) {
         const Interval ends = lobeEnds(result.frequency_hz, k, p);
-        const double speed = published ? ends.from + shift * (ends.to - ends.from) : robustSpeed(boundary, ends);
+        const double speed = published ? ends.from + shift * (ends.to - ends.from) : robustSpeed(limits, ends);
         candidates.push_back({k, speed, !range || (speed >= range->from && speed <= range->to)});
     }
     return candidates;

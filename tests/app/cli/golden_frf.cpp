@@ -1,8 +1,10 @@
 #include "tests/app/cli/golden_frf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/random.h"
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/receptance/modal/modal_model.h"
@@ -70,6 +72,27 @@ std::string wrongLabel()
     return io::toFrfCsv(frf);
 }
 
+/// An impact test from 2 Hz on: the accelerance of two modes with the sensor's noise, and its coherence.
+std::string lowLines()
+{
+    std::vector<double> lines;
+    for (double f = 2; f <= 800; f += 2) lines.push_back(f);
+    Frf frf = receptance::synthesised({{{317, 0.022, 12000}, {900, 0.028, 30000}}, {}, {}}, lines);
+    frf.quantity = FrfQuantity::Accelerance;
+    double peak = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        frf.value[i] *= -std::pow(2 * std::numbers::pi * lines[i], 2);
+        peak = std::max(peak, std::abs(frf.value[i]));
+    }
+    const double noise = peak / 300 / std::numbers::sqrt2;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double power = std::norm(frf.value[i]);
+        frf.coherence.push_back(power / (power + 2 * noise * noise));
+        frf.value[i] += noise * std::complex<double>(randomNormal(4, 1, i), randomNormal(4, 2, i));
+    }
+    return io::toFrfCsv(frf);
+}
+
 }  // namespace
 
 void makeFrfs(const std::string& folder)
@@ -81,6 +104,7 @@ void makeFrfs(const std::string& folder)
     write("mode.uff", io::toUff(std::vector{mode}));
     write("mode.csv", io::toFrfCsv(mode.frf));
     write("wrong_label.csv", wrongLabel());
+    write("tap_low_lines.csv", lowLines());
     write("no_unit.csv", "frequency_hz,real,imag\n50,1e-4,-2e-5\n52,2e-4,-3e-5\n");
     write("vectors.mat", matFile());
     write("cut.mat", matFile().substr(0, 300));

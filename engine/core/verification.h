@@ -29,6 +29,7 @@ struct VerifyPart {
     std::vector<std::function<VerifyKind(const Progress&)>> checks;
     /// A check on reference data in a folder that the user names; none: the room has no such data.
     std::function<VerifyKind(const std::string& directory, const Progress&)> of_directory = {};
+    std::string topic = {};  ///< by which checks are chosen, "dynamics"; empty: the room's key
 };
 
 /// Gathers the deviations of one kind.

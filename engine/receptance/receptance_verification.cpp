@@ -200,11 +200,37 @@ VerifyKind verifyInverseCoupling(const Progress& progress)
     return tally.done();
 }
 
+VerifyKind verifyFiniteElements()
+{
+    VerifyTally tally("finite_elements", LT_TEXT("Engine", "Shafts on springs against finite elements"), {}, 2e-3);
+    const SpindleReceptance machine{SpindleSprings{}};
+    for (const auto& segments : std::vector<std::vector<std::pair<double, double>>>{
+             {{98, 30}, {10, 37}, {75, 33.8}}, {{250, 40}}, {{120, 18}, {80, 26}}, {{60, 50}, {90, 36}, {40, 60}}}) {
+        tally.nextSet();
+        ReceptanceParameters asked;
+        asked.from_hz = 60;
+        asked.to_hz = 1500;
+        asked.step_hz = 37;
+        const Frf exact = shaftReceptance(steppedShaft(segments), asked, machine).frf;
+        asked.method = beam::BeamMethod::FiniteElements;
+        const Frf elements = shaftReceptance(steppedShaft(segments), asked, machine).frf;
+        double error = 0, size = 0;
+        for (std::size_t i = 0; i < exact.value.size(); ++i) {
+            error += std::norm(exact.value[i] - elements.value[i]);
+            size += std::norm(exact.value[i]);
+        }
+        tally.take(std::sqrt(error / size));
+    }
+    return tally.done();
+}
+
 const VerifyPart& receptanceVerification()
 {
     static const VerifyPart part{"receptance",
                                  {quick<verifyNaturalFrequencies>, quick<verifyBeamReceptances>, quick<verifyCoupling>,
-                                  quick<verifyCoupledRod>, verifyInverseCoupling}};
+                                  quick<verifyCoupledRod>, verifyInverseCoupling, quick<verifyFiniteElements>},
+                                 {},
+                                 "dynamics"};
     return part;
 }
 

@@ -16,4 +16,7 @@ VerifyKind verifyCoupling();
 VerifyKind verifyCoupledRod();
 VerifyKind verifyInverseCoupling(const Progress& progress);
 
+/// The closed form against finite elements, rms over the lines.
+VerifyKind verifyFiniteElements();
+
 }  // namespace lathelier::receptance

@@ -6,7 +6,11 @@
 #include <numbers>
 #include <utility>
 
+#include "engine/core/random.h"
 #include "engine/core/units.h"
+#include "engine/io/frf/frf_noise.h"
+#include "engine/io/frf/measured_frf.h"
+#include "engine/receptance/usable_lines.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/modes.h"
 #include "engine/stability/process_damping.h"
@@ -140,11 +144,74 @@ VerifyKind verifyGrowth(const Progress& progress)
     return tally.done();
 }
 
+VerifyKind verifyDelayEquation(const Progress& progress)
+{
+    VerifyTally tally("delay_equation", LT_TEXT("Engine", "Limits against roots of the delay equation"), {}, 2e-3);
+    constexpr std::uint64_t machines = 24;
+    for (std::uint64_t number = 0; number < machines; ++number) {
+        progress.report(static_cast<double>(number) / machines);
+        const auto drawn = [&](std::uint64_t stream, double from, double to) {
+            return from + (to - from) * randomUniform(44, stream, number);
+        };
+        std::vector<Mode> modes;
+        for (std::uint64_t m = 0; m <= number % 4; ++m)
+            modes.push_back({drawn(3 * m, 150, 900), drawn(3 * m + 1, 0.01, 0.06), drawn(3 * m + 2, 5e3, 5e4)});
+        const double speed_rpm = drawn(20, 900, 6000);
+        LobeParameters p;
+        p.cutting_coefficient_N_mm2 = coefficient_N_mm2;
+        p.speed_rpm = {{speed_rpm, speed_rpm * (1 + 1e-9)}};
+        p.points = 2;
+        const double limit_mm = limitOf(frfOf(modes, speed_rpm), p).depth_mm.front();
+        // The depth where the rightmost root grows by 1 a revolution, by halving.
+        double low_mm = 0.98 * limit_mm, high_mm = 1.02 * limit_mm;
+        for (int step = 0; step < 8; ++step) {
+            const double depth_mm = (low_mm + high_mm) / 2;
+            const double growth =
+                growthOfRoots(modes, {coefficient_N_mm2 * depth_mm, 0, 1}, 60 / speed_rpm, progress.quiet())
+                    .per_revolution;
+            (growth < 1 ? low_mm : high_mm) = depth_mm;
+        }
+        tally.nextSet();
+        tally.compare((low_mm + high_mm) / 2 / limit_mm, 1);
+    }
+    return tally.done();
+}
+
+VerifyKind verifyNoisyLimits()
+{
+    VerifyTally tally("limit_of_noisy_response", LT_TEXT("Engine", "Limits of impact tests with the sensor's noise"),
+                      {}, 0.05);
+    const std::vector<Mode> modes{{317, 0.022, 12000}, {900, 0.028, 30000}};
+    const double truth = leastRealPart(frfOf(modes, highestSpeed_rpm)).real_mm_N;
+    for (const double first_hz : {0.5, 5.0, 20.0})
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            Frf frf;
+            frf.quantity = FrfQuantity::Accelerance;
+            for (double f = first_hz; f <= 800; f += 0.5) frf.frequency_hz.push_back(f);
+            for (std::size_t i = 0; i < frf.frequency_hz.size(); ++i) {
+                const double f = frf.frequency_hz[i], noise_mm_s2_N = 25;  // about a hundredth of the resonance
+                const Complex noise(randomNormal(seed, 1, i), randomNormal(seed, 2, i));
+                frf.value.push_back(-std::pow(2 * std::numbers::pi * f, 2) * receptanceOf(modes, f) +
+                                    noise_mm_s2_N * noise);
+            }
+            frf.noise = io::noiseOf(frf);
+            Frf receptance = io::toReceptance(frf);
+            Notes notes;
+            receptance::takeUsableLines(receptance, {}, {}, notes);
+            tally.nextSet();
+            tally.compare(leastRealPart(receptance).real_mm_N / truth, 1);
+        }
+    return tally.done();
+}
+
 const VerifyPart& stabilityVerification()
 {
-    static const VerifyPart part{"stability",
-                                 {quick<verifyLobeLimits>, quick<verifyCharacteristicEquation>,
-                                  quick<verifyDampedLobes>, quick<verifyRecommendedSpeeds>, verifyGrowth}};
+    static const VerifyPart part{
+        "stability",
+        {quick<verifyLobeLimits>, quick<verifyCharacteristicEquation>, quick<verifyDampedLobes>,
+         quick<verifyRecommendedSpeeds>, verifyGrowth, verifyDelayEquation, quick<verifyNoisyLimits>},
+        {},
+        "dynamics"};
     return part;
 }
 

@@ -16,4 +16,10 @@ VerifyKind verifyDampedLobes();
 VerifyKind verifyRecommendedSpeeds();
 VerifyKind verifyGrowth(const Progress& progress);
 
+/// At random machines the depth where the rightmost root neither grows nor decays, against the limit.
+VerifyKind verifyDelayEquation(const Progress& progress);
+
+/// The least real part of impact tests whose lowest lines are noise, against that of the structure.
+VerifyKind verifyNoisyLimits();
+
 }  // namespace lathelier::stability

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/core_codes.h"
 #include "engine/deflection/deflection_verification.h"
 #include "engine/form/verify/form_verification.h"
 #include "engine/receptance/receptance_verification.h"
@@ -9,6 +10,14 @@
 #include "engine/stability/stability_verification.h"
 
 namespace lathelier::verify {
+namespace {
+
+const std::string& topicOf(const VerifyPart& part)
+{
+    return part.topic.empty() ? part.key : part.topic;
+}
+
+}  // namespace
 
 const std::vector<const VerifyPart*>& verifyParts()
 {
@@ -16,6 +25,26 @@ const std::vector<const VerifyPart*>& verifyParts()
         &form::formVerification(), &registration::registrationVerification(), &receptance::receptanceVerification(),
         &stability::stabilityVerification(), &deflection::deflectionVerification()};
     return all;
+}
+
+std::vector<std::string> topics()
+{
+    std::vector<std::string> all;
+    for (const VerifyPart* part : verifyParts())
+        if (const std::string topic = topicOf(*part); std::find(all.begin(), all.end(), topic) == all.end())
+            all.push_back(topic);
+    return all;
+}
+
+std::vector<const VerifyPart*> partsOf(const std::string& topic)
+{
+    std::vector<const VerifyPart*> found;
+    for (const VerifyPart* part : verifyParts())
+        if (topic == allTopics || topicOf(*part) == topic) found.push_back(part);
+    if (!found.empty()) return found;
+    std::string names = allTopics;
+    for (const std::string& one : topics()) names += ", " + one;
+    throw Error(errors::valueNotUnderstood, {{"parameter", "kind"}, {"found", topic}, {"expected", names}});
 }
 
 VerifyResult verify(const std::vector<const VerifyPart*>& parts, const std::string& reference_data,

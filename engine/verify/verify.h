@@ -17,6 +17,12 @@ struct VerifyResult {
 /// The parts of all rooms; a new room with checks adds one line in verify.cpp.
 const std::vector<const VerifyPart*>& verifyParts();
 
+inline constexpr const char* allTopics = "all";
+
+/// The parts of one topic; "all": of all. Error valueNotUnderstood lists the topics.
+std::vector<const VerifyPart*> partsOf(const std::string& topic);
+std::vector<std::string> topics();
+
 /// Runs the checks of `parts`, and those on the data of the folder `reference_data`, when one is given. Errors:
 /// fileNotFound, notAFile, fileNotReadable, malformed, referenceDataMissing (a folder without such data). Throws
 /// Cancelled.

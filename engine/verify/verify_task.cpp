@@ -10,15 +10,24 @@ namespace lathelier::verify {
 namespace {
 
 struct VerifyQuestion {
-    std::string reference_data;  ///< folder; empty: the built-in data only
+    std::string kind = allTopics;  ///< topic of the checks
+    std::string reference_data;    ///< folder; empty: the built-in data only
 };
 
 const std::vector<Field<VerifyQuestion>>& fieldsOf(const VerifyQuestion*)
 {
-    static const std::vector<Field<VerifyQuestion>> all{field(
-        "reference_data", &VerifyQuestion::reference_data,
-        Label{LT_TEXT("Engine", "Reference data"),
-              LT_TEXT("Engine", "Folder with NIST's circle sets (.ds, .fit), refitted beside the built-in ones.")})};
+    static const std::vector<Field<VerifyQuestion>> all{
+        choice("kind", &VerifyQuestion::kind,
+               {{allTopics, LT_TEXT("Engine", "all")},
+                {"form", LT_TEXT("Engine", "form")},
+                {"registration", LT_TEXT("Engine", "registration")},
+                {"dynamics", LT_TEXT("Engine", "dynamics")},
+                {"deflection", LT_TEXT("Engine", "deflection")}},
+               Label{LT_TEXT("Engine", "Kind"), LT_TEXT("Engine", "Which checks are run.")}),
+        field("reference_data", &VerifyQuestion::reference_data,
+              Label{LT_TEXT("Engine", "Reference data"),
+                    LT_TEXT("Engine",
+                            "Folder with NIST's circle sets (.ds, .fit), refitted beside the built-in ones.")})};
     return all;
 }
 
@@ -48,8 +57,8 @@ const task::Task& verifyTask()
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores&, task::Sources&,
                       const Progress& progress) {
             const auto question = fromValues<VerifyQuestion>(state.parameters);
-            return outcomeOf(std::make_shared<const VerifyResult>(
-                verify(verifyParts(), question.reference_data, progress.part(0, 1, LT_TEXT("Engine", "Verifying")))));
+            return outcomeOf(std::make_shared<const VerifyResult>(verify(
+                partsOf(question.kind), question.reference_data, progress.part(0, 1, LT_TEXT("Engine", "Verifying")))));
         };
         return made;
     }();

@@ -55,7 +55,9 @@ const std::vector<QuantityOf<LobeResult>>& quantitiesOf(const LobeResult*)
         quantity<R>("minimum_depth_mm", [](const R& r) { return r.isRelative() ? std::nullopt : r.minimum_depth_mm; },
                     {LT_TEXT("Engine", "Least limiting depth"), unit::mm, 4}),
         quantity<R>("frequency_of_minimum_hz", &R::frequency_of_minimum_hz,
-                    {LT_TEXT("Engine", "Its chatter frequency"), unit::hz, 2}));
+                    {LT_TEXT("Engine", "Its chatter frequency"), unit::hz, 2}),
+        quantity<R>("minimum_noise_percent", &R::minimum_noise_percent,
+                    {LT_TEXT("Engine", "Noise of its line"), unit::percent, 1}));
     return all;
 }
 

@@ -99,6 +99,8 @@ report::Answer answer(const LobeResult& result, const Language& language)
         return answer;
     }
     answer.value = result.minimum_depth_mm;
+    if (result.minimum_noise_percent)
+        answer.expanded_uncertainty = 2 * *result.minimum_noise_percent / 100 * *result.minimum_depth_mm;
     answer.unit = unit::mm;
     answer.sentence = LT_TEXT("Engine", "Chatter at {frequency} Hz · lobes in the range: {lobes}");
     return answer;
@@ -126,8 +128,11 @@ report::Answer answer(const SpeedResult& result, const Language& language)
 report::Section lobesSummary(const LobeResult& result, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result, language)}};
-    section.blocks.push_back(
-        report::quantityTable(LT_TEXT("Engine", "Stability"), result, {"minimum_depth_mm", "frequency_of_minimum_hz"}));
+    report::QuantityTable table =
+        report::quantityTable(LT_TEXT("Engine", "Stability"), result, {"minimum_depth_mm", "frequency_of_minimum_hz"});
+    if (result.minimum_noise_percent)
+        table.rows.push_back(report::quantityRows(result, {"minimum_noise_percent"}).front());
+    section.blocks.emplace_back(std::move(table));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

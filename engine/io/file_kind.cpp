@@ -171,11 +171,12 @@ const FileKind& frfFiles()
 {
     static const FileKind kind{"frf",
                                LT_TEXT("Engine", "Frequency responses"),
-                               "*.uff *.unv *.csv *.mat",
+                               "*.uff *.unv *.csv *.txt *.mat *.frf",
                                infos<FrfOptions>(),
                                toValues(FrfOptions{}),
                                [](const std::string& path, std::string_view head, const Values& reading) {
-                                   return likeFrf(path, head, fromValues<ImportOptions>(reading));
+                                   return likeFrf(path, head, fromValues<ImportOptions>(reading),
+                                                  fromValues<FrfOptions>(reading));
                                },
                                [](const FileToRead& file, Notes& notes) {
                                    return readFrfFacts(file.path, file.bytes, fromValues<ImportOptions>(file.reading),

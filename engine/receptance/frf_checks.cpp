@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/io/frf/frf_choice.h"
+#include "engine/io/frf/frf_codes.h"
+#include "engine/io/frf/frf_sense.h"
 #include "engine/receptance/receptance_codes.h"
 
 namespace lathelier::receptance {
@@ -122,8 +125,20 @@ Notes checkResponse(const io::MeasuredFrf& measured, const std::string& path)
                               {"found", nameOf(other)}}});
             break;
         }
+    if (io::isDrivingPoint(measured)) return notes;
+    const io::FrfSense sense = io::senseOf(frf);
+    const std::string name = io::responseName(measured);
+    const Values where{{"path", path},
+                       {"response", name.empty() ? frf.name : name},
+                       {"frequency_hz", std::round(10 * sense.frequency_hz) / 10}};
+    if (sense.is_conjugated.value_or(false)) notes.push_back({notes::frfConjugated, where});
+    if (!name.empty()) return notes;
     const double active_percent = io::activeLines_percent(frf);
-    if (measured.response_node == 0 && measured.reference_node == 0 && active_percent > mostActive_percent)
+    // A wrong kind of motion turns the sign as well.
+    const bool is_kind_right = !contains(notes, notes::frfSlopeContradictsLabel);
+    if (is_kind_right && sense.is_turned.value_or(false))
+        notes.push_back({notes::frfTurned, where});
+    else if (!sense.is_conjugated.value_or(false) && active_percent > mostActive_percent)
         notes.push_back(
             {notes::frfPowerGivenAway, {{"path", path}, {"percent", std::round(10 * active_percent) / 10}}});
     return notes;

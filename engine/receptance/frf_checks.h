@@ -3,7 +3,8 @@
 // Below the first resonance a receptance is constant for a constrained structure and decreases as 1/f² for a free one;
 // mobility and accelerance have additional factors f and f² (Ewins, "Modal Testing", 2nd ed., section 2.4). A response
 // whose slope matches neither is mislabelled. At a driving point a passive structure absorbs power, so that Im of its
-// receptance is not positive.
+// receptance is not positive; which way the circle of a resonance is run through tells a turned sign from the other
+// sense of time (engine/io/frf/frf_sense.h).
 #pragma once
 
 #include <optional>
@@ -26,8 +27,8 @@ struct LowSlope {
 /// neighbouring powers.
 std::optional<LowSlope> lowSlope(const Frf& frf);
 
-/// Notes frfSlopeContradictsLabel; frfPowerGivenAway for responses whose points the file does not state (the reader
-/// checks stated driving points). The notes contain `path`.
+/// Notes frfSlopeContradictsLabel; besides what the reader says of stated driving points: frfConjugated of any other
+/// response, frfTurned and frfPowerGivenAway of those whose points the file does not state. The notes contain `path`.
 Notes checkResponse(const io::MeasuredFrf& measured, const std::string& path);
 
 }  // namespace lathelier::receptance

@@ -2,8 +2,10 @@
 // and the name. What is read can be written, and comes back.
 #include <cmath>
 
+#include "engine/io/frf/frf_choice.h"
 #include "engine/io/frf/frf_codes.h"
 #include "engine/io/frf/frf_reader.h"
+#include "engine/io/frf/frf_sense.h"
 #include "engine/io/frf/frf_writer.h"
 #include "tests/fuzz/check_record.h"
 
@@ -36,12 +38,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto choice = static_cast<unsigned char>(bytes.front());
     bytes.remove_prefix(1);
     frf.frf_unit = static_cast<io::FrfUnitChoice>(choice % 7);
+    frf.frequency_unit = static_cast<io::FrequencyUnitChoice>(choice / 7 % 3);
     if (choice & 0x40) frf.variables = "f=a,H=b";
+    constexpr const char* columns[] = {"", "frequency,real,imag", "frequency,complex", "frequency,magnitude_db,phase"};
+    if (!(choice & 0x20)) frf.frf_columns = columns[choice % 4];
     const char* name = choice & 0x80 ? "fuzz.uff" : choice & 0x20 ? "fuzz.mat" : "fuzz";
     fuzz::checkAnswer([&] {
         const io::FrfFile file = io::readFrf(name, bytes, options, frf);
         fuzz::checkFacts(file.facts, file.notes);
         fuzz::require(!file.frfs.empty());
+        const io::MeasuredFrf& used = io::chosenResponse(file.frfs, frf);
+        fuzz::require(std::isfinite(io::senseOf(used.frf).frequency_hz));
         for (const io::MeasuredFrf& measured : file.frfs) {
             checkFrf(measured.frf);
             const Frf again = io::readFrf("again", io::toFrfCsv(measured.frf), {}, {}).frfs.at(0).frf;
@@ -53,6 +60,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const io::FileFacts facts = io::readFrfFacts(name, bytes, options, frf, notes);
         fuzz::checkFacts(facts, notes);
     });
-    io::likeFrf(name, bytes, options);
+    io::likeFrf(name, bytes, options, frf);
     return 0;
 }

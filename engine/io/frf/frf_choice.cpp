@@ -11,6 +11,8 @@
 namespace lathelier::io {
 namespace {
 
+constexpr double coherenceOfUse = 0.8;
+constexpr double aboveNoise = 4;           ///< |G| over the noise of a line that is looked at
 constexpr std::size_t longestOffer = 100;  ///< characters of the list of responses in an error
 
 std::string offered(std::span<const MeasuredFrf> responses)
@@ -40,12 +42,11 @@ bool isAtOneNode(const MeasuredFrf& measured)
            measured.response_direction == measured.reference_direction;
 }
 
-/// "12x/5x"; without nodes "#3", its number among the responses.
-std::string responseName(std::span<const MeasuredFrf> responses, const MeasuredFrf& measured)
+/// Without nodes "#3", its number among the responses.
+std::string nameAmong(std::span<const MeasuredFrf> responses, const MeasuredFrf& measured)
 {
-    if (nodePair(measured).empty()) return "#" + std::to_string(&measured - responses.data() + 1);
-    return place(measured.response_node, measured.response_direction) + "/" +
-           place(measured.reference_node, measured.reference_direction);
+    const std::string name = responseName(measured);
+    return name.empty() ? "#" + std::to_string(&measured - responses.data() + 1) : name;
 }
 
 /// The names of all responses but `used`: "2x/1x, 3x/1x …".
@@ -55,25 +56,48 @@ std::string otherResponses(std::span<const MeasuredFrf> responses, const Measure
     for (const MeasuredFrf& response : responses) {
         if (&response == &used) continue;
         if (words.size() > longestOffer) return words + " …";
-        words += (words.empty() ? "" : ", ") + responseName(responses, response);
+        words += (words.empty() ? "" : ", ") + nameAmong(responses, response);
     }
     return words;
 }
 
 }  // namespace
 
+double flexibility_mm_N(const Frf& frf)
+{
+    const Frf receptance = toReceptance(frf);
+    double largest = 0, before = 0, last = 0;  // of the two lines before
+    for (std::size_t i = 0; i < receptance.value.size(); ++i) {
+        if (!receptance.coherence.empty() && receptance.coherence[i] < coherenceOfUse) continue;
+        if (!receptance.noise.empty() && std::abs(receptance.value[i]) < aboveNoise * receptance.noise[i]) continue;
+        const double now = -receptance.value[i].real();
+        largest = std::max(largest, std::min({before, last, now}));
+        before = last;
+        last = now;
+    }
+    return largest;
+}
+
 const MeasuredFrf& preferredResponse(std::span<const MeasuredFrf> responses)
 {
-    for (const auto fits : {isDrivingPoint, isAtOneNode})
-        if (const auto found = std::find_if(responses.begin(), responses.end(), fits); found != responses.end())
-            return *found;
+    for (const auto fits : {isDrivingPoint, isAtOneNode}) {
+        const MeasuredFrf* softest = nullptr;
+        double largest = -1;
+        for (const MeasuredFrf& response : responses) {
+            if (!fits(response)) continue;
+            const double flexibility = flexibility_mm_N(response.frf);
+            if (flexibility > largest) softest = &response;
+            largest = std::max(largest, flexibility);
+        }
+        if (softest) return *softest;
+    }
     return responses.front();
 }
 
 Notes notesOfChoice(std::span<const MeasuredFrf> responses, const MeasuredFrf& used, const std::string& path)
 {
     if (responses.size() < 2) return {};
-    const std::string name = responseName(responses, used);
+    const std::string name = nameAmong(responses, used);
     Notes found{{notes::severalResponses,
                  {{"path", path},
                   {"count", static_cast<std::int64_t>(responses.size())},
@@ -89,6 +113,18 @@ std::string nodePair(const MeasuredFrf& measured)
 {
     if (measured.response_node == 0 && measured.reference_node == 0) return {};
     return std::to_string(measured.response_node) + "/" + std::to_string(measured.reference_node);
+}
+
+std::string responseName(const MeasuredFrf& measured)
+{
+    if (nodePair(measured).empty()) return {};
+    return place(measured.response_node, measured.response_direction) + "/" +
+           place(measured.reference_node, measured.reference_direction);
+}
+
+const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const FrfOptions& options)
+{
+    return chosenResponse(responses, options.response);
 }
 
 const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const std::string& choice)

@@ -22,6 +22,11 @@ inline constexpr ErrorCode frfNone{"frf_none", ErrorKind::InputRejected,
 inline constexpr ErrorCode frfUnitUnknown{"frf_unit_unknown", ErrorKind::InputRejected,
                                           LT_TEXT("Engine", "The unit “{found}” is not known; expected {expected}.")};
 
+inline constexpr ErrorCode frequencyUnitMissing{
+    "frequency_unit_missing", ErrorKind::InputRejected,
+    LT_TEXT("Engine",
+            "“{found}” names an angular frequency, and its unit is not stated. State --frequency-unit rad/s or hz.")};
+
 inline constexpr ErrorCode frfNotAscending{
     "frf_not_ascending", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The frequencies do not ascend: {found} Hz follows {previous} Hz.")};
@@ -64,6 +69,26 @@ inline constexpr NoteCode frfDrivingPointSign{
             "its lines; a direction, a unit or the sign of time is stated wrongly ({count} times, first at "
             "line {line}).")};
 
+inline constexpr NoteCode frfUnitReplaced{
+    "frf_unit_replaced", Severity::Info,
+    LT_TEXT("Engine",
+            "{path}: the unit {unit} is not known; the given unit {given} is used ({count} times, first at line "
+            "{line}).")};
+
+inline constexpr NoteCode frfTurned{
+    "frf_turned", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: as that of a driving point {response} has the wrong sign: at {frequency_hz} Hz its receptance has "
+            "a positive imaginary part, and its phase falls with the frequency. Hammer or sensor was turned round, or "
+            "a direction or the kind of motion is stated wrongly. Multiply it by -1; depths and speeds by it are "
+            "wrong.")};
+
+inline constexpr NoteCode frfConjugated{
+    "frf_conjugated", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: {response} is conjugated: its phase rises through the resonance at {frequency_hz} Hz, as under "
+            "exp(-iωt). Change the sign of its imaginary part; depths and speeds by it are wrong.")};
+
 inline constexpr NoteCode frfLinesDropped{
     "frf_lines_dropped", Severity::Warning,
     LT_TEXT("Engine",
@@ -79,7 +104,8 @@ inline constexpr NoteCode frfCoherenceUnused{
 inline constexpr NoteCode severalResponses{
     "several_responses", Severity::Warning,
     LT_TEXT("Engine",
-            "{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}.")};
+            "{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}. "
+            "State --response to use another.")};
 
 inline constexpr NoteCode noDrivingPoint{
     "no_driving_point", Severity::Warning,

@@ -10,17 +10,30 @@
 
 namespace lathelier::io {
 
+/// A file of responses of which one is taken.
+struct FrfChoiceFile : FrfFile {
+    std::size_t used = 0;        ///< index of chosenResponse()
+    Notes notes_of_choice = {};  ///< notesOfChoice(), where none was named
+
+    const MeasuredFrf& response() const { return frfs[used]; }
+};
+
 struct FrfInput {
-    using File = FrfFile;
+    using File = FrfChoiceFile;
     using Value = Frf;
     static constexpr const char* item = frfItem;
 
+    /// Errors of readFrf() and chosenResponse().
     static File read(const FileToRead& file)
     {
-        return readFrf(file.path, file.bytes, fromValues<ImportOptions>(file.reading),
-                       fromValues<FrfOptions>(file.reading), file.progress);
+        const auto options = fromValues<FrfOptions>(file.reading);
+        File all{readFrf(file.path, file.bytes, fromValues<ImportOptions>(file.reading), options, file.progress)};
+        const MeasuredFrf& used = chosenResponse(all.frfs, options);
+        all.used = static_cast<std::size_t>(&used - all.frfs.data());
+        if (options.response.empty()) all.notes_of_choice = notesOfChoice(all.frfs, used, file.path);
+        return all;
     }
-    static Value valueOf(const File& file) { return toReceptance(preferredResponse(file.frfs).frf); }
+    static Value valueOf(const File& file) { return toReceptance(file.response().frf); }
     static FileKinds kinds() { return {&frfFiles()}; }
     static std::optional<Value> ofItem(const Values& values) { return frfOf(values); }
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/io/frf/frf_codes.h"
+#include "engine/io/frf/frf_columns.h"
 #include "engine/io/frf/frf_lines.h"
 #include "engine/io/text/text_lines.h"
 #include "engine/io/text/units.h"
@@ -38,11 +39,63 @@ bool isVector(const MatVariable& variable)
     return variable.is_number && (variable.rows == 1 || variable.columns == 1) && variable.count() > 0;
 }
 
+/// What the name of a variable says of frequencies.
+struct FrequencyName {
+    bool is_frequency = false;
+    bool is_angular = false;   ///< "w", "om", "omega_axis"
+    std::optional<double> hz;  ///< per unit, where the name states one: "lines_hz", "omega_rad_s"
+};
+
+FrequencyName frequencyName(const std::string& name)
+{
+    FrequencyName found;
+    const std::string lower = lowerCase(name);
+    for (std::size_t at = 0; at != std::string::npos && !found.hz; at = lower.find('_', at + 1)) {
+        std::string unit = lower.substr(at == 0 ? 0 : at + 1);
+        std::replace(unit.begin(), unit.end(), '_', '/');
+        if (unit.ends_with("hz") || unit.starts_with("rad") || unit == "krad/s") found.hz = hzPerUnit(unit);
+    }
+    found.is_angular = isAngularName(lower);
+    found.is_frequency = found.is_angular || found.hz || isOneOf(lower, {"f", "freq", "frequency"});
+    return found;
+}
+
 bool isFrequency(const MatVariable& variable)
 {
-    const std::string name = lowerCase(variable.name);
-    const bool named = name == "f" || name == "freq" || name == "frequency" || name.ends_with("_hz");
-    return named && isVector(variable) && !variable.is_complex;
+    return isVector(variable) && !variable.is_complex && frequencyName(variable.name).is_frequency;
+}
+
+/// The one vector of frequencies. One named as an angular frequency counts where there is no other.
+const MatVariable& findFrequency(const std::vector<MatVariable>& variables)
+{
+    for (const bool is_angular : {false, true}) {
+        const MatVariable* found = nullptr;
+        for (const MatVariable& variable : variables) {
+            if (!isFrequency(variable) || frequencyName(variable.name).is_angular != is_angular) continue;
+            if (found) throw unknown(variables, LT_TEXT("Engine", "one vector of frequencies"));
+            found = &variable;
+        }
+        if (found) return *found;
+    }
+    throw unknown(variables, LT_TEXT("Engine", "a real vector f, freq, frequency, omega or one that ends with _hz"));
+}
+
+/// Hz per unit of the frequencies: as the name states, else as given; else Hz, but for an angular frequency.
+double hzOf(const MatVariable& frequency, const FrfOptions& options, Notes& notes)
+{
+    const FrequencyName name = frequencyName(frequency.name);
+    const auto given = hzPerUnit(options.frequency_unit);
+    if (name.hz && given && *name.hz != *given)
+        notes.push_back({notes::frfUnitNotUsed,
+                         {{"unit", frequency.name},
+                          {"given", frequencyUnitKey(options.frequency_unit)},
+                          {"count", std::int64_t{1}},
+                          {"line", std::int64_t{1}}}});
+    if (name.hz) return *name.hz;
+    if (given) return *given;
+    if (name.is_angular)
+        throw Error(errors::frequencyUnitMissing, {{"byte", frequency.byte}, {"found", frequency.name}});
+    return 1;
 }
 
 /// "f=NAME,H=NAME".
@@ -85,13 +138,7 @@ Pair findPair(const std::vector<MatVariable>& variables, const FrfOptions& optio
 {
     if (!options.variables.empty()) return findNamed(variables, options.variables);
     Pair pair;
-    for (const MatVariable& variable : variables)
-        if (isFrequency(variable)) {
-            if (pair.frequency) throw unknown(variables, LT_TEXT("Engine", "one vector of frequencies"));
-            pair.frequency = &variable;
-        }
-    if (!pair.frequency)
-        throw unknown(variables, LT_TEXT("Engine", "a real vector f, freq, frequency or one that ends with _hz"));
+    pair.frequency = &findFrequency(variables);
     for (const MatVariable& variable : variables)
         if (variable.is_number && variable.is_complex && variable.count() == pair.frequency->count()) {
             if (pair.response) throw unknown(variables, LT_TEXT("Engine", "one complex array as long as frequencies"));
@@ -128,14 +175,15 @@ FrfFile readFrfMat(const std::string& name, std::string_view bytes, const FrfOpt
         throw Error(errors::frfUnitMissing, {{"byte", pair.response->byte},
                                              {"found", pair.response->name},
                                              {"expected", LT_TEXT("Engine", "a unit; a MAT file states none")}});
+    FrfFile file;
+    const double hz = hzOf(*pair.frequency, options, file.notes);
     MeasuredFrf measured;
     measured.frf.name = pair.response->name;
     measured.frf.quantity = unit->quantity;
     for (const std::complex<double>& f : readMatValues(bytes, *pair.frequency))
-        measured.frf.frequency_hz.push_back(f.real());
+        measured.frf.frequency_hz.push_back(f.real() * hz);
     measured.frf.value = readMatValues(bytes, *pair.response);
     for (std::complex<double>& value : measured.frf.value) value *= unit->scale;
-    FrfFile file;
     file.facts = matFacts(name, variables);
     file.facts.unit = frfUnitKey(options.frf_unit);
     file.facts.unit_source = "given";

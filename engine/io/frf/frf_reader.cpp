@@ -15,6 +15,7 @@
 namespace lathelier::io {
 namespace {
 
+constexpr const char* frequencyUnitKeys[] = {"auto", "hz", "rad/s"};
 constexpr const char* unitKeys[] = {"auto", "mm/N", "m/N", "mm/s/N", "m/s/N", "mm/s2/N", "m/s2/N"};
 
 FileFacts uffFileFacts(const std::string& name, const UffFile& file)
@@ -111,10 +112,10 @@ FileFacts factsOfAny(const std::string& name, std::string_view bytes, const Impo
 
 }  // namespace
 
-Likeness likeFrf(const std::string& path, std::string_view head, const ImportOptions& options)
+Likeness likeFrf(const std::string& path, std::string_view head, const ImportOptions& options, const FrfOptions& frf)
 {
-    if (isUff(head) || isMat(head) || isFrfTable(head, options)) return Likeness::Certain;
-    return hasExtension(path, {".uff", ".unv", ".mat"}) ? Likeness::Likely : Likeness::No;
+    if (isUff(head) || isMat(head) || isFrfTable(head, options, frf)) return Likeness::Certain;
+    return hasExtension(path, {".uff", ".unv", ".mat", ".frf"}) ? Likeness::Likely : Likeness::No;
 }
 
 const std::vector<Field<FrfOptions>>& fieldsOf(const FrfOptions*)
@@ -129,7 +130,23 @@ const std::vector<Field<FrfOptions>>& fieldsOf(const FrfOptions*)
                {"mm/s2/N", {"mm/s²/N"}},
                {"m/s2/N", {"m/s²/N"}}},
               {LT_TEXT("Engine", "Unit of the response"),
-               LT_TEXT("Engine", "Unit of a frequency response that states none. A stated unit always rules.")}),
+               LT_TEXT("Engine",
+                       "Unit of a frequency response that states none, or one that is not known. A known stated unit "
+                       "always rules.")}),
+        field("frequency_unit", &FrfOptions::frequency_unit,
+              {{"auto", LT_TEXT("Engine", "as stated")}, {"hz", {"Hz"}}, {"rad/s", {"rad/s"}}},
+              {LT_TEXT("Engine", "Unit of the frequencies"),
+               LT_TEXT("Engine", "Unit of frequencies that state none. A stated unit always rules.")}),
+        field("response", &FrfOptions::response,
+              {LT_TEXT("Engine", "Response"),
+               LT_TEXT("Engine",
+                       "Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: of the "
+                       "driving points the most flexible, else the first.")}),
+        field("frf_columns", &FrfOptions::frf_columns,
+              {LT_TEXT("Engine", "Columns of the response"),
+               LT_TEXT("Engine",
+                       "Of a table without headings: frequency,real,imag, or frequency,complex, or "
+                       "frequency,magnitude,phase (degrees; phase_rad; magnitude_db); coherence; skip.")}),
         field("variables", &FrfOptions::variables,
               {LT_TEXT("Engine", "Variables"),
                LT_TEXT("Engine", "Of a MAT file, where names do not tell: f=NAME,H=NAME.")}),
@@ -140,6 +157,16 @@ const std::vector<Field<FrfOptions>>& fieldsOf(const FrfOptions*)
 std::string frfUnitKey(FrfUnitChoice choice)
 {
     return unitKeys[static_cast<std::size_t>(choice)];
+}
+
+std::string frequencyUnitKey(FrequencyUnitChoice choice)
+{
+    return frequencyUnitKeys[static_cast<std::size_t>(choice)];
+}
+
+std::optional<double> hzPerUnit(FrequencyUnitChoice choice)
+{
+    return choice == FrequencyUnitChoice::Auto ? std::nullopt : hzPerUnit(std::string_view(frequencyUnitKey(choice)));
 }
 
 std::optional<FrfUnit> frfUnit(FrfUnitChoice choice)

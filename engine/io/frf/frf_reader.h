@@ -15,10 +15,15 @@ namespace lathelier::io {
 
 enum class FrfUnitChoice { Auto, MmPerN, MPerN, MmPerSN, MPerSN, MmPerS2N, MPerS2N };
 
+enum class FrequencyUnitChoice { Auto, Hertz, RadPerSecond };
+
 /// Reading options of frequency responses, besides ImportOptions.
 struct FrfOptions {
-    FrfUnitChoice frf_unit = FrfUnitChoice::Auto;  ///< unit of values without a stated one
-    std::string variables;                         ///< MAT: "f=NAME,H=NAME"; empty: found by their names
+    FrfUnitChoice frf_unit = FrfUnitChoice::Auto;  ///< unit of values without a stated or known one
+    std::string variables = {};                    ///< MAT: "f=NAME,H=NAME"; empty: found by their names
+    FrequencyUnitChoice frequency_unit = FrequencyUnitChoice::Auto;  ///< unit of frequencies without a stated one
+    std::string frf_columns = {};  ///< tables: roles of the columns, "frequency,real,imag"; empty: by their headings
+    std::string response = {};     ///< of several: a number, or nodes as "12/5"; empty: by preferredResponse()
 };
 
 const std::vector<Field<FrfOptions>>& fieldsOf(const FrfOptions*);
@@ -29,21 +34,29 @@ std::optional<FrfUnit> frfUnit(FrfUnitChoice choice);
 /// "mm/N", "m/s2/N"; "auto".
 std::string frfUnitKey(FrfUnitChoice choice);
 
+/// Factor to Hz; nothing for Auto.
+std::optional<double> hzPerUnit(FrequencyUnitChoice choice);
+
+/// "hz", "rad/s"; "auto".
+std::string frequencyUnitKey(FrequencyUnitChoice choice);
+
 struct FrfFile {
     std::vector<MeasuredFrf> frfs;  ///< responses, at least one
-    FileFacts facts;                ///< format "UFF" | "frf_csv" | "MAT"; listed at readFrfFacts()
+    FileFacts facts;                ///< format "UFF" | "frf_csv" | "frf_cutpro" | "MAT"; listed at readFrfFacts()
     Notes notes;                    ///< those of frf_codes.h, and of tables
 };
 
 /// Reads all frequency responses of a file. UFF: functions of type 4 with complex values; by its unit, else by its kind
 /// of ordinate (8, 11, 12) each is a receptance, mobility or accelerance; a stated unit has precedence, then a set 164,
-/// then the given one. Signs of directions are applied. Coherence (function 6) of the same pair of places and the same
-/// lines is attached, and the noise of each line (frf_noise.h). Other functions are skipped with a note. CSV: columns
-/// frequency_hz with real_… and imag_…, or magnitude_… and phase_deg; units as in "real_mm_N", "real (m/s^2/N)" or a
-/// row of units; optionally coherence. MAT, level 5: a real vector f, freq, frequency or *_hz and one complex array of
-/// the same length. Lines without finite values are skipped with a note. Errors: formatUnknown, malformed, truncated,
-/// uffPointsMissing, frfUnitMissing, frfNone, frfNotAscending, frfVariablesUnknown, columnsUnknown, columnsAmbiguous;
-/// those of tables.
+/// then the given one, which also replaces a unit that is not known. Signs of directions are applied. Coherence
+/// (function 6) of the same pair of places and the same lines is attached, and the noise of each line (frf_noise.h).
+/// Other functions are skipped with a note. Tables: frf_table.h; units as in "real_mm_N", "real (m/s^2/N)" or a row of
+/// units. MAT, level 5: a real vector f, freq, frequency or *_hz, else one named as an angular frequency (w, om, omega,
+/// *_rad_s), and one complex array of the same length. A unit of the frequencies in a name or heading has precedence
+/// over the given one; an angular frequency without either is refused. Lines without finite values are skipped with a
+/// note. Errors: formatUnknown, malformed, truncated, uffPointsMissing, frfUnitMissing, frfUnitUnknown,
+/// frequencyUnitMissing, frfNone, frfNotAscending, frfVariablesUnknown, columnsUnknown, columnsAmbiguous,
+/// valueNotUnderstood (frf_columns); those of tables.
 FrfFile readFrf(const std::string& path, const ImportOptions& options = {}, const FrfOptions& frf = {},
                 const Progress& progress = {});
 
@@ -58,8 +71,9 @@ FrfFile readFrf(const std::string& name, std::string_view bytes, const ImportOpt
 FileFacts readFrfFacts(const std::string& name, std::string_view bytes, const ImportOptions& options,
                        const FrfOptions& frf, Notes& notes, const Progress& progress = {});
 
-/// Confidence by the head of a file: a universal or MAT file, or a table with the headings of a frequency response, is
-/// certain; otherwise only the name counts.
-Likeness likeFrf(const std::string& path, std::string_view head, const ImportOptions& options);
+/// Confidence by the head of a file: a universal or MAT file, or isFrfTable(), is certain; otherwise only the name
+/// counts.
+Likeness likeFrf(const std::string& path, std::string_view head, const ImportOptions& options,
+                 const FrfOptions& frf = {});
 
 }  // namespace lathelier::io

@@ -19,8 +19,9 @@ struct PhysicalUnit {
 };
 
 /// Reads products and quotients from left to right, with brackets and whole exponents (^2, **2, ², or digits behind the
-/// word, also signed: "m s-2"). Case-insensitive but for mN: MN is none, as it may be meant. None for other words and
-/// for an empty text.
+/// word, also signed: "m s-2", "ms-2"), metric prefixes as letters ("daN") and names ("kilonewton"). Case-insensitive
+/// but for mN: MN is none, as it may be meant. Of force also kgf, gf, kp, lbf, ozf, pdl, dyn; of mass kg, lbm, slug.
+/// None for other words and for an empty text.
 std::optional<PhysicalUnit> physicalUnit(std::string_view text);
 
 /// A unit of motion per force.
@@ -35,6 +36,15 @@ std::optional<FrfUnit> frfUnit(std::string_view text);
 
 /// Factor to Hz of "Hz", "kHz", "rad/s", "rpm"; 1 without a unit ("", "NONE"); none for other words.
 std::optional<double> hzPerUnit(std::string_view text);
+
+/// A level in decibel: "dB", "dB re 1e-6 m/N", "dB_re_1_m_N".
+struct DecibelUnit {
+    double reference = 1;  ///< amount of `unit` at 0 dB
+    std::string unit;      ///< as written; empty: not stated
+};
+
+/// None for a text that is no level.
+std::optional<DecibelUnit> decibelUnit(std::string_view text);
 
 /// "receptance", "mobility", "accelerance".
 std::string quantityName(FrfQuantity quantity);

@@ -23,6 +23,9 @@ struct UffAxis {
                             ///< 17 time, 18 frequency, 0 unknown
     std::string label;      ///< as stated, "Acceleration"; "NONE" is kept
     std::string unit;       ///< as stated, "m/s^2"; "NONE" is kept
+    std::int64_t line = 0;  ///< where it stands
+    std::int64_t unit_column = 1;  ///< character of its line at which the unit begins, from 1
+    std::int64_t byte = 0;         ///< offset of its line
 };
 
 /// Set 164: divisors that convert values of the file to SI units.

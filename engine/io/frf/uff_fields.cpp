@@ -1,5 +1,6 @@
 #include "engine/io/frf/uff_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -109,6 +110,14 @@ UffFields::UffFields(std::int64_t lineNumber, std::string_view line, std::span<c
         if (counts && (!number || !std::isfinite(*number))) throw wrong(k, expectedNumber);
         numbers_.push_back(number.value_or(0));
     }
+}
+
+std::int64_t UffFields::begin(std::size_t k) const
+{
+    const std::string_view text = trimmed(parts_[k]);
+    const std::string_view before(line_.data(), static_cast<std::size_t>(text.data() - line_.data()));
+    return 1 + std::count_if(before.begin(), before.end(),
+                             [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
 }
 
 Error UffFields::wrong(std::size_t k, Text expected) const

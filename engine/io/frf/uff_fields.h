@@ -31,6 +31,9 @@ public:
     double number(std::size_t k) const { return numbers_[k]; }
     std::string text(std::size_t k) const { return std::string(trimmed(parts_[k])); }  ///< trimmed
 
+    /// Character of the line at which the text of column k begins, from 1.
+    std::int64_t begin(std::size_t k) const;
+
     /// Error malformed at field k.
     Error wrong(std::size_t k, Text expected) const;
 

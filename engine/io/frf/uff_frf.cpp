@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/io/frf/frf_choice.h"
 #include "engine/io/frf/frf_codes.h"
 #include "engine/io/frf/frf_lines.h"
+#include "engine/io/frf/frf_sense.h"
 #include "engine/io/text/units.h"
 
 namespace lathelier::io {
@@ -12,7 +14,11 @@ namespace {
 
 constexpr std::int64_t frequencyResponse = 4, coherence = 6;
 constexpr std::int64_t displacement = 8, velocity = 11, acceleration = 12, force = 13;
-constexpr std::int64_t timeAxis = 17;
+constexpr std::int64_t timeAxis = 17, frequencyAxis = 18;
+constexpr Text expectedMotion = LT_TEXT("Engine", "a unit such as m/s^2, g, mm or m/s, or that of the response stated");
+constexpr Text expectedForce =
+    LT_TEXT("Engine", "a unit of force such as N, kN or lbf, or that of the response stated");
+constexpr Text expectedFrequency = LT_TEXT("Engine", "a unit of frequency such as Hz");
 constexpr double sameFrequency = 1e-6;  ///< relative tolerance of equal frequencies
 constexpr double mostActive_percent = 50;
 
@@ -36,20 +42,26 @@ std::optional<FrfQuantity> frfQuantityOf(std::int64_t ordinateType)
 
 /// The unit stated by ordinate and denominator.
 struct StatedUnit {
-    std::optional<FrfUnit> unit;    ///< nothing: none is stated
-    bool is_force_assumed = false;  ///< unit stated for the motion, not for the force
-    bool is_foreign = false;        ///< the stated unit is not a motion per force
+    std::optional<FrfUnit> unit;       ///< nothing: none is stated
+    bool is_force_assumed = false;     ///< unit stated for the motion, not for the force
+    bool is_foreign = false;           ///< the stated unit is not a motion per force
+    const UffAxis* unknown = nullptr;  ///< axis of a motion or force whose unit is none that is known
 };
 
 StatedUnit uffStatedUnit(const UffFunction& function)
 {
     const std::string& motion = function.ordinate.unit;
-    const std::string& per = function.denominator.unit;
-    if (function.denominator.type != 0 && function.denominator.type != force) return {{}, false, true};
-    const auto perUnit = physicalUnit(per);
-    if (!isUnstated(per) && !(perUnit && isForce(*perUnit))) return {{}, false, true};
+    const UffAxis& per = function.denominator;
+    if (per.type != 0 && per.type != force) return {{}, false, true};
+    const auto perUnit = physicalUnit(per.unit);
+    if (!isUnstated(per.unit) && !(perUnit && isForce(*perUnit))) {
+        if (!perUnit || per.type == force) return {{}, false, false, &per};
+        return {{}, false, true};
+    }
     if (isUnstated(motion)) return {};
     const auto unit = physicalUnit(motion);
+    const bool isOfMotion = function.ordinate.type == 0 || frfQuantityOf(function.ordinate.type);
+    if (!unit && isOfMotion) return {{}, false, false, &function.ordinate};
     if (!unit) return {{}, false, true};
     if (const auto whole = frfUnit(*unit)) return {whole};
     if (!isMotion(*unit)) return {{}, false, true};
@@ -58,19 +70,28 @@ StatedUnit uffStatedUnit(const UffFunction& function)
     return {quantity, !perUnit, false};
 }
 
+/// Hz per unit of the abscissa: stated, else given, else Hz; none: it is not known.
+std::optional<double> hzOf(const UffAxis& abscissa, const FrfOptions& options)
+{
+    const auto given = hzPerUnit(options.frequency_unit);
+    if (given && (isUnstated(abscissa.unit) || !hzPerUnit(abscissa.unit))) return given;
+    return hzPerUnit(abscissa.unit);
+}
+
 /// Reason why a function is not a frequency response of a motion; empty when it is.
-Text whyNot(const UffFunction& function)
+Text whyNot(const UffFunction& function, const FrfOptions& options)
 {
     const auto isRotation = [](std::int64_t direction) { return std::abs(direction) > 3; };
     if (function.function != frequencyResponse) return LT_TEXT("Engine", "another type of function");
     if (!function.isComplex()) return LT_TEXT("Engine", "real values");
-    if (function.abscissa.type == timeAxis || !hzPerUnit(function.abscissa.unit))
+    if (function.abscissa.type == timeAxis || !hzOf(function.abscissa, options))
         return LT_TEXT("Engine", "no axis of frequency");
     if (isRotation(function.response_direction) || isRotation(function.reference_direction))
         return LT_TEXT("Engine", "a rotation or a moment");
     const StatedUnit stated = uffStatedUnit(function);
     if (stated.is_foreign) return LT_TEXT("Engine", "no motion per force by its unit");
-    if (!stated.unit && !frfQuantityOf(function.ordinate.type) && function.ordinate.type != 0)
+    if (stated.unknown && !frfUnit(options.frf_unit)) return LT_TEXT("Engine", "a unit that is not known");
+    if (!stated.unit && !stated.unknown && !frfQuantityOf(function.ordinate.type) && function.ordinate.type != 0)
         return LT_TEXT("Engine", "no motion by its kind");
     if (function.x.empty()) return LT_TEXT("Engine", "no points");
     return {};
@@ -131,7 +152,7 @@ public:
         measured.frf.name = isUnstated(function.id[0]) ? std::string() : function.id[0];
         measured.frf.quantity = unit.quantity;
         const bool turns = (function.response_direction < 0) != (function.reference_direction < 0);
-        const double hz = *hzPerUnit(function.abscissa.unit);
+        const double hz = frequencyUnitOf(set);
         for (const double x : function.x) measured.frf.frequency_hz.push_back(x * hz);
         for (const std::complex<double>& y : function.y)
             measured.frf.value.push_back(y * (turns ? -unit.scale : unit.scale));
@@ -139,11 +160,28 @@ public:
     }
 
 private:
+    /// Hz per unit; whyNot() has found that there is one.
+    double frequencyUnitOf(const UffSet& set) const
+    {
+        const UffAxis& axis = set.function->abscissa;
+        const auto given = hzPerUnit(options_.frequency_unit), stated = hzPerUnit(axis.unit);
+        const std::string key = frequencyUnitKey(options_.frequency_unit);
+        if (given && !stated) findings_.add(notes::frfUnitReplaced, axis.line, {{"unit", axis.unit}, {"given", key}});
+        if (given && stated && *given != *stated && !isUnstated(axis.unit))
+            findings_.add(notes::frfUnitNotUsed, axis.line, {{"unit", axis.unit}, {"given", key}});
+        return *hzOf(axis, options_);
+    }
+
     FrfUnit unitOf(const UffSet& set) const
     {
         const UffFunction& function = *set.function;
         const StatedUnit stated = uffStatedUnit(function);
         const auto given = frfUnit(options_.frf_unit);
+        if (stated.unknown) {
+            findings_.add(notes::frfUnitReplaced, stated.unknown->line,
+                          {{"unit", stated.unknown->unit}, {"given", frfUnitKey(options_.frf_unit)}});
+            return *given;
+        }
         if (stated.unit) {
             if (stated.is_force_assumed) findings_.add(notes::frfForceAssumed, set.line, {});
             const auto label = labelled(function);
@@ -180,10 +218,10 @@ bool isSamePair(const UffFunction& function, const MeasuredFrf& measured)
 }
 
 /// Attaches γ² of the same pair and lines to the response.
-bool attach(const UffFunction& function, std::vector<MeasuredFrf>& measured)
+bool attach(const UffFunction& function, std::vector<MeasuredFrf>& measured, const FrfOptions& options)
 {
     bool attached = false;
-    const auto hz = hzPerUnit(function.abscissa.unit);
+    const auto hz = hzOf(function.abscissa, options);
     for (MeasuredFrf& one : measured) {
         const std::vector<double>& lines = one.frf.frequency_hz;
         if (!hz || !isSamePair(function, one) || lines.size() != function.x.size()) continue;
@@ -199,38 +237,47 @@ bool attach(const UffFunction& function, std::vector<MeasuredFrf>& measured)
     return attached;
 }
 
-Error noResponse(const UffFile& file)
+/// Where a unit that is not known is the reason that a function is no frequency response, frfUnitUnknown at that unit;
+/// else frfNone, with the reason at the first response, or with what the file holds.
+Error noResponse(const UffFile& file, const FrfOptions& options)
 {
     std::string found;
+    std::optional<Error> reason;
     for (const UffSet& set : file.sets) {
-        if (found.size() > 100) break;
-        if (!found.empty()) found += ", ";
-        found += set.type;
-        if (set.function) found.append(":").append(std::to_string(set.function->function));
+        if (found.size() < 100) found += (found.empty() ? "" : ", ") + set.type;
+        if (!set.function) continue;
+        if (found.size() < 100) found.append(":").append(std::to_string(set.function->function));
+        const UffFunction& function = *set.function;
+        if (function.function != frequencyResponse) continue;
+        const UffAxis* unknown = hzOf(function.abscissa, options) ? uffStatedUnit(function).unknown : nullptr;
+        if (function.abscissa.type == frequencyAxis && !hzOf(function.abscissa, options)) unknown = &function.abscissa;
+        if (!function.isComplex()) unknown = nullptr;
+        if (unknown)
+            return Error(errors::frfUnitUnknown, {{"line", unknown->line},
+                                                  {"column", unknown->unit_column},
+                                                  {"byte", unknown->byte + unknown->unit_column - 1},
+                                                  {"found", unknown->unit},
+                                                  {"expected", unknown == &function.abscissa      ? expectedFrequency
+                                                               : unknown == &function.denominator ? expectedForce
+                                                                                                  : expectedMotion}});
+        if (!reason)
+            reason = Error(errors::frfNone,
+                           {{"line", set.line}, {"column", std::int64_t{1}}, {"found", whyNot(function, options)}});
     }
-    return Error(errors::frfNone, {{"byte", std::int64_t{0}}, {"found", found}});
+    return reason ? *reason : Error(errors::frfNone, {{"byte", std::int64_t{0}}, {"found", found}});
 }
 
-constexpr std::int64_t linesToOrdinate = 9, linesToDenominator = 10;  ///< from the number of a set to its axes
-
-/// Error frfUnitUnknown at a unit that is no word known, when it alone is the reason that a function is no frequency
-/// response.
-void throwUnknownUnit(const UffFile& file)
+/// What the circle of the strongest resonance says of the sign and the sense of time of a driving point.
+void judgeDrivingPoint(const MeasuredFrf& measured, std::int64_t line, Findings& findings)
 {
-    for (const UffSet& set : file.sets) {
-        if (!set.function || set.function->function != frequencyResponse || !set.function->isComplex()) continue;
-        const auto check = [&set](const UffAxis& axis, std::int64_t lines, Text expected) {
-            if (isUnstated(axis.unit) || physicalUnit(axis.unit)) return;
-            throw Error(errors::frfUnitUnknown, {{"line", set.line + lines},
-                                                 {"column", std::int64_t{1}},
-                                                 {"found", axis.unit},
-                                                 {"expected", expected}});
-        };
-        const UffAxis& per = set.function->denominator;
-        check(set.function->ordinate, linesToOrdinate, LT_TEXT("Engine", "a unit such as m/s^2, g, mm or m/s"));
-        if (per.type == 0 || per.type == force)
-            check(per, linesToDenominator, LT_TEXT("Engine", "a unit of force such as N, kN or lbf"));
-    }
+    const FrfSense sense = senseOf(measured.frf);
+    const Values values{{"response", responseName(measured)}, {"frequency_hz", sense.frequency_hz}};
+    if (sense.is_conjugated.value_or(false)) findings.add(notes::frfConjugated, line, values);
+    if (sense.is_turned.value_or(false)) findings.add(notes::frfTurned, line, values);
+    const double active_percent = activeLines_percent(measured.frf);
+    if (!sense.is_conjugated && active_percent > mostActive_percent)
+        findings.add(notes::frfDrivingPointSign, line,
+                     {{"node", std::int64_t{measured.response_node}}, {"percent", active_percent}});
 }
 
 Value firstOrLast(const UffFunction& function, bool last)
@@ -249,19 +296,16 @@ std::vector<MeasuredFrf> uffFrfs(const UffFile& file, const FrfOptions& options,
     Findings findings;
     for (const UffSet& set : file.sets) {
         if (!set.function || set.function->function == coherence) continue;
-        if (const Text reason = whyNot(*set.function); !reason.empty()) {
+        if (const Text reason = whyNot(*set.function, options); !reason.empty()) {
             findings.add(notes::frfSetsSkipped, set.line, {}, reason);
             continue;
         }
         frfs.push_back(Converter(options, findings).convert(set));
         lines.push_back(set.line);
     }
-    if (frfs.empty()) {
-        throwUnknownUnit(file);
-        throw noResponse(file);
-    }
+    if (frfs.empty()) throw noResponse(file, options);
     for (const UffSet& set : file.sets)
-        if (set.function && set.function->function == coherence && !attach(*set.function, frfs))
+        if (set.function && set.function->function == coherence && !attach(*set.function, frfs, options))
             findings.add(notes::frfCoherenceUnused, set.line, {});
     for (std::size_t k = 0; k < frfs.size(); ++k) {
         const std::int64_t dropped = dropUnusableLines(frfs[k].frf);
@@ -271,10 +315,7 @@ std::vector<MeasuredFrf> uffFrfs(const UffFile& file, const FrfOptions& options,
         } catch (Error& error) {
             throw error.with("line", lines[k]).with("column", std::int64_t{1});
         }
-        const double active_percent = isDrivingPoint(frfs[k]) ? activeLines_percent(frfs[k].frf) : 0;
-        if (active_percent > mostActive_percent)
-            findings.add(notes::frfDrivingPointSign, lines[k],
-                         {{"node", std::int64_t{frfs[k].response_node}}, {"percent", active_percent}});
+        if (isDrivingPoint(frfs[k])) judgeDrivingPoint(frfs[k], lines[k], findings);
     }
     findings.moveTo(notes);
     return frfs;

@@ -75,7 +75,8 @@ void readForm(const Lines& lines, Header& header)
 UffAxis readAxis(const Lines& lines)
 {
     const UffFields fields(lines.number(), lines.line(), axisColumns);
-    return {fields.integer(0), fields.text(5), fields.text(7)};
+    return {fields.integer(0), fields.text(5),  fields.text(7),
+            lines.number(),    fields.begin(7), static_cast<std::int64_t>(lines.offset())};
 }
 
 Header readUffHeader(Lines& lines)

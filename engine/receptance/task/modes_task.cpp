@@ -55,18 +55,18 @@ std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state
             std::make_shared<const Frf>(*task::take<io::FrfInput>(state, responseRole, stores, progress, sources));
         return task::readKey(state, {responseRole}, sources, read);
     }
-    const std::vector<io::MeasuredFrf>& all = loaded->file.frfs;
-    const std::string& wanted = outcome.question.response;
-    const io::MeasuredFrf& chosen = io::chosenResponse(all, wanted);
-    if (wanted.empty()) append(sources.notes, io::notesOfChoice(all, chosen, source->path));
+    const io::MeasuredFrf& chosen = loaded->file.response();
+    append(sources.notes, loaded->file.notes_of_choice);
     append(sources.notes, checkResponse(chosen, source->path));
     outcome.study.measured = std::make_shared<const Frf>(io::toReceptance(chosen.frf));
     outcome.measured = chosen;
     outcome.measured.frf = {};
     outcome.name = std::filesystem::path(source->path).filename().string();
-    if (const std::string pair = io::nodePair(chosen); all.size() > 1)
-        outcome.name += " " + (pair.empty() ? wanted : pair);
-    return task::readKey(state, {responseRole}, sources, read) + "#" + std::to_string(&chosen - all.data());
+    if (loaded->file.frfs.size() > 1) {
+        const std::string pair = io::nodePair(chosen);
+        outcome.name += " " + (pair.empty() ? "#" + std::to_string(loaded->file.used + 1) : pair);
+    }
+    return task::readKey(state, {responseRole}, sources, read);
 }
 
 /// Error valueNotUnderstood for a mode without stiffness.
@@ -181,12 +181,6 @@ const std::vector<Field<ModesQuestion>>& fieldsOf(const ModesQuestion*)
     using Q = ModesQuestion;
     static const std::vector<Field<Q>> all = [] {
         std::vector<Field<Q>> made{
-            field(
-                "response", &Q::response,
-                Label{LT_TEXT("Engine", "Response"),
-                      LT_TEXT("Engine",
-                              "Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: "
-                              "the first of a driving point, else the first.")}),
             field("fit", &Q::fit, Label{LT_TEXT("Engine", "Fit modes"), LT_TEXT("Engine", "Finds the modes.")}),
             within(&Q::modal, "number_of_modes"),
             within(&Q::modal, "range_hz"),
@@ -203,7 +197,7 @@ const std::vector<Field<ModesQuestion>>& fieldsOf(const ModesQuestion*)
             foldedWithin(&Q::computing, "excite_z_mm"),
             foldedWithin(&Q::computing, "shear"),
             foldedWithin(&Q::computing, "step_correction")};
-        made[1].info.is_kept = true;  // of a window, which shows a response without its modes as well
+        made.front().info.is_kept = true;  // of a window, which shows a response without its modes as well
         return made;
     }();
     return all;

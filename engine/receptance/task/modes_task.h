@@ -20,7 +20,6 @@ namespace lathelier::receptance {
 enum class HandedOn { Measured, Model };
 
 struct ModesQuestion {
-    std::string response;                     ///< selection in a file: number, or nodes as "12/5"; empty: by a rule
     bool fit = true;                          ///< fit modes
     ModalParameters modal;                    ///< number of modes and range
     std::vector<ModalMode> modes;             ///< modes replacing those of the fit; empty: fitted modes
@@ -43,7 +42,7 @@ struct ModesOutcome : task::Answered {
     FrfPtr handedOn() const;
 };
 
-/// Errors: those of the readers, chosenResponse(), fitModes(), shaftReceptance(). Throws Cancelled.
+/// Errors: those of the readers, fitModes(), shaftReceptance(). Throws Cancelled.
 ModesOutcome answerModes(const project::PanelState& state, Stores& stores, task::Sources& sources,
                          const Progress& progress);
 

@@ -54,8 +54,8 @@ PointResponse measured(const project::PanelState& state, const ResponseQuestion&
     const Progress reading = progress.part(0, question.use == ResponseUse::Model ? 0.3 : 1);
     Frf frf;
     if (const auto loaded = task::takeFile<io::FrfInput>(state, frfRole, stores, reading, sources)) {
-        const io::MeasuredFrf& used = io::preferredResponse(loaded->file.frfs);
-        append(sources.notes, io::notesOfChoice(loaded->file.frfs, used, path));
+        const io::MeasuredFrf& used = loaded->file.response();
+        append(sources.notes, loaded->file.notes_of_choice);
         append(sources.notes, receptance::checkResponse(used, path));
         frf = io::toReceptance(used.frf);
     } else {

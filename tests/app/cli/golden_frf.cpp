@@ -1,5 +1,7 @@
 #include "tests/app/cli/golden_frf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,23 +18,87 @@ namespace {
 
 using testing::rawBytes;
 
-/// A real vector f and a complex vector H of two numbers each, stored as MATLAB 5 does.
-std::string matFile()
+/// A variable as MATLAB 5 stores it.
+std::string matVariable(const std::string& name, const std::vector<double>& re, const std::vector<double>& im = {})
 {
     const auto element = [](std::uint32_t type, std::string data) {
         const auto size = static_cast<std::uint32_t>(data.size());
         data.resize((data.size() + 7) / 8 * 8, '\0');
         return rawBytes(type) + rawBytes(size) + data;
     };
-    const auto variable = [&element](const std::string& name, bool isComplex) {
-        const std::string numbers = element(9, rawBytes(1.0) + rawBytes(2.0));
-        return element(14, element(6, rawBytes(isComplex ? 0x806U : 6U) + rawBytes(0U)) +
-                               element(5, rawBytes(2) + rawBytes(1)) + element(1, name) + numbers +
-                               (isComplex ? numbers : std::string()));
+    const auto numbers = [&element](const std::vector<double>& values) {
+        std::string data;
+        for (const double value : values) data += rawBytes(value);
+        return element(9, data);
     };
+    return element(14, element(6, rawBytes(im.empty() ? 6U : 0x806U) + rawBytes(0U)) +
+                           element(5, rawBytes(static_cast<std::int32_t>(re.size())) + rawBytes(1)) + element(1, name) +
+                           numbers(re) + (im.empty() ? std::string() : numbers(im)));
+}
+
+std::string matFile(const std::string& variables)
+{
     std::string bytes = "MATLAB 5.0 MAT-file";
     bytes.resize(124, ' ');
-    return bytes + rawBytes<std::uint16_t>(0x0100) + "IM" + variable("f", false) + variable("H", true);
+    return bytes + rawBytes<std::uint16_t>(0x0100) + "IM" + variables;
+}
+
+/// The one mode of frf_files.h as others write it. Its least depth is 2 k ζ (1 + ζ) over the coefficient: 408 N/mm.
+void writeForeign(const std::string& folder)
+{
+    const auto write = [&folder](const std::string& name, const std::string& content) {
+        io::writeFile(folder + "/" + name, content);
+    };
+    const io::MeasuredFrf mode = testing::modeFrf(FrfQuantity::Receptance, 401, 0, 1);
+    std::string cutpro, complex = "frequency_hz;H (mm/N)\n", level = "f_hz,magnitude_dB_re_1_m_N,phase_deg\n", bare;
+    std::vector<double> angular, re, im;
+    for (std::size_t i = 0; i < mode.frf.value.size(); ++i) {
+        const double f = mode.frf.frequency_hz[i];
+        const std::complex<double> value = mode.frf.value[i];
+        cutpro += fmt::format("  {:.6e}\t{:.12e}\t{:.12e}\t{}\n", f, value.real() / 1000, value.imag() / 1000,
+                              i == 0 ? "Freq\tHz\tReal\tm/N\tImag\tReal\t" : "");
+        complex += fmt::format("{};{:.12e}{:+.12e}j\n", f, value.real(), value.imag());
+        level += fmt::format("{},{:.12f},{:.12f}\n", f, 20 * std::log10(std::abs(value) / 1000),
+                             std::arg(value) * 180 / std::numbers::pi);
+        bare += fmt::format("{} {:.12e} {:.12e}\n", f, value.real(), value.imag());
+        angular.push_back(2 * std::numbers::pi * f);
+        re.push_back(value.real());
+        im.push_back(value.imag());
+    }
+    write("cutpro.frf", cutpro);
+    write("complex.csv", complex);
+    write("level.csv", level);
+    write("bare.txt", bare);
+    write("angular.mat", matFile(matVariable("w", angular) + matVariable("FRF", re, im)));
+}
+
+/// Universal files of the same mode: a force in a unit that is not known, turned round, conjugated, of several points.
+void writePoints(const std::string& folder)
+{
+    const auto write = [&folder](const std::string& name, const std::string& content) {
+        io::writeFile(folder + "/" + name, content);
+    };
+    const io::MeasuredFrf mode = testing::modeFrf(FrfQuantity::Accelerance, 401, 1, 1);
+    testing::UffText set;
+    set.points = 401;
+    set.start = set.step = 1;
+    set.per = "stone";
+    std::string values;
+    for (const std::complex<double>& value : mode.frf.value)
+        values += fmt::format("{:20.12E}{:20.12E}\n", value.real() / 1000, value.imag() / 1000);
+    write("unknown_force.uff", testing::uffSet(set, values));
+    io::MeasuredFrf turned = mode, conjugated = mode;
+    for (auto& value : turned.frf.value) value = -value;
+    for (auto& value : conjugated.frf.value) value = std::conj(value);
+    write("turned.uff", io::toUff(std::vector{turned}));
+    write("conjugated.uff", io::toUff(std::vector{conjugated}));
+    std::vector<io::MeasuredFrf> points(3, mode);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        points[k].response_node = points[k].reference_node = static_cast<int>(k) + 1;
+        for (auto& value : points[k].frf.value) value *= k == 0 ? 0.5 : k == 1 ? 1 : 4;
+    }
+    points[2].reference_node = 2;  // the largest of all is none of a driving point
+    write("points.uff", io::toUff(points));
 }
 
 /// Two rods on springs, two points each, as tap tests would find them without noise.
@@ -106,8 +172,11 @@ void makeFrfs(const std::string& folder)
     write("wrong_label.csv", wrongLabel());
     write("tap_low_lines.csv", lowLines());
     write("no_unit.csv", "frequency_hz,real,imag\n50,1e-4,-2e-5\n52,2e-4,-3e-5\n");
-    write("vectors.mat", matFile());
-    write("cut.mat", matFile().substr(0, 300));
+    const std::string vectors = matFile(matVariable("f", {1, 2}) + matVariable("H", {1, 2}, {1, 2}));
+    write("vectors.mat", vectors);
+    write("cut.mat", vectors.substr(0, 300));
+    writeForeign(folder);
+    writePoints(folder);
     testing::UffText set;
     set.points = 42;
     const std::string values = "  1.000000000000E+00 -2.000000000000E+00\n";

@@ -142,6 +142,39 @@ TEST(FrfMat, unitAndVariablesMayHaveToBeGiven)
     EXPECT_EQ(codeOf(mat.bytes, {io::FrfUnitChoice::MPerN, {}}), errors::frfVariablesUnknown);
 }
 
+TEST(FrfMat, anAngularFrequencyIsAskedFor)
+{
+    constexpr double perRadian = 0.5 / std::numbers::pi;
+    const auto file = [](const std::string& name) {
+        MatText mat(false, false, false);
+        mat.add(name, {10, 20});
+        mat.add("H", {1, 2}, {3, 4});
+        return mat.bytes;
+    };
+    io::FrfOptions options{io::FrfUnitChoice::MPerN, {}};
+    for (const char* name : {"w", "om", "omega", "Omega", "om_axis", "omega_1", "W"})
+        EXPECT_EQ(codeOf(file(name), options), errors::frequencyUnitMissing) << name;
+    EXPECT_EQ(codeOf(file("w"), {io::FrfUnitChoice::MPerN, "f=w,H=H"}), errors::frequencyUnitMissing);
+    const auto firstLine = [&](const std::string& name) {
+        return io::readFrf("test.mat", file(name), {}, options).frfs.at(0).frf.frequency_hz[0];
+    };
+    // The name states a unit.
+    for (const char* name : {"omega_rad_s", "w_rads", "rad_s"}) EXPECT_EQ(firstLine(name), 10 * perRadian) << name;
+    EXPECT_EQ(firstLine("w_hz"), 10);
+    EXPECT_EQ(firstLine("lines_kHz"), 10000);
+    options.frequency_unit = io::FrequencyUnitChoice::RadPerSecond;
+    for (const char* name : {"w", "f", "freq"}) EXPECT_EQ(firstLine(name), 10 * perRadian) << name;
+    EXPECT_EQ(firstLine("f_Hz"), 10);
+    options.frequency_unit = io::FrequencyUnitChoice::Hertz;
+    EXPECT_EQ(firstLine("omega"), 10);
+    // Beside f the angular one is not needed.
+    MatText both(false, false, false);
+    both.add("w", {62, 125});
+    both.add("f", {10, 20});
+    both.add("H", {1, 2}, {3, 4});
+    EXPECT_EQ(readMat(both.bytes).frfs.at(0).frf.frequency_hz[0], 10);
+}
+
 TEST(FrfMat, level73IsNamed)
 {
     std::string bytes = plainFile();

@@ -6,33 +6,22 @@
 #include "engine/io/frf/uff_frf.h"
 #include "tests/engine/io/frf_files.h"
 #include "tests/engine/io/reading.h"
+#include "tests/engine/io/uff_reading.h"
 
 namespace lathelier {
 namespace {
 
+using testing::has;
 using testing::integerOf;
 using testing::rawBytes;
+using testing::readUffFrf;
+using testing::twoPoints;
+using testing::twoValues;
 using testing::uffBinarySet;
+using testing::uffRefusal;
 using testing::uffSet;
 using testing::UffText;
 using testing::wordOf;
-
-io::FrfFile readUffFrf(const std::string& bytes, const io::FrfOptions& options = {})
-{
-    return io::readFrf("test.uff", bytes, {}, options);
-}
-
-Error uffRefusal(const std::string& bytes, const io::FrfOptions& options = {})
-{
-    try {
-        readUffFrf(bytes, options);
-    } catch (const Error& error) {
-        EXPECT_TRUE(find(error.values(), "path"));
-        return error;
-    }
-    ADD_FAILURE() << "no error";
-    return Error(errors::unknownOption, {});
-}
 
 io::UffFunction functionOf(const std::string& bytes)
 {
@@ -40,20 +29,6 @@ io::UffFunction functionOf(const std::string& bytes)
     EXPECT_TRUE(file.sets.at(0).function);
     return *file.sets.at(0).function;
 }
-
-bool has(const Notes& notes, const NoteCode& code)
-{
-    return contains(notes, code);
-}
-
-UffText twoPoints()
-{
-    UffText set;
-    set.points = 2;
-    return set;
-}
-
-const std::string twoValues = "  1.000000000000E+00 -2.000000000000E+00  3.000000000000E+00 -4.000000000000E+00\n";
 
 TEST(Uff, readsEvenComplexDouble)
 {
@@ -250,56 +225,6 @@ TEST(Uff, otherSetsAreReadForUnitsAndNodesOrSkipped)
                      1000);
 }
 
-TEST(UffFrf, unitsBecomeMillimetresPerNewton)
-{
-    struct Case {
-        int ordinate;
-        const char* unit;
-        const char* per;
-        FrfQuantity quantity;
-        double scale;
-    };
-    const Case cases[] = {{8, "m", "N", FrfQuantity::Receptance, 1000},
-                          {8, "mm", "N", FrfQuantity::Receptance, 1},
-                          {8, "µm", "kN", FrfQuantity::Receptance, 1e-6},
-                          {11, "m/s", "N", FrfQuantity::Mobility, 1000},
-                          {12, "m/s^2", "N", FrfQuantity::Accelerance, 1000},
-                          {12, "g", "N", FrfQuantity::Accelerance, 9806.65},
-                          {12, "(m/s^2)/N", "NONE", FrfQuantity::Accelerance, 1000},
-                          {12, "1/kg", "", FrfQuantity::Accelerance, 1000},
-                          {12, "in/s**2", "lbf", FrfQuantity::Accelerance, 25.4 / 4.4482216152605},
-                          {12, "g's", "Newtons", FrfQuantity::Accelerance, 9806.65},
-                          {12, "m s-2", "daN", FrfQuantity::Accelerance, 100},
-                          {12, "m/s^2", "mN", FrfQuantity::Accelerance, 1e6},
-                          {12, "m/s^2", "kgf", FrfQuantity::Accelerance, 1000 / 9.80665},
-                          {12, "m/s^2", "pdl", FrfQuantity::Accelerance, 1000 / 0.138254954376},
-                          {12, "meters/second^2", "pounds", FrfQuantity::Accelerance, 1000 / 4.4482216152605},
-                          {0, "m/N", "NONE", FrfQuantity::Receptance, 1000}};
-    for (const Case& one : cases) {
-        UffText set = twoPoints();
-        set.ordinate = one.ordinate;
-        set.unit = one.unit;
-        set.per = one.per;
-        const io::FrfFile file = readUffFrf(uffSet(set, twoValues));
-        EXPECT_EQ(file.frfs.at(0).frf.quantity, one.quantity) << one.unit;
-        EXPECT_NEAR(file.frfs.at(0).frf.value[1].real() / (3 * one.scale), 1, 1e-12) << one.unit;
-        EXPECT_FALSE(has(file.notes, notes::frfLabelContradictsUnit)) << one.unit;
-    }
-}
-
-TEST(UffFrf, unknownUnitsAreNamedWithTheirLine)
-{
-    UffText set = twoPoints();
-    set.per = "MN";
-    const Error force = uffRefusal(uffSet(set, twoValues));
-    EXPECT_EQ(force.code(), errors::frfUnitUnknown);
-    EXPECT_EQ(integerOf(force, "line"), 12);
-    EXPECT_EQ(wordOf(force, "found"), "MN");
-    set.per = "N";
-    set.unit = "furlong";
-    EXPECT_EQ(integerOf(uffRefusal(uffSet(set, twoValues)), "line"), 11);
-}
-
 TEST(Uff, textOutsideTheSetsIsPassedOver)
 {
     const std::string set = uffSet(twoPoints(), twoValues);
@@ -313,51 +238,6 @@ TEST(Uff, textOutsideTheSetsIsPassedOver)
     EXPECT_EQ(uffRefusal(set + twoValues + set).code(), errors::malformed);
     EXPECT_EQ(uffRefusal(set + "    58\n" + set).code(), errors::malformed);
     EXPECT_EQ(integerOf(uffRefusal("nothing but text\nand more\n"), "line"), 1);
-}
-
-TEST(UffFrf, unitRulesOverLabel)
-{
-    UffText set = twoPoints();
-    set.ordinate = 0;
-    set.label = "Receptance";
-    set.unit = "(m/s)/N";
-    set.denominator = 0;
-    set.per = "NONE";
-    const io::FrfFile file = readUffFrf(uffSet(set, twoValues), {io::FrfUnitChoice::MmPerN, {}});
-    EXPECT_EQ(file.frfs.at(0).frf.quantity, FrfQuantity::Mobility);
-    EXPECT_TRUE(has(file.notes, notes::frfLabelContradictsUnit));
-    EXPECT_TRUE(has(file.notes, notes::frfUnitNotUsed));
-}
-
-TEST(UffFrf, negativeDirectionsFlipTheSign)
-{
-    for (const int response : {1, -1})
-        for (const int reference : {2, -2}) {
-            UffText set = twoPoints();
-            set.response_direction = response;
-            set.reference_direction = reference;
-            set.response_node = -1;
-            const io::MeasuredFrf frf = readUffFrf(uffSet(set, twoValues)).frfs.at(0);
-            EXPECT_EQ(frf.frf.value[0].real(), 1000 * (response * reference > 0 ? 1 : -1));
-            EXPECT_EQ(frf.response_node, -1);
-            EXPECT_EQ(frf.response_direction, 1);
-            EXPECT_EQ(frf.reference_direction, 2);
-        }
-}
-
-TEST(UffFrf, drivingPointWithTheOtherSignIsRemarked)
-{
-    UffText set = twoPoints();
-    set.ordinate = 8;
-    set.unit = "mm";
-    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
-    set.response_direction = -1;
-    EXPECT_TRUE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
-    set.reference_direction = -1;
-    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
-    set.response_node = 5;
-    set.response_direction = 1;
-    EXPECT_FALSE(has(readUffFrf(uffSet(set, twoValues)).notes, notes::frfDrivingPointSign));
 }
 
 TEST(UffFrf, coherenceOfTheSamePairIsAttached)

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
+#include "engine/io/frf/frf_codes.h"
 #include "engine/receptance/modal/modal_model.h"
 #include "engine/receptance/receptance_codes.h"
 
@@ -82,12 +83,34 @@ TEST(FrfChecks, NothingIsSaidWhereNothingCanBeTold)
     EXPECT_FALSE(lowSlope(Frf{}));
 }
 
-TEST(FrfChecks, APassiveDrivingPointGivesNoPower)
+TEST(FrfChecks, ATurnedAndAConjugatedResponseAreToldApart)
+{
+    const io::MeasuredFrf right = labelled(receptance, receptance, true);
+    io::MeasuredFrf turned = right, conjugated = right;
+    for (auto& value : turned.frf.value) value = -value;
+    for (auto& value : conjugated.frf.value) value = std::conj(value);
+    EXPECT_TRUE(contains(checkResponse(turned, "file"), notes::frfTurned));
+    EXPECT_FALSE(contains(checkResponse(turned, "file"), notes::frfConjugated));
+    EXPECT_TRUE(contains(checkResponse(conjugated, "file"), notes::frfConjugated));
+    EXPECT_FALSE(contains(checkResponse(conjugated, "file"), notes::frfTurned));
+    // Between two places either sign is right, but not either sense of time.
+    for (io::MeasuredFrf* one : {&turned, &conjugated}) one->response_node = 1, one->reference_node = 2;
+    EXPECT_TRUE(checkResponse(turned, "file").empty());
+    EXPECT_TRUE(contains(checkResponse(conjugated, "file"), notes::frfConjugated));
+    // The reader has said it of a stated driving point.
+    conjugated.reference_node = 1;
+    conjugated.response_direction = conjugated.reference_direction = 1;
+    EXPECT_TRUE(checkResponse(conjugated, "file").empty());
+}
+
+TEST(FrfChecks, PowerGivenAwayIsSaidWhereNoCircleTells)
 {
     io::MeasuredFrf measured = labelled(receptance, receptance, true);
+    std::erase_if(measured.frf.value, [](const auto& value) { return std::abs(value) > 1.2e-4; });
+    measured.frf.frequency_hz.resize(measured.frf.value.size());  // below and above the resonance only
     for (auto& value : measured.frf.value) value = std::conj(value);
     EXPECT_TRUE(contains(checkResponse(measured, "file"), notes::frfPowerGivenAway));
-    measured.response_node = 1;  // stated: between two places either sign is right
+    measured.response_node = 1;
     measured.reference_node = 2;
     EXPECT_FALSE(contains(checkResponse(measured, "file"), notes::frfPowerGivenAway));
 }

@@ -55,6 +55,13 @@ class FrfPanelTest : public QObject, PanelFixture<FrfPanel> {
         set(key, value);
         settle();
     }
+    void read(const std::string& key, const Value& value)
+    {
+        session_->edit("Read", [&](project::Project& project) {
+            lathelier::set(project.panels["frf"].inputs.at(receptance::responseRole).import, key, value);
+        });
+        settle();
+    }
     void take(const char* role, const std::string& path)
     {
         session_->edit("Open", [&](project::Project& project) { project.panels["frf"].inputs[role].path = path; });
@@ -164,12 +171,13 @@ private slots:
         take(receptance::responseRole, pathOf("two.uff"));
         settle();
         const double first = std::abs(study().measured->value[5]);
-        ask("response", std::string("102/101"));
+        read("response", std::string("102/101"));
         QVERIFY(std::abs(std::abs(study().measured->value[5]) / first - 3) < .1);
-        ask("response", std::string("1"));
+        read("response", std::string("1"));
         QCOMPARE(std::abs(study().measured->value[5]), first);
         session_->edit("Set", [](project::Project& project) {
-            lathelier::set(project.panels["frf"].parameters, "response", std::string("9/9"));
+            lathelier::set(project.panels["frf"].inputs.at(receptance::responseRole).import, "response",
+                           std::string("9/9"));
         });
         QTRY_VERIFY_WITH_TIMEOUT(panel_->error().has_value(), 20000);
         QVERIFY(std::string(panel_->error()->what()).find("102/101") != std::string::npos);

@@ -8,6 +8,7 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "engine/io/frf/frf_codes.h"
 #include "engine/io/io_codes.h"
 #include "widgets/core/form/form.h"
 #include "widgets/core/icons.h"
@@ -18,7 +19,9 @@ namespace {
 
 bool settledByImport(const ErrorCode& code)
 {
-    return code == errors::unitUnknown || code == errors::numberAmbiguous || code == errors::malformed;
+    return code == errors::unitUnknown || code == errors::numberAmbiguous || code == errors::malformed ||
+           code == errors::columnsUnknown || code == errors::frfUnitMissing || code == errors::frfUnitUnknown ||
+           code == errors::frequencyUnitMissing || code == errors::frfVariablesUnknown;
 }
 
 std::vector<FieldInfo> readingOf(const InputRole& role)

@@ -35,7 +35,7 @@ public:
         share_ = 1 / (1 + stiffness_ * constants_.q1 + damping_ * constants_.v1);
         // Initial impulse on every mode.
         for (std::size_t m = 0; m < modes.size(); ++m)
-            speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
+            if (modes[m].hasMass()) speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
     }
 
     /// One revolution: `now` from the deflections of the revolution before.
@@ -49,8 +49,8 @@ public:
                 const Lanes q = deflection_[m], u = speed_[m];
                 deflection_[m] = c.qq * q + c.qv * u + c.q0 * force_;
                 speed_[m] = c.vq * q + c.vv * u + c.v0 * force_;
-                x += deflection_[m];
-                v += speed_[m];
+                x += deflection_[m] + c.lag_s * speed_[m];
+                v += c.rate_q * deflection_[m] + c.rate_v * speed_[m];
             }
             force_ = (stiffness_ * (before[i] - x) - damping_ * v) * share_;
             for (std::size_t m = 0; m < constants_.modes.size(); ++m) {
@@ -134,9 +134,7 @@ void growthsOfBatch(std::span<const Mode> modes, std::span<const CutForces> cuts
 
 double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, double per_period)
 {
-    double highest_hz = 0;
-    for (const Mode& mode : modes) highest_hz = std::max(highest_hz, mode.frequency_hz);
-    return std::ceil(std::max(fewestPeriods, highest_hz * revolution_s) * per_period);
+    return std::ceil(std::max(fewestPeriods, highestFrequency_hz(modes) * revolution_s) * per_period);
 }
 
 std::vector<Growth> growthsOf(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,

@@ -42,6 +42,7 @@ struct PointResponse {
     UsedValues used;                                       ///< the material with its origin
     std::vector<Mode> modes;                               ///< where they are stated
     std::optional<Shaft> shaft;                            ///< where it was computed
+    std::vector<double> natural_frequencies_hz;            ///< likewise; empty with a table of receptances
     std::optional<receptance::SpindleReceptance> spindle;  ///< likewise; none: free
 };
 

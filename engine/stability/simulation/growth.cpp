@@ -13,6 +13,7 @@ namespace {
 
 constexpr int batchSize = 8;         ///< cuts simulated side by side with common mode constants
 constexpr double fewestPeriods = 2;  ///< smallest length of a revolution, in periods of the highest mode
+constexpr double weakPeak = 0.01;    ///< of the highest peak: modes with less go on exactly, but do not chatter first
 constexpr double smallest = 1e-60;   ///< magnitudes outside are rescaled
 constexpr int growthStepsBetweenChecks = 1 << 15;
 
@@ -134,7 +135,15 @@ void growthsOfBatch(std::span<const Mode> modes, std::span<const CutForces> cuts
 
 double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, double per_period)
 {
-    return std::ceil(std::max(fewestPeriods, highestFrequency_hz(modes) * revolution_s) * per_period);
+    const auto peak_mm_N = [](const Mode& mode) {
+        return mode.isResonance() ? 1 / std::abs(mode.stiffness_N_mm * mode.damping_ratio) : 0;
+    };
+    double largest_mm_N = 0, highest_hz = 0;
+    for (const Mode& mode : modes) largest_mm_N = std::max(largest_mm_N, peak_mm_N(mode));
+    for (const Mode& mode : modes)
+        if (peak_mm_N(mode) > weakPeak * largest_mm_N) highest_hz = std::max(highest_hz, mode.frequency_hz);
+    if (highest_hz == 0) highest_hz = highestFrequency_hz(modes);
+    return std::ceil(std::max(fewestPeriods, highest_hz * revolution_s) * per_period);
 }
 
 std::vector<Growth> growthsOf(std::span<const Mode> modes, std::span<const CutForces> cuts, double revolution_s,

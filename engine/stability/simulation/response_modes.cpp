@@ -12,8 +12,8 @@ namespace lathelier::stability {
 namespace {
 
 constexpr double preciseShare = 0.3;  ///< of the receptance that chatters: smaller values need no relative precision
-constexpr double allowedShare = 0.6;  ///< of it, outside the lines
-constexpr double targetShare = 0.4;   ///< of it, where more was found
+constexpr double allowedShare = 0.8;  ///< of it, outside the lines
+constexpr double targetShare = 0.7;   ///< of it, where more was found
 constexpr double outsideWeight = 10;  ///< of a line outside
 constexpr int mostCorrections = 12;
 constexpr std::size_t linesToCompare = 5;  ///< around the frequency of the vibration

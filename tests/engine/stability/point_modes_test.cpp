@@ -44,18 +44,33 @@ PointResponse measuredFrom(const std::vector<Mode>& machine, double from_hz, dou
 }
 
 PointResponse shaftOn(double diameter_mm, double length_mm, double loss_factor,
-                      const receptance::SpindleSprings& springs)
+                      const receptance::SpindleReceptance& spindle)
 {
     PointResponse response;
     response.shaft.emplace();
     response.shaft->segments = {{length_mm, diameter_mm, diameter_mm, 0, {}, {}}};
     response.shaft->material.emplace();
     response.shaft->material->loss_factor = loss_factor;
-    response.spindle = receptance::SpindleReceptance{springs};
+    response.spindle = spindle;
     const auto computed = shaftReceptance(*response.shaft, {}, response.spindle, {}, receptance::LinesOf::Refined);
     response.frf = std::make_shared<const Frf>(computed.frf);
-    response.natural_frequencies_hz = *computed.natural_frequencies_hz;
+    response.natural_frequencies_hz = computed.natural_frequencies_hz.value_or(std::vector<double>());
     return response;
+}
+
+/// The springs as a table of lines, which knows no natural frequency.
+receptance::SpindleReceptance tableOf(const receptance::SpindleSprings& springs)
+{
+    const receptance::SpindleReceptance exact{springs};
+    receptance::SpindleTable table;
+    for (double f = 50; f <= 5000; f += 10) {
+        const receptance::ReceptanceMatrix matrix = exact.at(f);
+        table.frequency_hz.push_back(f);
+        table.H_mm_N.push_back(matrix(0, 0));
+        table.L_mm_Nmm.push_back(matrix(0, 1));
+        table.P_rad_Nmm.push_back(matrix(1, 1));
+    }
+    return {table};
 }
 
 /// The limit of the lobes at one speed; infinite: none.
@@ -119,7 +134,16 @@ TEST(PointModes, ShaftsSlenderAndStoutChatterAtTheLobes)
         const receptance::SpindleSprings stiff{drawnRatio(machine, 2, 8e4, 3e5), drawnRatio(machine, 3, 2e9, 1e10),
                                                machine % 4 == 1 ? 0.002 : 0.03};
         expectTheLimitOfTheLobes(
-            shaftOn(diameter, length, drawnRatio(machine, 4, 0.002, 0.01), machine % 2 == 0 ? soft : stiff), machine);
+            shaftOn(diameter, length, drawnRatio(machine, 4, 0.002, 0.01), {machine % 2 == 0 ? soft : stiff}), machine);
+    }
+}
+
+TEST(PointModes, ShaftsOnATabulatedSpindleChatterAtTheLobes)
+{
+    for (std::uint64_t machine = 200; machine < 206; ++machine) {
+        const double diameter = drawn(machine, 0, 12, 40), length = diameter * drawn(machine, 1, 4, 14);
+        const receptance::SpindleSprings soft{15000, 197.4e6, 0.06}, stiff{1e5, 2e9, 0.06};
+        expectTheLimitOfTheLobes(shaftOn(diameter, length, 0.004, tableOf(machine % 2 == 0 ? soft : stiff)), machine);
     }
 }
 
@@ -149,7 +173,7 @@ TEST(PointModes, AModeAboveTheLinesAddsItsComplianceAndNoChatter)
 TEST(ResponsePoles, AreThoseOfTheComplexStiffness)
 {
     const double loss = 0.01;
-    const PointResponse response = shaftOn(20, 200, loss, {1e5, 2e9, loss});
+    const PointResponse response = shaftOn(20, 200, loss, {receptance::SpindleSprings{1e5, 2e9, loss}});
     std::vector<Pole> start;
     for (const double f : response.natural_frequencies_hz) start.push_back({1.01 * f, 0.02});
     const std::vector<Pole> poles = polesOf(*response.frf, start);

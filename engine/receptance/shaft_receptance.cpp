@@ -35,6 +35,23 @@ ReceptanceMatrix onSpindle(beam::BeamReceptance& shaft, const ReceptanceMatrix& 
     return coupled({g[1], g[2], g[8], g[7]}, spindle);
 }
 
+constexpr double widestStep_hz = 2;      ///< first step of refined lines
+constexpr double besideFirstLine = 1.5;  ///< a mode as near to the first line has its least real part there or below
+
+/// Limits need every mode: lines that nobody asked for begin below the lowest natural frequency, and steps are not so
+/// wide that a mode between two lines bends neither.
+ReceptanceParameters forLimits(const Shaft& shaft, const Material& material, ReceptanceParameters asked,
+                               const ShaftHolding& holding)
+{
+    if (asked.step_hz > widestStep_hz) asked.step_hz /= std::ceil(asked.step_hz / widestStep_hz);
+    if (asked.from_hz || (holding.spindle && !holding.spindle->springs())) return asked;
+    const beam::BeamModel model =
+        beam::beamModel(shaft, material, beamParametersOf(asked, holding, shaft.length_mm(), true), {});
+    const std::vector<double> low = beam::naturalFrequencies(model, besideFirstLine * usualLines_hz.from);
+    if (!low.empty()) asked.from_hz = low.front() / 2;
+    return asked;
+}
+
 /// Rejects frequencies outside the spindle's table before computation.
 void checkReach(const SpindleReceptance& spindle, const std::vector<double>& frequency_hz)
 {
@@ -123,7 +140,8 @@ Frf receptanceOf(const Shaft& shaft, const Material& material, const ReceptanceP
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     Frf frf;
     frf.name = shaft.name;
-    frf.frequency_hz = linesOf(withinLines(parameters, spindle));
+    frf.frequency_hz = linesOf(
+        withinLines(lines == LinesOf::Refined ? forLimits(shaft, material, parameters, holding) : parameters, spindle));
     if (spindle) checkReach(*spindle, frf.frequency_hz);
     const std::vector<double> places_z_mm{parameters.respond_z_mm, parameters.excite_z_mm, shaft.length_mm()};
     const beam::BeamReceptance prepared(
@@ -166,10 +184,11 @@ ShaftReceptanceResult heldShaftReceptance(const Shaft& shaft, const ReceptancePa
 {
     const std::optional<SpindleReceptance>& spindle = holding.spindle;
     ShaftReceptanceResult result;
-    result.parameters = withinLines(parameters, spindle);
     result.length_mm = shaft.length_mm();
     noteUnusualHolding(shaft, holding, result.notes);
     const Material material = materialOf(shaft, result.used, result.notes);
+    result.parameters =
+        withinLines(lines == LinesOf::Refined ? forLimits(shaft, material, parameters, holding) : parameters, spindle);
     result.frf = receptanceOf(shaft, material, parameters, holding, progress, lines);
     progress.report(0.7);
     if (!spindle || spindle->springs())

@@ -64,7 +64,7 @@ struct ShaftHolding {
 beam::BeamParameters beamParametersOf(const ReceptanceParameters& parameters, const ShaftHolding& holding,
                                       double length_mm, bool springs);
 
-/// Refined: further lines where the response curves (refined_lines.h), as limits need them.
+/// Refined: as limits need them: more lines where it curves (refined_lines.h), usual ones from below the lowest mode.
 enum class LinesOf { Parameters, Refined };
 
 /// The receptance alone, without natural frequencies; errors as shaftReceptance(). Throws Cancelled.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
 
 #include "engine/core/units.h"
 #include "engine/core/unusual.h"
@@ -32,7 +35,9 @@ std::vector<double> linesAround(const std::vector<Mode>& modes, const Interval& 
     std::vector<double> lines;
     for (double f = range_hz.from; f < range_hz.to; f *= density.ratio) lines.push_back(f);
     lines.push_back(range_hz.to);
+    const double highest = highestFrequency_hz(modes);
     for (const Mode& mode : modes) {
+        if (!mode.isResonance() && highest != mode.frequency_hz) continue;
         const double step = mode.damping_ratio * mode.frequency_hz / density.per_width;
         const int count = static_cast<int>(density.widths_around * density.per_width);
         for (int i = -count; i <= count; ++i)
@@ -49,12 +54,36 @@ void noteUnusualModes(const std::vector<Mode>& modes, Notes& notes)
         noteUnusual(mode, {{"damping_ratio", {1e-4, 0.4}}, {"stiffness_N_mm", {10, 2e6}}}, notes);
 }
 
+Mode complianceMode(double compliance_mm_N)
+{
+    return {std::numeric_limits<double>::infinity(), 1, 1 / compliance_mm_N};
+}
+
+std::string keyOf(const std::vector<Mode>& modes)
+{
+    std::string key;
+    for (const Mode& mode : modes)
+        key += fmt::format("{} {} {} {};", mode.frequency_hz, mode.damping_ratio, mode.stiffness_N_mm, mode.lead);
+    return key;
+}
+
+double highestFrequency_hz(std::span<const Mode> modes)
+{
+    double resonance = 0, any = 0;
+    for (const Mode& mode : modes) {
+        if (mode.isResonance()) resonance = std::max(resonance, mode.frequency_hz);
+        if (mode.hasMass()) any = std::max(any, mode.frequency_hz);
+    }
+    return resonance > 0 ? resonance : any;
+}
+
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz)
 {
     std::complex<double> sum = 0;
     for (const Mode& mode : modes) {
         const double r = frequency_hz / mode.frequency_hz;
-        sum += 1.0 / (mode.stiffness_N_mm * std::complex<double>(1 - r * r, 2 * mode.damping_ratio * r));
+        sum += std::complex<double>(1, mode.lead * r) /
+               (mode.stiffness_N_mm * std::complex<double>(1 - r * r, 2 * mode.damping_ratio * r));
     }
     return sum;
 }
@@ -62,12 +91,11 @@ std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequen
 Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm)
 {
     Frf frf;
-    if (modes.empty()) return frf;
-    double lowest = modes.front().frequency_hz, highest = lowest;
-    for (const Mode& mode : modes) {
-        lowest = std::min(lowest, mode.frequency_hz);
-        highest = std::max(highest, mode.frequency_hz);
-    }
+    const double highest = highestFrequency_hz(modes);
+    if (!(highest > 0)) return frf;
+    double lowest = highest;
+    for (const Mode& mode : modes)
+        if (mode.isResonance()) lowest = std::min(lowest, mode.frequency_hz);
     // The lobe k = 0 carries frequencies up to N/60.
     const double end = std::max(aboveHighest * highest, 1.1 * highest_speed_rpm / 60);
     frf.frequency_hz = linesAround(modes, {belowLowest * lowest, end});

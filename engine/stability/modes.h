@@ -1,7 +1,11 @@
-// Modes of vibration, entered by hand or from a modal fit, and their receptance. G(f) = Σ (1/k) / (1 - r² + 2 i ζ r), r
-// = f/f_n (viscous damping; Ewins, "Modal Testing", 2nd ed., section 2.4).
+// Modes of vibration, entered by hand or of a response, and their receptance. G(f) = Σ (1 + i λ r)/k / (1 - r² + 2 i ζ
+// r), r = f/f_n (viscous damping; Ewins, "Modal Testing", 2nd ed., section 2.4). λ = 0 for a real mode; a complex one,
+// as loss factors that differ give it, has another. A mode of infinite frequency is a compliance without mass: 1/k.
 #pragma once
 
+#include <cmath>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "engine/core/error.h"
@@ -16,6 +20,13 @@ struct Mode {
     double frequency_hz = 100;    ///< undamped natural frequency f_n, > 0
     double damping_ratio = 0.03;  ///< ζ, > 0
     double stiffness_N_mm = 1e4;  ///< modal stiffness k, > 0; < 0 in a fit if force and motion have opposite sign
+    double lead = 0;              ///< λ, of a complex mode
+
+    bool hasMass() const { return std::isfinite(frequency_hz); }
+    /// A peak of the response; else part of what other modes leave.
+    bool isResonance() const { return hasMass() && damping_ratio < strongestDamping; }
+
+    static constexpr double strongestDamping = 0.7;
     friend bool operator==(const Mode&, const Mode&) = default;
 };
 
@@ -37,6 +48,15 @@ struct LineDensity {
 /// Ascending lines from `range_hz.from` > 0 to `range_hz.to`, dense about the modes.
 std::vector<double> linesAround(const std::vector<Mode>& modes, const Interval& range_hz,
                                 const LineDensity& density = {});
+
+/// A compliance without mass.
+Mode complianceMode(double compliance_mm_N);
+
+/// Equal for equal modes only.
+std::string keyOf(const std::vector<Mode>& modes);
+
+/// The highest frequency of a resonance; of all modes with mass where there is none.
+double highestFrequency_hz(std::span<const Mode> modes);
 
 /// Receptance in mm/N at one frequency.
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz);

@@ -28,7 +28,7 @@ inline constexpr ErrorCode simulationTooLong{
 inline constexpr ErrorCode modesNeeded{
     "modes_needed", ErrorKind::NoAnswer,
     LT_TEXT("Engine",
-            "A simulation needs modes, and none could be fitted to the frequency response. State them with --mode.")};
+            "A simulation needs modes, and none could be found in the frequency response. State them with --mode.")};
 
 }  // namespace errors
 
@@ -85,8 +85,28 @@ inline constexpr NoteCode lobesLeftOut{
 inline constexpr NoteCode modesFitted{
     "modes_fitted", Severity::Info,
     LT_TEXT("Engine",
-            "Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it is "
-            "{error_percent} %.")};
+            "Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it "
+            "together with what lies outside its lines is {error_percent} %.")};
+
+inline constexpr NoteCode modesComputed{
+    "modes_computed", Severity::Info,
+    LT_TEXT("Engine",
+            "Modes of the computed response, which the simulation rests on: {count}; what they leave of it together "
+            "with the compliance beyond its lines is {error_percent} %.")};
+
+inline constexpr NoteCode modelLeavesMuch{
+    "model_leaves_much", Severity::Warning,
+    LT_TEXT("Engine",
+            "At {frequency_hz} Hz, where the cut vibrates, the modes that are simulated leave {error_percent} % of the "
+            "frequency response, more than {limit_percent} %: the verdict is undecided."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode vibrationOutsideLines{
+    "vibration_outside_lines", Severity::Warning,
+    LT_TEXT("Engine",
+            "The vibration of the simulated cut, {frequency_hz} Hz, lies outside the lines of the frequency response, "
+            "{from_hz} to {to_hz} Hz: the verdict is undecided."),
+    NoteRole::NotModelled};
 
 }  // namespace notes
 

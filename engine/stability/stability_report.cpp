@@ -1,5 +1,6 @@
 #include "engine/stability/stability_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/core/texts.h"
@@ -8,6 +9,7 @@
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"
+#include "engine/stability/depth_digits.h"
 #include "engine/stability/operating_point.h"
 #include "engine/stability/stability_quantities.h"
 #include "engine/stability/stability_verification.h"
@@ -64,7 +66,10 @@ report::Table pocketsTable(const SafeSpeed& safe, bool is_relative)
         report::Labelled{LT_TEXT("Engine", "Spindle speed"), unit::rpm},
         depth(is_relative ? LT_TEXT("Engine", "Limit, in multiples of the least") : LT_TEXT("Engine", "Limit")),
         depth(LT_TEXT("Engine", "Margin")), LT_TEXT("Engine", "Stable at the depth")};
-    table.decimals = {0, 3, 3};
+    double least = HUGE_VAL;
+    for (const DepthAtSpeed& peak : safe.peaks)
+        if (peak.limit) least = std::min(least, *peak.limit);
+    table.decimals = {0, depthDecimals(least), depthDecimals(least)};
     const auto cell = [](const std::optional<double>& value) { return value ? Value(*value) : Value(); };
     for (const DepthAtSpeed& peak : safe.peaks)
         table.rows.push_back({peak.speed_rpm, cell(peak.limit), cell(peak.margin), peak.is_stable});
@@ -88,7 +93,7 @@ report::Answer answer(const LobeResult& result, const Language& language)
                               : LT_TEXT("Engine", "Nothing chatters: the real part is nowhere negative.");
         return answer;
     }
-    answer.decimals = 3;
+    answer.decimals = depthDecimals(result.isRelative() ? 1 : *result.minimum_depth_mm);
     answer.values = {{"frequency", fixed(*result.frequency_of_minimum_hz, 1, language)},
                      {"lobes", static_cast<std::int64_t>(result.lobes_in_range)}};
     if (result.isRelative()) {

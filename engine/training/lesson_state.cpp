@@ -22,10 +22,11 @@ double limitAt(const stability::LobeResult& lobes, double speed_rpm)
 
 double naturalFrequencyNextTo(const std::vector<stability::Mode>& modes, double frequency_hz)
 {
-    const auto nearer = [frequency_hz](const stability::Mode& a, const stability::Mode& b) {
-        return std::abs(a.frequency_hz - frequency_hz) < std::abs(b.frequency_hz - frequency_hz);
-    };
-    return std::min_element(modes.begin(), modes.end(), nearer)->frequency_hz;
+    double nearest = LessonState::unknown;
+    for (const stability::Mode& mode : modes)
+        if (mode.isResonance() && !(std::abs(mode.frequency_hz - frequency_hz) >= std::abs(nearest - frequency_hz)))
+            nearest = mode.frequency_hz;
+    return nearest;
 }
 
 /// State without the quantities of the simulated cut.
@@ -42,7 +43,7 @@ LessonState stateAt(const Scenario& scenario, const Limits& limits, stability::S
     const stability::WavePhase phase = stability::phaseOf(frequency_hz, speed_rpm, scenario.feed_mm_rev);
     state.k = phase.whole;
     state.phase_deg = phase.phase_deg;
-    if (!scenario.modes.empty()) state.natural_frequency_hz = naturalFrequencyNextTo(scenario.modes, frequency_hz);
+    state.natural_frequency_hz = naturalFrequencyNextTo(scenario.modes, frequency_hz);
     state.limit_mm = limitAt(limits.exact, speed_rpm);
     state.published_limit_mm = limitAt(limits.published, speed_rpm);
     state.robust_limit_mm = leastAbout(limits.exact.limit, speed_rpm, robustShare);

@@ -13,6 +13,8 @@
 #include "engine/receptance/modal/modal_fit.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/report/plot_svg.h"
+#include "engine/stability/simulation/response_modes.h"
+#include "engine/stability/simulation/response_poles.h"
 #include "engine/stability/simulation/simulation.h"
 #include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_plots.h"
@@ -213,6 +215,21 @@ void cutInTime(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(simulate({{223, 0.03, 1e4}}, asked).growth_per_revolution);
 }
 
+/// From the computed response of a shaft: its poles, the modes through its lines, the cut in time.
+void cutOfAShaft(benchmark::State& state)
+{
+    const ThreadLimit one(1);
+    const Frf frf = response();
+    stability::SimulationParameters asked;
+    asked.speed_rpm = 2885;
+    asked.depth_mm = 0.3;
+    asked.cutting_coefficient_N_mm2 = 2000;
+    for (auto _ : state) {
+        const std::vector<stability::Mode> modes = modesThrough(frf, stability::polesOf(frf, {}), {}, 600);
+        benchmark::DoNotOptimize(simulate(modes, asked).growth_per_revolution);
+    }
+}
+
 BENCHMARK(exactCoupled)->Unit(benchmark::kMillisecond);
 BENCHMARK(finiteElementBlocks)->Unit(benchmark::kMillisecond);
 BENCHMARK(lobesOfModes)->Unit(benchmark::kMillisecond);
@@ -220,6 +237,7 @@ BENCHMARK(lobesOfAResponse)->Unit(benchmark::kMillisecond);
 BENCHMARK(chartFromGeometry)->Unit(benchmark::kMillisecond);
 BENCHMARK(chartAsSvg)->Unit(benchmark::kMillisecond);
 BENCHMARK(modesOfAResponse)->Unit(benchmark::kMillisecond);
+BENCHMARK(cutOfAShaft)->Unit(benchmark::kMillisecond);
 BENCHMARK(cutInTime)->Unit(benchmark::kMillisecond);
 
 /// 200 × 200 points of growth per revolution, with so many modes.

@@ -13,10 +13,9 @@ constexpr int poll_ms = 30;
 
 std::string questionOf(const std::vector<stability::Mode>& modes, const stability::RasterParameters& p)
 {
-    Json all = {p.cutting_coefficient_N_mm2, p.speed_rpm.from, p.speed_rpm.to, p.depth_mm.from, p.depth_mm.to,
-                p.direction_factor};
-    for (const stability::Mode& mode : modes) all.push_back(toJson(toValues(mode)));
-    return all.dump();
+    const Json all = {p.cutting_coefficient_N_mm2, p.speed_rpm.from, p.speed_rpm.to, p.depth_mm.from, p.depth_mm.to,
+                      p.direction_factor};
+    return all.dump() + keyOf(modes);
 }
 
 }  // namespace

@@ -195,9 +195,8 @@ void TrainingPanel::playCut(const stability::SimulationResult& cut, const std::v
 void TrainingPanel::playPicture()
 {
     const training::TrainingOutcome& outcome = *result();
-    Json machine = {outcome.scenario.cutting_coefficient_N_mm2, outcome.scenario.feed_mm_rev};
-    for (const stability::Mode& mode : outcome.scenario.modes) machine.push_back(toJson(toValues(mode)));
-    std::string name = machine.dump();
+    const Json cut = {outcome.scenario.cutting_coefficient_N_mm2, outcome.scenario.feed_mm_rev};
+    std::string name = cut.dump() + keyOf(outcome.scenario.modes);
     if (name != sounding_) playCut(*outcome.cut, outcome.scenario.modes);
     player_.moveTo(outcome.point.speed_rpm, outcome.point.depth_mm);
     sounding_ = std::move(name);

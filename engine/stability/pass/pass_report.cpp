@@ -7,6 +7,7 @@
 #include "engine/core/units.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
+#include "engine/stability/depth_digits.h"
 #include "engine/stability/envelope.h"
 #include "engine/stability/pass/lobes_over_pass.h"
 #include "engine/stability/stability_plots.h"
@@ -131,6 +132,8 @@ report::Table stationsTable(const PassResult& result)
         {LT_TEXT("Engine", "z (mm)"), LT_TEXT("Engine", "diameter left (mm)"), LT_TEXT("Engine", "least limit (mm)")},
         {},
         {1, 2, 3}};
+    for (const PassStation& station : result.stations)
+        if (station.minimum_mm) table.decimals[2] = std::max(table.decimals[2], depthDecimals(*station.minimum_mm));
     table.rows.reserve(result.stations.size());
     for (const PassStation& station : result.stations)
         table.rows.push_back(
@@ -145,7 +148,8 @@ report::Section passSection(const PassResult& result, const SafeSpeed& safe, con
                 "The shaft is thinner by the depth of cut behind the tool. Of all speeds shown {speed} 1/min bears the "
                 "most over the whole pass: {depth} mm."),
         {{"speed", fixed(safe.best.speed_rpm, 0, language)},
-         {"depth", safe.best.limit ? fixed(*safe.best.limit, 3, language) : std::string("∞")}}};
+         {"depth",
+          safe.best.limit ? fixed(*safe.best.limit, depthDecimals(*safe.best.limit), language) : std::string("∞")}}};
     return {LT_TEXT("Engine", "Lobes over the pass"),
             {std::move(words), passMap(result), passPlot(result, safe), stationsTable(result)}};
 }
@@ -158,7 +162,8 @@ report::Answer passAnswer(const PassResult& result, const SafeSpeed& safe, const
     answer.quantity = LT_TEXT("Engine", "Depth of the pass");
     answer.value = result.parameters.pass_depth_mm;
     answer.unit = unit::mm;
-    if (std::isfinite(point.limit_mm)) answer.upper_limit = std::round(1000 * point.limit_mm) / 1000;
+    answer.decimals = depthDecimals(std::fmin(*result.parameters.pass_depth_mm, point.limit_mm));
+    if (std::isfinite(point.limit_mm)) answer.upper_limit = roundedDepth(point.limit_mm);
     answer.verdict = point.stable ? Verdict::Pass : Verdict::Fail;
     answer.verdict_words = point.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
     answer.sentence = std::isfinite(point.limit_mm)

@@ -22,12 +22,17 @@ Complex newtonStep(std::span<const Mode> modes, const CutForces& cut, double rev
 {
     Complex g = 0, g_slope = 0, poles = 0;
     for (const Mode& mode : modes) {
+        const double compliance = cut.direction_factor / mode.stiffness_N_mm;
+        if (!mode.hasMass()) {
+            g += compliance;
+            continue;
+        }
         const double omega = 2 * std::numbers::pi * mode.frequency_hz;
         const Complex denominator = s * s + 2 * mode.damping_ratio * omega * s + omega * omega;
         const Complex slope = 2.0 * s + 2 * mode.damping_ratio * omega;
-        const Complex one = cut.direction_factor * omega * omega / mode.stiffness_N_mm / denominator;
+        const Complex one = compliance * omega * (omega + mode.lead * s) / denominator;
         g += one;
-        g_slope -= one * slope / denominator;
+        g_slope += compliance * omega * mode.lead / denominator - one * slope / denominator;
         poles += slope / denominator;
     }
     const Complex delayed = std::exp(-s * revolution_s);
@@ -53,8 +58,7 @@ std::optional<Complex> rootFrom(std::span<const Mode> modes, const CutForces& cu
 
 Growth growthOfRoots(std::span<const Mode> modes, const CutForces& cut, double revolution_s, const Progress& progress)
 {
-    double highest_hz = 0;
-    for (const Mode& mode : modes) highest_hz = std::max(highest_hz, mode.frequency_hz);
+    const double highest_hz = highestFrequency_hz(modes);
     const double last = 2 * std::numbers::pi * beyondHighest * highest_hz + 2 * std::numbers::pi / revolution_s;
     const double spacing = 2 * std::numbers::pi / (startsPerTurn * revolution_s);
     const double starts = std::ceil(last / spacing);
@@ -66,6 +70,7 @@ Growth growthOfRoots(std::span<const Mode> modes, const CutForces& cut, double r
     };
     for (double i = 0; i <= starts; ++i) tryFrom({0, i * spacing});
     for (const Mode& mode : modes) {
+        if (!mode.hasMass()) continue;
         const double omega = 2 * std::numbers::pi * mode.frequency_hz;
         tryFrom({-mode.damping_ratio * omega, omega});
     }

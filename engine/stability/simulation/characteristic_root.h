@@ -1,5 +1,5 @@
 // Growth of a vibration per revolution in closed form: the rightmost root of the characteristic equation.
-//   1 + a G(s) [K_r (1 - e^{-sT}) + s C/v] = 0,  G(s) = Σ (ω²/k) / (s² + 2ζω s + ω²)
+//   1 + a G(s) [K_r (1 - e^{-sT}) + s C/v] = 0,  G(s) = Σ (ω/k)(ω + λs) / (s² + 2ζω s + ω²)
 // Roots are found by Newton's method from starts along the imaginary axis, spaced more closely than the roots.
 #pragma once
 

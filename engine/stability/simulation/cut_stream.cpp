@@ -78,7 +78,7 @@ void CutStream::fill(std::span<float> samples)
             const double q = deflection_[m], u = speed_[m];
             deflection_[m] = c.qq * q + c.qv * u + c.q0 * force_;
             speed_[m] = c.vq * q + c.vv * u + c.v0 * force_;
-            x += deflection_[m];
+            x += deflection_[m] + c.lag_s * speed_[m];
         }
         const double wave = surfaceBefore(60 * rate_hz_ / speed_rpm_);
         const double uneven = feed * (1 + 0.01 * wanted_.noise_percent * noise());

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int batchSize = 8;         ///< cuts simulated side by side with common mode constants
 constexpr double fewestPeriods = 2;  ///< smallest length of a revolution, in periods of the highest mode
+constexpr double weakPeak = 0.01;    ///< of the highest peak: modes with less go on exactly, but do not chatter first
 constexpr double smallest = 1e-60;   ///< magnitudes outside are rescaled
 constexpr int growthStepsBetweenChecks = 1 << 15;
 
@@ -35,7 +36,7 @@ public:
         share_ = 1 / (1 + stiffness_ * constants_.q1 + damping_ * constants_.v1);
         // Initial impulse on every mode.
         for (std::size_t m = 0; m < modes.size(); ++m)
-            speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
+            if (modes[m].hasMass()) speed_[m] = Lanes::Constant(2 * std::numbers::pi * modes[m].frequency_hz);
     }
 
     /// One revolution: `now` from the deflections of the revolution before.
@@ -49,8 +50,8 @@ public:
                 const Lanes q = deflection_[m], u = speed_[m];
                 deflection_[m] = c.qq * q + c.qv * u + c.q0 * force_;
                 speed_[m] = c.vq * q + c.vv * u + c.v0 * force_;
-                x += deflection_[m];
-                v += speed_[m];
+                x += deflection_[m] + c.lag_s * speed_[m];
+                v += c.rate_q * deflection_[m] + c.rate_v * speed_[m];
             }
             force_ = (stiffness_ * (before[i] - x) - damping_ * v) * share_;
             for (std::size_t m = 0; m < constants_.modes.size(); ++m) {
@@ -134,8 +135,14 @@ void growthsOfBatch(std::span<const Mode> modes, std::span<const CutForces> cuts
 
 double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, double per_period)
 {
-    double highest_hz = 0;
-    for (const Mode& mode : modes) highest_hz = std::max(highest_hz, mode.frequency_hz);
+    const auto peak_mm_N = [](const Mode& mode) {
+        return mode.isResonance() ? 1 / std::abs(mode.stiffness_N_mm * mode.damping_ratio) : 0;
+    };
+    double largest_mm_N = 0, highest_hz = 0;
+    for (const Mode& mode : modes) largest_mm_N = std::max(largest_mm_N, peak_mm_N(mode));
+    for (const Mode& mode : modes)
+        if (peak_mm_N(mode) > weakPeak * largest_mm_N) highest_hz = std::max(highest_hz, mode.frequency_hz);
+    if (highest_hz == 0) highest_hz = highestFrequency_hz(modes);
     return std::ceil(std::max(fewestPeriods, highest_hz * revolution_s) * per_period);
 }
 

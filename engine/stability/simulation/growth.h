@@ -33,8 +33,8 @@ struct Growth {
     double frequency_hz = 0;    ///< of the vibration that grows fastest or decays slowest
 };
 
-/// Number of steps with at least `per_period` in a period of the highest mode, and at least twice as many in a
-/// revolution.
+/// Number of steps with at least `per_period` in a period of the highest mode whose peak is more than a hundredth of
+/// the largest, and at least twice as many in a revolution.
 double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, double per_period);
 
 /// Growth of each cut; all have the same direction factor. Results do not depend on the other cuts. Preconditions: at

@@ -77,8 +77,8 @@ void simulateContactLoss(const std::vector<Mode>& modes, const CutForces& cut, S
             const double q = deflection[m], u = speed[m];
             deflection[m] = c.qq * q + c.qv * u + c.q0 * force;
             speed[m] = c.vq * q + c.vv * u + c.v0 * force;
-            x += deflection[m];
-            v += speed[m];
+            x += deflection[m] + c.lag_s * speed[m];
+            v += c.rate_q * deflection[m] + c.rate_v * speed[m];
         }
         const double wave = left[place];
         force = (cut.stiffness_N_mm * (feed + wave - x) - cut.damping_N_s_mm * v) * share;

@@ -54,7 +54,11 @@ struct SimulationResult {
     std::vector<double> deflection_mm;  ///< x of the tool, from the beginning of the cut
     std::vector<double> chip_mm;        ///< h, at the same times
     WavePair waves;                     ///< of the last revolution
-    Notes notes;                        ///< none so far
+    /// Of the modes against the response that they are of, at the frequency of the vibration; none: modes were stated,
+    /// or the vibration lies outside the lines of the response.
+    std::optional<double> model_error_percent;
+    std::optional<double> model_error_overall_percent;  ///< the same over all lines, rms by rms
+    Notes notes;                                        ///< those of judgeModel() (response_modes.h)
 
     double seconds() const { return step_s * static_cast<double>(deflection_mm.size()); }
 };

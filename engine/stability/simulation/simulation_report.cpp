@@ -57,6 +57,10 @@ const std::vector<QuantityOf<SimulationResult>>& quantitiesOf(const SimulationRe
         quantity<R>("step_s", &R::step_s, {LT_TEXT("Engine", "Time step"), unit::s, 7}),
         quantity<R>("steps_per_revolution", &R::steps_per_revolution,
                     {LT_TEXT("Engine", "Time steps in a revolution"), {}, 0}),
+        quantity<R>("model_error_percent", &R::model_error_percent,
+                    {LT_TEXT("Engine", "Error of the modes at this frequency"), unit::percent, 2}),
+        quantity<R>("model_error_overall_percent", &R::model_error_overall_percent,
+                    {LT_TEXT("Engine", "Error of the modes over all lines"), unit::percent, 2}),
         quantity<R>("sound_full_scale_mm", &soundFullScale_mm,
                     {LT_TEXT("Engine", "Full scale of the sound"), unit::mm, 5}));
     return all;
@@ -108,7 +112,8 @@ report::Section simulationSummary(const SimulationResult& result, const Language
     section.blocks.push_back(report::quantityTable(
         LT_TEXT("Engine", "Simulated cut"), result,
         {"verdict_words", "growth_per_revolution", "growth_step_difference", "frequency_hz", "wave_turns",
-         "amplitude_mm", "lost_contact_percent", "static_deflection_mm", "duration_s", "steps_per_revolution"}));
+         "amplitude_mm", "lost_contact_percent", "static_deflection_mm", "duration_s", "steps_per_revolution",
+         "model_error_percent", "model_error_overall_percent"}));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
 }

@@ -1,5 +1,6 @@
 #include "engine/stability/task/lobes_task.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -8,6 +9,7 @@
 #include "engine/core/units.h"
 #include "engine/io/file.h"
 #include "engine/report/chart_csv.h"
+#include "engine/stability/depth_digits.h"
 #include "engine/stability/refusal.h"
 #include "engine/stability/stability_codes.h"
 #include "engine/stability/stability_quantities.h"
@@ -157,8 +159,8 @@ report::Answer pointAnswer(const LobesOutcome& outcome, const Language& language
     told.quantity = LT_TEXT("Engine", "Depth of cut");
     told.value = outcome.point.depth_mm;
     if (!lobes.isRelative()) told.unit = unit::mm;
-    told.decimals = 3;
-    if (std::isfinite(work.limit_mm)) told.upper_limit = std::round(1000 * work.limit_mm) / 1000;
+    told.decimals = depthDecimals(std::min(outcome.point.depth_mm, std::fmin(work.limit_mm, 1)));
+    if (std::isfinite(work.limit_mm)) told.upper_limit = roundedDepth(work.limit_mm);
     told.verdict = work.stable ? Verdict::Pass : Verdict::Fail;
     told.verdict_words = work.stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
     told.values = {{"speed", fixed(outcome.point.speed_rpm, 0, language)},

@@ -102,6 +102,7 @@ PointResponse computed(const project::PanelState& state, const ResponseQuestion&
         });
     append(sources.notes, response->notes);
     found.used = response->used;
+    found.natural_frequencies_hz = response->natural_frequencies_hz.value_or(std::vector<double>());
     Frf frf = response->frf;
     io::dropUnusableLines(frf);  // a free shaft has no receptance at 0 Hz
     found.frf = std::make_shared<const Frf>(std::move(frf));

@@ -57,6 +57,7 @@ struct PointResponse {
     receptance::UncertainModel model;            ///< of modes that are stated, or of the fit that is used
     std::optional<receptance::UsedLines> lines;  ///< of a measured response
     std::optional<Shaft> shaft;                  ///< where it was computed
+    std::vector<double> natural_frequencies_hz;  ///< likewise; empty with a table of receptances
     receptance::ShaftHolding holding;            ///< likewise
 };
 

@@ -5,9 +5,10 @@
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
 #include "engine/io/file.h"
+#include "engine/stability/simulation/response_modes.h"
 #include "engine/stability/simulation/simulation_files.h"
 #include "engine/stability/simulation/simulation_report.h"
-#include "engine/stability/task/fitted_modes.h"
+#include "engine/stability/task/point_modes.h"
 
 namespace lathelier::stability {
 const std::vector<Field<SimulateQuestion>>& fieldsOf(const SimulateQuestion*)
@@ -30,12 +31,13 @@ SimulateOutcome answerSimulate(const project::PanelState& state, Stores& stores,
     outcome.response = takeResponse(state, outcome.question.response, usualHighestSpeed_rpm, std::nullopt, stores,
                                     sources, progress.part(0, 0.05));
     Notes found;
-    outcome.modes = outcome.response.modes;
-    if (outcome.modes.empty())
-        outcome.modes = fittedModes(*outcome.response.frf, outcome.response.basis, stores, found,
-                                    progress.part(0.05, 0.1, LT_TEXT("Engine", "Fitting modes")));
-    outcome.result = std::make_shared<const SimulationResult>(
-        simulate(outcome.modes, outcome.question.cut, progress.part(0.1, 1, LT_TEXT("Engine", "Simulating"))));
+    const SimulationParameters& cut = outcome.question.cut;
+    outcome.modes = modesOfPoint(
+        outcome.response, cut.cutting_coefficient_N_mm2.value_or(0) * cut.depth_mm.value_or(0) * cut.direction_factor,
+        stores, found, progress.part(0.05, 0.1, LT_TEXT("Engine", "Fitting modes")));
+    SimulationResult result = simulate(outcome.modes, cut, progress.part(0.1, 1, LT_TEXT("Engine", "Simulating")));
+    if (outcome.response.modes.empty()) judgeModel(result, outcome.modes, *outcome.response.frf);
+    outcome.result = std::make_shared<const SimulationResult>(std::move(result));
     found.insert(found.end(), outcome.result->notes.begin(), outcome.result->notes.end());
     outcome.record(state, sources, found);
     return outcome;

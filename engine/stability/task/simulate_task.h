@@ -1,5 +1,5 @@
-// The task simulate: a cut in time, with loss of contact. Modes that are stated are taken as they are, else they are
-// fitted to the response. The verb.
+// The task simulate: a cut in time, with loss of contact, on the modes of the point that is cut (point_modes.h). Where
+// these are not those of the response at the vibration that is found, the verdict is undecided. The verb.
 #pragma once
 
 #include <memory>
@@ -20,11 +20,11 @@ const std::vector<Field<SimulateQuestion>>& fieldsOf(const SimulateQuestion*);
 struct SimulateOutcome : task::Answered {
     SimulateQuestion question;                       ///< the parameters as a value
     PointResponse response;                          ///< what the modes are of
-    std::vector<Mode> modes;                         ///< stated or fitted
+    std::vector<Mode> modes;                         ///< that are simulated
     std::shared_ptr<const SimulationResult> result;  ///< never null
 };
 
-/// Errors: those of takeResponse(), fitModes(), simulate(); modesNeeded where no mode can be fitted. Throws Cancelled.
+/// Errors: those of takeResponse(), modesOfPoint(), simulate(). Throws Cancelled.
 SimulateOutcome answerSimulate(const project::PanelState& state, Stores& stores, task::Sources& sources,
                                const Progress& progress);
 

@@ -12,11 +12,12 @@
 #include "engine/report/quantity_table.h"
 #include "engine/stability/simulation/cut_views.h"
 #include "engine/stability/simulation/growth_chart.h"
+#include "engine/stability/simulation/response_modes.h"
 #include "engine/stability/simulation/simulation_files.h"
 #include "engine/stability/simulation/simulation_report.h"
 #include "engine/stability/simulation/stability_raster.h"
 #include "engine/stability/stability_verification.h"
-#include "engine/stability/task/fitted_modes.h"
+#include "engine/stability/task/point_modes.h"
 #include "engine/stability/task/point_response.h"
 #include "engine/task/memo.h"
 
@@ -31,16 +32,22 @@ constexpr double startDepth = 0.8;   ///< initial depth relative to the least li
 /// What a drag of the operating point does not change.
 struct LimitsMemo : Memo<Limits> {};
 
-/// Modes of the shop's machine; empty: a scenario is shown. `found`: notes of the fit.
-std::vector<stability::Mode> ownModes(const TrainingQuestion& question, const project::PanelState& state,
-                                      Stores& stores, task::Sources& sources, Notes& found, const Progress& progress)
+/// The response of the shop's machine; none: a scenario or stated modes are shown.
+std::optional<stability::PointResponse> ownResponse(const project::PanelState& state, Stores& stores,
+                                                    task::Sources& sources, const Progress& progress)
 {
-    if (!task::sourceOf(state, responseRole)) return question.modes;
-    const stability::PointResponse response =
-        stability::takeResponse(state, {}, stability::usualHighestSpeed_rpm, std::nullopt, stores, sources,
-                                progress.part(0, 0.5, LT_TEXT("Engine", "Reading")));
-    return stability::fittedModes(*response.frf, response.basis, stores, found,
-                                  progress.part(0.5, 1, LT_TEXT("Engine", "Fitting modes")));
+    if (!task::sourceOf(state, responseRole)) return {};
+    return stability::takeResponse(state, {}, stability::usualHighestSpeed_rpm, std::nullopt, stores, sources,
+                                   progress);
+}
+
+/// Its modes, for the depths that are shown. `found`: notes of the fit.
+std::vector<stability::Mode> modesOf(const stability::PointResponse& response, Stores& stores, Notes& found,
+                                     const Progress& progress)
+{
+    const double least_mm_N = -stability::leastRealPart(*response.frf).real_mm_N;
+    return stability::modesOfPoint(response, least_mm_N > 0 ? shownDepth / (2 * least_mm_N) : 0, stores, found,
+                                   progress);
 }
 
 void setDepths(Scenario& scenario, double least_limit_mm)
@@ -68,11 +75,15 @@ TrainingOutcome answerTraining(const project::PanelState& state, Stores& stores,
     Notes found;
     outcome.question = fromValues<TrainingQuestion>(state.parameters);
     const TrainingQuestion& question = outcome.question;
-    outcome.scenario = scenarioOf(question, ownModes(question, state, stores, sources, found, progress.part(0, 0.4)));
+    const std::optional<stability::PointResponse> response =
+        ownResponse(state, stores, sources, progress.part(0, 0.2, LT_TEXT("Engine", "Reading")));
+    outcome.scenario = scenarioOf(
+        question, response
+                      ? modesOf(*response, stores, found, progress.part(0.2, 0.4, LT_TEXT("Engine", "Fitting modes")))
+                      : question.modes);
     const Scenario& scenario = outcome.scenario;
     nameAssumed(outcome);
-    std::string basis;
-    for (const stability::Mode& mode : scenario.modes) basis += toJson(toValues(mode)).dump();
+    std::string basis = keyOf(scenario.modes);
     for (const double number : {scenario.cutting_coefficient_N_mm2, scenario.speed_rpm.from, scenario.speed_rpm.to})
         basis += Json(number).dump() + ' ';
     outcome.limits = stores.of<LimitsMemo>()->find(basis, progress.part(0.4, 0.7, LT_TEXT("Engine", "Finding lobes")),
@@ -82,9 +93,12 @@ TrainingOutcome answerTraining(const project::PanelState& state, Stores& stores,
     outcome.frf = std::make_shared<const Frf>(stability::frfOf(scenario.modes, scenario.speed_rpm.to));
     outcome.point = {question.speed_rpm.value_or(scenario.start_speed_rpm),
                      question.depth_mm.value_or(scenario.start_depth_mm)};
-    outcome.cut = std::make_shared<const stability::SimulationResult>(
+    stability::SimulationResult cut =
         simulate(scenario.modes, cutOf(scenario, outcome.point.speed_rpm, outcome.point.depth_mm),
-                 progress.part(0.7, 1, LT_TEXT("Engine", "Simulating"))));
+                 progress.part(0.7, 1, LT_TEXT("Engine", "Simulating")));
+    if (response) judgeModel(cut, scenario.modes, *response->frf);
+    found.insert(found.end(), cut.notes.begin(), cut.notes.end());
+    outcome.cut = std::make_shared<const stability::SimulationResult>(std::move(cut));
     outcome.state = stateOf(scenario, *outcome.limits, question.relation, *outcome.cut);
     outcome.record(state, sources, found);
     return outcome;
@@ -135,9 +149,7 @@ report::Answer answer(const TrainingOutcome& outcome, const Language& language)
 
 double highestShown(const TrainingOutcome& outcome)
 {
-    double highest = 0;
-    for (const stability::Mode& mode : outcome.scenario.modes) highest = std::max(highest, mode.frequency_hz);
-    return shownSpectrum * highest;
+    return shownSpectrum * stability::highestFrequency_hz(outcome.scenario.modes);
 }
 
 stability::RasterParameters rasterOf(const TrainingOutcome& outcome)

@@ -33,7 +33,7 @@ struct TrainingOutcome : task::Answered {
     }
 };
 
-/// Errors: those of the readers, fittedModes(), findLobes(), simulate(). Throws Cancelled.
+/// Errors: those of the readers, modesOfPoint(), findLobes(), simulate(). Throws Cancelled.
 TrainingOutcome answerTraining(const project::PanelState& state, Stores& stores, task::Sources& sources,
                                const Progress& progress);
 

@@ -159,6 +159,14 @@ std::string lowLines()
     return io::toFrfCsv(frf);
 }
 
+/// A soft mode above the lines, of which only the compliance is seen.
+std::string modeBeyondLines()
+{
+    std::vector<double> lines;
+    for (double f = 60; f <= 900; f += 2) lines.push_back(f);
+    return io::toFrfCsv(receptance::synthesised({{{280, 0.03, 1e4}, {2400, 0.03, 4e3}}, {}, {}}, lines));
+}
+
 }  // namespace
 
 void makeFrfs(const std::string& folder)
@@ -196,6 +204,13 @@ void makeFrfs(const std::string& folder)
         R"( "loss_factor": 0.002}})");
     write("plain.json", R"({"segments": [{"length_mm": 250, "start_diameter_mm": 40, "end_diameter_mm": 40}]})");
     write("springs.json", R"({"springs": {"radial_N_mm": 15000, "tilt_N_mm_rad": 197400000, "loss_factor": 0.06}})");
+    write(
+        "slender.json",
+        R"({"schema": "lathelier-shaft", "segments": [{"length_mm": 200, "start_diameter_mm": 16, "end_diameter_mm": 16}],)"
+        R"( "material": {"elastic_modulus_MPa": 210000, "poisson_ratio": 0.3, "density_kg_m3": 7850,)"
+        R"( "loss_factor": 0.002}})");
+    write("stiff.json", R"({"springs": {"radial_N_mm": 1e5, "tilt_N_mm_rad": 2e9, "loss_factor": 0.06}})");
+    write("beyond.csv", modeBeyondLines());
     write("stock.txt", "20 0 20 0 250\n");
     write("long_stock.txt", "20 0 20 0 250\n20 0 20 0 1000000\n");
     write("speck.json", R"({"segments": [{"length_mm": 1e-9, "start_diameter_mm": 34, "end_diameter_mm": 34}]})");

@@ -16,10 +16,10 @@ constexpr double unknownsOfLine = 3;
 constexpr double betterCost = 0.99;          // a start from a neighbour is accepted if it lowers the cost to this share
 constexpr double chanceOfTwoSigma = 0.0228;  // one-sided
 
-LineFit startedFit(const SpindleLines& lines, std::size_t line, int most_steps = mostSteps)
+LineFit startedFit(const SpindleLines& lines, std::size_t line, const ScaledSpindle& other, int most_steps = mostSteps)
 {
     const SpindleLine& bare = lines.bare.empty() ? lines.lines[line] : lines.bare[line];
-    return refine(lines.lines[line], linearStart(bare).value_or(ScaledSpindle::Zero()), most_steps);
+    return refine(lines.lines[line], linearStart(bare).value_or(other), most_steps);
 }
 
 double freedomOfLine(const LineFit& fit)
@@ -56,7 +56,7 @@ std::vector<LineFit> fitSpindle(const SpindleLines& lines, const Progress& progr
 {
     std::vector<LineFit> fits(lines.lines.size());
     parallelFor(fits.size(), linesPerFitTask, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) fits[i] = startedFit(lines, i);
+        for (std::size_t i = begin; i < end; ++i) fits[i] = startedFit(lines, i, ScaledSpindle::Zero());
     });
     progress.report(0.5);
     const auto improve = [&](std::size_t line, std::size_t neighbour) {
@@ -75,10 +75,8 @@ std::vector<LineFit> fitApart(const SpindleLines& lines, const std::vector<LineF
 {
     std::vector<LineFit> fits;
     for (std::size_t i = 0; i < lines.lines.size(); ++i) {
-        fits.push_back(startedFit(lines, i, stepsApart));
-        if (hints.empty()) continue;
-        LineFit other = refine(lines.lines[i], hints[i].spindle, stepsApart);
-        if (other.cost < fits[i].cost) fits[i] = other;
+        const ScaledSpindle hint = hints.empty() ? ScaledSpindle::Zero() : hints[i].spindle;
+        fits.push_back(startedFit(lines, i, hint, stepsApart));
     }
     return fits;
 }

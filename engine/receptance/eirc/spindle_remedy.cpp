@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "engine/core/parallel.h"
@@ -9,15 +10,15 @@
 namespace lathelier::receptance {
 namespace {
 
-constexpr std::size_t linesOfAll = 8;    // on which all remedies are tried
+constexpr std::size_t linesOfAll = 6;    // on which all remedies are tried
 constexpr std::size_t linesOfBest = 32;  // on which the best are
 constexpr std::size_t mostFinalists = 5;
 constexpr std::size_t mostOutstanding = 12;  // responses whose remedies are tried
-constexpr double levelOfOthers = 0.25;       // largest share of the chi² that may be left
+constexpr double levelOfOthers = 0.2;        // largest share of the excess of chi² over 1 that may be left
 constexpr double aloneBy = 1.5;              // every other remedy leaves at least so much more
 constexpr double smallestShift_mm = 2;       // less is the care of a rule, not a mistake
-constexpr double shifts_mm[] = {-40, -20, -10, -5, -2.5, 2.5, 5, 10, 20, 40};
-constexpr int narrowings = 14;
+constexpr double shifts_mm[] = {-20, -8, -3, 3, 8, 20};
+constexpr int narrowings = 10;
 
 /// A selection of lines.
 struct Sample {
@@ -224,7 +225,7 @@ std::vector<Tried> finalists(std::vector<Tried> tried, const Trial& trial, const
 /// The first one, if it and no other does away with the excess.
 std::optional<SpindleRemedy> clearly(const std::vector<Tried>& best, double stated)
 {
-    if (best.empty() || !(best.front().chi2 <= levelOfOthers * stated)) return std::nullopt;
+    if (best.empty() || !(best.front().chi2 - 1 <= levelOfOthers * (stated - 1))) return std::nullopt;
     if (best.size() > 1 && !(best[1].chi2 > aloneBy * best.front().chi2)) return std::nullopt;
     const SpindleRemedy& remedy = best.front().remedy;
     const bool is_far = std::abs(remedy.fitted_mm - remedy.stated_mm) >= smallestShift_mm;
@@ -268,15 +269,7 @@ std::optional<SpindleRemedy> findRemedy(const SpindleMeasurements& measurements,
     std::erase_if(mending, is_leaving);
     const double stated = more.asStated();
     const std::vector<Tried> best = finalists(std::move(mending), more, measurements, progress);
-    const auto found = clearly(best, stated);
-    if (std::getenv("EIRC_DEBUG")) {
-        std::printf("stated %g:", stated);
-        for (const Tried& o : best)
-            std::printf(" [%s f%zu r%zu %zu,%zu %g->%g: %.3g]", key(o.remedy.kind), o.remedy.frf, o.remedy.rod,
-                        o.remedy.point_a, o.remedy.point_b, o.remedy.stated_mm, o.remedy.fitted_mm, o.chi2);
-        std::printf("\n");
-    }
-    if (found) return found;
+    if (const auto found = clearly(best, stated)) return found;
     return clearly(finalists(std::move(leaving), more, measurements, progress), stated);
 }
 

@@ -101,10 +101,17 @@ Notes takeSprings(SpindleOutcome& outcome)
     return found;
 }
 
+std::optional<Verdict> verdictOf(const SpindleOutcome& outcome)
+{
+    return outcome.understanding.isWhole() ? answer(outcome).verdict : Verdict::Undecided;
+}
+
 Json jsonOf(const SpindleOutcome& outcome)
 {
     if (!outcome.identified) return Json::parse(spindleText(outcome.spindle));
     Json json = nestedJson(describedValues(*outcome.identified));
+    const std::optional<Verdict> verdict = verdictOf(outcome);
+    json["verdict"] = verdict ? Json(std::string(key(*verdict))) : Json();
     json["residual_percent"] = outcome.check->residual_percent;
     json["responses"] = Json::array();
     for (const CheckedResponse& response : outcome.check->responses)
@@ -235,7 +242,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const SpindleOutcome>& outcome)
     task::Outcome all;
     all.result = outcome;
     all.notes = outcome->notes;
-    all.verdict = answer(*outcome).verdict;
+    all.verdict = verdictOf(*outcome);
     all.json = [outcome] { return jsonOf(*outcome); };
     all.answer = [outcome](const Language& language) { return answer(*outcome, language); };
     all.summary = [outcome](const Language& language) { return summaryOf(*outcome, language); };

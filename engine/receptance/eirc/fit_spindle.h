@@ -14,8 +14,7 @@ namespace lathelier::receptance {
 /// both neighbours, since Gauss-Newton may converge to another minimum. Throws Cancelled.
 std::vector<LineFit> fitSpindle(const SpindleLines& lines, const Progress& progress = {});
 
-/// Of lines that are not neighbours, in a few steps: from the linear solution and from `hints`, by line; none: no
-/// hints.
+/// Of lines that are not neighbours, in a few steps: from the linear solution, where there is none from `hints`.
 std::vector<LineFit> fitApart(const SpindleLines& lines, const std::vector<LineFit>& hints = {});
 
 /// A response's share of a line's observations that the fit does not use up: 1 - h, h = |J (JᴴJ)⁻¹ Jᴴ| of its row.

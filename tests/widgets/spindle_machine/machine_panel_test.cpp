@@ -7,6 +7,7 @@
 #include <QUndoStack>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/json.h"
 #include "engine/io/file.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"

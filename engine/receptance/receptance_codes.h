@@ -74,7 +74,52 @@ inline constexpr NoteCode spindleNotConverged{
 
 inline constexpr NoteCode spindleNotPassive{
     "spindle_not_passive", Severity::Warning,
-    LT_TEXT("Engine", "At {lines} of {all} frequencies the spindle found would give power away.")};
+    LT_TEXT("Engine",
+            "At {lines} of {all} frequencies the spindle found would give power away, by more than its uncertainty.")};
+
+inline constexpr NoteCode spindleTableNotPassive{
+    "spindle_table_not_passive", Severity::Warning,
+    LT_TEXT("Engine",
+            "{path}: at {lines} of {all} frequencies, the first {frequency_hz} Hz, the receptance H of the spindle has "
+            "a positive imaginary part: it would give power away.")};
+
+inline constexpr NoteCode spindleNotExplained{
+    "spindle_not_explained", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The spindle found leaves {percent:1} % of the responses unexplained, more than {limit} % and more than their "
+        "noise ({expected:1} %)."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode spindleSignTurned{
+    "spindle_sign_turned", Severity::Warning,
+    LT_TEXT("Engine",
+            "Rod {rod}: the response {respond}/{excite} fits with its sign turned: residual {before_percent:1} → "
+            "{after_percent:1} %. It is used as measured.")};
+
+inline constexpr NoteCode spindlePointsSwapped{
+    "spindle_points_swapped", Severity::Warning,
+    LT_TEXT("Engine",
+            "Rod {rod}: the responses fit with the points {first} and {second} swapped: residual {before_percent:1} → "
+            "{after_percent:1} %. They are used as stated.")};
+
+inline constexpr NoteCode spindlePointMisplaced{
+    "spindle_point_misplaced", Severity::Warning,
+    LT_TEXT("Engine",
+            "Rod {rod}: the responses fit with the point {node} at {fitted_mm:1} mm from the chuck in place of "
+            "{stated_mm:1} mm: residual {before_percent:1} → {after_percent:1} %. It is used as stated.")};
+
+inline constexpr NoteCode spindleRodLength{
+    "spindle_rod_length", Severity::Warning,
+    LT_TEXT("Engine",
+            "Rod {rod}: the responses fit with {fitted_mm:1} mm of it outside the chuck in place of {stated_mm:1} mm: "
+            "residual {before_percent:1} → {after_percent:1} %. It is used as stated.")};
+
+inline constexpr NoteCode spindleResponseStandsOut{
+    "spindle_response_stands_out", Severity::Warning,
+    LT_TEXT("Engine",
+            "Rod {rod}: the response {respond}/{excite} contradicts the others: residual {before_percent:1} → "
+            "{after_percent:1} % without it. It is used as measured.")};
 
 inline constexpr NoteCode frfSlopeContradictsLabel{
     "frf_slope_contradicts_label", Severity::Warning,

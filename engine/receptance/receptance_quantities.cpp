@@ -36,10 +36,25 @@ const std::vector<QuantityOf<ShaftReceptanceResult>>& quantitiesOf(const ShaftRe
 const std::vector<QuantityOf<SpindleIdentification>>& quantitiesOf(const SpindleIdentification*)
 {
     using R = SpindleIdentification;
-    static const auto all =
-        describedBy<R>(quantity<R>("frequency_hz", &R::frequency_hz), quantity<R>("condition", &R::condition),
-                       quantity<R>("residual_rms_percent", &R::residual_rms_percent),
-                       quantity<R>("hold_out_rms_percent", &R::hold_out_rms_percent), quantity<R>("frfs", &R::frfs));
+    static const auto all = describedBy<R>(
+        quantity<R>("frequency_hz", &R::frequency_hz), quantity<R>("condition", &R::condition),
+        quantity<R>("residual_rms_percent", &R::residual_rms_percent),
+        quantity<R>("hold_out_rms_percent", &R::hold_out_rms_percent),
+        quantity<R>("expected_rms_percent", &R::expected_rms_percent), quantity<R>("chi2_per_dof", &R::chi2_per_dof),
+        quantity<R>("noise_from", [](const R& r) { return key(r.noise_from); }), quantity<R>("frfs", &R::frfs));
+    return all;
+}
+
+const std::vector<QuantityOf<CheckedResponse>>& quantitiesOf(const CheckedResponse*)
+{
+    using R = CheckedResponse;
+    static const auto all = describedBy<R>(
+        quantity<R>("rod", [](const R& r) { return r.rod + 1; }, {LT_TEXT("Engine", "Rod"), {}, 0}),
+        quantity<R>("respond", &R::respond, {LT_TEXT("Engine", "Node that responds"), {}, 0}),
+        quantity<R>("excite", &R::excite, {LT_TEXT("Engine", "Node that is tapped"), {}, 0}),
+        quantity<R>("used", &R::used, {LT_TEXT("Engine", "used"), {}, 0}),
+        quantity<R>("rms_percent", &R::rms_percent, {LT_TEXT("Engine", "Residual"), unit::percent, 2}),
+        quantity<R>("chi2_per_dof", &R::chi2_per_dof, {LT_TEXT("Engine", "χ² per degree of freedom"), {}, 2}));
     return all;
 }
 

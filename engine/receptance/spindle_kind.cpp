@@ -1,10 +1,12 @@
 #include "engine/receptance/spindle_kind.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "engine/io/frf/frf_reader.h"
 #include "engine/io/json/json_head.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
+#include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
 
 namespace lathelier::receptance {
@@ -44,6 +46,19 @@ auto named(const io::FileToRead& file, Notes& notes, Read read)
     }
 }
 
+/// Im H > 0: a table that was identified may hold that within its noise, which a file does not state.
+void notePassivity(const SpindleTable& table, const std::string& path, Notes& notes)
+{
+    const auto active = [](const Complex& H) { return H.imag() > 0; };
+    const auto first = std::find_if(table.H_mm_N.begin(), table.H_mm_N.end(), active);
+    if (first == table.H_mm_N.end()) return;
+    notes.push_back({notes::spindleTableNotPassive,
+                     {{"path", path},
+                      {"lines", std::int64_t{std::count_if(first, table.H_mm_N.end(), active)}},
+                      {"all", static_cast<std::int64_t>(table.H_mm_N.size())},
+                      {"frequency_hz", table.frequency_hz[static_cast<std::size_t>(first - table.H_mm_N.begin())]}}});
+}
+
 io::FileFacts factsOf(const io::FileToRead& file, const char* format)
 {
     io::FileFacts facts;
@@ -78,7 +93,9 @@ SpindleFile loadSpindle(const io::FileToRead& file)
         set(facts.details, "source", std::string("springs"));
         for (const auto& [key, value] : lathelier::toValues(*springs)) set(facts.details, key, value);
     } else {
-        const std::vector<double>& lines = std::get<SpindleTable>(loaded.spindle.source).frequency_hz;
+        const auto& table = std::get<SpindleTable>(loaded.spindle.source);
+        const std::vector<double>& lines = table.frequency_hz;
+        notePassivity(table, file.path, loaded.notes);
         set(facts.details, "source", std::string("table"));
         set(facts.details, "lines", static_cast<std::int64_t>(lines.size()));
         set(facts.details, "from_hz", lines.front());

@@ -14,7 +14,7 @@ struct SpindleFile {
     Notes notes;          ///< notes of the reader, with the path
 };
 
-/// Errors of readSpindle(), with the path.
+/// Errors of readSpindle(), with the path. Note spindleTableNotPassive.
 SpindleFile loadSpindle(const io::FileToRead& file);
 
 /// Rods and responses of MEASUREMENTS.json and of the file of frequency responses that it names.

@@ -1,5 +1,6 @@
 #include "engine/receptance/spindle_plots.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 #include "engine/core/units.h"
 #include "engine/receptance/eirc/spindle_line.h"
 #include "engine/receptance/frf_plots.h"
+#include "engine/receptance/receptance_quantities.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -63,6 +65,23 @@ report::Curve magnitudeCurve(report::Caption name, const Frf& frf)
     return curve;
 }
 
+/// |predicted - measured| / |measured| by line, in percent.
+report::Curve residualCurve(report::Caption name, const CheckedResponse& response)
+{
+    report::Curve curve{std::move(name), response.measured.frequency_hz, {}};
+    curve.y.reserve(response.measured.value.size());
+    for (std::size_t i = 0; i < response.measured.value.size(); ++i)
+        curve.y.push_back(
+            100 * std::abs((response.predicted.value[i] - response.measured.value[i]) / response.measured.value[i]));
+    return curve;
+}
+
+/// By what the responses are ordered: where their noise is known, by it; those held out are not compared.
+double misfitOf(const CheckedResponse& response)
+{
+    return response.used ? response.chi2_per_dof.value_or(response.rms_percent) : -1;
+}
+
 }  // namespace
 
 report::Plot spindleMagnitudePlot(const SpindleReceptance& spindle)
@@ -88,13 +107,29 @@ report::Plot conditionPlot(const SpindleIdentification& found)
     return plot;
 }
 
-report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck& check)
+report::Plot residualPlot(const SpindleCheck& check, const Language& language)
 {
     report::Plot plot;
-    plot.title = LT_TEXT("Engine", "Residual of each line");
+    plot.title = LT_TEXT("Engine", "Residual of each response");
     plot.x = frequencyAxis();
-    plot.y = {LT_TEXT("Engine", "Residual"), unit::percent};
-    plot.curves = {{{}, found.frequency_hz, check.residual_percent}};
+    plot.y = {LT_TEXT("Engine", "Residual"), unit::percent, report::Axis::Scale::Logarithmic};
+    const auto worst =
+        std::max_element(check.responses.begin(), check.responses.end(),
+                         [](const CheckedResponse& a, const CheckedResponse& b) { return misfitOf(a) < misfitOf(b); });
+    for (auto one = check.responses.begin(); one != check.responses.end(); ++one) {
+        if (one == worst) continue;
+        plot.curves.push_back(residualCurve({}, *one));
+        plot.curves.back().thin = true;
+        plot.curves.back().colour = report::ColourRole::Neutral;
+    }
+    plot.curves.push_back({LT_TEXT("Engine", "all that are used"), check.frequency_hz, check.residual_percent});
+    plot.curves.back().colour = 0;
+    if (worst == check.responses.end()) return plot;
+    const Values nodes{
+        {"rod", static_cast<std::int64_t>(worst->rod + 1)}, {"respond", worst->respond}, {"excite", worst->excite}};
+    plot.curves.push_back(residualCurve(
+        fill(text(LT_TEXT("Engine", "worst: rod {rod}, {respond}/{excite}"), language), nodes, language), *worst));
+    plot.curves.back().colour = 1;
     return plot;
 }
 
@@ -112,10 +147,9 @@ report::Plot heldOutPlot(const SpindleCheck& check, const Language& language)
         measured.style = report::Curve::Style::Points;
         measured.colour = report::ColourRole::Neutral;
         plot.curves.push_back(std::move(measured));
-        const Values points{{"a", static_cast<std::int64_t>(response.point_a + 1)},
-                            {"b", static_cast<std::int64_t>(response.point_b + 1)}};
+        const Values nodes{{"respond", response.respond}, {"excite", response.excite}};
         predicted.push_back(
-            magnitudeCurve(fill(text(LT_TEXT("Engine", "points {a} and {b}, predicted"), language), points, language),
+            magnitudeCurve(fill(text(LT_TEXT("Engine", "{respond}/{excite}, predicted"), language), nodes, language),
                            response.predicted));
         predicted.back().colour = static_cast<int>(predicted.size()) - 1;
     }
@@ -127,14 +161,15 @@ report::Table responsesTable(const SpindleCheck& check)
 {
     report::Table table;
     table.title = LT_TEXT("Engine", "Residual of each response");
-    table.columns = {LT_TEXT("Engine", "rod"), LT_TEXT("Engine", "point a"), LT_TEXT("Engine", "point b"),
-                     LT_TEXT("Engine", "used"), LT_TEXT("Engine", "residual (%)")};
-    table.decimals = {0, 0, 0, 0, 2};
-    table.rows.reserve(check.responses.size());
-    for (const CheckedResponse& response : check.responses)
-        table.rows.push_back({static_cast<std::int64_t>(response.rod + 1),
-                              static_cast<std::int64_t>(response.point_a + 1),
-                              static_cast<std::int64_t>(response.point_b + 1), response.used, response.rms_percent});
+    for (const QuantityOf<CheckedResponse>& column : quantities<CheckedResponse>()) {
+        table.columns.emplace_back(report::Labelled{column.info.label, column.info.unit});
+        table.decimals.push_back(column.info.decimals);
+    }
+    for (const CheckedResponse& response : check.responses) {
+        std::vector<Value>& row = table.rows.emplace_back();
+        for (const QuantityOf<CheckedResponse>& column : quantities<CheckedResponse>())
+            row.push_back(column.get(response));
+    }
     return table;
 }
 

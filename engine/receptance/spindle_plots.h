@@ -17,13 +17,13 @@ report::Plot spindlePhasePlot(const SpindleReceptance& spindle);
 /// Condition number of the identification by line.
 report::Plot conditionPlot(const SpindleIdentification& found);
 
-/// Residual of each line, in percent.
-report::Plot residualPlot(const SpindleIdentification& found, const SpindleCheck& check);
+/// Residual by line in percent: of every response faintly, of the worst one and of all that are used.
+report::Plot residualPlot(const SpindleCheck& check, const Language& language = {});
 
 /// Magnitude of the responses of the rod that was held out, measured and predicted. No curves without a held-out rod.
 report::Plot heldOutPlot(const SpindleCheck& check, const Language& language = {});
 
-/// One row for each response: rod, points, residual.
+/// One row for each response: rod, nodes, residual, χ².
 report::Table responsesTable(const SpindleCheck& check);
 
 }  // namespace lathelier::receptance

@@ -57,7 +57,7 @@ void MachineViews::show()
     phase_->setData(receptance::spindlePhasePlot(outcome_->spindle));
     if (!outcome_->check) return;
     heldOut_->setData(receptance::heldOutPlot(*outcome_->check, screenLanguage()));
-    residual_->setData(receptance::residualPlot(*outcome_->identified, *outcome_->check));
+    residual_->setData(receptance::residualPlot(*outcome_->check, screenLanguage()));
     condition_->setData(receptance::conditionPlot(*outcome_->identified));
     responses_->setTable(receptance::responsesTable(*outcome_->check));
 }

@@ -11,6 +11,8 @@
 #include "engine/core/progress.h"
 #include "engine/core/used_value.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
+#include "engine/receptance/eirc/spindle_noise.h"
+#include "engine/receptance/eirc/spindle_remedy.h"
 #include "engine/receptance/spindle_receptance.h"
 
 namespace lathelier::receptance {
@@ -24,6 +26,13 @@ struct IdentificationParameters {
 
 const std::vector<Field<IdentificationParameters>>& fieldsOf(const IdentificationParameters*);
 
+/// A mistake of the measurements that was found by trying its remedy (spindle_remedy.h). It is not applied.
+struct TriedRemedy {
+    SpindleRemedy remedy;
+    double rms_percent = 0;  ///< residual_rms_percent with it; of LeaveOut without that response
+    Values values;           ///< of its note: rod and nodes as people count them, both residuals
+};
+
 struct SpindleIdentification {
     IdentificationParameters parameters;
     SpindleReceptance spindle;         ///< identified receptance, a table on the measured frequencies
@@ -31,13 +40,22 @@ struct SpindleIdentification {
     std::vector<double> condition;  ///< by line: largest over smallest singular value of the weighted Jacobian, with L
                                     ///< × 100 mm and P × (100 mm)²
     double residual_rms_percent = 0;             ///< 100·rms(|G_fit - G|/|G|) over all lines and responses used
-    std::optional<double> hold_out_rms_percent;  ///< the same on the held-out rod; none without one
-    std::size_t frfs = 0;                        ///< number of responses used
-    UsedValues used;                             ///< the materials with their origin
-    Notes notes;  ///< codes materialAssumed, spindleIllConditioned, spindleNotConverged, spindleNotPassive
+    std::optional<double> expected_rms_percent;  ///< what the noise alone leaves of it; none: noise not known
+    std::optional<double> chi2_per_dof;          ///< of the fit line by line; none: noise or freedom not there
+    std::vector<std::optional<double>> chi2_per_dof_of_frfs;  ///< by SpindleMeasurements::frfs; none: held out
+    NoiseSource noise_from = NoiseSource::Unknown;            ///< source of the size of the noise
+    std::optional<TriedRemedy> remedy;                        ///< the mistake found
+    std::optional<double> hold_out_rms_percent;               ///< the same on the held-out rod; none without one
+    std::size_t frfs = 0;                                     ///< number of responses used
+    UsedValues used;                                          ///< the materials with their origin
+    Notes notes;  ///< codes materialAssumed, spindleIllConditioned, spindleNotConverged, spindleNotPassive,
+                  ///< spindleNotExplained and those of the remedies
 };
 
-/// Weights: with coherence σ² ∝ |G|² (1-γ²)/γ², averaged over 9 lines, else σ ∝ |G|. Lines at 0 Hz are excluded.
+/// A residual above this is undecided, unless the noise explains it.
+inline constexpr double largestResidual_percent = 10;
+
+/// Weights: 1/σ of spindle_noise.h. Lines at 0 Hz are excluded.
 /// Errors: tooFewMeasuredPoints, measuredPointBeyondRod, measuredPairUnknown, frfLinesDiffer, holdOutUnknown, and those
 /// of beam::beamModel(). Throws Cancelled.
 SpindleIdentification identifySpindle(const SpindleMeasurements& measurements,

@@ -19,15 +19,18 @@ SpindleCheck checkSpindle(const SpindleMeasurements& measurements, const Spindle
 {
     UsedValues used;
     Notes notes;
-    const SpindleLines lines = spindleLines(measurements, found.parameters, used, notes, progress);
+    const SpindleLines lines =
+        spindleLines(measurements, spindleNoise(measurements), found.parameters.shear, used, notes, progress);
     SpindleCheck check;
+    check.frequency_hz = lines.frequency_hz;
     check.responses.resize(measurements.frfs.size());
     for (std::size_t i = 0; i < check.responses.size(); ++i) {
         const RodFrf& one = measurements.frfs[i];
         CheckedResponse& response = check.responses[i];
         response.rod = one.rod;
-        response.point_a = one.point_a;
-        response.point_b = one.point_b;
+        response.respond = measurements.rods[one.rod].nodeOf(one.point_a);
+        response.excite = measurements.rods[one.rod].nodeOf(one.point_b);
+        response.chi2_per_dof = found.chi2_per_dof_of_frfs[i];
         response.used = found.parameters.hold_out != static_cast<int>(one.rod) + 1;
         response.measured.frequency_hz = response.predicted.frequency_hz = lines.frequency_hz;
         response.measured.value.reserve(lines.lines.size());
@@ -45,7 +48,7 @@ SpindleCheck checkSpindle(const SpindleMeasurements& measurements, const Spindle
             const Complex predicted = responseOn(lines.lines[line], response, spindle);
             check.responses[i].measured.value.push_back(response.measured);
             check.responses[i].predicted.value.push_back(predicted);
-            if (!(std::abs(response.measured) > 0)) continue;
+            if (!(response.weight > 0)) continue;
             const double square = std::norm((predicted - response.measured) / response.measured);
             sums[i] += square;
             ++counts[i];

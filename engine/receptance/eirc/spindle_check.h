@@ -7,16 +7,18 @@ namespace lathelier::receptance {
 
 /// A measured response with the one predicted by the spindle.
 struct CheckedResponse {
-    std::size_t rod = 0;      ///< index of the rod, from 0
-    std::size_t point_a = 0;  ///< index of a point on it, from 0
-    std::size_t point_b = 0;  ///< index of the other point, from 0
-    bool used = true;         ///< false: belongs to the held-out rod
-    Frf measured;             ///< measured receptance, on the lines of the identification
-    Frf predicted;            ///< predicted receptance, on the same lines
-    double rms_percent = 0;   ///< 100·rms(|predicted - measured|/|measured|)
+    std::size_t rod = 0;                 ///< index of the rod, from 0
+    std::int64_t respond = 0;            ///< node that responds
+    std::int64_t excite = 0;             ///< node that is excited
+    bool used = true;                    ///< false: belongs to the held-out rod
+    Frf measured;                        ///< measured receptance, on the lines of the identification
+    Frf predicted;                       ///< predicted receptance, on the same lines
+    double rms_percent = 0;              ///< 100·rms(|predicted - measured|/|measured|)
+    std::optional<double> chi2_per_dof;  ///< of the fit line by line; none: not used, or noise not known
 };
 
 struct SpindleCheck {
+    std::vector<double> frequency_hz;        ///< of each line
     std::vector<double> residual_percent;    ///< by line: rms over the responses used
     std::vector<CheckedResponse> responses;  ///< in the order of the measurements
 };

@@ -10,7 +10,6 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr double scale_mm = 100;
-constexpr int mostIterations = 60;
 constexpr int mostHalvings = 20;
 constexpr double convergedShare = 1e-10;  // relative change of the unknowns at convergence
 
@@ -21,6 +20,12 @@ Eigen::Matrix<Complex, 2, 3> rowsOf(const Eigen::Vector2cd& reaction)
     const Complex tilt = reaction[1] / scale_mm;
     rows << reaction[0], tilt, 0, 0, reaction[0], tilt;  // the second row times 100 mm
     return rows;
+}
+
+/// Per change of H, L and P, from (Hb_jj + Hs)⁻¹ Hb_j of both points.
+Eigen::RowVector3cd gradientOf(const Eigen::Vector2cd& a, const Eigen::Vector2cd& b)
+{
+    return {a[0] * b[0], (a[0] * b[1] + a[1] * b[0]) / scale_mm, a[1] * b[1] / (scale_mm * scale_mm)};
 }
 
 struct System {
@@ -37,12 +42,11 @@ System linearised(const SpindleLine& line, const ScaledSpindle& spindle)
     System system{ThreeColumns(n, 3), Eigen::VectorXcd(n)};
     for (Eigen::Index i = 0; i < n; ++i) {
         const LineResponse& one = line.responses[static_cast<std::size_t>(i)];
-        const Eigen::Vector2cd a = inverse[one.rod] * one.joint_a;
-        const Eigen::Vector2cd b = inverse[one.rod] * one.joint_b;
+        const Eigen::Vector2cd a = inverse[one.loaded] * one.joint_a;
+        const Eigen::Vector2cd b = inverse[one.loaded] * one.joint_b;
         const Complex value = one.free - one.joint_a.cwiseProduct(b).sum();  // bilinear product, without conjugation
         system.residual[i] = one.weight * (value - one.measured);
-        system.jacobian.row(i) << one.weight * a[0] * b[0], one.weight / scale_mm * (a[0] * b[1] + a[1] * b[0]),
-            one.weight / (scale_mm * scale_mm) * a[1] * b[1];
+        system.jacobian.row(i) = one.weight * gradientOf(a, b);
     }
     return system;
 }
@@ -72,9 +76,15 @@ ScaledSpindle scaledOf(const ReceptanceMatrix& spindle)
 
 Complex responseOn(const SpindleLine& line, const LineResponse& response, const ScaledSpindle& spindle)
 {
-    const ReceptanceMatrix joint = line.free_jj[response.rod] + matrixOf(spindle);
+    const ReceptanceMatrix joint = line.free_jj[response.loaded] + matrixOf(spindle);
     const Eigen::Vector2cd reaction = joint.inverse() * response.joint_b;
     return response.free - response.joint_a.cwiseProduct(reaction).sum();
+}
+
+Eigen::RowVector3cd gradientOn(const SpindleLine& line, const LineResponse& response, const ScaledSpindle& spindle)
+{
+    const ReceptanceMatrix inverse = (line.free_jj[response.loaded] + matrixOf(spindle)).inverse();
+    return gradientOf(inverse * response.joint_a, inverse * response.joint_b);
 }
 
 std::optional<ScaledSpindle> linearStart(const SpindleLine& line)
@@ -88,7 +98,7 @@ std::optional<ScaledSpindle> linearStart(const SpindleLine& line)
         int count = 0;
         for (const LineResponse& one : line.responses) {
             const bool at_a = one.point_a == point;
-            if (one.rod != rod || !(one.weight > 0) || (!at_a && one.point_b != point)) continue;
+            if (one.loaded != rod || !(one.weight > 0) || (!at_a && one.point_b != point)) continue;
             joint = at_a ? one.joint_a : one.joint_b;
             Eigen::Vector2cd row = at_a ? one.joint_b : one.joint_a;
             row[1] /= scale_mm;  // reaction moment in units of 100 mm times a force
@@ -109,22 +119,22 @@ std::optional<ScaledSpindle> linearStart(const SpindleLine& line)
     std::vector<std::pair<std::size_t, std::size_t>> forces;
     for (const LineResponse& one : line.responses)
         for (const std::size_t point : {one.point_a, one.point_b})
-            if (std::find(forces.begin(), forces.end(), std::pair{one.rod, point}) == forces.end())
-                forces.emplace_back(one.rod, point);
+            if (std::find(forces.begin(), forces.end(), std::pair{one.loaded, point}) == forces.end())
+                forces.emplace_back(one.loaded, point);
     for (const auto& [rod, point] : forces) addForce(rod, point);
     if (normal.isZero(0)) return std::nullopt;
     const ScaledSpindle result = solveFullPivoting(normal, right);
     return result.allFinite() ? std::optional(result) : std::nullopt;
 }
 
-LineFit refine(const SpindleLine& line, const ScaledSpindle& start)
+LineFit refine(const SpindleLine& line, const ScaledSpindle& start, int most_steps)
 {
     LineFit fit;
     fit.spindle = start;
     fit.cost = costOf(line, start);
     fit.responses = static_cast<std::size_t>(std::count_if(line.responses.begin(), line.responses.end(),
                                                            [](const LineResponse& one) { return one.weight > 0; }));
-    for (int i = 0; i < mostIterations && !fit.converged; ++i) {
+    for (int i = 0; i < most_steps && !fit.converged; ++i) {
         const System system = linearised(line, fit.spindle);
         if (!system.jacobian.allFinite()) break;
         const ScaledSpindle step = -leastSquares(system.jacobian, system.residual);

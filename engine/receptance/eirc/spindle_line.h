@@ -22,13 +22,14 @@ using ScaledSpindle = Eigen::Vector3cd;
 ReceptanceMatrix matrixOf(const ScaledSpindle& spindle);
 ScaledSpindle scaledOf(const ReceptanceMatrix& spindle);
 
-/// One measured response at one line.
+/// One measured response at one line. "Free rod": with the accelerometer of this response on it.
 struct LineResponse {
     std::size_t rod = 0;       ///< index of the rod
     std::size_t point_a = 0;   ///< index of the point; groups responses for the linear start
     std::size_t point_b = 0;   ///< index of the other point
     Complex measured;          ///< measured receptance, mm/N
     double weight = 1;         ///< 1/σ of `measured`; 0: not used
+    std::size_t loaded = 0;    ///< index in `free_jj`: the rod with its accelerometer at point_a
     Complex free;              ///< receptance of the free rod, Hb_ab
     Eigen::Vector2cd joint_a;  ///< Hb_ja of the free rod: motion (w, θ) of the joint per force at a
     Eigen::Vector2cd joint_b;  ///< Hb_jb of the free rod
@@ -37,7 +38,7 @@ struct LineResponse {
 /// One line of all measurements.
 struct SpindleLine {
     std::vector<LineResponse> responses;    ///< responses of the rods used
-    std::vector<ReceptanceMatrix> free_jj;  ///< by rod: receptance of the free rod at the joint
+    std::vector<ReceptanceMatrix> free_jj;  ///< by loaded rod: receptance of the free rod at the joint
 };
 
 /// Gauss-Newton solution at one line.
@@ -53,9 +54,15 @@ struct LineFit {
 /// The response predicted by a spindle.
 Complex responseOn(const SpindleLine& line, const LineResponse& response, const ScaledSpindle& spindle);
 
-/// None where no rod has two points with a force in common.
+/// The change of the response with the scaled unknowns.
+Eigen::RowVector3cd gradientOn(const SpindleLine& line, const LineResponse& response, const ScaledSpindle& spindle);
+
+/// None where no loaded rod has two points with a force in common.
 std::optional<ScaledSpindle> linearStart(const SpindleLine& line);
 
-LineFit refine(const SpindleLine& line, const ScaledSpindle& start);
+inline constexpr int mostSteps = 60;
+
+/// At most `most_steps` of Gauss and Newton.
+LineFit refine(const SpindleLine& line, const ScaledSpindle& start, int most_steps = mostSteps);
 
 }  // namespace lathelier::receptance

@@ -18,7 +18,25 @@ Label required(Text name, Text help, Text unit = {})
     return result;
 }
 
+/// Key of the file, of a rod and of a point: the nearest one counts.
+template <class P>
+Field<P> massField(Text help)
+{
+    return field("accelerometer_mass_g", &P::accelerometer_mass_g, Range{0, 1000},
+                 Label{LT_TEXT("Engine", "Accelerometer"), help, LT_TEXT("Engine", "g")});
+}
+
 }  // namespace
+
+std::int64_t MeasuredRod::nodeOf(std::size_t point) const
+{
+    return point < node.size() ? node[point] : static_cast<std::int64_t>(point) + 1;
+}
+
+double MeasuredRod::massAt_g(std::size_t point) const
+{
+    return point < accelerometer_mass_g.size() ? accelerometer_mass_g[point] : 0;
+}
 
 const std::vector<Field<RodPoint>>& fieldsOf(const RodPoint*)
 {
@@ -26,7 +44,8 @@ const std::vector<Field<RodPoint>>& fieldsOf(const RodPoint*)
         field("node", &RodPoint::node, {-2147483647, 2147483647},
               required(LT_TEXT("Engine", "Node"), LT_TEXT("Engine", "Of the point in the file of responses."))),
         field("distance_from_chuck_mm", &RodPoint::distance_from_chuck_mm, {0, 1e5},
-              required(LT_TEXT("Engine", "From the chuck"), LT_TEXT("Engine", "Along the rod."), unit::mm)));
+              required(LT_TEXT("Engine", "From the chuck"), LT_TEXT("Engine", "Along the rod."), unit::mm)),
+        massField<RodPoint>(LT_TEXT("Engine", "Mass that moves with this point where it responds.")));
     return all;
 }
 
@@ -39,6 +58,7 @@ const std::vector<Field<RodEntry>>& fieldsOf(const RodEntry*)
               required(LT_TEXT("Engine", "Diameter"), LT_TEXT("Engine", "Of the cylinder."), unit::mm)),
         group("material", &RodEntry::material,
               Label{LT_TEXT("Engine", "Material"), LT_TEXT("Engine", "Stated for this rod.")}),
+        massField<RodEntry>(LT_TEXT("Engine", "Mass that moves with the point of this rod that responds.")),
         rows("points", &RodEntry::points, {1, 1000},
              required(LT_TEXT("Engine", "Points"), LT_TEXT("Engine", "Where the rod is tapped and measured."))));
     return all;
@@ -49,6 +69,11 @@ const std::vector<Field<MeasurementFile>>& fieldsOf(const MeasurementFile*)
     static const auto all = described<MeasurementFile>(
         field("frf", &MeasurementFile::frf,
               required(LT_TEXT("Engine", "Responses"), LT_TEXT("Engine", "File of the frequency responses."))),
+        field("averages", &MeasurementFile::averages, Range{0, 1e6},
+              Label{LT_TEXT("Engine", "Averages"),
+                    LT_TEXT("Engine",
+                            "Taps averaged for each response; with the coherence they give its noise. 0: not known.")}),
+        massField<MeasurementFile>(LT_TEXT("Engine", "Mass that moves with the point that responds.")),
         rows("rods", &MeasurementFile::rods, {1, 100},
              required(LT_TEXT("Engine", "Rods"), LT_TEXT("Engine", "Measured in the chuck, one after the other."))));
     return all;
@@ -76,6 +101,7 @@ SpindleMeasurements measurementsOf(const MeasurementFile& file, std::span<const 
         std::size_t rod, point;
     };
     SpindleMeasurements result;
+    result.averages = file.averages;
     std::map<std::int64_t, Place> places;
     for (std::size_t rod = 0; rod < file.rods.size(); ++rod) {
         const RodEntry& entry = file.rods[rod];
@@ -83,8 +109,12 @@ SpindleMeasurements measurementsOf(const MeasurementFile& file, std::span<const 
         measured.shaft.segments = {{entry.length_mm, entry.diameter_mm, entry.diameter_mm, 0, std::nullopt, ""}};
         measured.shaft.material = entry.material;
         for (std::size_t point = 0; point < entry.points.size(); ++point) {
-            measured.distance_from_chuck_mm.push_back(entry.points[point].distance_from_chuck_mm);
-            places.emplace(entry.points[point].node, Place{rod, point});
+            const RodPoint& stated = entry.points[point];
+            measured.distance_from_chuck_mm.push_back(stated.distance_from_chuck_mm);
+            measured.node.push_back(stated.node);
+            const auto& of_rod = entry.accelerometer_mass_g ? entry.accelerometer_mass_g : file.accelerometer_mass_g;
+            measured.accelerometer_mass_g.push_back(stated.accelerometer_mass_g.value_or(of_rod.value_or(0)));
+            places.emplace(stated.node, Place{rod, point});
         }
         result.rods.push_back(std::move(measured));
     }

@@ -101,11 +101,26 @@ Notes takeSprings(SpindleOutcome& outcome)
     return found;
 }
 
+std::optional<Verdict> verdictOf(const SpindleOutcome& outcome)
+{
+    return outcome.understanding.isWhole() ? answer(outcome).verdict : Verdict::Undecided;
+}
+
 Json jsonOf(const SpindleOutcome& outcome)
 {
     if (!outcome.identified) return Json::parse(spindleText(outcome.spindle));
     Json json = nestedJson(describedValues(*outcome.identified));
+    const std::optional<Verdict> verdict = verdictOf(outcome);
+    json["verdict"] = verdict ? Json(std::string(key(*verdict))) : Json();
     json["residual_percent"] = outcome.check->residual_percent;
+    json["responses"] = Json::array();
+    for (const CheckedResponse& response : outcome.check->responses)
+        json["responses"].push_back(nestedJson(describedValues(response)));
+    json["remedy"] = nullptr;
+    if (const auto& tried = outcome.identified->remedy) {
+        json["remedy"] = nestedJson(tried->values);
+        json["remedy"]["kind"] = key(tried->remedy.kind);
+    }
     return json;
 }
 
@@ -130,7 +145,7 @@ report::Document reportOf(const SpindleOutcome& outcome, const Language& languag
     if (!outcome.notes.empty()) first.emplace_back(outcome.notes);
     if (!outcome.check) return document;
     report::Section quality{LT_TEXT("Engine", "Quality of the identification"),
-                            {residualPlot(*outcome.identified, *outcome.check)}};
+                            {residualPlot(*outcome.check, language)}};
     if (outcome.identified->hold_out_rms_percent) quality.blocks.push_back(heldOutPlot(*outcome.check, language));
     quality.blocks.push_back(responsesTable(*outcome.check));
     document.sections.insert(document.sections.begin() + 2, std::move(quality));
@@ -227,7 +242,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const SpindleOutcome>& outcome)
     task::Outcome all;
     all.result = outcome;
     all.notes = outcome->notes;
-    all.verdict = answer(*outcome).verdict;
+    all.verdict = verdictOf(*outcome);
     all.json = [outcome] { return jsonOf(*outcome); };
     all.answer = [outcome](const Language& language) { return answer(*outcome, language); };
     all.summary = [outcome](const Language& language) { return summaryOf(*outcome, language); };
@@ -260,7 +275,7 @@ const task::Task& spindleTask()
         task::askFor<SpindleQuestion>(made);
         made.exports = {
             {spindleExport, "Write the spindle as SPINDLE.json.", LT_TEXT("Engine", "Spindle (SPINDLE.json)…"),
-             LT_TEXT("Engine", "JSON (*.json)"), "json"},
+             LT_TEXT("Engine", "JSON (*.json)"), "json", true},
             {magnitudeExport, "Write the magnitude over the frequency as FILE.csv.",
              LT_TEXT("Engine", "Magnitude over frequency (CSV)…"), LT_TEXT("Engine", "Table (*.csv)"), "csv"}};
         made.run = [](const project::PanelState& state, const task::Wanted&, Stores& stores, task::Sources& sources,

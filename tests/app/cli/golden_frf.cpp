@@ -101,8 +101,9 @@ void writePoints(const std::string& folder)
     write("points.uff", io::toUff(points));
 }
 
-/// Two rods on springs, two points each, as tap tests would find them without noise.
-std::string tapTests()
+/// Two rods on springs, two points each, as tap tests would find them without noise, the hammer as it should be or
+/// turned round at the first rod's second response.
+std::string tapTests(bool is_turned)
 {
     receptance::SpindleReceptance spindle;
     spindle.source = receptance::SpindleSprings{};
@@ -125,7 +126,20 @@ std::string tapTests()
             }
         node += 100;
     }
+    if (is_turned)
+        for (std::complex<double>& value : responses[1].frf.value) value = -value;
     return io::toUff(responses);
+}
+
+/// MEASUREMENTS.json of tapTests().
+std::string tapMeasurements(const std::string& file)
+{
+    return R"({"frf": ")" + file +
+           R"(", "averages": 3, "rods": [)"
+           R"({"length_mm": 150, "diameter_mm": 40, "points": [{"node": 100, "distance_from_chuck_mm": 150},)"
+           R"( {"node": 101, "distance_from_chuck_mm": 75}]},)"
+           R"({"length_mm": 250, "diameter_mm": 40, "points": [{"node": 200, "distance_from_chuck_mm": 250},)"
+           R"( {"node": 201, "distance_from_chuck_mm": 125}]}]})";
 }
 
 /// An accelerance under the headings of a receptance.
@@ -214,13 +228,13 @@ void makeFrfs(const std::string& folder)
     write("stock.txt", "20 0 20 0 250\n");
     write("long_stock.txt", "20 0 20 0 250\n20 0 20 0 1000000\n");
     write("speck.json", R"({"segments": [{"length_mm": 1e-9, "start_diameter_mm": 34, "end_diameter_mm": 34}]})");
-    write("taps.uff", tapTests());
-    write("taps.json",
-          R"({"frf": "taps.uff", "rods": [)"
-          R"({"length_mm": 150, "diameter_mm": 40, "points": [{"node": 100, "distance_from_chuck_mm": 150},)"
-          R"( {"node": 101, "distance_from_chuck_mm": 75}]},)"
-          R"({"length_mm": 250, "diameter_mm": 40, "points": [{"node": 200, "distance_from_chuck_mm": 250},)"
-          R"( {"node": 201, "distance_from_chuck_mm": 125}]}]})");
+    write("taps.uff", tapTests(false));
+    write("taps.json", tapMeasurements("taps.uff"));
+    write("taps_turned.uff", tapTests(true));
+    write("taps_turned.json", tapMeasurements("taps_turned.uff"));
+    write("active.json",
+          R"({"frequency_hz": [50, 100, 5000], "H_mm_N": [[6e-5, -4e-6], [6e-5, 4e-6], [6e-5, 4e-6]],)"
+          R"( "L_mm_Nmm": [[0, 0], [0, 0], [0, 0]], "P_rad_Nmm": [[5e-9, -3e-10], [5e-9, -3e-10], [5e-9, -3e-10]]})");
     write("named.uff", "nothing of a universal file\n");
 }
 

@@ -1,10 +1,13 @@
 // The panel "Spindle", used as a technologist does: tap tests opened, a rod held out, a machine of the library taken.
 #include <QFileInfo>
 #include <QPushButton>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
+#include <nlohmann/json.hpp>
 
+#include "engine/core/json.h"
 #include "engine/io/file.h"
 #include "engine/receptance/receptance_codes.h"
 #include "engine/receptance/spindle_file.h"
@@ -81,6 +84,24 @@ private slots:
         QCOMPARE(std::string(panel_->error()->code().key), std::string("hold_out_unknown"));
         session_->undoStack().undo();
         settle();
+    }
+
+    void aMistakeLeavesItUndecidedAndIsNamed()
+    {
+        QFile stated(tests_), swapped(folder_.filePath("swapped.json"));
+        QVERIFY(stated.open(QIODevice::ReadOnly) && swapped.open(QIODevice::WriteOnly));
+        Json json = Json::parse(stated.readAll().toStdString());
+        Json& points = json["rods"][0]["points"];
+        std::swap(points[0]["node"], points[1]["node"]);
+        swapped.write(QByteArray::fromStdString(json.dump()));
+        swapped.close();
+        panel_->openFiles({swapped.fileName()});
+        settle();
+        QVERIFY(contains(panel_->result()->notes, notes::spindlePointsSwapped));
+        QVERIFY(contains(panel_->result()->notes, notes::spindleNotExplained));
+        QCOMPARE(outcomeOf(panel_->result()).verdict, std::optional(Verdict::Undecided));
+        QCOMPARE(panel_->findChild<QTableWidget*>("responses")->rowCount(), 18);
+        QCOMPARE(panel_->findChild<plot::ChartView*>("residual")->data().curves.size(), std::size_t{19});
     }
 
     void springsAndMachinesNeedNoFile()

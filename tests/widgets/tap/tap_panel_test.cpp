@@ -80,9 +80,15 @@ private slots:
     void theResponseIsKept()
     {
         openRecord();
+        std::vector<project::Item> offered;
+        connect(panel_.get(), &PanelBase::itemOffered, this,
+                [&](const std::string&, const project::Item& item) { offered.push_back(item); });
         panel_->findChild<QToolButton*>("useThisResponse")->click();
-        QVERIFY(std::any_of(session_->project().items.begin(), session_->project().items.end(),
-                            [](const project::Item& item) { return item.kind == frfItem; }));
+        QCOMPARE(offered.size(), std::size_t{1});
+        QCOMPARE(offered[0].kind, std::string(frfItem));
+        const auto kept = frfOf(offered[0].values);
+        QVERIFY(kept && kept->value == panel_->result()->study.result.response.value);
+        QVERIFY(!kept->coherence.empty());
     }
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/core_codes.h"
 #include "engine/core/units.h"
 #include "engine/receptance/tap/tap_codes.h"
 #include "engine/receptance/tap/tap_spectra.h"
@@ -118,6 +119,27 @@ void noteWindow(TapResult& result, const TapSpectra& sums)
         result.notes.push_back({notes::tapNotDecayed, {{"percent", sums.left_percent}}});
 }
 
+/// Leaves the lines of the range that was asked for. Errors valueNotUnderstood, tapNoLines.
+void keepRange(TapResult& result, std::size_t& from, std::size_t& end)
+{
+    const std::vector<Interval>& ranges = result.parameters.range_hz;
+    if (ranges.empty()) return;
+    if (ranges.size() > 1)
+        throw Error(errors::valueNotUnderstood, {{"parameter", "range_hz"},
+                                                 {"found", ranges},
+                                                 {"expected", LT_TEXT("Engine", "one range such as 100:1200")}});
+    constexpr double rounding = 1e-9;
+    const double first = std::ceil(ranges.front().from / result.resolution_hz - rounding);
+    const double last = std::floor(ranges.front().to / result.resolution_hz + rounding);
+    from = std::max(from, static_cast<std::size_t>(std::max(first, 0.0)));
+    end = std::min(end, static_cast<std::size_t>(std::max(last, 0.0)) + 1);
+    if (from < end) return;
+    throw Error(errors::tapNoLines, {{"from_hz", ranges.front().from},
+                                     {"to_hz", ranges.front().to},
+                                     {"usable_from_hz", result.usable_from_hz},
+                                     {"usable_to_hz", result.usable_to_hz}});
+}
+
 /// Lines, spectrum of the force, coherence and the response over the usable lines.
 void takeLines(const TapSpectra& sums, TapResult& result)
 {
@@ -130,9 +152,17 @@ void takeLines(const TapSpectra& sums, TapResult& result)
         const double both = sums.ff[k] * sums.xx[k];
         coherence.push_back(both > 0 ? std::min(1.0, std::norm(sums.xf[k]) / both) : 0);
     }
-    const std::size_t end = endOfForce(sums, result.parameters.force_drop_dB);
+    std::size_t end = endOfForce(sums, result.parameters.force_drop_dB);
     const bool is_judged = sums.count > 1;
     std::size_t from = is_judged ? startOfCoherence(coherence, end) : 1;
+    const auto state = [&] {
+        result.usable_from_hz = static_cast<double>(from) * result.resolution_hz;
+        result.usable_to_hz = static_cast<double>(end - 1) * result.resolution_hz;
+    };
+    state();
+    noteRange(result, from, end, lines);
+    keepRange(result, from, end);
+    state();
     for (std::size_t k = from; k < end; ++k) {
         const double frequency_hz = result.frequency_hz[k - 1];
         const std::complex<double> value = estimateAt(sums, k, frequency_hz, result);
@@ -142,9 +172,6 @@ void takeLines(const TapSpectra& sums, TapResult& result)
         if (is_judged) result.response.coherence.push_back(coherence[k]);
     }
     if (is_judged) result.coherence.assign(coherence.begin() + 1, coherence.end());
-    result.usable_from_hz = static_cast<double>(from) * result.resolution_hz;
-    result.usable_to_hz = static_cast<double>(end - 1) * result.resolution_hz;
-    noteRange(result, from, end, lines);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct TapParameters {
     std::optional<double> pre_trigger_s;       ///< none: 2 % of the block
     double double_hit_percent = 2;             ///< of the peak: a later rise of the force by more is a second pulse
     double force_drop_dB = 20;                 ///< fall of the force's spectrum that ends the usable range
+    std::vector<Interval> range_hz;            ///< of the lines handed on, one interval; empty: the usable ones
     bool keep_rejected = false;                ///< average rejected hits as well
 };
 
@@ -89,7 +90,7 @@ struct TapResult {
 };
 
 /// The response per force. All records have the same rate and quantity. Errors tapNoHit, tapNoHitUsed,
-/// tapBlockTooShort. Throws Cancelled.
+/// tapBlockTooShort, tapNoLines; valueNotUnderstood for more than one range. Throws Cancelled.
 TapResult evaluateTaps(const std::vector<TapSignals>& records, FrfQuantity measured, const TapParameters& parameters,
                        const Progress& progress = {});
 

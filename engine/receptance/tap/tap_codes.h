@@ -51,6 +51,11 @@ inline constexpr ErrorCode tapNoHitUsed{
         "Engine",
         "None of {count} hits is usable; the first at {time_s} s: {reason}. --keep-rejected takes them all the same.")};
 
+inline constexpr ErrorCode tapNoLines{
+    "tap_no_lines", ErrorKind::NoAnswer,
+    LT_TEXT("Engine",
+            "No line is between {from_hz} and {to_hz} Hz; usable are {usable_from_hz} to {usable_to_hz} Hz.")};
+
 }  // namespace errors
 
 namespace notes {

@@ -28,6 +28,9 @@ const std::vector<Field<TapParameters>>& fieldsOf(const TapParameters*)
                             "Length of the signals of a hit; its inverse is the distance of the lines. By default as "
                             "long as the distance of the hits allows, at most 2 s."),
                     unit::s}),
+        field("range_hz", &P::range_hz, {0, 1e6},
+              Label{LT_TEXT("Engine", "Range of frequencies"),
+                    LT_TEXT("Engine", "Whose lines are handed on. By default all usable ones."), unit::hz}),
         field("trigger_percent", &P::trigger_percent, {0.01, 100},
               Label{LT_TEXT("Engine", "Trigger level"), LT_TEXT("Engine", "Of the largest force of a record."),
                     unit::percent, true}),

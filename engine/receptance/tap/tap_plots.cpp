@@ -39,8 +39,8 @@ void addBlocks(const TapStudy& study, report::Plot& plot)
         report::Caption name;
         if (!is_named) name = hit.used ? LT_TEXT("Engine", "hit used") : LT_TEXT("Engine", "hit left out");
         is_named = true;
-        plot.regions.push_back(
-            report::stretch(name, {from_s, to_s}, hit.used ? report::ColourRole::Stable : report::ColourRole::Unstable));
+        plot.regions.push_back(report::stretch(name, {from_s, to_s},
+                                               hit.used ? report::ColourRole::Stable : report::ColourRole::Unstable));
     }
 }
 

@@ -53,7 +53,7 @@ EvenTimes judgeTimes(std::span<const double> times, const Progress& progress)
     // Where the step is a multiple of what is written, no rounding explains another one.
     const bool is_exact =
         std::abs(times.back() - times.front() - usual * static_cast<double>(times.size() - 1)) <= 1.01 * resolution;
-    const bool is_coarse = !is_exact && resolution > coarseShare * std::max(found.step, 0.0);
+    const bool is_coarse = !is_exact && resolution > coarseShare * std::max(found.step, usual);
     for (std::size_t i = 1; i < times.size(); ++i) {
         if (i % samplesPerCheck == 0) progress.check();
         const double step = times[i] - times[i - 1];

@@ -141,7 +141,7 @@ TEST(TimeRecord, UniversalFiles)
     const TimeChannel& force = file.record.channels[0];
     const TimeChannel& acceleration = file.record.channels[1];
     EXPECT_EQ(force.role, TimeChannel::Role::Force);
-    EXPECT_DOUBLE_EQ(*force.rate_hz, 1000);
+    EXPECT_NEAR(*force.rate_hz, 1000, 1e-9);
     EXPECT_DOUBLE_EQ(force.start_s, 0.5);
     EXPECT_DOUBLE_EQ(acceleration.values[1], 2);  // its direction is -z
     EXPECT_EQ(acceleration.node, 12);

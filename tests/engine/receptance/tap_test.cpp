@@ -58,8 +58,11 @@ TEST(Tap, AccelerationGivesTheReceptanceOfKnownModes)
     EXPECT_EQ(result.averages, 3u);
     EXPECT_LT(largestError(result, tapping, 100, 1100), 2e-3);
     ASSERT_EQ(result.response.coherence.size(), result.response.value.size());
-    for (std::size_t k = 0; k < result.response.value.size(); ++k)
-        if (result.response.frequency_hz[k] > 100) EXPECT_GT(result.response.coherence[k], 0.9999);
+    for (std::size_t k = 0; k < result.response.value.size(); ++k) {
+        if (result.response.frequency_hz[k] > 100) {
+            EXPECT_GT(result.response.coherence[k], 0.9999);
+        }
+    }
     EXPECT_TRUE(noteOf(result, notes::tapForceRange));
     for (const TapHit& hit : result.hits) EXPECT_TRUE(hit.used);
     EXPECT_NEAR(result.hits[0].time_s, 0.1, 1e-4);

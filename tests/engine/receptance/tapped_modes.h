@@ -62,7 +62,7 @@ inline std::complex<double> trueReceptance(const std::vector<TappedMode>& modes,
     std::complex<double> sum = 0;
     for (const TappedMode& mode : modes) {
         const double natural = mode.natural_rad_s();
-        sum += 1 / (mode.mass_t() * (s * s + 2 * mode.damping_ratio * natural * s + natural * natural));
+        sum += 1.0 / (mode.mass_t() * (s * s + 2 * mode.damping_ratio * natural * s + natural * natural));
     }
     return sum;
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "engine/receptance/tap/tap_hits.h"
 
@@ -8,6 +9,7 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t leastRun = 3;  ///< samples that stand level
+constexpr double farShare = 0.5;     ///< of the other end's distance from the mean
 
 /// The least difference of neighbouring samples that is not 0: the step of the converter, or finer.
 double finestStep(std::span<const double> values)
@@ -46,7 +48,13 @@ bool hasFlatTop(std::span<const double> values)
 {
     if (values.size() < leastRun + 2) return false;
     const double step = finestStep(values);
-    return std::isfinite(step) && (isLevel(values, 1, step) || isLevel(values, -1, step));
+    if (!std::isfinite(step)) return false;
+    // A signal at rest is level too: only an end far from the mean can be that of a range.
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+    const double above = *largest - mean, below = mean - *least;
+    return (above >= farShare * below && isLevel(values, 1, step)) ||
+           (below >= farShare * above && isLevel(values, -1, step));
 }
 
 }  // namespace lathelier::receptance

@@ -37,8 +37,8 @@ double largestError(const TapResult& result, const Tapping& tapping, double from
 Tapping threeHits()
 {
     Tapping tapping;
-    tapping.pulses = {{0.1, 1e-3, 200}, {1.3, 1e-3, 150}, {2.5003, 1.1e-3, 240}};
-    tapping.duration_s = 3.7;
+    tapping.pulses = {{0.1, 1e-3, 200}, {0.8, 1e-3, 150}, {1.5003, 1.1e-3, 240}};
+    tapping.duration_s = 2.2;
     return tapping;
 }
 
@@ -150,17 +150,17 @@ TEST(Tap, TheForceEndsTheUsableRange)
 TEST(Tap, ADoubleHitIsLeftOutWithTimeAndReason)
 {
     Tapping tapping = threeHits();
-    tapping.pulses.push_back({1.3 + 0.03, 1e-3, 150 * 0.04});
+    tapping.pulses.push_back({0.8 + 0.03, 1e-3, 150 * 0.04});
     const TapResult result = evaluated(tapping);
     ASSERT_EQ(result.hits.size(), 3u);
     EXPECT_EQ(result.averages, 2u);
     EXPECT_FALSE(result.hits[1].used);
     EXPECT_EQ(result.hits[1].fault, HitFault::DoubleHit);
     EXPECT_NEAR(*result.hits[1].second_percent, 4, 0.05);
-    EXPECT_NEAR(*result.hits[1].second_s, 1.3305, 1e-4);
+    EXPECT_NEAR(*result.hits[1].second_s, 0.8305, 1e-4);
     const Note* const note = noteOf(result, notes::tapHitsRejected);
     ASSERT_TRUE(note);
-    EXPECT_EQ(std::get<std::string>(*find(note->values, "times")).substr(0, 6), "1.3000");
+    EXPECT_EQ(std::get<std::string>(*find(note->values, "times")).substr(0, 6), "0.8000");
     TapParameters parameters;
     parameters.keep_rejected = true;
     const TapResult kept = evaluated(tapping, parameters);
@@ -172,7 +172,7 @@ TEST(Tap, ADoubleHitIsLeftOutWithTimeAndReason)
 TEST(Tap, ABounceBelowTheLimitIsNoDoubleHit)
 {
     Tapping tapping = threeHits();
-    tapping.pulses.push_back({1.3 + 0.03, 1e-3, 150 * 0.015});
+    tapping.pulses.push_back({0.8 + 0.03, 1e-3, 150 * 0.015});
     EXPECT_EQ(evaluated(tapping).averages, 3u);
     TapParameters parameters;
     parameters.double_hit_percent = 1;
@@ -183,10 +183,10 @@ TEST(Tap, ABounceBelowTheLimitIsNoDoubleHit)
 TEST(Tap, AnOverlappingSecondPulseIsFound)
 {
     Tapping tapping = threeHits();
-    tapping.pulses.push_back({1.3 + 0.0003, 1e-3, 60});
+    tapping.pulses.push_back({0.8 + 0.0003, 1e-3, 60});
     const TapResult before = evaluated(tapping);
     EXPECT_EQ(before.averages, 3u);  // one pulse with one top
-    tapping.pulses[3].start_s = 1.3 + 0.0009;
+    tapping.pulses[3].start_s = 0.8 + 0.0009;
     EXPECT_EQ(evaluated(tapping).hits[1].fault, HitFault::DoubleHit);
 }
 
@@ -195,8 +195,8 @@ TEST(Tap, ClippedSignalsAreLeftOut)
     const auto clipped = [](bool of_force) {
         TapSignals signals = threeHits().signals();
         std::vector<double>& values = of_force ? signals.force_N : signals.motion;
-        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(1.25 * signals.rate_hz);
-        const auto end = values.begin() + static_cast<std::ptrdiff_t>(2.4 * signals.rate_hz);
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(0.75 * signals.rate_hz);
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(1.4 * signals.rate_hz);
         const double limit = 0.8 * *std::max_element(begin, end);
         std::for_each(begin, end, [limit](double& value) { value = std::min(value, limit); });
         return evaluateTaps({signals}, FrfQuantity::Accelerance, {});
@@ -223,7 +223,7 @@ TEST(Tap, TheEndOfTheConverterIsAnOverload)
 {
     TapSignals signals = threeHits().signals();
     signals.at_limit.assign(signals.force_N.size(), 0);
-    signals.at_limit[static_cast<std::size_t>(1.31 * signals.rate_hz)] = 2;
+    signals.at_limit[static_cast<std::size_t>(0.81 * signals.rate_hz)] = 2;
     EXPECT_EQ(evaluateTaps({signals}, FrfQuantity::Accelerance, {}).hits[1].fault, HitFault::OverloadResponse);
 }
 
@@ -231,7 +231,7 @@ TEST(Tap, WeakAndIncompleteHitsAreLeftOut)
 {
     Tapping tapping = threeHits();
     tapping.pulses[1].peak_N = 25;
-    tapping.pulses.push_back({3.6, 1e-3, 200});
+    tapping.pulses.push_back({2.1, 1e-3, 200});
     const TapResult result = evaluated(tapping);
     ASSERT_EQ(result.hits.size(), 4u);
     EXPECT_EQ(result.hits[1].fault, HitFault::Weak);
@@ -295,7 +295,7 @@ TEST(Tap, NegativePulsesAreNamed)
 struct Noisy {
     Tapping tapping;
     double block_s = 0.2;
-    int hits = 150;
+    int hits = 100;
 
     Noisy(double force_noise, double motion_noise)
     {

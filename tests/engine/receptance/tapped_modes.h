@@ -43,6 +43,7 @@ inline double motionOf(const TappedMode& mode, const HalfSine& pulse, double tim
     const double since = time_s - pulse.start_s;
     if (since <= 0) return 0;
     const double natural = mode.natural_rad_s(), sigma = mode.damping_ratio * natural;
+    if (sigma * since > 40) return 0;  // at rest again
     const double damped = natural * std::sqrt(1 - mode.damping_ratio * mode.damping_ratio);
     const std::complex<double> pole(-sigma, damped);
     const std::complex<double> state =
@@ -71,7 +72,7 @@ inline std::complex<double> trueReceptance(const std::vector<TappedMode>& modes,
 struct Tapping {
     std::vector<TappedMode> modes{{223, 0.02, 12000}, {790, 0.015, 40000}};
     std::vector<HalfSine> pulses;
-    double rate_hz = 51200;
+    double rate_hz = 25600;
     double duration_s = 1;
     int derivative = 2;
     double force_noise = 0, motion_noise = 0;  ///< standard deviations

@@ -11,12 +11,14 @@ namespace {
 constexpr std::size_t leastRun = 3;  ///< samples that stand level
 constexpr double farShare = 0.5;     ///< of the other end's distance from the mean
 
-/// The least difference of neighbouring samples that is not 0: the step of the converter, or finer.
+/// The least difference of any two values that is not 0: the step of the converter, or finer.
 double finestStep(std::span<const double> values)
 {
+    std::vector<double> sorted(values.begin(), values.end());
+    std::sort(sorted.begin(), sorted.end());
     double finest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 1; i < values.size(); ++i)
-        if (const double step = std::abs(values[i] - values[i - 1]); step > 0) finest = std::min(finest, step);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+        if (const double step = sorted[i] - sorted[i - 1]; step > 0) finest = std::min(finest, step);
     return finest;
 }
 

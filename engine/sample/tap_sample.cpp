@@ -56,7 +56,7 @@ double accelerationOfSine(const TapMode& mode, double drive_rad_s, double since_
     using Complex = std::complex<double>;
     const double natural = 2 * std::numbers::pi * mode.frequency_hz;
     const double r = drive_rad_s / natural;
-    const Complex steady = 1 / (mode.stiffness_N_mm * Complex(1 - r * r, 2 * mode.damping_ratio * r));
+    const Complex steady = 1.0 / (mode.stiffness_N_mm * Complex(1 - r * r, 2 * mode.damping_ratio * r));
     const double sigma = mode.damping_ratio * natural;
     const double damped = natural * std::sqrt(1 - mode.damping_ratio * mode.damping_ratio);
     const double place = -steady.imag(), speed = -drive_rad_s * steady.real();

@@ -13,10 +13,12 @@
 #include "engine/deflection/toolpath_task.h"
 #include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
+#include "engine/io/time_record/time_record_reader.h"
 #include "engine/receptance/spindle_kind.h"
 #include "engine/receptance/task/modes_task.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/receptance/task/spindle_task.h"
+#include "engine/receptance/task/tap_task.h"
 #include "engine/stability/task/lobes_task.h"
 #include "engine/stability/task/simulate_task.h"
 #include "engine/stability/task/speed_task.h"
@@ -37,6 +39,7 @@ const std::vector<Verb>& verbs()
                                 verbOf(trajectory::trajectoryTask()),
                                 verbOf(receptance::shaftTask()),
                                 verbOf(receptance::spindleTask()),
+                                verbOf(receptance::tapTask()),
                                 verbOf(receptance::modesTask()),
                                 verbOf(stability::lobesTask()),
                                 verbOf(stability::speedTask()),
@@ -51,11 +54,8 @@ const std::vector<Verb>& verbs()
                                 verbOf(surface::surfaceTask()),
                                 verbOf(verify::verifyTask())};
         // inspect knows the files of all others
-        io::FileKinds kinds{&io::qdasFiles(),
-                            &io::frfFiles(),
-                            &io::shaftFiles(),
-                            &receptance::spindleFiles(),
-                            &receptance::measurementFiles(),
+        io::FileKinds kinds{&io::qdasFiles(),  &io::timeRecordFiles(),      &io::frfFiles(),
+                            &io::shaftFiles(), &receptance::spindleFiles(), &receptance::measurementFiles(),
                             &cad::stepFiles()};
         for (const Verb& verb : table) io::unite(kinds, verb.kinds);
         table.insert(table.begin() + 1, inspectVerb(kinds));

@@ -19,6 +19,7 @@
 #include "widgets/speed/speed_panel.h"
 #include "widgets/spindle_machine/machine_panel.h"
 #include "widgets/surface/surface_panel.h"
+#include "widgets/tap/tap_panel.h"
 #include "widgets/training/training_panel.h"
 #include "widgets/trajectory/trajectory_panel.h"
 #include "widgets/turning/turning_panel.h"
@@ -50,6 +51,7 @@ const std::vector<PanelFacts>& panelTable()
                                                cylindricity_panel::cylindricityPanelFacts(),
                                                shaft_panel::shaftPanelFacts(),
                                                machine_panel::machinePanelFacts(),
+                                               tap_panel::tapPanelFacts(),
                                                frf_panel::frfPanelFacts(),
                                                lobes_panel::lobesPanelFacts(),
                                                pass_panel::passPanelFacts(),

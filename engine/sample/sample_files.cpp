@@ -17,6 +17,7 @@
 #include "engine/sample/record_sample.h"
 #include "engine/sample/scan_sample.h"
 #include "engine/sample/surface_sample.h"
+#include "engine/sample/tap_sample.h"
 #include "engine/sample/worn_sample.h"
 
 namespace lathelier::sample {
@@ -41,9 +42,9 @@ void take(const SampleContent& content, const std::map<std::string, project::Sou
 
 const std::vector<const SamplePart*>& sampleParts()
 {
-    static const std::vector<const SamplePart*> all{&scanSample(),    &recordSample(),  &cylinderSample(),
-                                                    &profileSample(), &chatterSample(), &deflectionSample(),
-                                                    &wornSample(),    &surfaceSample(), &chainSample()};
+    static const std::vector<const SamplePart*> all{
+        &scanSample(),       &recordSample(), &cylinderSample(), &profileSample(), &chatterSample(),
+        &deflectionSample(), &tapSample(),    &wornSample(),     &surfaceSample(), &chainSample()};
     return all;
 }
 

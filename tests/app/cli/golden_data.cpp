@@ -13,6 +13,7 @@
 #include "engine/sample/sample_files.h"
 #include "tests/app/cli/golden_frf.h"
 #include "tests/app/cli/golden_spindle.h"
+#include "tests/app/cli/golden_tap.h"
 #include "tests/app/cli/golden_wrong_kind.h"
 #include "tests/engine/io/lgraph_files.h"
 
@@ -186,6 +187,7 @@ void makeData(const std::string& folder)
     write("endless.nc", "#1=0\nWHILE[1 EQ 1]DO1\n#1=#1+1\nEND1\nM30\n");
     write("okuma.min", "$SHAFT.MIN%\nG50 S2000\nNAT01\nG85 NLAP1 D4 F0.3\nG00 X50 Z2\n");
     makeSpindleRecords(write);
+    makeTapRecords(write);
     makeWrongKinds(folder);
     makeFrfs(folder);
 

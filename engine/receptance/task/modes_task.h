@@ -21,6 +21,7 @@ enum class HandedOn { Measured, Model };
 
 struct ModesQuestion {
     std::string response;                     ///< selection in a file: number, or nodes as "12/5"; empty: by a rule
+    bool all_responses = false;               ///< fit all responses of the file with common poles
     bool fit = true;                          ///< fit modes
     ModalParameters modal;                    ///< number of modes and range
     std::vector<ModalMode> modes;             ///< modes replacing those of the fit; empty: fitted modes

@@ -6,6 +6,7 @@
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_codes.h"
 #include "engine/io/frf/frf_mat.h"
+#include "engine/io/frf/frf_noise.h"
 #include "engine/io/frf/frf_table.h"
 #include "engine/io/frf/uff_frf.h"
 #include "engine/io/io_codes.h"
@@ -153,6 +154,7 @@ FrfFile readFrf(const std::string& name, std::string_view bytes, const ImportOpt
     FrfFile file = withPath(name, none, [&] { return readAnyFrf(name, bytes, options, frf, progress); });
     for (Note& note : file.notes)
         if (!find(note.values, "path")) set(note.values, "path", name);
+    for (MeasuredFrf& one : file.frfs) one.frf.noise = noiseOf(one.frf);
     return file;
 }
 

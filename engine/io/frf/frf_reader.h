@@ -38,11 +38,12 @@ struct FrfFile {
 /// Reads all frequency responses of a file. UFF: functions of type 4 with complex values; by its unit, else by its kind
 /// of ordinate (8, 11, 12) each is a receptance, mobility or accelerance; a stated unit has precedence, then a set 164,
 /// then the given one. Signs of directions are applied. Coherence (function 6) of the same pair of places and the same
-/// lines is attached. Other functions are skipped with a note. CSV: columns frequency_hz with real_… and imag_…, or
-/// magnitude_… and phase_deg; units as in "real_mm_N", "real (m/s^2/N)" or a row of units; optionally coherence. MAT,
-/// level 5: a real vector f, freq, frequency or *_hz and one complex array of the same length. Lines without finite
-/// values are skipped with a note. Errors: formatUnknown, malformed, truncated, uffPointsMissing, frfUnitMissing,
-/// frfNone, frfNotAscending, frfVariablesUnknown, columnsUnknown, columnsAmbiguous; those of tables.
+/// lines is attached, and the noise of each line (frf_noise.h). Other functions are skipped with a note. CSV: columns
+/// frequency_hz with real_… and imag_…, or magnitude_… and phase_deg; units as in "real_mm_N", "real (m/s^2/N)" or a
+/// row of units; optionally coherence. MAT, level 5: a real vector f, freq, frequency or *_hz and one complex array of
+/// the same length. Lines without finite values are skipped with a note. Errors: formatUnknown, malformed, truncated,
+/// uffPointsMissing, frfUnitMissing, frfNone, frfNotAscending, frfVariablesUnknown, columnsUnknown, columnsAmbiguous;
+/// those of tables.
 FrfFile readFrf(const std::string& path, const ImportOptions& options = {}, const FrfOptions& frf = {},
                 const Progress& progress = {});
 

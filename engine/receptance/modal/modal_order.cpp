@@ -11,7 +11,7 @@ namespace {
 
 constexpr double largestResidueError = 0.35, largestDampingError = 0.5;  ///< largest relative uncertainties of a
                                                                          ///< determined term
-constexpr double largestDamping = 0.45;  ///< damping ratio above which a term is not a resonance
+constexpr double largestDamping = 0.25;  ///< damping ratio above which a term is not a resonance
 constexpr double leastShare = 0.03;      ///< least contribution relative to |G| at its own frequency
 constexpr double cancelling = 60;   ///< contribution relative to |G| at its own frequency that indicates cancelling
                                     ///< terms
@@ -19,10 +19,13 @@ constexpr double modesApart = 0.5;  ///< least distance of two modes, in half-po
 constexpr double leastLines = 0.7;  ///< least number of lines in the half-power band
 constexpr double roundingShare = 1e-9;  ///< share of |G| below which errors are rounding
 constexpr double edge = 1.25;           ///< start frequency of a term beyond the range, as factor of the range's end
+constexpr double nearEdge = 1.3;        ///< closeness to the range's end, as factor, of what may be a term beyond it
+constexpr double wideDamping = 0.1;     ///< damping ratio above which it may be one as well
 constexpr double nearEnd = 1e-3;        ///< relative distance from the bound of a frequency
 constexpr int withoutGain = 2;          ///< number of further terms without gain that ends the search
 constexpr double leastGain = 32;  ///< least increase of χ² by removing a mode, relative to the variance of the errors:
                                   ///< noise on 4000 lines gives 25 once in ten files
+constexpr double tryingGain = 8;   ///< least gain of a matched filter, likewise, that is tried: its template is coarse
 constexpr double negativeGain = 2;  ///< factor of it for a mode with a negative residue where the sign is not known
 
 constexpr double strong = 4;  ///< a mode whose residue shows four times as much is not tried
@@ -133,17 +136,17 @@ double criterion(const Refined& fit, Lines lines, bool complex_residues)
     return rows * std::log(fit.chi2 + roundingOf(lines)) + parametersOf(fit, complex_residues) * std::log(rows);
 }
 
-/// Variance of the errors around a frequency, relative to σ²: of the whole fit, or what no smooth curve explains there.
-double varianceNear(const Refined& fit, Lines lines, double frequency_hz, double scale)
+/// Variance of the errors around a frequency that no smooth curve explains, relative to σ²: mean of the responses.
+double varianceNear(const std::vector<std::vector<double>>& scatter, Lines lines, double frequency_hz)
 {
     double all = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto& f = lines[i].frequency_hz;
         const auto above = std::lower_bound(f.begin(), f.end(), frequency_hz);
         const auto at = std::min<std::ptrdiff_t>(above - f.begin(), static_cast<std::ptrdiff_t>(f.size()) - 1);
-        all += scatterOf(lines[i], fit, i)[static_cast<std::size_t>(at)];
+        all += scatter[i][static_cast<std::size_t>(at)];
     }
-    return std::max(scale, all / static_cast<double>(lines.size()));
+    return all / static_cast<double>(lines.size());
 }
 
 std::vector<Pole> without(const std::vector<Pole>& poles, std::size_t k)
@@ -163,8 +166,10 @@ bool isNegative(const Refined& fit, std::size_t k)
 /// Least increase of χ² that shows mode `k`.
 double gainToShow(const Refined& fit, Lines lines, const OrderRequest& request, std::size_t k)
 {
-    const double variance =
-        varianceNear(fit, lines, fit.poles[k].frequency_hz, scaleOf(fit, lines, request.complex_residues));
+    std::vector<std::vector<double>> scatter;
+    for (std::size_t i = 0; i < lines.size(); ++i) scatter.push_back(scatterOf(lines[i], fit, i));
+    const double variance = std::max(scaleOf(fit, lines, request.complex_residues),
+                                     varianceNear(scatter, lines, fit.poles[k].frequency_hz));
     return leastGain * variance * (isNegative(fit, k) ? negativeGain : 1) + roundingOf(lines);
 }
 
@@ -200,25 +205,60 @@ Refined withoutNoise(Refined fit, Lines lines, const OrderRequest& request, cons
     return fit;
 }
 
-/// Starts with `count` terms.
-std::vector<std::vector<Pole>> startsWith(std::size_t count, const std::optional<Refined>& fewer, Lines lines,
-                                          const OrderRequest& request)
+/// Whether the errors of a fit have a course that noise has not: sums over stretches of lines, squared and relative to
+/// their variance.
+bool hasCourse(const FitLines& lines, const Refined& fit, std::size_t response, const std::vector<double>& scatter)
 {
-    std::vector<std::vector<Pole>> starts;
+    constexpr std::size_t stretches = 16;
+    constexpr double mostOfNoise = 2 * stretches + 4 * 8;  // mean and four standard deviations of χ² with 32 degrees
+    const auto errors = weightedErrors(lines, fit, response);
+    double sum = 0;
+    for (std::size_t k = 0; k < stretches; ++k) {
+        const std::size_t from = k * errors.size() / stretches, to = (k + 1) * errors.size() / stretches;
+        std::complex<double> course;
+        double variance = 1e-300;
+        for (std::size_t i = from; i < to; ++i) {
+            course += errors[i];
+            variance += scatter[i];
+        }
+        sum += std::norm(course) / variance;
+    }
+    return sum > mostOfNoise;
+}
+
+/// Starts with `count` terms; none where the fit with fewer leaves noise alone.
+std::vector<std::vector<Pole>> startsWith(std::size_t count, const std::optional<Refined>& fewer, Lines lines,
+                                          const OrderRequest& request, const Progress& progress)
+{
     if (!fewer) return {{}};
-    if (request.stable.size() >= count)
-        starts.emplace_back(request.stable.begin(), request.stable.begin() + static_cast<std::ptrdiff_t>(count));
-    const Candidate missing = strongestMissing(lines, *fewer, request.signs);
+    std::vector<std::vector<double>> scatter;
+    bool has_course = false;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        progress.check();
+        scatter.push_back(scatterOf(lines[i], *fewer, i));
+        has_course |= hasCourse(lines[i], *fewer, i, scatter[i]);
+    }
+    const Candidate missing = strongestMissing(lines, *fewer, request.signs, progress);
+    const double variance = varianceNear(scatter, lines, missing.pole.frequency_hz);
+    const bool is_missing = missing.gain > tryingGain * variance + roundingOf(lines);
+    std::vector<std::vector<Pole>> starts;
     const auto with = [&](const Pole& pole) {
         starts.push_back(fewer->poles);
         starts.back().push_back(pole);
     };
-    if (missing.gain > 0) with(missing.pole);
+    if (is_missing) with(missing.pole);
+    if ((is_missing || has_course) && request.stable.size() >= count)
+        starts.emplace_back(request.stable.begin(), request.stable.begin() + static_cast<std::ptrdiff_t>(count));
+    const Interval& range = request.range_hz;
     const auto& poles = fewer->poles;
-    if (std::none_of(poles.begin(), poles.end(), [&](const Pole& p) { return p.frequency_hz < request.range_hz.from; }))
-        with({request.range_hz.from / edge, 0.05});
-    if (std::none_of(poles.begin(), poles.end(), [&](const Pole& p) { return p.frequency_hz > request.range_hz.to; }))
-        with({request.range_hz.to * edge, 0.05});
+    if (!has_course) return starts;
+    const bool is_wide = !is_missing || missing.pole.damping > wideDamping;
+    if ((is_wide || missing.pole.frequency_hz < nearEdge * range.from) &&
+        std::none_of(poles.begin(), poles.end(), [&](const Pole& p) { return p.frequency_hz < range.from; }))
+        with({range.from / edge, 0.05});
+    if ((is_wide || missing.pole.frequency_hz > range.to / nearEdge) &&
+        std::none_of(poles.begin(), poles.end(), [&](const Pole& p) { return p.frequency_hz > range.to; }))
+        with({range.to * edge, 0.05});
     return starts;
 }
 
@@ -267,7 +307,9 @@ Refined fitByOrder(std::span<const FitLines> lines, const OrderRequest& request,
         part.report(0);
         bool gained = false;
         std::optional<Refined> closest;
-        for (auto& start : startsWith(static_cast<std::size_t>(count), fewer, lines, request)) {
+        auto starts = startsWith(static_cast<std::size_t>(count), fewer, lines, request, part);
+        if (starts.empty()) break;
+        for (auto& start : starts) {
             Refined fit = refineModes(lines, std::move(start), complex_residues, Refinement::Rough, part);
             const int modes = modesInside(fit, request.range_hz);
             if (isSoundFit(fit, lines, request) && (request.modes == 0 || modes <= request.modes)) {

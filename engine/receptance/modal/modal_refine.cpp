@@ -29,11 +29,12 @@ struct Iterate {
     std::vector<ResponseEquations> equations;
 };
 
-void evaluate(Iterate& iterate, std::span<const FitLines> lines, bool complex_residues)
+void evaluate(Iterate& iterate, std::span<const FitLines> lines, bool complex_residues, const Progress& progress)
 {
     iterate.equations.clear();
     iterate.model.chi2 = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
+        progress.check();
         iterate.equations.push_back(
             equationsOf(lines[i], iterate.model.poles, iterate.model.responses[i], complex_residues));
         iterate.model.chi2 += iterate.equations.back().chi2;
@@ -89,7 +90,7 @@ double move(Refined& model, const Iterate& from, const Eigen::VectorXd& delta, c
 
 /// One damped step with less χ². Gives its change of ln f and ln ζ; negative: none was found.
 double improve(Iterate& at, std::span<const FitLines> lines, bool complex_residues, const Interval& reach,
-               double& damping)
+               double& damping, const Progress& progress)
 {
     const Eigen::MatrixXd matrix = poleMatrix(at);
     const Eigen::VectorXd right = poleRight(at);
@@ -98,7 +99,7 @@ double improve(Iterate& at, std::span<const FitLines> lines, bool complex_residu
         if (!delta.allFinite()) return -1;
         Iterate next{at.model, {}};
         const double largest = move(next.model, at, delta, reach, perResidue(complex_residues));
-        evaluate(next, lines, complex_residues);
+        evaluate(next, lines, complex_residues, progress);
         if (next.model.chi2 < at.model.chi2) {
             at = std::move(next);
             damping = std::max(1e-12, damping / 10);
@@ -189,15 +190,14 @@ Refined refineModes(std::span<const FitLines> lines, std::vector<Pole> start, bo
     Iterate at;
     at.model.poles = std::move(start);
     at.model.responses.resize(lines.size());
-    evaluate(at, lines, complex_residues);
-    evaluate(at, lines, complex_residues);  // corrects rounding
+    evaluate(at, lines, complex_residues, progress);
+    evaluate(at, lines, complex_residues, progress);  // corrects rounding
 
     double damping = 1e-3;
     int settled = 0;
     for (int step = 0; step < ending.steps && settled < ending.settled && !at.model.poles.empty(); ++step) {
-        progress.check();
         const double before = at.model.chi2;
-        const double moved = improve(at, lines, complex_residues, reach, damping);
+        const double moved = improve(at, lines, complex_residues, reach, damping, progress);
         if (moved < 0) break;
         if (moved == 0) settled = ending.settled;
         const bool is_small = moved < ending.step || at.model.chi2 > (1 - ending.gain) * before;
@@ -212,7 +212,7 @@ Refined refineModes(std::span<const FitLines> lines, std::vector<Pole> start, bo
     sortByFrequency(found);
     Iterate sorted{std::move(found), {}};
     sorted.model.covariance.clear();
-    evaluate(sorted, lines, complex_residues);
+    evaluate(sorted, lines, complex_residues, progress);
     findCovariance(sorted);
     return sorted.model;
 }

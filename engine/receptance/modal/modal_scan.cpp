@@ -84,7 +84,8 @@ std::ptrdiff_t lineNear(const FitLines& lines, double frequency_hz)
 
 }  // namespace
 
-Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, std::span<const ResidueSign> signs)
+Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, std::span<const ResidueSign> signs,
+                           const Progress& progress)
 {
     std::vector<Filtered> responses;
     for (std::size_t i = 0; i < lines.size(); ++i) responses.push_back(filtered(lines[i], fit, i));
@@ -95,6 +96,7 @@ Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, 
         const Template shape = templateOf(half);
         const auto stride = static_cast<std::size_t>(std::max(1.0, half / 2));
         for (std::size_t i = 0; i < first.value.size(); i += stride) {
+            if (lines.size() > 1) progress.check();
             const double f = first.frequency_hz[i];
             const double damping = half * stepAt(first, i) / f;
             if (damping < leastScanned || damping > mostScanned) continue;

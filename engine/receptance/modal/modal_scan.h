@@ -17,8 +17,9 @@ struct Candidate {
 
 /// The pole with the largest gain: at every line, with half-power half-widths of 0.7 lines to a fifth of the lines,
 /// each 1.6 times the last. The templates 1/(i - x), x = (f - f_n)/(ζ f_n), reach five half-widths to both sides. Gain
-/// 0 where no mode of an allowed sign decreases χ².
-Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, std::span<const ResidueSign> signs);
+/// 0 where no mode of an allowed sign decreases χ². Throws Cancelled.
+Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, std::span<const ResidueSign> signs,
+                           const Progress& progress = {});
 
 /// Variance of the errors of a fit that no smooth curve explains, relative to σ², by line: from the median of second
 /// differences over neighbouring lines. Above 1 where σ is too small.

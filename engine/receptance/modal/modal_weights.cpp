@@ -4,12 +4,11 @@
 #include <cmath>
 
 #include "engine/core/statistics.h"
+#include "engine/io/frf/frf_noise.h"
 
 namespace lathelier::receptance {
 namespace {
 
-constexpr int averaged = 4;                                 ///< lines averaged on either side
-constexpr double leastCoherence = 1e-3, leastNoise = 1e-4;  ///< lower bounds of γ² and 1 - γ²
 constexpr double floorShare = 0.03;  ///< lower bound of σ as share of the median, without coherence
 constexpr double leastSigma = 1e-9;  ///< lower bound of σ as share of |G| and of the median: rounding in files
 constexpr double modelShare = 3e-4;  ///< of |G|, added to the noise: no modal model describes a response better
@@ -26,36 +25,23 @@ double medianSize(const FitLines& lines)
 
 FitLines linesToFit(const Frf& frf, const Interval& range_hz)
 {
+    const std::vector<double> noise = frf.noise.empty() && !frf.coherence.empty() ? io::noiseOf(frf) : frf.noise;
     FitLines lines;
-    std::vector<double> noise;  // σ
-    std::vector<double> ratio;  // squared noise-to-signal ratio (1-γ²)/γ²
+    std::vector<double> sigma;
     for (std::size_t i = 0; i < frf.frequency_hz.size(); ++i) {
         const double f = frf.frequency_hz[i];
         if (!(f > 0) || f < range_hz.from || f > range_hz.to || !std::isfinite(std::abs(frf.value[i]))) continue;
         lines.frequency_hz.push_back(f);
         lines.value.push_back(frf.value[i]);
-        if (!frf.noise.empty()) noise.push_back(frf.noise[i]);
-        if (frf.coherence.empty()) continue;
-        const double coherence = std::clamp(frf.coherence[i], leastCoherence, 1.0);
-        ratio.push_back(std::max(leastNoise, 1 - coherence) / coherence);
+        if (!noise.empty()) sigma.push_back(noise[i]);
     }
     if (lines.value.empty()) return lines;
     const double median = medianSize(lines);
-    const auto count = static_cast<std::ptrdiff_t>(lines.value.size());
     lines.weight.reserve(lines.value.size());
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const double size = std::abs(lines.value[static_cast<std::size_t>(i)]);
-        double sigma = size + floorShare * median;
-        if (!noise.empty())
-            sigma = std::hypot(noise[static_cast<std::size_t>(i)], modelShare * size);
-        else if (!ratio.empty()) {
-            const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - averaged),
-                                 to = std::min(count - 1, i + averaged);
-            double sum = 0;
-            for (std::ptrdiff_t j = from; j <= to; ++j) sum += ratio[static_cast<std::size_t>(j)];
-            sigma = size * std::sqrt(sum / (2 * static_cast<double>(to - from + 1)));
-        }
-        lines.weight.push_back(1 / std::max(sigma, leastSigma * median + 1e-300));
+    for (std::size_t i = 0; i < lines.value.size(); ++i) {
+        const double size = std::abs(lines.value[i]);
+        const double one = sigma.empty() ? size + floorShare * median : std::hypot(sigma[i], modelShare * size);
+        lines.weight.push_back(1 / std::max(one, leastSigma * median + 1e-300));
     }
     return lines;
 }

@@ -7,10 +7,9 @@
 
 namespace lathelier::receptance {
 
-/// The lines of `frf` in `range_hz` above 0 Hz, with weights 1/σ: σ is the noise of the line, with a small share of |G|
-/// added for what no modal model gives; with coherence alone σ² = |G|² (1-γ²)/(2γ²), averaged over nine lines (Bendat
-/// and Piersol, "Random Data", 4th ed., section 9.2); else σ proportional to |G|, with a lower bound between
-/// resonances.
+/// The lines of `frf` in `range_hz` above 0 Hz, with weights 1/σ: σ is the noise of the line, from coherence where only
+/// that is known, with a small share of |G| added for what no modal model gives; without both σ is proportional to |G|,
+/// with a lower bound between resonances.
 FitLines linesToFit(const Frf& frf, const Interval& range_hz);
 
 /// Weights by σ² = a² + b²|G|², with a and b from the errors of the fit to a response, by reweighted least squares.

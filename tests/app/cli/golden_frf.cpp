@@ -70,6 +70,21 @@ std::string wrongLabel()
     return io::toFrfCsv(frf);
 }
 
+/// Two modes at three places of one bar, tapped at the first.
+std::string threePlaces()
+{
+    constexpr double shapes[2][3] = {{1, 0.6, -0.3}, {1, -0.5, -0.8}};
+    std::vector<double> lines;
+    for (double f = 50; f <= 1000; f += 1) lines.push_back(f);
+    std::vector<io::MeasuredFrf> responses;
+    for (int place = 0; place < 3; ++place)
+        responses.push_back(
+            {receptance::synthesised(
+                 {{{240, 0.02, 1e4 / shapes[0][place]}, {610, 0.015, 4e4 / shapes[1][place]}}, {}, {}}, lines),
+             place + 1, 1, 1, 1});
+    return io::toUff(responses);
+}
+
 }  // namespace
 
 void makeFrfs(const std::string& folder)
@@ -107,6 +122,7 @@ void makeFrfs(const std::string& folder)
     write("long_stock.txt", "20 0 20 0 250\n20 0 20 0 1000000\n");
     write("speck.json", R"({"segments": [{"length_mm": 1e-9, "start_diameter_mm": 34, "end_diameter_mm": 34}]})");
     write("taps.uff", tapTests());
+    write("places.uff", threePlaces());
     write("taps.json",
           R"({"frf": "taps.uff", "rods": [)"
           R"({"length_mm": 150, "diameter_mm": 40, "points": [{"node": 100, "distance_from_chuck_mm": 150},)"

@@ -25,7 +25,7 @@ constexpr double nearEnd = 1e-3;        ///< relative distance from the bound of
 constexpr int withoutGain = 2;          ///< number of further terms without gain that ends the search
 constexpr double leastGain = 32;  ///< least increase of χ² by removing a mode, relative to the variance of the errors:
                                   ///< noise on 4000 lines gives 25 once in ten files
-constexpr double tryingGain = 8;   ///< least gain of a matched filter, likewise, that is tried: its template is coarse
+constexpr double tryingGain = 15;   ///< least gain of a matched filter, likewise, that is tried: its template is coarse
 constexpr double negativeGain = 2;  ///< factor of it for a mode with a negative residue where the sign is not known
 
 constexpr double strong = 4;  ///< a mode whose residue shows four times as much is not tried
@@ -226,6 +226,24 @@ bool hasCourse(const FitLines& lines, const Refined& fit, std::size_t response, 
     return sum > mostOfNoise;
 }
 
+/// The poles with the nearest one to `missing` split in two, where they overlap: one term fitted to two equal modes a
+/// half-power band apart is 1.5 times as wide as each. Empty where none is near.
+std::vector<Pole> splitNear(const std::vector<Pole>& poles, const Pole& missing)
+{
+    constexpr double near = 4, share = 2.0 / 3;  // in half-widths, of ζ
+    const auto away = [&missing](const Pole& p) { return std::abs(p.frequency_hz - missing.frequency_hz); };
+    const auto nearest =
+        std::min_element(poles.begin(), poles.end(), [&](const Pole& a, const Pole& b) { return away(a) < away(b); });
+    if (nearest == poles.end() || away(*nearest) > near * nearest->damping * nearest->frequency_hz) return {};
+    std::vector<Pole> split = poles;
+    Pole& first = split[static_cast<std::size_t>(nearest - poles.begin())];
+    const double shift = share * first.damping;
+    first.damping *= share;
+    split.push_back({first.frequency_hz * (1 + shift), first.damping});
+    split[static_cast<std::size_t>(nearest - poles.begin())].frequency_hz *= 1 - shift;
+    return split;
+}
+
 /// Starts with `count` terms; none where the fit with fewer leaves noise alone.
 std::vector<std::vector<Pole>> startsWith(std::size_t count, const std::optional<Refined>& fewer, Lines lines,
                                           const OrderRequest& request, const Progress& progress)
@@ -246,7 +264,10 @@ std::vector<std::vector<Pole>> startsWith(std::size_t count, const std::optional
         starts.push_back(fewer->poles);
         starts.back().push_back(pole);
     };
-    if (is_missing) with(missing.pole);
+    if (is_missing) {
+        with(missing.pole);
+        if (auto split = splitNear(fewer->poles, missing.pole); !split.empty()) starts.push_back(std::move(split));
+    }
     if ((is_missing || has_course) && request.stable.size() >= count)
         starts.emplace_back(request.stable.begin(), request.stable.begin() + static_cast<std::ptrdiff_t>(count));
     const Interval& range = request.range_hz;

@@ -43,9 +43,9 @@ void append(Notes& all, const Notes& more)
 
 /// What is fitted, with its cache key.
 struct Basis {
-    std::string key;                                        ///< empty: nothing is known
-    std::shared_ptr<const task::Loaded<io::FrfFile>> file;  ///< that holds the response; null: an item
-    std::size_t shown = 0;                                  ///< number of the response in the file
+    std::string key;                                  ///< empty: nothing is known
+    std::shared_ptr<const Loaded<io::FrfFile>> file;  ///< that holds the response; null: an item
+    std::size_t shown = 0;                            ///< number of the response in the file
 };
 
 /// Takes the response.

@@ -116,7 +116,7 @@ void describe(ModalFit& fit, const Refined& found, std::span<const FitLines> all
     fit.upper_uncertainty_mm_N = std::sqrt(std::max(0.0, covariance(lower + 1, lower + 1)) * scale);
 }
 
-/// Lines that stand out of the noise: mean |G|² of nine over four times that of the noise. All where none does.
+/// Lines that stand out of the noise: |G|² four times that of the noise in the mean of nine. All where none does.
 std::vector<bool> linesThatStandOut(const FitLines& lines, const std::vector<double>& noise2)
 {
     constexpr double standsOut = 4;
@@ -125,9 +125,9 @@ std::vector<bool> linesThatStandOut(const FitLines& lines, const std::vector<dou
     std::vector<bool> stands(count);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t from = i > around ? i - around : 0, to = std::min(count - 1, i + around);
-        double size = 0;
-        for (std::size_t j = from; j <= to; ++j) size += std::norm(lines.value[j]);
-        stands[i] = size / static_cast<double>(to - from + 1) > standsOut * noise2[i];
+        double ratio = 0;
+        for (std::size_t j = from; j <= to; ++j) ratio += std::norm(lines.value[j]) / std::max(noise2[j], 1e-300);
+        stands[i] = ratio > standsOut * static_cast<double>(to - from + 1);
     }
     if (std::find(stands.begin(), stands.end(), true) == stands.end()) stands.assign(count, true);
     return stands;

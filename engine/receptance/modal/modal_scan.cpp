@@ -114,9 +114,11 @@ std::vector<double> scatterOf(const FitLines& lines, const Refined& fit, std::si
 {
     const auto errors = weightedErrors(lines, fit, response);
     const std::size_t count = errors.size();
-    std::vector<double> differences;  // |e'' |², 6 times the variance of real and imaginary part together
-    for (std::size_t i = 1; i + 1 < count; ++i)
-        differences.push_back(std::norm(errors[i - 1] - 2.0 * errors[i] + errors[i + 1]) / 6);
+    std::vector<double> differences;  // from the cubic through the four neighbours, as variance of both parts together
+    for (std::size_t i = 2; i + 2 < count; ++i)
+        differences.push_back(std::norm(errors[i] - (errors[i - 1] + errors[i + 1]) * (2.0 / 3) +
+                                        (errors[i - 2] + errors[i + 2]) * (1.0 / 6)) *
+                              (18.0 / 35));
     std::vector<double> scatter(count, 1);
     if (differences.empty()) return scatter;
     std::vector<double> near;

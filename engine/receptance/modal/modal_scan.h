@@ -21,8 +21,8 @@ struct Candidate {
 Candidate strongestMissing(std::span<const FitLines> lines, const Refined& fit, std::span<const ResidueSign> signs,
                            const Progress& progress = {});
 
-/// Variance of the errors of a fit that no smooth curve explains, relative to σ², by line: from the median of second
-/// differences over neighbouring lines. Above 1 where σ is too small.
+/// Variance of the errors of a fit that no smooth curve explains, relative to σ², by line: from the median of the
+/// differences from the cubic through four neighbours. Above 1 where σ is too small.
 std::vector<double> scatterOf(const FitLines& lines, const Refined& fit, std::size_t response);
 
 }  // namespace lathelier::receptance

@@ -26,6 +26,8 @@ constexpr double belowModes = 0.3;         ///< first line over the lowest one
 /// Streams of random numbers; those of modes follow behind.
 enum Stream : std::uint64_t { Frequency = 1, Compliance = 2, Coefficient = 3, Noise = 4, Modes = 10 };
 
+constexpr std::uint64_t perMode = 6;  ///< streams
+
 /// Factor of machine `number` for a standard uncertainty in percent.
 double factorOf(std::uint64_t stream, std::size_t number, double percent, double bound = widest)
 {
@@ -94,17 +96,21 @@ receptance::ModalModel drawnModel(const LobeParameters& p, const receptance::Unc
     for (std::size_t m = 0; m < model.modes.size(); ++m) {
         receptance::ModalMode& mode = model.modes[m];
         const receptance::ModeUncertainty own = m < modes.own.size() ? modes.own[m] : receptance::ModeUncertainty{};
-        const auto percent = [](double stated, double of_fit, double value) {
-            return std::hypot(stated, 100 * of_fit / std::abs(value));
+        const auto normal = [&](std::uint64_t which) { return randomNormal(1, Modes + perMode * m + which, number); };
+        // What is stated errs by itself; of a fit the errors of damping and stiffness go together.
+        const auto factor = [](double stated_percent, double stated, double share, double of_fit, double bound) {
+            return std::clamp(1 + stated_percent / 100 * stated + share * of_fit, 1 / bound, bound);
         };
-        const std::uint64_t stream = Modes + 3 * m;
+        const double damping = normal(4);
+        const double stiffness =
+            own.correlation * damping + std::sqrt(1 - own.correlation * own.correlation) * normal(5);
+        const double stiffness_share = own.stiffness_N_mm / std::abs(mode.stiffness_N_mm);
+        mode.stiffness_N_mm /= factor(p.uncertainty_compliance_percent, normal(2), 0, 0, widest);
+        mode.stiffness_N_mm *= factor(0, 0, stiffness_share, stiffness, widest);
+        mode.damping_ratio *= factor(p.uncertainty_damping_percent, normal(1), own.damping_ratio / mode.damping_ratio,
+                                     damping, widestDamping);
         mode.frequency_hz *=
-            factorOf(stream, number, percent(p.uncertainty_frequency_percent, own.frequency_hz, mode.frequency_hz));
-        mode.damping_ratio *=
-            factorOf(stream + 1, number, percent(p.uncertainty_damping_percent, own.damping_ratio, mode.damping_ratio),
-                     widestDamping);
-        mode.stiffness_N_mm /= factorOf(
-            stream + 2, number, percent(p.uncertainty_compliance_percent, own.stiffness_N_mm, mode.stiffness_N_mm));
+            factor(p.uncertainty_frequency_percent, normal(0), own.frequency_hz / mode.frequency_hz, normal(3), widest);
     }
     return model;
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/parallel.h"
+#include "engine/core/random.h"
 #include "engine/receptance/modal/modal_fit.h"
 #include "engine/receptance/shaft_receptance.h"
 #include "engine/report/plot_svg.h"
@@ -205,6 +206,30 @@ void modesOfAResponse(benchmark::State& state)
     for (auto _ : state) benchmark::DoNotOptimize(receptance::fitModes(frf).modes.data());
 }
 
+/// A tap test: four modes on 1961 lines, the noise of an accelerometer at a ratio of 300.
+Frf tapTest()
+{
+    std::vector<double> lines;
+    for (int f = 40; f <= 2000; ++f) lines.push_back(f);
+    Frf frf = receptance::synthesised(
+        {{{180, .03, 2e4}, {420, .02, 4e4}, {900, .02, 5e4}, {1500, .015, 9e4}}, {}, {300, 2e-6}}, lines);
+    double peak = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) peak = std::max(peak, std::abs(frf.value[i]) * lines[i] * lines[i]);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double sigma = peak / 300 / (lines[i] * lines[i]);
+        frf.value[i] += std::complex(sigma * randomNormal(1, 0, i), sigma * randomNormal(1, 1, i));
+        frf.noise.push_back(sigma);
+    }
+    return frf;
+}
+
+void modesOfATapTest(benchmark::State& state)
+{
+    const ThreadLimit one(1);
+    const Frf frf = tapTest();
+    for (auto _ : state) benchmark::DoNotOptimize(receptance::fitModes(frf).modes.data());
+}
+
 void cutInTime(benchmark::State& state)
 {
     const ThreadLimit one(1);
@@ -238,6 +263,7 @@ BENCHMARK(chartFromGeometry)->Unit(benchmark::kMillisecond);
 BENCHMARK(chartAsSvg)->Unit(benchmark::kMillisecond);
 BENCHMARK(modesOfAResponse)->Unit(benchmark::kMillisecond);
 BENCHMARK(cutOfAShaft)->Unit(benchmark::kMillisecond);
+BENCHMARK(modesOfATapTest)->Unit(benchmark::kMillisecond);
 BENCHMARK(cutInTime)->Unit(benchmark::kMillisecond);
 
 /// 200 × 200 points of growth per revolution, with so many modes.

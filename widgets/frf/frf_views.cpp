@@ -21,11 +21,14 @@ FrfViews::FrfViews(QWidget* parent)
       nyquist_(new plot::ChartView),
       coherence_(new plot::ChartView),
       error_(new plot::ChartView),
+      stability_(new plot::ChartView),
+      shapes_(new CopyTable),
       modes_(new CopyTable)
 {
     const std::pair<const char*, QWidget*> views[] = {
         {"magnitude", magnitude_}, {"modes", modes_},         {"real", real_},           {"phase", phase_},
-        {"nyquist", nyquist_},     {"imaginary", imaginary_}, {"coherence", coherence_}, {"error", error_}};
+        {"nyquist", nyquist_},     {"imaginary", imaginary_}, {"coherence", coherence_}, {"error", error_},
+        {"stability", stability_}, {"shapes", shapes_}};
     for (const auto& [key, view] : views) {
         view->setObjectName(key);
         primaryViews_->add(key, view);
@@ -51,7 +54,7 @@ FrfViews::FrfViews(QWidget* parent)
                 if (const auto index = receptance::modeOfHandle(key.toStdString()))
                     emit modeDragged(static_cast<int>(*index), frequency_hz, magnitude, dropped);
             });
-    for (plot::ChartView* chart : {magnitude_, phase_, real_, imaginary_, nyquist_, coherence_, error_})
+    for (plot::ChartView* chart : {magnitude_, phase_, real_, imaginary_, nyquist_, coherence_, error_, stability_})
         connect(chart, &plot::PlotWidget::notWritten, this, &FrfViews::notWritten);
     retranslate();
 }
@@ -72,6 +75,8 @@ void FrfViews::show()
     const report::Plot coherence = coherencePlot(study);
     primaryViews_->setAvailable("coherence", !coherence.curves.empty());
     primaryViews_->setAvailable("error", has_fit);
+    primaryViews_->setAvailable("stability", has_fit);
+    primaryViews_->setAvailable("shapes", !study.common.empty());
     primaryViews_->setAvailable("modes", has_fit && !study.model.modes.empty());
     magnitude_->setData(magnitudePlot(study, true, screenLanguage()));
     phase_->setData(phasePlot(study));
@@ -81,6 +86,8 @@ void FrfViews::show()
     if (!coherence.curves.empty()) coherence_->setData(coherence);
     if (!has_fit) return;
     error_->setData(errorPlot(study));
+    stability_->setData(stabilisationPlot(study, screenLanguage()));
+    if (!study.common.empty()) shapes_->setTable(shapesTable(study, screenLanguage()));
     modes_->setTable(modesTable(study));
 }
 
@@ -94,7 +101,10 @@ void FrfViews::retranslate()
     primaryViews_->setTitle("imaginary", tr("Imaginary part"));
     primaryViews_->setTitle("coherence", tr("Coherence"));
     primaryViews_->setTitle("error", tr("Error of the model"));
+    primaryViews_->setTitle("stability", tr("Stability of the poles"));
+    primaryViews_->setTitle("shapes", tr("All responses"));
     modes_->setAccessibleName(tr("Modes"));
+    shapes_->setAccessibleName(tr("All responses"));
     use_->setText(tr("Use this response"));
     use_->setToolTip(tr("Lobes of this response: as measured, or of its modal model (Use for lobes)"));
     back_->setText(tr("Back to the fit"));

@@ -45,6 +45,8 @@ private:
     plot::ChartView* nyquist_;
     plot::ChartView* coherence_;
     plot::ChartView* error_;
+    plot::ChartView* stability_;
+    CopyTable* shapes_;
     CopyTable* modes_;
 };
 

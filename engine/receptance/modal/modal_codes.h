@@ -52,6 +52,13 @@ inline constexpr NoteCode modesBeyond{
             "A mode outside the fitted range takes part in the fit (near {frequency_hz} Hz); it stands for what lies "
             "there and is not measured.")};
 
+inline constexpr NoteCode fitLeavesMore{
+    "fit_leaves_more", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The fit leaves {error_percent} % of the response, the scatter of its lines is {scatter_percent} %: the modal "
+        "model does not describe it.")};
+
 inline constexpr NoteCode fitNotConverged{"fit_not_converged", Severity::Warning,
                                           LT_TEXT("Engine", "The modal fit did not converge; judge it by its error.")};
 

@@ -7,6 +7,7 @@
 #include "engine/core/core_codes.h"
 #include "engine/core/units.h"
 #include "engine/receptance/modal/modal_codes.h"
+#include "engine/receptance/modal/modal_notes.h"
 #include "engine/receptance/modal/modal_order.h"
 #include "engine/receptance/modal/modal_weights.h"
 
@@ -14,9 +15,6 @@ namespace lathelier::receptance {
 namespace {
 
 constexpr std::size_t fewestFitLines = 12;
-constexpr std::size_t linesToCompare = 700;  ///< lines used when fits with different numbers of modes are compared
-constexpr double resolvedLines = 4;          ///< least number of lines in a half-power band of a resolved mode
-constexpr double uncertain = 0.3;            ///< relative standard uncertainty of a stiffness reported as large
 constexpr int reweighings = 2;
 
 Interval rangeOf(const Frf& frf, const ModalParameters& parameters)
@@ -35,26 +33,32 @@ Interval rangeOf(const Frf& frf, const ModalParameters& parameters)
     return {low, high};
 }
 
-ModalMode modeOf(const PoleTerm& term)
+FitLines enoughLines(const Frf& frf, const ModalParameters& parameters)
 {
-    if (term.b_mm_N == 0) return {term.frequency_hz, term.damping, 1 / term.a_mm_N, 0};
-    const double sign = term.a_mm_N < 0 ? -1 : 1;
-    return {term.frequency_hz, term.damping, sign / std::hypot(term.a_mm_N, term.b_mm_N),
-            std::atan2(sign * term.b_mm_N, sign * term.a_mm_N) * 180 / std::numbers::pi};
+    if (frf.quantity != FrfQuantity::Receptance) throw Error(errors::fitNeedsReceptance, {});
+    const Interval asked = rangeOf(frf, parameters);
+    FitLines lines = linesToFit(frf, asked);
+    if (lines.value.size() < fewestFitLines)
+        throw Error(errors::tooFewLinesToFit, {{"found", static_cast<std::int64_t>(lines.value.size())},
+                                               {"from_hz", asked.from},
+                                               {"to_hz", asked.to},
+                                               {"minimum", static_cast<std::int64_t>(fewestFitLines)}});
+    return lines;
 }
 
-/// Standard uncertainty of |a + ib|, from the covariance of a and b.
-double residueUncertainty(const Refined& fit, const FitLines& lines, std::size_t k, bool complex_residues)
+ResidueSign signOf(const ResponseToFit& response, DrivingPoint asked)
 {
-    const double u = uncertaintyOf(fit, lines, k, 2, complex_residues);
-    const PoleTerm& term = fit.terms[k];
-    if (!complex_residues) return u;
-    const auto at = static_cast<Eigen::Index>(k) * perTerm(true) + 2;
-    const double size = std::hypot(term.a_mm_N, term.b_mm_N), a = term.a_mm_N / size, b = term.b_mm_N / size;
-    const double variance = a * a * fit.covariance(at, at) + 2 * a * b * fit.covariance(at, at + 1) +
-                            b * b * fit.covariance(at + 1, at + 1);
-    const double all = fit.covariance(at, at);
-    return all > 0 ? u * std::sqrt(std::max(0.0, variance / all)) : u;
+    const bool is_driving_point =
+        asked == DrivingPoint::Yes || (asked == DrivingPoint::Automatic && response.is_driving_point);
+    return is_driving_point ? ResidueSign::Positive : ResidueSign::Any;
+}
+
+ModalMode modeOf(const Pole& pole, const Residue& residue)
+{
+    if (residue.b_mm_N == 0) return {pole.frequency_hz, pole.damping, 1 / residue.a_mm_N, 0};
+    const double sign = residue.a_mm_N < 0 ? -1 : 1;
+    return {pole.frequency_hz, pole.damping, sign / std::hypot(residue.a_mm_N, residue.b_mm_N),
+            std::atan2(sign * residue.b_mm_N, sign * residue.a_mm_N) * 180 / std::numbers::pi};
 }
 
 /// Lines within f_n (1 ± ζ), from the local line spacing.
@@ -68,75 +72,118 @@ double halfPowerLines(const FitLines& lines, const ModalMode& mode)
 }
 
 /// Refinement on all lines, without terms that have left the range.
-Refined refinedFully(const FitLines& lines, const Refined& start, bool complex_residues, const Progress& progress)
+Refined refinedFully(std::span<const FitLines> lines, const Refined& start, bool complex_residues,
+                     const Progress& progress)
 {
-    Refined found = refineModes(lines, start.terms, complex_residues, Refinement::Full, progress);
-    const auto left = std::erase_if(found.terms, [&](const PoleTerm& term) { return isAtEndOfReach(term, lines); });
-    return left > 0 ? refineModes(lines, found.terms, complex_residues, Refinement::Full, progress) : found;
+    Refined found = refineModes(lines, start.poles, complex_residues, Refinement::Full, progress);
+    const auto left = std::erase_if(found.poles, [&](const Pole& pole) { return isAtEndOfReach(pole, lines); });
+    return left > 0 ? refineModes(lines, found.poles, complex_residues, Refinement::Full, progress) : found;
 }
 
-void addNotes(ModalFit& fit, bool converged)
+/// Of the errors of ζ and k = 1/a.
+double dampingStiffnessCorrelation(const Refined& found, std::size_t response, std::size_t k, int each)
 {
-    Notes& notes = fit.notes;
-    const auto count = static_cast<int>(fit.modes.size());
-    if (fit.parameters.modes > count && count > 0)
-        notes.push_back({notes::fewerModes,
-                         {{"asked", std::int64_t{fit.parameters.modes}},
-                          {"found", std::int64_t{count}},
-                          {"from_hz", fit.range_hz.from},
-                          {"to_hz", fit.range_hz.to}}});
-    if (count == 0) notes.push_back({notes::noModes, {{"from_hz", fit.range_hz.from}, {"to_hz", fit.range_hz.to}}});
-    const auto rounded = [](double value) { return std::round(100 * value) / 100; };
-    for (const FittedMode& found : fit.modes) {
-        const double f = rounded(found.mode.frequency_hz);
-        if (found.half_power_lines < resolvedLines)
-            notes.push_back({notes::modeNotResolved,
-                             {{"frequency_hz", f},
-                              {"lines", rounded(found.half_power_lines)},
-                              {"minimum", static_cast<std::int64_t>(resolvedLines)}}});
-        if (found.mode.stiffness_N_mm < 0) notes.push_back({notes::modeOutOfPhase, {{"frequency_hz", f}}});
-        const double share = found.stiffness_uncertainty_N_mm / std::abs(found.mode.stiffness_N_mm);
-        if (share > uncertain)
-            notes.push_back({notes::modeUncertain, {{"frequency_hz", f}, {"percent", std::round(100 * share)}}});
-    }
-    for (const ModalMode& mode : fit.model.beyond)
-        notes.push_back({notes::modesBeyond, {{"frequency_hz", rounded(mode.frequency_hz)}}});
-    if (!converged) notes.push_back({notes::fitNotConverged, {}});
+    const Eigen::MatrixXd& c = found.covariance[response];
+    const auto damping = 2 * static_cast<Eigen::Index>(k) + 1;
+    const auto residue = 2 * static_cast<Eigen::Index>(found.poles.size()) + each * static_cast<Eigen::Index>(k);
+    const double size = std::sqrt(c(damping, damping) * c(residue, residue));
+    return size > 0 ? std::clamp(-c(damping, residue) / size, -1.0, 1.0) : 0;
 }
 
-void describe(ModalFit& fit, const Refined& found, const FitLines& lines, bool complex_residues)
+void describe(ModalFit& fit, const Refined& found, std::span<const FitLines> all, std::size_t response)
 {
-    for (std::size_t k = 0; k < found.terms.size(); ++k) {
-        const ModalMode mode = modeOf(found.terms[k]);
+    const bool complex_residues = fit.parameters.complex_residues;
+    const double scale = scaleOf(found, all, complex_residues);
+    const LinearTerms& terms = found.responses[response];
+    for (std::size_t k = 0; k < found.poles.size(); ++k) {
+        const ModalMode mode = modeOf(found.poles[k], terms.residues[k]);
         if (mode.frequency_hz < fit.range_hz.from || mode.frequency_hz > fit.range_hz.to) {
             fit.model.beyond.push_back(mode);
             continue;
         }
-        const auto uncertainty = [&](int j) { return uncertaintyOf(found, lines, k, j, complex_residues); };
         fit.model.modes.push_back(mode);
-        fit.modes.push_back(
-            {mode, mode.frequency_hz * uncertainty(0), mode.damping_ratio * uncertainty(1),
-             mode.stiffness_N_mm * mode.stiffness_N_mm * residueUncertainty(found, lines, k, complex_residues),
-             halfPowerLines(lines, mode), flexibilityOf(mode)});
+        fit.modes.push_back({mode, mode.frequency_hz * poleUncertainty(found, k, 0, scale),
+                             mode.damping_ratio * poleUncertainty(found, k, 1, scale),
+                             mode.stiffness_N_mm * mode.stiffness_N_mm *
+                                 residueUncertainty(found, response, k, complex_residues, scale),
+                             halfPowerLines(all[response], mode), flexibilityOf(mode),
+                             dampingStiffnessCorrelation(found, response, k, perResidue(complex_residues))});
     }
-    fit.model.residuals = {found.lower_mm_Ns2, found.upper_mm_N};
-    fit.lower_uncertainty_mm_Ns2 = uncertaintyOf(found, lines, found.terms.size(), 0, complex_residues);
-    fit.upper_uncertainty_mm_N = uncertaintyOf(found, lines, found.terms.size(), 1, complex_residues);
+    fit.model.residuals = {terms.lower_mm_Ns2, terms.upper_mm_N};
+    const Eigen::MatrixXd& covariance = found.covariance[response];
+    const Eigen::Index lower = covariance.rows() - 2;
+    fit.lower_uncertainty_mm_Ns2 = std::sqrt(std::max(0.0, covariance(lower, lower)) * scale);
+    fit.upper_uncertainty_mm_N = std::sqrt(std::max(0.0, covariance(lower + 1, lower + 1)) * scale);
 }
 
-void compare(ModalFit& fit, const FitLines& lines)
+/// Lines that stand out of the noise: |G|² four times that of the noise in the mean of nine. All where none does.
+std::vector<bool> linesThatStandOut(const FitLines& lines, const std::vector<double>& noise2)
+{
+    constexpr double standsOut = 4;
+    constexpr std::size_t around = 4;
+    const std::size_t count = lines.value.size();
+    std::vector<bool> stands(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t from = i > around ? i - around : 0, to = std::min(count - 1, i + around);
+        double ratio = 0;
+        for (std::size_t j = from; j <= to; ++j) ratio += std::norm(lines.value[j]) / std::max(noise2[j], 1e-300);
+        stands[i] = ratio > standsOut * static_cast<double>(to - from + 1);
+    }
+    if (std::find(stands.begin(), stands.end(), true) == stands.end()) stands.assign(count, true);
+    return stands;
+}
+
+void compare(ModalFit& fit, const Refined& found, const FitLines& lines, std::size_t response)
 {
     fit.lines = lines.value.size();
     fit.synthesised = synthesised(fit.model, lines.frequency_hz);
     fit.error_percent.reserve(fit.lines);
-    double error = 0, size = 0;
+    std::vector<double> noise2 = scatterOf(lines, found, response);
+    for (std::size_t i = 0; i < fit.lines; ++i) noise2[i] *= 2 / (lines.weight[i] * lines.weight[i]);
+    fit.stands_out = linesThatStandOut(lines, noise2);
+    double error = 0, size = 0, noise = 0;
     for (std::size_t i = 0; i < fit.lines; ++i) {
         const double away = std::abs(fit.synthesised.value[i] - lines.value[i]), here = std::abs(lines.value[i]);
         fit.error_percent.push_back(here > 0 ? 100 * away / here : 0);
+        if (!fit.stands_out[i]) continue;
         error += away * away;
         size += here * here;
+        noise += noise2[i];
     }
     fit.error_rms_percent = size > 0 ? 100 * std::sqrt(error / size) : 0;
+    fit.scatter_percent = size > 0 ? 100 * std::sqrt(noise / size) : 0;
+}
+
+/// Whether σ is to be found from the errors of the fit.
+bool isWeighedByErrors(const Frf& frf)
+{
+    return frf.noise.empty() && frf.coherence.empty();
+}
+
+void reweighAll(std::vector<FitLines>& lines, std::span<const ResponseToFit> responses, const Refined& found)
+{
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (isWeighedByErrors(*responses[i].frf)) reweigh(lines[i], found, i);
+}
+
+/// The model, with the weights it was found with left in `lines`.
+Refined foundModel(std::vector<FitLines>& lines, std::span<const ResponseToFit> responses, const OrderRequest& request,
+                   const Progress& progress)
+{
+    const bool by_errors = std::any_of(responses.begin(), responses.end(),
+                                       [](const ResponseToFit& one) { return isWeighedByErrors(*one.frf); });
+    Refined found = fitByOrder(lines, request, progress.part(0, by_errors ? 0.45 : 0.9));
+    if (by_errors) {
+        reweighAll(lines, responses, found);
+        found = fitByOrder(lines, request, progress.part(0.45, 0.9));
+    }
+    const Progress last = progress.part(0.9, 1);
+    found = refinedFully(lines, found, request.complex_residues, last);
+    for (int pass = 0; by_errors && pass < reweighings; ++pass) {
+        reweighAll(lines, responses, found);
+        found = refinedFully(lines, found, request.complex_residues, last);
+    }
+    return found;
 }
 
 }  // namespace
@@ -145,13 +192,21 @@ const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
 {
     static const std::vector<Field<ModalParameters>> all{
         field("number_of_modes", &ModalParameters::modes, {0, mostModes},
-              Label{LT_TEXT("Engine", "Number of modes"), LT_TEXT("Engine", "1 to 6; 0: as many as the data tell.")}),
+              Label{LT_TEXT("Engine", "Number of modes"), LT_TEXT("Engine", "1 to 8; 0: as many as the data tell.")}),
         field("range_hz", &ModalParameters::range_hz, {0, 1e6},
               Label{LT_TEXT("Engine", "Range of frequencies"),
                     LT_TEXT("Engine", "Whose lines are fitted, as 100:800; empty: all."), unit::hz}),
         field("complex_residues", &ModalParameters::complex_residues,
               Label{LT_TEXT("Engine", "Complex residues"),
                     LT_TEXT("Engine", "For modes whose places do not move in phase or against each other."),
+                    {},
+                    true}),
+        field("driving_point", &ModalParameters::driving_point,
+              {{"auto", LT_TEXT("Engine", "As the nodes in the file tell")},
+               {"yes", LT_TEXT("Engine", "Yes")},
+               {"no", LT_TEXT("Engine", "No")}},
+              Label{LT_TEXT("Engine", "Driving point"),
+                    LT_TEXT("Engine", "Force and response at one place in one direction: no stiffness is negative."),
                     {},
                     true})};
     return all;
@@ -166,38 +221,37 @@ double flexibilityOf(const ModalMode& mode)
     return -least;
 }
 
+std::vector<ModalFit> fitResponses(std::span<const ResponseToFit> responses, const ModalParameters& parameters,
+                                   const Progress& progress)
+{
+    std::vector<FitLines> lines;
+    OrderRequest request{{}, parameters.modes, parameters.complex_residues, {}, {}};
+    for (const ResponseToFit& one : responses) {
+        lines.push_back(enoughLines(*one.frf, parameters));
+        request.signs.push_back(signOf(one, parameters.driving_point));
+    }
+    request.range_hz = spanOf(lines);
+    const std::vector<OrderPole> orders = polesByOrder(lines, progress.part(0, 0.1));
+    request.stable = stablePoles(orders);
+    const Refined found = foundModel(lines, responses, request, progress.part(0.1, 1));
+    std::vector<ModalFit> fits;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ModalFit& fit = fits.emplace_back();
+        fit.parameters = parameters;
+        fit.range_hz = request.range_hz;
+        fit.orders = orders;
+        describe(fit, found, lines, i);
+        compare(fit, found, lines[i], i);
+        addNotes(fit, found.converged);
+    }
+    progress.report(1);
+    return fits;
+}
+
 ModalFit fitModes(const Frf& frf, const ModalParameters& parameters, const Progress& progress)
 {
-    if (frf.quantity != FrfQuantity::Receptance) throw Error(errors::fitNeedsReceptance, {});
-    ModalFit fit;
-    fit.parameters = parameters;
-    const Interval asked = rangeOf(frf, parameters);
-    FitLines lines = linesToFit(frf, asked);
-    if (lines.value.size() < fewestFitLines)
-        throw Error(errors::tooFewLinesToFit, {{"found", static_cast<std::int64_t>(lines.value.size())},
-                                               {"from_hz", asked.from},
-                                               {"to_hz", asked.to},
-                                               {"minimum", static_cast<std::int64_t>(fewestFitLines)}});
-    fit.range_hz = {lines.frequency_hz.front(), lines.frequency_hz.back()};
-    const bool complex_residues = parameters.complex_residues, by_errors = frf.coherence.empty();
-    const OrderRequest request{fit.range_hz, parameters.modes, complex_residues};
-
-    Refined found = fitByOrder(thinned(lines, linesToCompare), request, progress.part(0, by_errors ? 0.45 : 0.9));
-    if (by_errors) {
-        reweigh(lines, found);
-        found = fitByOrder(thinned(lines, linesToCompare), request, progress.part(0.45, 0.9));
-    }
-    const Progress last = progress.part(0.9, 1);
-    found = refinedFully(lines, found, complex_residues, last);
-    for (int pass = 0; by_errors && pass < reweighings; ++pass) {
-        reweigh(lines, found);
-        found = refinedFully(lines, found, complex_residues, last);
-    }
-    describe(fit, found, lines, complex_residues);
-    compare(fit, lines);
-    addNotes(fit, found.converged);
-    progress.report(1);
-    return fit;
+    const ResponseToFit one{&frf};
+    return std::move(fitResponses({&one, 1}, parameters, progress).front());
 }
 
 }  // namespace lathelier::receptance

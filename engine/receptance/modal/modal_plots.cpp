@@ -159,6 +159,35 @@ report::Plot coherencePlot(const ResponseStudy& study)
     return plot;
 }
 
+report::Plot stabilisationPlot(const ResponseStudy& study, const Language& language)
+{
+    report::Plot plot;
+    plot.title = LT_TEXT("Engine", "Stability of the poles");
+    plot.x = frequencyAxis();
+    plot.y = {LT_TEXT("Engine", "Order of the fit, pairs of poles"), {}, report::Axis::Scale::Whole};
+    if (!study.fit || study.fit->orders.empty()) return plot;
+    plot.y.range = Interval{0, mostOrder + 1};
+    plot.x.range = study.fit->range_hz;
+    report::Curve wandering{LT_TEXT("Engine", "new"), {}, {}},
+        frequency{LT_TEXT("Engine", "stable in frequency"), {}, {}},
+        both{LT_TEXT("Engine", "stable in frequency and damping"), {}, {}};
+    for (const OrderPole& pole : study.fit->orders) {
+        report::Curve& curve = pole.is_damping_stable ? both : pole.is_stable ? frequency : wandering;
+        curve.x.push_back(pole.frequency_hz);
+        curve.y.push_back(pole.order);
+    }
+    int colour = 0;
+    for (report::Curve* curve : {&both, &frequency, &wandering}) {
+        curve->style = report::Curve::Style::Points;
+        curve->colour = colour++;
+        if (!curve->x.empty()) plot.curves.push_back(std::move(*curve));
+    }
+    for (const ModalMode& mode : study.model.modes)
+        plot.limits.push_back(
+            {report::Limit::Direction::Vertical, mode.frequency_hz, hertz(mode.frequency_hz, language)});
+    return plot;
+}
+
 report::Plot errorPlot(const ResponseStudy& study)
 {
     report::Plot plot;

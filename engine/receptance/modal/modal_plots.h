@@ -25,6 +25,10 @@ report::Plot nyquistPlot(const ResponseStudy& study);
 /// Coherence of the measured response; without curves where it is unknown.
 report::Plot coherencePlot(const ResponseStudy& study);
 
+/// Poles of linear fits over their order, by frequency, with the modes of the model as lines; without curves where
+/// there is no fit.
+report::Plot stabilisationPlot(const ResponseStudy& study, const Language& language = {});
+
 /// Error of the model over the frequency.
 report::Plot errorPlot(const ResponseStudy& study);
 

@@ -11,6 +11,30 @@ namespace {
 
 constexpr double hundredth = 100;
 
+Json residualsJson(const ModalResiduals& residuals, const ModalFit& fit)
+{
+    return {{"lower_mm_Ns2", residuals.lower_mm_Ns2},
+            {"lower_uncertainty_mm_Ns2", fit.lower_uncertainty_mm_Ns2},
+            {"upper_mm_N", residuals.upper_mm_N},
+            {"upper_uncertainty_mm_N", fit.upper_uncertainty_mm_N}};
+}
+
+/// What one response has of its own: stiffnesses, whose signs are the shapes, and residuals.
+Json commonJson(const CommonFit& one)
+{
+    Json json{{"response", one.name},
+              {"error_rms_percent", one.fit->error_rms_percent},
+              {"scatter_percent", one.fit->scatter_percent},
+              {"residuals", residualsJson(one.fit->model.residuals, *one.fit)},
+              {"modes", Json::array()}};
+    for (const FittedMode& mode : one.fit->modes)
+        json["modes"].push_back({{"frequency_hz", mode.mode.frequency_hz},
+                                 {"stiffness_N_mm", mode.mode.stiffness_N_mm},
+                                 {"stiffness_uncertainty_N_mm", mode.stiffness_uncertainty_N_mm},
+                                 {"phase_deg", mode.mode.phase_deg}});
+    return json;
+}
+
 std::optional<double> percent(const std::optional<double>& ratio)
 {
     return ratio ? std::optional(hundredth * *ratio) : std::nullopt;
@@ -39,6 +63,7 @@ const std::vector<QuantityOf<ShownMode>>& quantitiesOf(const ShownMode*)
                     {LT_TEXT("Engine", "Modal stiffness"), unit::N_mm, 0, true, LT_TEXT("Engine", "k")}),
         quantity<M>("stiffness_uncertainty_N_mm", &M::stiffness_uncertainty_N_mm,
                     {LT_TEXT("Engine", "Its standard uncertainty"), unit::N_mm, 1, true, LT_TEXT("Engine", "u(k)")}),
+        quantity<M>("damping_stiffness_correlation", &M::damping_stiffness_correlation),
         quantity<M>("phase_deg", [](const M& m) { return m.mode.phase_deg; },
                     {LT_TEXT("Engine", "Phase of the residue"), unit::deg, 1, true, LT_TEXT("Engine", "phase")}),
         quantity<M>("flexibility_nm_N", &M::flexibility_nm_N,
@@ -60,10 +85,21 @@ std::vector<ShownMode> shownModes(const ResponseStudy& study)
         shown.frequency_uncertainty_hz = fitted.frequency_uncertainty_hz;
         shown.damping_uncertainty = fitted.damping_uncertainty;
         shown.stiffness_uncertainty_N_mm = fitted.stiffness_uncertainty_N_mm;
+        shown.damping_stiffness_correlation = fitted.damping_stiffness_correlation;
     }
     int rank = 0;
     for (const std::size_t k : byFlexibility(study.model.modes)) modes[k].rank = ++rank;
     return modes;
+}
+
+const std::vector<QuantityOf<OrderPole>>& quantitiesOf(const OrderPole*)
+{
+    using P = OrderPole;
+    static const auto all =
+        describedBy<P>(quantity<P>("order", &P::order), quantity<P>("frequency_hz", &P::frequency_hz),
+                       quantity<P>("damping_ratio", &P::damping_ratio), quantity<P>("is_stable", &P::is_stable),
+                       quantity<P>("is_damping_stable", &P::is_damping_stable));
+    return all;
 }
 
 Json toJson(const ResponseStudy& study)
@@ -74,12 +110,15 @@ Json toJson(const ResponseStudy& study)
     json["range_hz"] = {{"from", study.fit->range_hz.from}, {"to", study.fit->range_hz.to}};
     json["changed_by_hand"] = study.is_changed;
     json["error_rms_percent"] = study.error_rms_percent;
+    json["scatter_percent"] = study.fit->scatter_percent;
     json["modes"] = Json::array();
     for (const ShownMode& mode : shownModes(study)) json["modes"].push_back(nestedJson(describedValues(mode)));
-    json["residuals"] = {{"lower_mm_Ns2", study.model.residuals.lower_mm_Ns2},
-                         {"lower_uncertainty_mm_Ns2", study.fit->lower_uncertainty_mm_Ns2},
-                         {"upper_mm_N", study.model.residuals.upper_mm_N},
-                         {"upper_uncertainty_mm_N", study.fit->upper_uncertainty_mm_N}};
+    json["residuals"] = residualsJson(study.model.residuals, *study.fit);
+    json["stabilisation"] = Json::array();
+    for (const OrderPole& pole : study.fit->orders) json["stabilisation"].push_back(nestedJson(describedValues(pole)));
+    if (study.common.empty()) return json;
+    json["responses"] = Json::array();
+    for (const CommonFit& one : study.common) json["responses"].push_back(commonJson(one));
     return json;
 }
 

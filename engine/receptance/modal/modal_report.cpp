@@ -100,6 +100,25 @@ report::Table modesTable(const ResponseStudy& study)
     return report::listTable<ShownMode>(LT_TEXT("Engine", "Modes"), shownModes(study), keys);
 }
 
+report::Table shapesTable(const ResponseStudy& study, const Language& language)
+{
+    report::Table table;
+    table.title = LT_TEXT("Engine", "Stiffness of every response by mode, N/mm");
+    table.columns = {LT_TEXT("Engine", "Response"), LT_TEXT("Engine", "Error, %")};
+    table.decimals = {0, 2};
+    for (const FittedMode& mode : study.common.front().fit->modes) {
+        table.columns.emplace_back(fill(text(LT_TEXT("Engine", "{frequency} Hz"), language),
+                                        {{"frequency", fixed(mode.mode.frequency_hz, 1, language)}}, language));
+        table.decimals.push_back(0);
+    }
+    for (const CommonFit& one : study.common) {
+        std::vector<Value> row{one.name, one.fit->error_rms_percent};
+        for (const FittedMode& mode : one.fit->modes) row.emplace_back(mode.mode.stiffness_N_mm);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
 report::Document responseReport(const ResponseStudy& study, const Notes& notes, const Language& language)
 {
     report::Document document;
@@ -108,6 +127,7 @@ report::Document responseReport(const ResponseStudy& study, const Notes& notes, 
     if (study.fit && !study.model.modes.empty()) {
         result.blocks.push_back(modesTable(study));
         result.blocks.push_back(residualsTable(study));
+        if (!study.common.empty()) result.blocks.push_back(shapesTable(study, language));
     }
     if (!notes.empty()) result.blocks.push_back(notes);
     document.sections.push_back(std::move(result));
@@ -119,11 +139,13 @@ report::Document responseReport(const ResponseStudy& study, const Notes& notes, 
         charts.emplace_back(std::move(coherence));
     if (!study.fit) return document;
     charts.emplace_back(errorPlot(study));
+    charts.emplace_back(stabilisationPlot(study, language));
     const Text words = LT_TEXT(
         "Engine",
-        "Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: a rational fraction gives "
-        "the start, Gauss and Newton refine all parameters with weights from coherence, or from the errors of the fit "
-        "where it is not known. Uncertainties are standard uncertainties from the covariance.");
+        "Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: linear fits of ascending "
+        "order and matched filters give the starts, Gauss and Newton refine all parameters with weights from the noise "
+        "of the lines, or from the errors of the fit where it is not known. A mode without which the fit is no worse "
+        "than noise explains is left out. Uncertainties are standard uncertainties from the covariance.");
     document.sections.push_back(
         {LT_TEXT("Engine", "Method and parameters"),
          {report::Paragraph{words, {}}, report::parametersTable(study.fit->parameters, language)}});

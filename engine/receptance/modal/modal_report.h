@@ -12,6 +12,9 @@ report::Answer answer(const ResponseStudy& study, const Language& language = {})
 /// One row for each mode of the model.
 report::Table modesTable(const ResponseStudy& study);
 
+/// Stiffnesses of all responses that were fitted together, one row each: their signs are the shapes.
+report::Table shapesTable(const ResponseStudy& study, const Language& language = {});
+
 /// Answer, modes, charts, method and parameters. `notes`: of the file and of the fit.
 report::Document responseReport(const ResponseStudy& study, const Notes& notes, const Language& language = {});
 

@@ -4,16 +4,14 @@
 #include <cmath>
 
 #include "engine/core/statistics.h"
+#include "engine/io/frf/frf_noise.h"
 
 namespace lathelier::receptance {
 namespace {
 
-constexpr int averaged = 4;                                 ///< lines averaged on either side
-constexpr double leastCoherence = 1e-3, leastNoise = 1e-4;  ///< lower bounds of γ² and 1 - γ²
-constexpr double floorShare = 0.03;     ///< lower bound of σ as share of the median, without coherence
-constexpr double leastSigma = 1e-9;     ///< lower bound of σ as share of |G| and of the median: rounding in files
-constexpr std::size_t keptAround = 20;  ///< lines kept on each side of a resonance
-constexpr std::size_t keptPeaks = 10;
+constexpr double floorShare = 0.03;  ///< lower bound of σ as share of the median, without coherence
+constexpr double leastSigma = 1e-9;  ///< lower bound of σ as share of |G| and of the median: rounding in files
+constexpr double modelShare = 3e-4;  ///< of |G|, added to the noise: no modal model describes a response better
 
 double medianSize(const FitLines& lines)
 {
@@ -27,43 +25,34 @@ double medianSize(const FitLines& lines)
 
 FitLines linesToFit(const Frf& frf, const Interval& range_hz)
 {
+    const std::vector<double> noise = frf.noise.empty() && !frf.coherence.empty() ? io::noiseOf(frf) : frf.noise;
     FitLines lines;
-    std::vector<double> noise;  // squared noise-to-signal ratio (1-γ²)/γ²
+    std::vector<double> sigma;
     for (std::size_t i = 0; i < frf.frequency_hz.size(); ++i) {
         const double f = frf.frequency_hz[i];
         if (!(f > 0) || f < range_hz.from || f > range_hz.to || !std::isfinite(std::abs(frf.value[i]))) continue;
         lines.frequency_hz.push_back(f);
         lines.value.push_back(frf.value[i]);
-        if (frf.coherence.empty()) continue;
-        const double coherence = std::clamp(frf.coherence[i], leastCoherence, 1.0);
-        noise.push_back(std::max(leastNoise, 1 - coherence) / coherence);
+        if (!noise.empty()) sigma.push_back(noise[i]);
     }
     if (lines.value.empty()) return lines;
     const double median = medianSize(lines);
-    const auto count = static_cast<std::ptrdiff_t>(lines.value.size());
     lines.weight.reserve(lines.value.size());
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const double size = std::abs(lines.value[static_cast<std::size_t>(i)]);
-        double sigma = size + floorShare * median;
-        if (!noise.empty()) {
-            const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - averaged),
-                                 to = std::min(count - 1, i + averaged);
-            double sum = 0;
-            for (std::ptrdiff_t j = from; j <= to; ++j) sum += noise[static_cast<std::size_t>(j)];
-            sigma = size * std::sqrt(sum / static_cast<double>(to - from + 1));
-        }
-        lines.weight.push_back(1 / std::max(sigma, leastSigma * median + 1e-300));
+    for (std::size_t i = 0; i < lines.value.size(); ++i) {
+        const double size = std::abs(lines.value[i]);
+        const double one = sigma.empty() ? size + floorShare * median : std::hypot(sigma[i], modelShare * size);
+        lines.weight.push_back(1 / std::max(one, leastSigma * median + 1e-300));
     }
     return lines;
 }
 
-void reweigh(FitLines& lines, const Refined& model)
+void reweigh(FitLines& lines, const Refined& fit, std::size_t response)
 {
     const std::size_t count = lines.value.size();
     std::vector<double> error(count), size(count);
     double all = 0, sizes = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::complex<double> fitted = valueOf(model, lines.frequency_hz[i]);
+        const std::complex<double> fitted = valueOf(fit.poles, fit.responses[response], lines.frequency_hz[i]);
         error[i] = std::norm(lines.value[i] - fitted);
         size[i] = std::norm(fitted);
         all += error[i];
@@ -92,36 +81,6 @@ void reweigh(FitLines& lines, const Refined& model)
     }
     for (std::size_t i = 0; i < count; ++i)
         lines.weight[i] = 1 / std::sqrt(floor + share * size[i] + least * (size[i] + median * median));
-}
-
-FitLines thinned(const FitLines& lines, std::size_t most)
-{
-    const std::size_t count = lines.frequency_hz.size();
-    if (count <= most) return lines;
-    std::vector<bool> kept(count, false);
-    const std::size_t stride = (count + most - 1) / most;
-    for (std::size_t i = 0; i < count; i += stride) kept[i] = true;
-    std::vector<std::size_t> peaks;
-    for (std::size_t i = keptAround; i + keptAround < count; ++i) {
-        const double size = std::abs(lines.value[i]);
-        bool highest = true;
-        for (std::size_t j = i - keptAround; j <= i + keptAround && highest; ++j)
-            highest = j == i || std::abs(lines.value[j]) < size;
-        if (highest) peaks.push_back(i);
-    }
-    std::stable_sort(peaks.begin(), peaks.end(),
-                     [&](std::size_t a, std::size_t b) { return std::abs(lines.value[a]) > std::abs(lines.value[b]); });
-    if (peaks.size() > keptPeaks) peaks.resize(keptPeaks);
-    for (const std::size_t peak : peaks)
-        for (std::size_t j = peak - keptAround; j <= peak + keptAround; ++j) kept[j] = true;
-    FitLines few;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!kept[i]) continue;
-        few.frequency_hz.push_back(lines.frequency_hz[i]);
-        few.value.push_back(lines.value[i]);
-        few.weight.push_back(lines.weight[i]);
-    }
-    return few;
 }
 
 }  // namespace lathelier::receptance

@@ -32,7 +32,13 @@ ResponseStudy studyResponse(FrfPtr measured, FrfPtr computed, std::shared_ptr<co
     study.measured = std::move(measured);
     study.computed = std::move(computed);
     study.fit = std::move(fit);
-    if (!study.fit || !study.basis()) return study;
+    completeStudy(study, changed);
+    return study;
+}
+
+void completeStudy(ResponseStudy& study, const std::vector<ModalMode>& changed)
+{
+    if (!study.fit || !study.basis()) return;
     study.model = study.fit->model;
     study.is_changed = !changed.empty();
     if (study.is_changed) study.model.modes = changed;
@@ -44,11 +50,11 @@ ResponseStudy studyResponse(FrfPtr measured, FrfPtr computed, std::shared_ptr<co
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const double away = std::abs(study.synthesised.value[i] - values[i]), here = std::abs(values[i]);
         study.error_percent.push_back(here > 0 ? 100 * away / here : 0);
+        if (!study.fit->stands_out[i]) continue;
         error += away * away;
         size += here * here;
     }
     study.error_rms_percent = size > 0 ? 100 * std::sqrt(error / size) : 0;
-    return study;
 }
 
 ModalMode draggedMode(const ModalModel& model, std::size_t index, double frequency_hz, double magnitude_mm_N)

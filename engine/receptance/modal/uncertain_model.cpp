@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* modesKey = "model_modes";
 constexpr const char* beyondKey = "model_beyond";
-constexpr const char* uncertaintiesKey = "model_uncertainties";  ///< f, ζ, k of each mode, one after another
+constexpr const char* uncertaintiesKey = "model_uncertainties";  ///< f, ζ, k and correlation of each mode
 constexpr const char* termsKey = "model_terms";                  ///< range (two numbers, or none), 1/M, 1/K
 
 Rows rowsOf(const std::vector<ModalMode>& modes)
@@ -39,8 +39,8 @@ UncertainModel uncertainModelOf(const ModalFit& fit)
     result.model = fit.model;
     result.range_hz = fit.range_hz;
     for (const FittedMode& mode : fit.modes)
-        result.own.push_back(
-            {mode.frequency_uncertainty_hz, mode.damping_uncertainty, mode.stiffness_uncertainty_N_mm});
+        result.own.push_back({mode.frequency_uncertainty_hz, mode.damping_uncertainty, mode.stiffness_uncertainty_N_mm,
+                              mode.damping_stiffness_correlation});
     return result;
 }
 
@@ -58,7 +58,8 @@ void addModel(const UncertainModel& model, Values& item)
     set(item, beyondKey, rowsOf(model.model.beyond));
     std::vector<double> uncertainties;
     for (const ModeUncertainty& one : model.own)
-        uncertainties.insert(uncertainties.end(), {one.frequency_hz, one.damping_ratio, one.stiffness_N_mm});
+        uncertainties.insert(uncertainties.end(),
+                             {one.frequency_hz, one.damping_ratio, one.stiffness_N_mm, one.correlation});
     set(item, uncertaintiesKey, std::move(uncertainties));
     const ModalResiduals& terms = model.model.residuals;
     std::vector<double> numbers{terms.lower_mm_Ns2, terms.upper_mm_N};
@@ -81,9 +82,10 @@ std::optional<UncertainModel> modelIn(const Values& item)
     if (terms->size() == 4 && (*terms)[2] > 0 && (*terms)[3] > (*terms)[2])
         result.range_hz = Interval{(*terms)[2], (*terms)[3]};
     const auto numbers = numbersIn(item, uncertaintiesKey);
-    if (numbers && numbers->size() == 3 * result.model.modes.size())
-        for (std::size_t i = 0; i < numbers->size(); i += 3)
-            result.own.push_back({std::abs((*numbers)[i]), std::abs((*numbers)[i + 1]), std::abs((*numbers)[i + 2])});
+    if (numbers && numbers->size() == 4 * result.model.modes.size())
+        for (std::size_t i = 0; i < numbers->size(); i += 4)
+            result.own.push_back({std::abs((*numbers)[i]), std::abs((*numbers)[i + 1]), std::abs((*numbers)[i + 2]),
+                                  std::clamp((*numbers)[i + 3], -1.0, 1.0)});
     return result;
 }
 

@@ -17,6 +17,7 @@ struct ModeUncertainty {
     double frequency_hz = 0;
     double damping_ratio = 0;
     double stiffness_N_mm = 0;
+    double correlation = 0;  ///< of the errors of damping and stiffness, -1 to 1
     friend bool operator==(const ModeUncertainty&, const ModeUncertainty&) = default;
 };
 

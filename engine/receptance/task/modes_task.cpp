@@ -33,7 +33,7 @@ constexpr const char* responseUffExport = "uff";
 constexpr const char* modesCsvExport = "modes-csv";
 
 /// By response and parameters: a dragged peak does not fit anew.
-struct FittedModes : Memo<ModalFit> {};
+struct FittedModes : Memo<std::vector<ModalFit>> {};
 struct ComputedShafts : Memo<ShaftReceptanceResult> {};
 
 void append(Notes& all, const Notes& more)
@@ -41,9 +41,16 @@ void append(Notes& all, const Notes& more)
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Takes the response. Gives its cache key; empty without one.
-std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state, Stores& stores,
-                         task::Sources& sources, const Progress& progress)
+/// What is fitted, with its cache key.
+struct Basis {
+    std::string key;                                        ///< empty: nothing is known
+    std::shared_ptr<const Loaded<io::FrfChoiceFile>> file;  ///< that holds the response; null: an item
+    std::size_t shown = 0;                                  ///< number of the response in the file
+};
+
+/// Takes the response.
+Basis takeMeasured(ModesOutcome& outcome, const project::PanelState& state, Stores& stores, task::Sources& sources,
+                   const Progress& progress)
 {
     const project::Source* const source = task::sourceOf(state, responseRole);
     if (!source) return {};
@@ -53,7 +60,7 @@ std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state
         outcome.name = source->item;
         outcome.study.measured =
             std::make_shared<const Frf>(*task::take<io::FrfInput>(state, responseRole, stores, progress, sources));
-        return task::readKey(state, {responseRole}, sources, read);
+        return {task::readKey(state, {responseRole}, sources, read), {}};
     }
     const io::MeasuredFrf& chosen = loaded->file.response();
     append(sources.notes, loaded->file.notes_of_choice);
@@ -66,7 +73,7 @@ std::string takeMeasured(ModesOutcome& outcome, const project::PanelState& state
         const std::string pair = io::nodePair(chosen);
         outcome.name += " " + (pair.empty() ? "#" + std::to_string(loaded->file.used + 1) : pair);
     }
-    return task::readKey(state, {responseRole}, sources, read);
+    return {task::readKey(state, {responseRole}, sources, read), loaded, loaded->file.used};
 }
 
 /// Error valueNotUnderstood for a mode without stiffness.
@@ -118,6 +125,41 @@ std::string takeComputed(ModesOutcome& outcome, const project::PanelState& state
     return key;
 }
 
+/// The responses that are fitted: the shown one, or all of its file.
+std::vector<ResponseToFit> responsesToFit(const ModesOutcome& outcome, const Basis& basis, std::vector<Frf>& converted)
+{
+    const bool is_driving_point = basis.file && io::isDrivingPoint(outcome.measured);
+    if (!basis.file || !outcome.question.all_responses) return {{outcome.study.basis(), is_driving_point}};
+    const std::vector<io::MeasuredFrf>& all = basis.file->file.frfs;
+    converted.reserve(all.size());
+    std::vector<ResponseToFit> responses;
+    for (const io::MeasuredFrf& one : all) {
+        converted.push_back(io::toReceptance(one.frf));
+        responses.push_back({&converted.back(), io::isDrivingPoint(one)});
+    }
+    return responses;
+}
+
+/// Fits the response, or all of its file, once for each question.
+void fitTo(ModesOutcome& outcome, const Basis& basis, Stores& stores, const Progress& progress)
+{
+    ResponseStudy& study = outcome.study;
+    const ModesQuestion& question = outcome.question;
+    std::string key = basis.key + toJson(lathelier::toValues(question.modal)).dump();
+    if (question.all_responses) key += "all";
+    const auto fits = stores.of<FittedModes>()->find(key, progress, [&](const Progress& part) {
+        std::vector<Frf> converted;
+        return fitResponses(responsesToFit(outcome, basis, converted), question.modal, part);
+    });
+    const auto fitAt = [&fits](std::size_t i) { return std::shared_ptr<const ModalFit>(fits, &(*fits)[i]); };
+    study.fit = fitAt(fits->size() > 1 ? basis.shown : 0);
+    if (!question.all_responses || !basis.file) return;
+    for (std::size_t i = 0; i < fits->size(); ++i) {
+        const std::string pair = io::nodePair(basis.file->file.frfs[i]);
+        study.common.push_back({pair.empty() ? std::to_string(i + 1) : pair, fitAt(i)});
+    }
+}
+
 std::string modesCsv(const ResponseStudy& study)
 {
     return report::csvOf<ShownMode>(
@@ -152,6 +194,7 @@ report::Section summaryOf(const ModesOutcome& outcome, const Language& language)
 {
     report::Section section{LT_TEXT("Engine", "Result"), {answer(outcome.study, language)}};
     if (!outcome.study.model.modes.empty()) section.blocks.emplace_back(modesTable(outcome.study));
+    if (!outcome.study.common.empty()) section.blocks.emplace_back(shapesTable(outcome.study, language));
     if (!outcome.notes.empty()) section.blocks.emplace_back(outcome.notes);
     return section;
 }
@@ -181,6 +224,9 @@ const std::vector<Field<ModesQuestion>>& fieldsOf(const ModesQuestion*)
     using Q = ModesQuestion;
     static const std::vector<Field<Q>> all = [] {
         std::vector<Field<Q>> made{
+            field("all_responses", &Q::all_responses,
+                  Label{LT_TEXT("Engine", "All responses of the file"),
+                        LT_TEXT("Engine", "Fitted together: common frequencies and damping, own stiffnesses.")}),
             field("fit", &Q::fit, Label{LT_TEXT("Engine", "Fit modes"), LT_TEXT("Engine", "Finds the modes.")}),
             within(&Q::modal, "number_of_modes"),
             within(&Q::modal, "range_hz"),
@@ -193,11 +239,12 @@ const std::vector<Field<ModesQuestion>>& fieldsOf(const ModesQuestion*)
                  Label{LT_TEXT("Engine", "Modes changed by hand"),
                        LT_TEXT("Engine", "In place of those of the fit; drag a peak in the magnitude chart.")}),
             within(&Q::modal, "complex_residues"),
+            within(&Q::modal, "driving_point"),
             foldedWithin(&Q::computing, "respond_z_mm"),
             foldedWithin(&Q::computing, "excite_z_mm"),
             foldedWithin(&Q::computing, "shear"),
             foldedWithin(&Q::computing, "step_correction")};
-        made.front().info.is_kept = true;  // of a window, which shows a response without its modes as well
+        made[1].info.is_kept = true;  // of a window, which shows a response without its modes as well
         return made;
     }();
     return all;
@@ -217,21 +264,14 @@ ModesOutcome answerModes(const project::PanelState& state, Stores& stores, task:
     outcome.question = fromValues<ModesQuestion>(state.parameters);
     const ModesQuestion& question = outcome.question;
     requireStiffness(question.modes);
-    std::string basis =
-        takeMeasured(outcome, state, stores, sources, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
+    Basis basis = takeMeasured(outcome, state, stores, sources, progress.part(0, 0.3, LT_TEXT("Engine", "Reading")));
     const std::string computed =
         takeComputed(outcome, state, stores, sources, progress.part(0.3, 0.5, LT_TEXT("Engine", "Computing")));
-    if (basis.empty()) basis = computed;
-    std::shared_ptr<const ModalFit> fit;
-    if (question.fit && outcome.study.basis()) {
-        const Frf& response = *outcome.study.basis();
-        fit = stores.of<FittedModes>()->find(
-            basis + toJson(lathelier::toValues(question.modal)).dump(),
-            progress.part(0.5, 1, LT_TEXT("Engine", "Fitting modes")),
-            [&](const Progress& fitting) { return fitModes(response, question.modal, fitting); });
-    }
-    outcome.study = studyResponse(outcome.study.measured, outcome.study.computed, fit, question.modes);
-    outcome.record(state, sources, fit ? fit->notes : Notes{});
+    if (basis.key.empty()) basis.key = computed;
+    if (question.fit && outcome.study.basis())
+        fitTo(outcome, basis, stores, progress.part(0.5, 1, LT_TEXT("Engine", "Fitting modes")));
+    completeStudy(outcome.study, question.modes);
+    outcome.record(state, sources, outcome.study.fit ? outcome.study.fit->notes : Notes{});
     return outcome;
 }
 

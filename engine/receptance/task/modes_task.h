@@ -20,6 +20,7 @@ namespace lathelier::receptance {
 enum class HandedOn { Measured, Model };
 
 struct ModesQuestion {
+    bool all_responses = false;               ///< fit all responses of the file with common poles
     bool fit = true;                          ///< fit modes
     ModalParameters modal;                    ///< number of modes and range
     std::vector<ModalMode> modes;             ///< modes replacing those of the fit; empty: fitted modes

@@ -181,6 +181,21 @@ std::string modeBeyondLines()
     return io::toFrfCsv(receptance::synthesised({{{280, 0.03, 1e4}, {2400, 0.03, 4e3}}, {}, {}}, lines));
 }
 
+/// Two modes at three places of one bar, tapped at the first.
+std::string threePlaces()
+{
+    constexpr double shapes[2][3] = {{1, 0.6, -0.3}, {1, -0.5, -0.8}};
+    std::vector<double> lines;
+    for (double f = 50; f <= 1000; f += 1) lines.push_back(f);
+    std::vector<io::MeasuredFrf> responses;
+    for (int place = 0; place < 3; ++place)
+        responses.push_back(
+            {receptance::synthesised(
+                 {{{240, 0.02, 1e4 / shapes[0][place]}, {610, 0.015, 4e4 / shapes[1][place]}}, {}, {}}, lines),
+             place + 1, 1, 1, 1});
+    return io::toUff(responses);
+}
+
 }  // namespace
 
 void makeFrfs(const std::string& folder)
@@ -235,6 +250,7 @@ void makeFrfs(const std::string& folder)
     write("active.json",
           R"({"frequency_hz": [50, 100, 5000], "H_mm_N": [[6e-5, -4e-6], [6e-5, 4e-6], [6e-5, 4e-6]],)"
           R"( "L_mm_Nmm": [[0, 0], [0, 0], [0, 0]], "P_rad_Nmm": [[5e-9, -3e-10], [5e-9, -3e-10], [5e-9, -3e-10]]})");
+    write("places.uff", threePlaces());
     write("named.uff", "nothing of a universal file\n");
 }
 

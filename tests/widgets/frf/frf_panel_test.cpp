@@ -95,6 +95,8 @@ private slots:
         QVERIFY(panel_->views().nyquist()->data().equal_scales);
         QCOMPARE(panel_->views().modes()->rowCount(), 2);
         QVERIFY(panel_->views().primaryViews()->keys().contains("coherence"));
+        QVERIFY(panel_->views().primaryViews()->keys().contains("stability"));
+        QVERIFY(!panel_->views().primaryViews()->keys().contains("shapes"));
         const auto document = panel_->reportDocument();
         QVERIFY(document.has_value());
         QCOMPARE(document->inputs.size(), std::size_t{1});

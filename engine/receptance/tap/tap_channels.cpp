@@ -209,7 +209,7 @@ TapMeasured takeBoth(const io::TimeRecord& record, const std::string& path, cons
     taken.hammer_direction = sided(hammer);
     taken.response_node = sensor.node;
     taken.response_direction = sided(sensor);
-    TapSignals& signals = taken.signals;
+    TapSignals& signals = taken.both;
     signals.path = path;
     signals.rate_hz = rateOf(hammer, channels, path, notes);
     signals.start_s = hammer.start_s;

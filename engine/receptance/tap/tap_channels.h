@@ -22,7 +22,7 @@ struct TapChannels {
 const std::vector<Field<TapChannels>>& fieldsOf(const TapChannels*);
 
 struct TapMeasured {
-    TapSignals signals;
+    TapSignals both;
     FrfQuantity quantity = FrfQuantity::Accelerance;  ///< of the motion, per force
     int response_node = 0, response_direction = 0;    ///< of a universal file; 0: not stated
     int hammer_node = 0, hammer_direction = 0;        ///< likewise

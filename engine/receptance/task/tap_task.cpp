@@ -64,8 +64,7 @@ void setNodes(const std::string& nodes, io::MeasuredFrf& response)
 
 void requireSameTests(const TapMeasured& first, const TapMeasured& other, const std::string& path)
 {
-    const bool has_rate =
-        std::abs(first.signals.rate_hz - other.signals.rate_hz) <= sameTapRate * first.signals.rate_hz;
+    const bool has_rate = std::abs(first.both.rate_hz - other.both.rate_hz) <= sameTapRate * first.both.rate_hz;
     if (has_rate && first.quantity == other.quantity) return;
     const Text quantity = has_rate ? LT_TEXT("Engine",
                                              "another quantity of the sensor, as displacement 0, velocity 1, "
@@ -74,8 +73,8 @@ void requireSameTests(const TapMeasured& first, const TapMeasured& other, const 
     throw Error(errors::tapChannelsDiffer,
                 {{"path", path},
                  {"channel", path},
-                 {"found", has_rate ? static_cast<double>(other.quantity) : other.signals.rate_hz},
-                 {"expected", has_rate ? static_cast<double>(first.quantity) : first.signals.rate_hz},
+                 {"found", has_rate ? static_cast<double>(other.quantity) : other.both.rate_hz},
+                 {"expected", has_rate ? static_cast<double>(first.quantity) : first.both.rate_hz},
                  {"quantity", quantity}});
 }
 
@@ -140,8 +139,8 @@ TapOutcome answerTap(const project::PanelState& state, Stores& stores, task::Sou
     std::vector<TapSignals> records;
     std::vector<std::string> names;
     for (TapMeasured& one : taken) {
-        names.push_back(one.signals.path.substr(one.signals.path.find_last_of('/') + 1));
-        records.push_back(std::move(one.signals));
+        names.push_back(one.both.path.substr(one.both.path.find_last_of('/') + 1));
+        records.push_back(std::move(one.both));
     }
     TapResult result =
         evaluateTaps(records, taken.front().quantity, outcome.question.evaluation, progress.part(0.4, 0.9));

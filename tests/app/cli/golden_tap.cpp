@@ -56,7 +56,7 @@ void makeTapRecords(const std::function<void(const std::string& name, const std:
     tapping.rate_hz = 20000;
     tapping.pulses = {{0.05, 0.8e-3, 210}, {0.55, 0.8e-3, 180}, {1.05, 0.8e-3, 240}};
     tapping.duration_s = 1.6;
-    const receptance::TapSignals signals = tapping.signals();
+    const receptance::TapSignals signals = tapping.record();
     std::string stated = "t_s,force_N,acc_m_s2\n", gap = stated, plain = "hammer,acc\n", volts = "hammer_V,acc_V\n";
     for (std::size_t i = 0; i < signals.force_N.size(); ++i) {
         const double force = signals.force_N[i], motion = signals.motion[i];

@@ -43,19 +43,19 @@ std::string codeOf(const std::string& heading, const TapChannels& channels = {})
 TEST(TapChannels, StatedUnitsAreEnough)
 {
     const TapMeasured si = taken("time_s,force_N,acc_m_s2");
-    EXPECT_DOUBLE_EQ(si.signals.rate_hz, 1000);
-    EXPECT_DOUBLE_EQ(si.signals.force_N[2], -4);
-    EXPECT_DOUBLE_EQ(si.signals.motion[1], 20e3);
+    EXPECT_DOUBLE_EQ(si.both.rate_hz, 1000);
+    EXPECT_DOUBLE_EQ(si.both.force_N[2], -4);
+    EXPECT_DOUBLE_EQ(si.both.motion[1], 20e3);
     EXPECT_EQ(si.quantity, FrfQuantity::Accelerance);
     const TapMeasured other = taken("t (ms),F [kN],a (g)");
-    EXPECT_DOUBLE_EQ(other.signals.rate_hz, 1e6);
-    EXPECT_DOUBLE_EQ(other.signals.force_N[0], 1000);
-    EXPECT_DOUBLE_EQ(other.signals.motion[0], 98066.5);
+    EXPECT_DOUBLE_EQ(other.both.rate_hz, 1e6);
+    EXPECT_DOUBLE_EQ(other.both.force_N[0], 1000);
+    EXPECT_DOUBLE_EQ(other.both.motion[0], 98066.5);
     EXPECT_EQ(taken("time_s,force_lbf,v (mm/s)").quantity, FrfQuantity::Mobility);
-    EXPECT_DOUBLE_EQ(taken("time_s,force_lbf,v (mm/s)").signals.force_N[0], 4.4482216152605);
+    EXPECT_DOUBLE_EQ(taken("time_s,force_lbf,v (mm/s)").both.force_N[0], 4.4482216152605);
     const TapMeasured displacement = taken("time_s,force_N,x_um");
     EXPECT_EQ(displacement.quantity, FrfQuantity::Receptance);
-    EXPECT_DOUBLE_EQ(displacement.signals.motion[2], 0.03);
+    EXPECT_DOUBLE_EQ(displacement.both.motion[2], 0.03);
 }
 
 TEST(TapChannels, SensitivitiesConvertVolts)
@@ -64,14 +64,14 @@ TEST(TapChannels, SensitivitiesConvertVolts)
     channels.hammer_sensitivity = "2 mV/N";
     channels.response_sensitivity = "100 mV/g";
     const TapMeasured volts = taken("time_s,hammer_V,acc_mV", channels);
-    EXPECT_DOUBLE_EQ(volts.signals.force_N[0], 500);
-    EXPECT_NEAR(volts.signals.motion[0], 0.1 * 9806.65, 1e-9);
+    EXPECT_DOUBLE_EQ(volts.both.force_N[0], 500);
+    EXPECT_NEAR(volts.both.motion[0], 0.1 * 9806.65, 1e-9);
     channels.response_sensitivity = "10 mV/(m/s^2)";
-    EXPECT_NEAR(taken("time_s,hammer_V,acc_mV", channels).signals.motion[0], 1000, 1e-9);
+    EXPECT_NEAR(taken("time_s,hammer_V,acc_mV", channels).both.motion[0], 1000, 1e-9);
     channels.hammer_sensitivity = "-500 N/V";
-    EXPECT_DOUBLE_EQ(taken("time_s,hammer_V,acc_mV", channels).signals.force_N[0], -500);
+    EXPECT_DOUBLE_EQ(taken("time_s,hammer_V,acc_mV", channels).both.force_N[0], -500);
     channels.hammer_sensitivity = "3 N";  // of one unit of a record that states none
-    EXPECT_DOUBLE_EQ(taken("time_s,hammer,acc_mV", channels).signals.force_N[1], 6);
+    EXPECT_DOUBLE_EQ(taken("time_s,hammer,acc_mV", channels).both.force_N[1], 6);
     EXPECT_EQ(codeOf("time_s,hammer_V,acc_mV", channels), "tap_unit_missing");  // volts are no parts of 3 N
 }
 
@@ -80,11 +80,11 @@ TEST(TapChannels, AStatedUnitRules)
     TapChannels channels;
     channels.hammer_sensitivity = "2 mV/N";
     Notes notes;
-    EXPECT_DOUBLE_EQ(taken("time_s,force_N,acc_m_s2", channels, notes).signals.force_N[0], 1);
+    EXPECT_DOUBLE_EQ(taken("time_s,force_N,acc_m_s2", channels, notes).both.force_N[0], 1);
     EXPECT_TRUE(contains(notes, notes::tapSensitivityNotUsed));
     channels = {};
     channels.rate_hz = 500;
-    EXPECT_DOUBLE_EQ(taken("time_s,force_N,acc_m_s2", channels, notes).signals.rate_hz, 1000);
+    EXPECT_DOUBLE_EQ(taken("time_s,force_N,acc_m_s2", channels, notes).both.rate_hz, 1000);
     EXPECT_TRUE(contains(notes, notes::tapRateNotUsed));
 }
 
@@ -116,8 +116,8 @@ TEST(TapChannels, ChannelsByNameAndNumber)
     channels.hammer_sensitivity = "1 N";
     channels.response_sensitivity = "1 m/s^2";
     const TapMeasured measured = taken("time_s,one,two", channels);
-    EXPECT_DOUBLE_EQ(measured.signals.force_N[1], 2);
-    EXPECT_DOUBLE_EQ(measured.signals.motion[1], 20e3);
+    EXPECT_DOUBLE_EQ(measured.both.force_N[1], 2);
+    EXPECT_DOUBLE_EQ(measured.both.motion[1], 20e3);
 }
 
 TEST(TapChannels, AMissingSampleHasItsLine)
@@ -152,9 +152,9 @@ TEST(TapChannels, FullScaleNeedsItsVoltage)
     EXPECT_THROW(takeSignals(record, "r.wav", channels, notes), Error);
     channels.full_scale_V = 10;
     const TapMeasured measured = takeSignals(record, "r.wav", channels, notes);
-    EXPECT_NEAR(measured.signals.force_N[0], 500, 1e-9);
-    EXPECT_NEAR(measured.signals.motion[1], -0.25 * 50 * 9806.65, 1e-6);
-    EXPECT_EQ(measured.signals.at_limit, (std::vector<char>{0, 2}));
+    EXPECT_NEAR(measured.both.force_N[0], 500, 1e-9);
+    EXPECT_NEAR(measured.both.motion[1], -0.25 * 50 * 9806.65, 1e-6);
+    EXPECT_EQ(measured.both.at_limit, (std::vector<char>{0, 2}));
 }
 
 }  // namespace

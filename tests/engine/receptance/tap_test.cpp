@@ -17,7 +17,7 @@ using lathelier::testing::trueReceptance;
 TapResult evaluated(const Tapping& tapping, const TapParameters& parameters = {},
                     FrfQuantity quantity = FrfQuantity::Accelerance)
 {
-    return evaluateTaps({tapping.signals()}, quantity, parameters);
+    return evaluateTaps({tapping.record()}, quantity, parameters);
 }
 
 /// Largest error of the response, of the largest true magnitude; `decay` of the exponential window.
@@ -196,7 +196,7 @@ TEST(Tap, ClippedSignalsAreLeftOut)
         Tapping tapping = threeHits();
         tapping.force_noise = 0.02;  // tells the resolution
         tapping.motion_noise = 5;
-        TapSignals signals = tapping.signals();
+        TapSignals signals = tapping.record();
         std::vector<double>& values = of_force ? signals.force_N : signals.motion;
         const auto begin = values.begin() + static_cast<std::ptrdiff_t>(0.75 * signals.rate_hz);
         const auto end = values.begin() + static_cast<std::ptrdiff_t>(1.4 * signals.rate_hz);
@@ -214,7 +214,7 @@ TEST(Tap, ClippedSignalsAreLeftOut)
 
 TEST(Tap, ACoarseConverterIsNoOverload)
 {
-    TapSignals signals = threeHits().signals();
+    TapSignals signals = threeHits().record();
     for (double& force : signals.force_N) force = std::round(force / 2) * 2;  // 120 steps
     const double step = *std::max_element(signals.motion.begin(), signals.motion.end()) / 300;
     for (double& motion : signals.motion) motion = std::round(motion / step) * step;
@@ -224,7 +224,7 @@ TEST(Tap, ACoarseConverterIsNoOverload)
 
 TEST(Tap, TheEndOfTheConverterIsAnOverload)
 {
-    TapSignals signals = threeHits().signals();
+    TapSignals signals = threeHits().record();
     signals.at_limit.assign(signals.force_N.size(), 0);
     signals.at_limit[static_cast<std::size_t>(0.81 * signals.rate_hz)] = 2;
     EXPECT_EQ(evaluateTaps({signals}, FrfQuantity::Accelerance, {}).hits[1].fault, HitFault::OverloadResponse);
@@ -254,11 +254,11 @@ TEST(Tap, WithoutAHitThereIsNoAnswer)
         }
         return {};
     };
-    EXPECT_EQ(codeOf({tapping.signals()}), "tap_no_hit");
+    EXPECT_EQ(codeOf({tapping.record()}), "tap_no_hit");
     tapping.force_noise = 0;
-    EXPECT_EQ(codeOf({tapping.signals()}), "tap_no_hit");
+    EXPECT_EQ(codeOf({tapping.record()}), "tap_no_hit");
     tapping.pulses = {{0.1, 1e-3, 100}, {0.13, 1e-3, 50}};
-    EXPECT_EQ(codeOf({tapping.signals()}), "tap_no_hit_used");
+    EXPECT_EQ(codeOf({tapping.record()}), "tap_no_hit_used");
     TapSignals few;
     few.rate_hz = 1000;
     few.force_N = {0, 0, 100, 0};
@@ -274,7 +274,7 @@ TEST(Tap, SeveralRecordsAreAveraged)
     for (int k = 0; k < 3; ++k) {
         tapping.pulses = {{0.05 + 0.01 * k, 1e-3, 100.0 + 20 * k}};
         if (k == 1) tapping.pulses.push_back({0.1, 1e-3, 30});  // a double hit does not shorten the blocks
-        records.push_back(tapping.signals());
+        records.push_back(tapping.record());
     }
     const TapResult result = evaluateTaps(records, FrfQuantity::Accelerance, {});
     ASSERT_EQ(result.hits.size(), 3u);
@@ -383,7 +383,7 @@ TEST(Tap, NoiseOfTheSensorMakesH2TooHigh)
 // Lengths and forces in other units scale what comes out by their own power.
 TEST(Tap, ScalesWithForceAndMotion)
 {
-    TapSignals signals = threeHits().signals();
+    TapSignals signals = threeHits().record();
     const TapResult plain = evaluateTaps({signals}, FrfQuantity::Accelerance, {});
     for (double& force : signals.force_N) force *= 8;
     for (double& motion : signals.motion) motion *= 0.25;

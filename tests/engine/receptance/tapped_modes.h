@@ -79,7 +79,7 @@ struct Tapping {
     std::uint64_t seed = 1;
     double force_offset = 0, motion_offset = 0;
 
-    receptance::TapSignals signals() const
+    receptance::TapSignals record() const
     {
         receptance::TapSignals made;
         made.path = "test";

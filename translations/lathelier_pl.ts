@@ -4212,10 +4212,6 @@
         <translation>jeden wektor częstotliwości</translation>
     </message>
     <message>
-        <source>a real vector f, freq, frequency or one that ends with _hz</source>
-        <translation>rzeczywisty wektor f, freq, frequency albo kończący się na _hz</translation>
-    </message>
-    <message>
         <source>one complex array as long as frequencies</source>
         <translation>jedna tablica zespolona tak długa jak częstotliwości</translation>
     </message>
@@ -4232,10 +4228,6 @@
         <translation>Jednostka charakterystyki</translation>
     </message>
     <message>
-        <source>Unit of a frequency response that states none. A stated unit always rules.</source>
-        <translation>Jednostka charakterystyki, która żadnej nie podaje. Podana jednostka zawsze obowiązuje.</translation>
-    </message>
-    <message>
         <source>Variables</source>
         <translation>Zmienne</translation>
     </message>
@@ -4248,16 +4240,8 @@
         <translation>tabela charakterystyki: częstotliwość, część rzeczywista i urojona</translation>
     </message>
     <message>
-        <source>headings such as real_mm_N and imag_mm_N, or phase_deg</source>
-        <translation>nagłówki takie jak real_mm_N i imag_mm_N albo phase_deg</translation>
-    </message>
-    <message>
         <source>a column of a frequency response</source>
         <translation>kolumna charakterystyki częstotliwościowej</translation>
-    </message>
-    <message>
-        <source>frequency_hz, real_mm_N, imag_mm_N</source>
-        <translation>frequency_hz, real_mm_N, imag_mm_N</translation>
     </message>
     <message>
         <source>bytes of a variable</source>
@@ -4562,10 +4546,6 @@
     <message>
         <source>At {lines} of {all} frequencies the fit of the spindle did not converge.</source>
         <translation>Przy {lines} z {all} częstotliwości dopasowanie wrzeciona nie jest zbieżne.</translation>
-    </message>
-    <message>
-        <source>At {lines} of {all} frequencies the spindle found would give power away.</source>
-        <translation>Przy {lines} z {all} częstotliwości znalezione wrzeciono oddawałoby moc.</translation>
     </message>
     <message>
         <source>Hutchinson</source>
@@ -5014,10 +4994,6 @@
     <message>
         <source>The speed of the selected lobe, {lobe_rpm} 1/min, lies outside the range of cutting speeds; recommended is the nearest inside.</source>
         <translation>Prędkość wybranego worka, {lobe_rpm} obr/min, leży poza zakresem prędkości skrawania; zalecana jest najbliższa w zakresie.</translation>
-    </message>
-    <message>
-        <source>So many lobes reach these speeds that {count} of them, those with the largest depths, are not listed. The limit is that of all.</source>
-        <translation>Tych prędkości sięga tyle worków stabilności, że {count} z nich, o największych głębokościach, nie wymieniono. Granica jest granicą wszystkich.</translation>
     </message>
     <message>
         <source>The least real part lies at the end of the frequency response, at {frequency_hz} Hz: the mode that limits the depth may lie outside.</source>
@@ -5516,10 +5492,6 @@
         <translation>Liczba postaci</translation>
     </message>
     <message>
-        <source>1 to 6; 0: as many as the data tell.</source>
-        <translation>1 do 6; 0: tyle, ile mówią dane.</translation>
-    </message>
-    <message>
         <source>Range of frequencies</source>
         <translation>Zakres częstotliwości</translation>
     </message>
@@ -5716,10 +5688,6 @@
         <translation>Charakterystyka częstotliwościowa i jej postacie</translation>
     </message>
     <message>
-        <source>Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: a rational fraction gives the start, Gauss and Newton refine all parameters with weights from coherence, or from the errors of the fit where it is not known. Uncertainties are standard uncertainties from the covariance.</source>
-        <translation>Postacie z tłumieniem wiskotycznym, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: punkt startowy daje ułamek wymierny, a metoda Gaussa-Newtona poprawia wszystkie parametry z wagami z koherencji albo, gdy jej brak, z błędów dopasowania. Niepewności są niepewnościami standardowymi z kowariancji.</translation>
-    </message>
-    <message>
         <source>Handbook values of {material} are assumed, not those of this bar (source: {source}).</source>
         <translation>Przyjęto wartości z poradnika dla: {material}, a nie wartości tego pręta (źródło: {source}).</translation>
     </message>
@@ -5820,10 +5788,6 @@
         <translation>Faza czoła uchwytu</translation>
     </message>
     <message>
-        <source>Residual of each line</source>
-        <translation>Reszta każdej linii</translation>
-    </message>
-    <message>
         <source>Residual</source>
         <translation>Reszta</translation>
     </message>
@@ -5832,32 +5796,12 @@
         <translation>Pręt odłożony: zmierzony i przewidziany</translation>
     </message>
     <message>
-        <source>points {a} and {b}, predicted</source>
-        <translation>punkty {a} i {b}, przewidziane</translation>
-    </message>
-    <message>
         <source>Residual of each response</source>
         <translation>Reszta każdej charakterystyki</translation>
     </message>
     <message>
-        <source>rod</source>
-        <translation>pręt</translation>
-    </message>
-    <message>
-        <source>point a</source>
-        <translation>punkt a</translation>
-    </message>
-    <message>
-        <source>point b</source>
-        <translation>punkt b</translation>
-    </message>
-    <message>
         <source>used</source>
         <translation>użyte</translation>
-    </message>
-    <message>
-        <source>residual (%)</source>
-        <translation>reszta (%)</translation>
     </message>
     <message>
         <source>Measured by a hammer or shaker: UFF, CSV or MAT.</source>
@@ -5942,10 +5886,6 @@
     <message>
         <source>Shaft or segments</source>
         <translation>Wał lub odcinki</translation>
-    </message>
-    <message>
-        <source>From the free end; 0: a tailstock.</source>
-        <translation>Od wolnego końca; 0: konik.</translation>
     </message>
     <message>
         <source>Stiffness</source>
@@ -6042,14 +5982,6 @@
     <message>
         <source>Where it is held by springs.</source>
         <translation>Gdy trzymają go sprężyny.</translation>
-    </message>
-    <message>
-        <source>Tailstock and rests</source>
-        <translation>Konik i podtrzymki</translation>
-    </message>
-    <message>
-        <source>Springs between the shaft and the ground.</source>
-        <translation>Sprężyny między wałem a podstawą.</translation>
     </message>
     <message>
         <source>MEASUREMENTS.json, with the file of frequency responses beside it</source>
@@ -6478,14 +6410,6 @@
     <message>
         <source>Simulating</source>
         <translation>Symulacja</translation>
-    </message>
-    <message>
-        <source>A simulation needs modes, and none could be fitted to the frequency response. State them with --mode.</source>
-        <translation>Symulacja wymaga postaci drgań, a do charakterystyki częstotliwościowej nie udało się żadnej dopasować. Podaj je przez --mode.</translation>
-    </message>
-    <message>
-        <source>Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it is {error_percent} %.</source>
-        <translation>Postacie dopasowane do charakterystyki częstotliwościowej, na których opiera się symulacja: {count}; nie oddają z niej {error_percent} %.</translation>
     </message>
     <message>
         <source>Drop the file of a spindle here, then type diameter, overhang and cutting speed.</source>
@@ -13936,24 +13860,12 @@
         <translation>Jednostka „{found}” nie jest znana; oczekiwano: {expected}.</translation>
     </message>
     <message>
-        <source>{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}.</source>
-        <translation>{path}: liczba odpowiedzi częstotliwościowych: {count}; użyto {used} (odpowiedź/siła), nie {others}.</translation>
-    </message>
-    <message>
         <source>{path}: none of its responses is that of a driving point, where response and force share node and direction. That of {used} is a cross response: depths and speeds by it are not those of the cutting point.</source>
         <translation>{path}: żadna z odpowiedzi nie jest odpowiedzią punktu wymuszenia, gdzie odpowiedź i siła mają wspólny węzeł i kierunek. {used} to odpowiedź skrośna: głębokości i prędkości z niej nie dotyczą punktu skrawania.</translation>
     </message>
     <message>
         <source>{path}: lines of text outside the data sets, not used: {count}, the first at line {line}.</source>
         <translation>{path}: wiersze tekstu poza zbiorami danych, nieużyte: {count}, pierwszy w wierszu {line}.</translation>
-    </message>
-    <message>
-        <source>a unit such as m/s^2, g, mm or m/s</source>
-        <translation>jednostki, jak m/s^2, g, mm lub m/s</translation>
-    </message>
-    <message>
-        <source>a unit of force such as N, kN or lbf</source>
-        <translation>jednostki siły, jak N, kN lub lbf</translation>
     </message>
     <message>
         <source>{path}: the file states {um_per_px} µm per pixel; used only when it is given as the scale.</source>
@@ -14700,10 +14612,6 @@
         <translation>Zużyta część: chmura punktów lub siatka.</translation>
     </message>
     <message>
-        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: the first of a driving point, else the first.</source>
-        <translation>Która z kilku w pliku: jej numer albo węzły jako 12/5 (odpowiedź/siła). Puste: pierwsza z punktu wymuszenia, w braku takiej pierwsza.</translation>
-    </message>
-    <message>
         <source>What is handed on and written: the response, or its modal model.</source>
         <translation>Co jest przekazywane i zapisywane: charakterystyka albo jej model modalny.</translation>
     </message>
@@ -14830,6 +14738,918 @@
     <message>
         <source>Verify installation</source>
         <translation>Sprawdzenie instalacji</translation>
+    </message>
+    <message>
+        <source>{parameter} is {found}; usual is {minimum} to {maximum}. Is its unit the one of the name?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“{found}” names an angular frequency, and its unit is not stated. State --frequency-unit rad/s or hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the unit {unit} is not known; the given unit {given} is used ({count} times, first at line {line}).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: as that of a driving point {response} has the wrong sign: at {frequency_hz} Hz its receptance has a positive imaginary part, and its phase falls with the frequency. Hammer or sensor was turned round, or a direction or the kind of motion is stated wrongly. Multiply it by -1; depths and speeds by it are wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {response} is conjugated: its phase rises through the resonance at {frequency_hz} Hz, as under exp(-iωt). Change the sign of its imaginary part; depths and speeds by it are wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}. State --response to use another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frequency with real,imag, with complex, or with magnitude or magnitude_db and phase (degrees) or phase_rad; coherence; skip for others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a real vector f, freq, frequency, omega or one that ends with _hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of a frequency response that states none, or one that is not known. A known stated unit always rules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of the frequencies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit of frequencies that state none. A stated unit always rules.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: of the driving points the most flexible, else the first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Columns of the response</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a table without headings: frequency,real,imag, or frequency,complex, or frequency,magnitude,phase (degrees; phase_rad; magnitude_db); coherence; skip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>headings such as real_mm_N and imag_mm_N, magnitude_dB_re_1_mm_N, phase_deg</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>headings such as frequency_hz, real_mm_N, imag_mm_N; without them state --frf-columns and --frf-unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit of frequency such as Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit such as m/s^2, g, mm or m/s, or that of the response stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit of force such as N, kN or lbf, or that of the response stated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit that is not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The samples are not even in time: a step of {found_s} s among steps of {expected_s} s. Expected are steps that differ by at most 1 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds no signals over time: found {found}, expected {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} functions are no signals over time, the first at line {line}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a table of signals over time: a force and a motion, with times or a rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>columns such as force_N, acc_m_s2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a unit of time: s or ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>data sets 58 of function 1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bytes of a chunk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>whole numbers of 16, 24 or 32 bits, or floating point of 32 bits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number of channels, 1 to 256</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a rate in samples a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a finite sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the chunk “fmt ” before the samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the chunk “data”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accelerometer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass that moves with this point where it responds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass that moves with the point of this rod that responds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Taps averaged for each response; with the coherence they give its noise. 0: not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass that moves with the point that responds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fit leaves {error_percent} % of the response, the scatter of its lines is {scatter_percent} %: the modal model does not describe it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 to 8; 0: as many as the data tell.</source>
+        <translation type="unfinished">1 do 6; 0: tyle, ile mówią dane. {1 ?} {8; 0:?}</translation>
+    </message>
+    <message>
+        <source>As the nodes in the file tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driving point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force and response at one place in one direction: no stiffness is negative.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stability of the poles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the fit, pairs of poles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stable in frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stable in frequency and damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stiffness of every response by mode, N/mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: linear fits of ascending order and matched filters give the starts, Gauss and Newton refine all parameters with weights from the noise of the lines, or from the errors of the fit where it is not known. A mode without which the fit is no worse than noise explains is left out. Uncertainties are standard uncertainties from the covariance.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {lines} of {all} frequencies the spindle found would give power away, by more than its uncertainty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: at {lines} of {all} frequencies, the first {frequency_hz} Hz, the receptance H of the spindle has a positive imaginary part: it would give power away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The spindle found leaves {percent:1} % of the responses unexplained, more than {limit} % and more than their noise ({expected:1} %).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod {rod}: the response {respond}/{excite} fits with its sign turned: residual {before_percent:1} → {after_percent:1} %. It is used as measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod {rod}: the responses fit with the points {first} and {second} swapped: residual {before_percent:1} → {after_percent:1} %. They are used as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod {rod}: the responses fit with the point {node} at {fitted_mm:1} mm from the chuck in place of {stated_mm:1} mm: residual {before_percent:1} → {after_percent:1} %. It is used as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod {rod}: the responses fit with {fitted_mm:1} mm of it outside the chuck in place of {stated_mm:1} mm: residual {before_percent:1} → {after_percent:1} %. It is used as stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod {rod}: the response {respond}/{excite} contradicts the others: residual {before_percent:1} → {after_percent:1} % without it. It is used as measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node that responds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Node that is tapped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>χ² per degree of freedom</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shafts on springs against finite elements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against rotation; 0: none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the free end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A centre at z 0: radial and tilt stiffness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Springs between the shaft and the ground: z and radial stiffness.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all that are used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>worst: rod {rod}, {respond}/{excite}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{respond}/{excite}, predicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one range such as 100:1200</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>double hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force overloaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>response overloaded</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too little energy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the record ends within the block</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finding hits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averaging spectra</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>samples a second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seconds at the first sample</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the hammer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a force such as N, or a sensitivity such as 2.25 mV/N or 500 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>500 N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a motion such as m/s^2, g, mm/s or um, or a sensitivity such as 100 mV/g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>50 g</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another channel than the hammer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hammer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column or channel of the force, by name or number. Empty: the one in N or named so.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column or channel of the motion, by name or number. Empty: the one in m/s², g, mm/s…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensitivity of the hammer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a record in volts: 2.25 mV/N; or the force of one unit of the record: 500 N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sensitivity of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a record in volts: 100 mV/g, 10 mV/(m/s^2); or the motion of one unit of the record: 50 g. Its unit tells what is measured.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Full scale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Voltage of the largest number of a WAV file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sampling rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a record without times.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which channel is {meaning} cannot be told among {found}. State --{parameter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit of {channel} is not known: found “{found}”, expected {expected}. State it in the file, or a sensitivity by --{parameter}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{channel} is stated in parts of full scale; a sensitivity in volts needs the voltage of full scale. State --full-scale-V, or the sensitivity of full scale such as {expected}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Neither times nor a rate are stated. State --rate-hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A sample of {channel} is missing; a spectrum needs all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{channel} has {found} in place of {expected}: {quantity}. Records are averaged only when alike.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No hit is in the record: the largest force is {largest_N} N, the level that triggers {level_N} N.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A block of {samples} samples is too short for a spectrum; at least {minimum} are needed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of {count} hits is usable; the first at {time_s} s: {reason}. --keep-rejected takes them all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No line is between {from_hz} and {to_hz} Hz; usable are {usable_from_hz} to {usable_to_hz} Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hits left out: {count} of {of} ({reason}), at {times} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hits that would be left out, kept as asked: {count} of {of} ({reason}), at {times} s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One hit only: its noise cannot be judged, and the coherence is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The exponential window adds {window_decay_1_s:3} 1/s to the decay of every mode: at {frequency_hz:1} Hz, {added_percent:3} % to the damping ratio, and the peak is lower by as much. Limits by it are too high.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the end of the block the response is still {percent:1} % of its peak: peaks are smeared. Take a longer block, or --window force_exponential.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The force is {drop_dB} dB below its maximum at {usable_to_hz:1} Hz; lines above are left out: {lines}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Below {usable_from_hz:1} Hz the coherence is under {limit:1}; lines left out: {lines}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pulses of the force are negative. If the hammer pushes in the positive direction of the sensor, turn the sign by a negative sensitivity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {channel} is stated in {unit}; the given sensitivity {given} is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: the file states {rate_hz} samples a second; the given rate {given_hz} is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H1: noise of the sensor averages out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>H2: noise of the hammer averages out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the spectra of the hits are averaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>force and exponential</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force window and exponential window; the decay that the latter adds is stated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of the exponential window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which it falls to 1/e. By default a third of the block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the trigger on. By default twice the pulse.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of the signals of a hit; its inverse is the distance of the lines. By default as long as the distance of the hits allows, at most 2 s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose lines are handed on. By default all usable ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trigger level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the largest force of a record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pre-trigger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a block in front of its hit. By default 2 % of the block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A later pulse of more than this, of the peak, makes a hit a double one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fall of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of its spectrum below the maximum, which ends the usable range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep rejected hits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Averages double, overloaded and weak hits as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/s²</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hit used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hit left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>records one behind another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force of the hammer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{number}: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Motion of the sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force, of its maximum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>usable up to {frequency} Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lines and windows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usable from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usable up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Decay added by the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second pulse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Response usable up to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From {from} Hz · hits used: {used} of {hits} · a line every {resolution} Hz</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From {from} Hz · hits used: {used} of {hits} · a line every {resolution} Hz · mean coherence {coherence}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hit at {time} s left out: {reason}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Impact test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectra of force F and motion X, averaged over the hits: H1 = Σ X F* / Σ F F*, H2 = Σ X X* / Σ F X*, coherence |Σ X F*|² / (Σ F F* · Σ X X*). An exponential window moves the response from iω to iω + σ; velocity and acceleration become a displacement by division by that and its square.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All responses of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitted together: common frequencies and damping, own stiffnesses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nodes of response and force such as 12/5 or 12x/5x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another quantity of the sensor, as displacement 0, velocity 1, acceleration 2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of response and force, as 12/5 or 12x/5x, for a universal file. Empty: those of the record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tap test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force and motion over time (CSV, UFF or WAV), or one record for each hit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From {from_hz} to {to_hz} Hz the response has {found} lines; at least 4 are needed. It runs from {first_hz} to {last_hz} Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: {count} lines hold no more than the noise of the sensor and are left out; used is {from_hz} to {to_hz} Hz. --range-hz states another range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{path}: nowhere does the response stand out of the noise of its lines.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one range of frequencies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Uncertainty of the damping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One standard deviation of each damping ratio; of modes that are stated or fitted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a response by its modes: stated ones, or the fitted model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of the modes at this frequency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of the modes over all lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulation needs modes, and none could be found in the frequency response. State them with --mode.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The least real part, at {frequency_hz} Hz, hardly stands out of the noise of its line ({noise_percent} % of it): the least depth may be that of the noise. State the range that was excited with --range-hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The resonance that limits the depth, at {frequency_hz} Hz, is seen by {lines} lines within its half-power band: the least depth may be wrong by 15 %. Measure longer for a finer resolution, or use the fitted model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So many lobes reach these speeds that {count} of them are not listed: those farthest from the foot of the lobes, and the slowest. The limit is that of all.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it together with what lies outside its lines is {error_percent} %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Modes of the computed response, which the simulation rests on: {count}; what they leave of it together with the compliance beyond its lines is {error_percent} %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At {frequency_hz} Hz, where the cut vibrates, the modes that are simulated leave {error_percent} % of the frequency response, more than {limit_percent} %: the verdict is undecided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vibration of the simulated cut, {frequency_hz} Hz, lies outside the lines of the frequency response, {from_hz} to {to_hz} Hz: the verdict is undecided.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of its line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits against roots of the delay equation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Limits of impact tests with the sensor&apos;s noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frequencies used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a measured response, 100:700. Default: the lines that stand out of their noise.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The fitted modes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Used of a measurement</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lines as measured, or the modes fitted to them, with their uncertainties.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{name} says nothing here: it belongs to {names}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>registration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dynamics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deflection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which checks are run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drop the record of a tap test here, hammer and sensor over time, or one for each hit.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -16783,6 +17603,14 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
         <source>Takes the modes of the fit again in place of those changed by hand</source>
         <translation>Przyjmuje znów postacie dopasowane zamiast zmienionych ręcznie</translation>
     </message>
+    <message>
+        <source>Stability of the poles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All responses</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>lathelier::lobes_panel::LobesPanel</name>
@@ -18095,6 +18923,52 @@ Wszystkie inne widoki działają.</translation>
     <message>
         <source>Laid over each other where one place was clicked in both</source>
         <translation>Nałożone tam, gdzie kliknięto jedno miejsce na obu</translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::tap_panel::TapPanel</name>
+    <message>
+        <source>%L1 channels · %L2 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>lathelier::tap_panel::TapViews</name>
+    <message>
+        <source>Magnitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished">Siła</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spectrum of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation type="unfinished">Faza</translation>
+    </message>
+    <message>
+        <source>Hits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation type="unfinished">Koherencja</translation>
+    </message>
+    <message>
+        <source>Use this response</source>
+        <translation type="unfinished">Użyj tej charakterystyki</translation>
+    </message>
+    <message>
+        <source>Keeps the response in the project: for modes, lobes and speeds</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

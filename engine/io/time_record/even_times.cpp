@@ -34,7 +34,7 @@ double writtenResolution(std::span<const double> times)
 /// The median of at most a million of the steps.
 double usualStep(std::span<const double> times)
 {
-    constexpr std::size_t most = 1'000'000;
+    constexpr std::size_t most = 1000000;
     const std::size_t stride = (times.size() - 1) / most + 1;
     std::vector<double> some;
     for (std::size_t i = 1; i < times.size(); i += stride) some.push_back(times[i] - times[i - 1]);

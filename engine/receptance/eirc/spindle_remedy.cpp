@@ -38,7 +38,7 @@ Sample sampleOf(const SpindleMeasurements& measurements, const SpindleNoise& noi
     sample.noise.source = noise.source;
     for (std::size_t k = 0; k < measurements.frfs.size(); ++k) {
         const RodFrf& one = measurements.frfs[k];
-        RodFrf taken{one.rod, one.point_a, one.point_b, {one.frf.name, one.frf.quantity, {}, {}, {}}};
+        RodFrf taken{one.rod, one.point_a, one.point_b, {one.frf.name, one.frf.quantity, {}, {}, {}, {}}};
         std::vector<double>& sigma_mm_N = sample.noise.sigma_mm_N.emplace_back();
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t line = above[(2 * i + 1) * above.size() / (2 * count)];

@@ -119,7 +119,7 @@ void describe(ModalFit& fit, const Refined& found, std::span<const FitLines> all
 /// Lines that stand out of the noise: |G|² four times that of the noise in the mean of nine. All where none does.
 std::vector<bool> linesThatStandOut(const FitLines& lines, const std::vector<double>& noise2)
 {
-    constexpr double standsOut = 4;
+    constexpr double leastRatio = 4;
     constexpr std::size_t around = 4;
     const std::size_t count = lines.value.size();
     std::vector<bool> stands(count);
@@ -127,7 +127,7 @@ std::vector<bool> linesThatStandOut(const FitLines& lines, const std::vector<dou
         const std::size_t from = i > around ? i - around : 0, to = std::min(count - 1, i + around);
         double ratio = 0;
         for (std::size_t j = from; j <= to; ++j) ratio += std::norm(lines.value[j]) / std::max(noise2[j], 1e-300);
-        stands[i] = ratio > standsOut * static_cast<double>(to - from + 1);
+        stands[i] = ratio > leastRatio * static_cast<double>(to - from + 1);
     }
     if (std::find(stands.begin(), stands.end(), true) == stands.end()) stands.assign(count, true);
     return stands;

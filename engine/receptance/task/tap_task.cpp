@@ -37,7 +37,7 @@ std::optional<NodePlace> nodePlace(std::string_view word)
             word.remove_suffix(1);
         }
     const auto node = io::wholeInteger(word);
-    constexpr std::int64_t mostNode = 2'000'000'000;
+    constexpr std::int64_t mostNode = 2000000000;
     if (!node || *node < 1 || *node > mostNode) return std::nullopt;
     place.node = static_cast<int>(*node);
     return place;

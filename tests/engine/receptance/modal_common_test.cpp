@@ -125,13 +125,9 @@ TEST(CommonFit, DampingTimesStiffnessIsSurerThanEither)
 
 TEST(CommonFit, AnItemKeepsModesWithTheirUncertainties)
 {
-<<<<<<< HEAD
-    const UncertainModel model = uncertainModelOf(fitModes(measured(0, 1, .01)));
+    const UncertainModel model = uncertainModelOf(fitModes(tapped(0, 1, .01)));
     ASSERT_THAT(model.own, SizeIs(model.model.modes.size()));
     EXPECT_NE(model.own.front().correlation, 0);
-=======
-    const ModalFit fit = fitModes(tapped(0, 1, .01));
->>>>>>> task/fit
     Values values{{"name", "tip"}};
     addModel(model, values);
     EXPECT_EQ(modelIn(values), model);

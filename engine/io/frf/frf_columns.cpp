@@ -233,13 +233,14 @@ std::optional<FrfColumns> findFrfColumns(const TableLayout& layout, const std::s
 
 std::string unitWord(const TableColumn& column)
 {
-    const std::string unit = parseFrfHeading(column.heading).unit;
-    const std::string below(trimmed(column.unit_text));
+    std::string unit = parseFrfHeading(column.heading).unit;
+    std::string below(trimmed(column.unit_text));
     if (unit.empty()) return below;
     // "dB" over "dB re 1 m/N", or over "m/N"
     const auto level = decibelUnit(unit);
     if (!level || !level->unit.empty() || isUnstated(below)) return unit;
-    return decibelUnit(below) ? below : unit + " re 1 " + below;
+    if (!decibelUnit(below)) below.insert(0, unit + " re 1 ");
+    return below;
 }
 
 }  // namespace lathelier::io

@@ -267,9 +267,10 @@ std::string widened(std::string_view line, const ComplexTable& table)
         const bool is_unit = frfUnit(cell).has_value();
         std::string unit = is_unit ? std::string(cell) : parseFrfHeading(cell).unit;
         if (table.style.separator == ' ') std::erase(unit, ' ');
-        const std::string mark = unit.empty() || is_unit ? "" : "_";
-        const std::string two =
-            (is_unit ? "" : "real") + mark + unit + table.style.separator + (is_unit ? "" : "imag") + mark + unit;
+        if (!is_unit && !unit.empty()) unit.insert(0, 1, '_');
+        std::string two = is_unit ? unit : "real" + unit;
+        two += table.style.separator;
+        two += is_unit ? unit : "imag" + unit;
         wide.replace(static_cast<std::size_t>(cell.data() - line.data()), cell.size(), two);
     }
     return wide;
@@ -366,7 +367,7 @@ TrailingNames findTrailingNames(std::string_view text)
 FrfText::FrfText(std::string_view text, const ImportOptions& options, const Progress& progress) : written_(text)
 {
     if (const auto complex = findComplex(text, options)) {
-        is_complex_ = true;
+        isComplex_ = true;
         changed_ = expanded(text, *complex, progress);
         return;
     }

@@ -20,7 +20,7 @@ public:
     FrfText(std::string_view text, const ImportOptions& options, const Progress& progress);
 
     std::string_view view() const { return changed_.empty() ? written_ : std::string_view(changed_); }
-    bool isComplex() const { return is_complex_; }
+    bool isComplex() const { return isComplex_; }
     bool isCutPro() const { return !names_.empty(); }
 
     /// Enters the names found behind the first row.
@@ -29,7 +29,7 @@ public:
 private:
     std::string_view written_;
     std::string changed_;  ///< empty: as written
-    bool is_complex_ = false;
+    bool isComplex_ = false;
     std::vector<std::string> names_;  ///< "Real (m/N)"; of the first columns
 };
 

@@ -28,11 +28,11 @@ class TapPanelTest : public QObject, PanelFixture<TapPanel> {
         tapping.rate_hz = 20000;
         tapping.duration_s = 1.6;
         tapping.pulses = {{0.05, 1e-3, 210}, {0.55, 1e-3, 180}, {0.58, 1e-3, 30}, {1.05, 1e-3, 240}};
-        const receptance::TapSignals signals = tapping.record();
+        const receptance::TapSignals made = tapping.record();
         std::string text = "t_s,force_N,acc_m_s2\n";
-        for (std::size_t i = 0; i < signals.force_N.size(); ++i)
-            text += fmt::format("{:.5f},{:.6f},{:.6f}\n", static_cast<double>(i) / signals.rate_hz, signals.force_N[i],
-                                signals.motion[i] / 1000);
+        for (std::size_t i = 0; i < made.force_N.size(); ++i)
+            text += fmt::format("{:.5f},{:.6f},{:.6f}\n", static_cast<double>(i) / made.rate_hz, made.force_N[i],
+                                made.motion[i] / 1000);
         const std::string path = folder_.filePath("record.csv").toStdString();
         io::writeFile(path, text);
         return path;

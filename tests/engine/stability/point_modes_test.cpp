@@ -94,9 +94,8 @@ double drawnSpeed(const Frf& frf, std::uint64_t machine)
     }
 }
 
-double growthAt(const PointResponse& response, double speed_rpm, double depth_mm)
+double growthAt(const PointResponse& response, double speed_rpm, double depth_mm, Stores& stores)
 {
-    Stores stores;
     Notes found;
     const double stiffness = coefficient_N_mm2 * depth_mm;
     const std::vector<Mode> modes = modesOfPoint(response, stiffness, stores, found, {});
@@ -106,8 +105,11 @@ double growthAt(const PointResponse& response, double speed_rpm, double depth_mm
 void expectTheLimitOfTheLobes(const PointResponse& response, std::uint64_t machine)
 {
     const double speed = drawnSpeed(*response.frf, machine), limit = limitAt(*response.frf, speed);
-    EXPECT_LT(growthAt(response, speed, 0.98 * limit), 1) << "machine " << machine << ", " << speed << " " << limit;
-    EXPECT_GT(growthAt(response, speed, 1.02 * limit), 1) << "machine " << machine << ", " << speed << " " << limit;
+    Stores stores;
+    EXPECT_LT(growthAt(response, speed, 0.98 * limit, stores), 1)
+        << "machine " << machine << ", " << speed << " " << limit;
+    EXPECT_GT(growthAt(response, speed, 1.02 * limit, stores), 1)
+        << "machine " << machine << ", " << speed << " " << limit;
 }
 
 /// Modes below and above the lines of the file, from far away to beside them.
@@ -152,8 +154,8 @@ TEST(PointModes, AModeAboveTheLinesAddsItsComplianceAndNoChatter)
 {
     const PointResponse response = measuredFrom({{300, 0.03, 1.2e4}, {2600, 0.03, 4e3}}, 50, 1000, 2);
     const double limit = limitAt(*response.frf, 2200);
+    Stores stores;
     for (const double share : {0.7, 0.9, 1.1}) {
-        Stores stores;
         Notes found;
         SimulationParameters cut;
         cut.speed_rpm = 2200;
@@ -166,6 +168,27 @@ TEST(PointModes, AModeAboveTheLinesAddsItsComplianceAndNoChatter)
         EXPECT_EQ(result.cut, share < 1 ? CutVerdict::Stable : CutVerdict::Chatter) << share;
         ASSERT_TRUE(result.model_error_percent) << share;
         EXPECT_LT(*result.model_error_percent, 2) << share;
+    }
+}
+
+/// Slender on a stiff chuck, where a fit found nothing and called thirty times the limit stable.
+TEST(PointModes, ASlenderBarOnAStiffChuckChattersBeyondItsLimitOnly)
+{
+    const PointResponse response = shaftOn(16, 200, 0.002, {receptance::SpindleSprings{1e5, 2e9, 0.06}});
+    const double limit = limitAt(*response.frf, 3400);
+    Stores stores;
+    for (const double share : {0.5, 3.0, 30.0}) {
+        Notes found;
+        SimulationParameters cut;
+        cut.speed_rpm = 3400;
+        cut.depth_mm = share * limit;
+        cut.cutting_coefficient_N_mm2 = coefficient_N_mm2;
+        cut.revolutions = 20;
+        const std::vector<Mode> modes = modesOfPoint(response, coefficient_N_mm2 * *cut.depth_mm, stores, found, {});
+        SimulationResult result = simulate(modes, cut);
+        judgeModel(result, modes, *response.frf);
+        EXPECT_EQ(result.cut, share < 1 ? CutVerdict::Stable : CutVerdict::Chatter) << share << " of " << limit;
+        EXPECT_LT(result.model_error_percent.value_or(100), 2) << share;
     }
 }
 

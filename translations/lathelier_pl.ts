@@ -14741,915 +14741,915 @@
     </message>
     <message>
         <source>{parameter} is {found}; usual is {minimum} to {maximum}. Is its unit the one of the name?</source>
-        <translation type="unfinished"></translation>
+        <translation>{parameter} wynosi {found}; zwykle jest to {minimum} do {maximum}. Czy jednostka jest tą z nazwy?</translation>
     </message>
     <message>
         <source>“{found}” names an angular frequency, and its unit is not stated. State --frequency-unit rad/s or hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{found}” oznacza częstość kołową, a jej jednostki nie podano. Podaj --frequency-unit rad/s albo hz.</translation>
     </message>
     <message>
         <source>{path}: the unit {unit} is not known; the given unit {given} is used ({count} times, first at line {line}).</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: jednostka {unit} nie jest znana; użyto podanej jednostki {given} (razy: {count}, pierwszy w wierszu {line}).</translation>
     </message>
     <message>
         <source>{path}: as that of a driving point {response} has the wrong sign: at {frequency_hz} Hz its receptance has a positive imaginary part, and its phase falls with the frequency. Hammer or sensor was turned round, or a direction or the kind of motion is stated wrongly. Multiply it by -1; depths and speeds by it are wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: jako charakterystyka punktu wymuszenia {response} ma zły znak: przy {frequency_hz} Hz jej receptancja ma dodatnią część urojoną, a faza maleje z częstotliwością. Młotek lub czujnik był odwrócony albo błędnie podano kierunek lub rodzaj ruchu. Pomnóż ją przez -1; głębokości i prędkości z niej są błędne.</translation>
     </message>
     <message>
         <source>{path}: {response} is conjugated: its phase rises through the resonance at {frequency_hz} Hz, as under exp(-iωt). Change the sign of its imaginary part; depths and speeds by it are wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {response} jest sprzężona: jej faza rośnie przez rezonans przy {frequency_hz} Hz, jak przy exp(-iωt). Zmień znak części urojonej; głębokości i prędkości z niej są błędne.</translation>
     </message>
     <message>
         <source>{path}: it holds {count} frequency responses; that of {used} (response/force) is used, not {others}. State --response to use another.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: charakterystyk częstotliwościowych w pliku: {count}; użyto {used} (odpowiedź/siła), nie {others}. Aby użyć innej, podaj --response.</translation>
     </message>
     <message>
         <source>frequency with real,imag, with complex, or with magnitude or magnitude_db and phase (degrees) or phase_rad; coherence; skip for others</source>
-        <translation type="unfinished"></translation>
+        <translation>frequency z real,imag, z complex albo z magnitude lub magnitude_db i phase (stopnie) lub phase_rad; coherence; skip dla innych</translation>
     </message>
     <message>
         <source>a real vector f, freq, frequency, omega or one that ends with _hz</source>
-        <translation type="unfinished"></translation>
+        <translation>wektor rzeczywisty f, freq, frequency, omega lub o nazwie zakończonej na _hz</translation>
     </message>
     <message>
         <source>Unit of a frequency response that states none, or one that is not known. A known stated unit always rules.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jednostka charakterystyki, która jej nie podaje albo podaje nieznaną. Znana podana jednostka ma zawsze pierwszeństwo.</translation>
     </message>
     <message>
         <source>Unit of the frequencies</source>
-        <translation type="unfinished"></translation>
+        <translation>Jednostka częstotliwości</translation>
     </message>
     <message>
         <source>Unit of frequencies that state none. A stated unit always rules.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jednostka częstotliwości, które jej nie podają. Podana jednostka ma zawsze pierwszeństwo.</translation>
     </message>
     <message>
         <source>Which of several in the file: its number, or its nodes as 12/5 (response/force). Empty: of the driving points the most flexible, else the first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Która z kilku w pliku: numer albo węzły jako 12/5 (odpowiedź/siła). Puste: najpodatniejsza z punktów wymuszenia, inaczej pierwsza.</translation>
     </message>
     <message>
         <source>Columns of the response</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolumny charakterystyki</translation>
     </message>
     <message>
         <source>Of a table without headings: frequency,real,imag, or frequency,complex, or frequency,magnitude,phase (degrees; phase_rad; magnitude_db); coherence; skip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabeli bez nagłówków: frequency,real,imag albo frequency,complex albo frequency,magnitude,phase (stopnie; phase_rad; magnitude_db); coherence; skip.</translation>
     </message>
     <message>
         <source>headings such as real_mm_N and imag_mm_N, magnitude_dB_re_1_mm_N, phase_deg</source>
-        <translation type="unfinished"></translation>
+        <translation>nagłówki takie jak real_mm_N i imag_mm_N, magnitude_dB_re_1_mm_N, phase_deg</translation>
     </message>
     <message>
         <source>headings such as frequency_hz, real_mm_N, imag_mm_N; without them state --frf-columns and --frf-unit</source>
-        <translation type="unfinished"></translation>
+        <translation>nagłówki takie jak frequency_hz, real_mm_N, imag_mm_N; bez nich podaj --frf-columns i --frf-unit</translation>
     </message>
     <message>
         <source>a unit of frequency such as Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>jednostka częstotliwości, np. Hz</translation>
     </message>
     <message>
         <source>a unit such as m/s^2, g, mm or m/s, or that of the response stated</source>
-        <translation type="unfinished"></translation>
+        <translation>jednostka taka jak m/s^2, g, mm lub m/s albo podana jednostka charakterystyki</translation>
     </message>
     <message>
         <source>a unit of force such as N, kN or lbf, or that of the response stated</source>
-        <translation type="unfinished"></translation>
+        <translation>jednostka siły taka jak N, kN lub lbf albo podana jednostka charakterystyki</translation>
     </message>
     <message>
         <source>a unit that is not known</source>
-        <translation type="unfinished"></translation>
+        <translation>nieznana jednostka</translation>
     </message>
     <message>
         <source>The samples are not even in time: a step of {found_s} s among steps of {expected_s} s. Expected are steps that differ by at most 1 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Próbki nie są równomierne w czasie: krok {found_s} s wśród kroków {expected_s} s. Oczekiwano kroków różniących się najwyżej o 1 %.</translation>
     </message>
     <message>
         <source>The file holds no signals over time: found {found}, expected {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plik nie zawiera sygnałów w czasie: znaleziono {found}, oczekiwano {expected}.</translation>
     </message>
     <message>
         <source>{path}: {count} functions are no signals over time, the first at line {line}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: funkcji, które nie są sygnałami w czasie: {count}, pierwsza w wierszu {line}.</translation>
     </message>
     <message>
         <source>Time records</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisy w czasie</translation>
     </message>
     <message>
         <source>a table of signals over time: a force and a motion, with times or a rate</source>
-        <translation type="unfinished"></translation>
+        <translation>tabela sygnałów w czasie: siła i ruch, z czasami albo częstotliwością próbkowania</translation>
     </message>
     <message>
         <source>columns such as force_N, acc_m_s2</source>
-        <translation type="unfinished"></translation>
+        <translation>kolumny takie jak force_N, acc_m_s2</translation>
     </message>
     <message>
         <source>a unit of time: s or ms</source>
-        <translation type="unfinished"></translation>
+        <translation>jednostka czasu: s lub ms</translation>
     </message>
     <message>
         <source>data sets 58 of function 1</source>
-        <translation type="unfinished"></translation>
+        <translation>zbiory danych 58 funkcji 1</translation>
     </message>
     <message>
         <source>bytes of a chunk</source>
-        <translation type="unfinished"></translation>
+        <translation>bajty bloku danych</translation>
     </message>
     <message>
         <source>whole numbers of 16, 24 or 32 bits, or floating point of 32 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>liczby całkowite 16-, 24- lub 32-bitowe albo zmiennoprzecinkowe 32-bitowe</translation>
     </message>
     <message>
         <source>a number of channels, 1 to 256</source>
-        <translation type="unfinished"></translation>
+        <translation>liczba kanałów, 1 do 256</translation>
     </message>
     <message>
         <source>a rate in samples a second</source>
-        <translation type="unfinished"></translation>
+        <translation>częstotliwość w próbkach na sekundę</translation>
     </message>
     <message>
         <source>a finite sample</source>
-        <translation type="unfinished"></translation>
+        <translation>skończona próbka</translation>
     </message>
     <message>
         <source>the chunk “fmt ” before the samples</source>
-        <translation type="unfinished"></translation>
+        <translation>blok danych „fmt ” przed próbkami</translation>
     </message>
     <message>
         <source>the chunk “data”</source>
-        <translation type="unfinished"></translation>
+        <translation>blok danych „data”</translation>
     </message>
     <message>
         <source>Accelerometer</source>
-        <translation type="unfinished"></translation>
+        <translation>Akcelerometr</translation>
     </message>
     <message>
         <source>g</source>
-        <translation type="unfinished"></translation>
+        <translation>g</translation>
     </message>
     <message>
         <source>Mass that moves with this point where it responds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa, która porusza się z tym punktem, gdy on odpowiada.</translation>
     </message>
     <message>
         <source>Mass that moves with the point of this rod that responds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa, która porusza się z odpowiadającym punktem tego pręta.</translation>
     </message>
     <message>
         <source>Averages</source>
-        <translation type="unfinished"></translation>
+        <translation>Uśrednienia</translation>
     </message>
     <message>
         <source>Taps averaged for each response; with the coherence they give its noise. 0: not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenia uśrednione w każdej charakterystyce; z koherencją dają jej szum. 0: nieznane.</translation>
     </message>
     <message>
         <source>Mass that moves with the point that responds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masa, która porusza się z odpowiadającym punktem.</translation>
     </message>
     <message>
         <source>The fit leaves {error_percent} % of the response, the scatter of its lines is {scatter_percent} %: the modal model does not describe it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopasowanie zostawia {error_percent} % charakterystyki, rozrzut jej prążków wynosi {scatter_percent} %: model modalny jej nie opisuje.</translation>
     </message>
     <message>
         <source>1 to 8; 0: as many as the data tell.</source>
-        <translation type="unfinished">1 do 6; 0: tyle, ile mówią dane. {1 ?} {8; 0:?}</translation>
+        <translation>1 do 8; 0: tyle, ile mówią dane.</translation>
     </message>
     <message>
         <source>As the nodes in the file tell</source>
-        <translation type="unfinished"></translation>
+        <translation>Jak mówią węzły w pliku</translation>
     </message>
     <message>
         <source>Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>Tak</translation>
     </message>
     <message>
         <source>No</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie</translation>
     </message>
     <message>
         <source>Driving point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt wymuszenia</translation>
     </message>
     <message>
         <source>Force and response at one place in one direction: no stiffness is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła i odpowiedź w jednym miejscu i kierunku: żadna sztywność nie jest ujemna.</translation>
     </message>
     <message>
         <source>Stability of the poles</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilność biegunów</translation>
     </message>
     <message>
         <source>Order of the fit, pairs of poles</source>
-        <translation type="unfinished"></translation>
+        <translation>Rząd dopasowania, pary biegunów</translation>
     </message>
     <message>
         <source>new</source>
-        <translation type="unfinished"></translation>
+        <translation>nowy</translation>
     </message>
     <message>
         <source>stable in frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>stabilny w częstotliwości</translation>
     </message>
     <message>
         <source>stable in frequency and damping</source>
-        <translation type="unfinished"></translation>
+        <translation>stabilny w częstotliwości i tłumieniu</translation>
     </message>
     <message>
         <source>Stiffness of every response by mode, N/mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Sztywność każdej charakterystyki według postaci, N/mm</translation>
     </message>
     <message>
         <source>Error, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Błąd, %</translation>
     </message>
     <message>
         <source>Modes with viscous damping, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: linear fits of ascending order and matched filters give the starts, Gauss and Newton refine all parameters with weights from the noise of the lines, or from the errors of the fit where it is not known. A mode without which the fit is no worse than noise explains is left out. Uncertainties are standard uncertainties from the covariance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postacie z tłumieniem lepkim, G = Σ (1/k)/(1 - r² + 2iζr) - 1/(ω²M) + 1/K, r = f/f_n: starty dają dopasowania liniowe rosnącego rzędu i filtry dopasowane, a metoda Gaussa i Newtona poprawia wszystkie parametry z wagami z szumu prążków albo, gdy nie jest znany, z błędów dopasowania. Postać, bez której dopasowanie nie jest gorsze, niż tłumaczy szum, jest pomijana. Niepewności są niepewnościami standardowymi z kowariancji.</translation>
     </message>
     <message>
         <source>At {lines} of {all} frequencies the spindle found would give power away, by more than its uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy {lines} z {all} częstotliwości znalezione wrzeciono oddawałoby moc, o więcej niż jego niepewność.</translation>
     </message>
     <message>
         <source>{path}: at {lines} of {all} frequencies, the first {frequency_hz} Hz, the receptance H of the spindle has a positive imaginary part: it would give power away.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: przy {lines} z {all} częstotliwości, pierwsza {frequency_hz} Hz, receptancja H wrzeciona ma dodatnią część urojoną: oddawałoby ono moc.</translation>
     </message>
     <message>
         <source>The spindle found leaves {percent:1} % of the responses unexplained, more than {limit} % and more than their noise ({expected:1} %).</source>
-        <translation type="unfinished"></translation>
+        <translation>Znalezione wrzeciono nie wyjaśnia {percent:1} % charakterystyk, więcej niż {limit} % i więcej niż ich szum ({expected:1} %).</translation>
     </message>
     <message>
         <source>Rod {rod}: the response {respond}/{excite} fits with its sign turned: residual {before_percent:1} → {after_percent:1} %. It is used as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt {rod}: charakterystyka {respond}/{excite} pasuje z odwróconym znakiem: reszta {before_percent:1} → {after_percent:1} %. Użyto jej tak, jak zmierzono.</translation>
     </message>
     <message>
         <source>Rod {rod}: the responses fit with the points {first} and {second} swapped: residual {before_percent:1} → {after_percent:1} %. They are used as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt {rod}: charakterystyki pasują po zamianie punktów {first} i {second}: reszta {before_percent:1} → {after_percent:1} %. Użyto ich tak, jak podano.</translation>
     </message>
     <message>
         <source>Rod {rod}: the responses fit with the point {node} at {fitted_mm:1} mm from the chuck in place of {stated_mm:1} mm: residual {before_percent:1} → {after_percent:1} %. It is used as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt {rod}: charakterystyki pasują z punktem {node} w odległości {fitted_mm:1} mm od uchwytu zamiast {stated_mm:1} mm: reszta {before_percent:1} → {after_percent:1} %. Użyto go tak, jak podano.</translation>
     </message>
     <message>
         <source>Rod {rod}: the responses fit with {fitted_mm:1} mm of it outside the chuck in place of {stated_mm:1} mm: residual {before_percent:1} → {after_percent:1} %. It is used as stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt {rod}: charakterystyki pasują, gdy poza uchwytem jest {fitted_mm:1} mm pręta zamiast {stated_mm:1} mm: reszta {before_percent:1} → {after_percent:1} %. Użyto go tak, jak podano.</translation>
     </message>
     <message>
         <source>Rod {rod}: the response {respond}/{excite} contradicts the others: residual {before_percent:1} → {after_percent:1} % without it. It is used as measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt {rod}: charakterystyka {respond}/{excite} przeczy pozostałym: reszta {before_percent:1} → {after_percent:1} % bez niej. Użyto jej tak, jak zmierzono.</translation>
     </message>
     <message>
         <source>Rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Pręt</translation>
     </message>
     <message>
         <source>Node that responds</source>
-        <translation type="unfinished"></translation>
+        <translation>Węzeł odpowiedzi</translation>
     </message>
     <message>
         <source>Node that is tapped</source>
-        <translation type="unfinished"></translation>
+        <translation>Węzeł uderzany</translation>
     </message>
     <message>
         <source>χ² per degree of freedom</source>
-        <translation type="unfinished"></translation>
+        <translation>χ² na stopień swobody</translation>
     </message>
     <message>
         <source>Shafts on springs against finite elements</source>
-        <translation type="unfinished"></translation>
+        <translation>Wały na sprężynach względem elementów skończonych</translation>
     </message>
     <message>
         <source>Against rotation; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przeciw obrotowi; 0: brak.</translation>
     </message>
     <message>
         <source>From the free end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od wolnego końca.</translation>
     </message>
     <message>
         <source>A centre at z 0: radial and tilt stiffness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kieł w z 0: sztywność promieniowa i kątowa.</translation>
     </message>
     <message>
         <source>Springs between the shaft and the ground: z and radial stiffness.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprężyny między wałem a podłożem: z i sztywność promieniowa.</translation>
     </message>
     <message>
         <source>all that are used</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie używane</translation>
     </message>
     <message>
         <source>worst: rod {rod}, {respond}/{excite}</source>
-        <translation type="unfinished"></translation>
+        <translation>najgorsza: pręt {rod}, {respond}/{excite}</translation>
     </message>
     <message>
         <source>{respond}/{excite}, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>{respond}/{excite}, przewidziana</translation>
     </message>
     <message>
         <source>one range such as 100:1200</source>
-        <translation type="unfinished"></translation>
+        <translation>jeden zakres, np. 100:1200</translation>
     </message>
     <message>
         <source>double hit</source>
-        <translation type="unfinished"></translation>
+        <translation>podwójne uderzenie</translation>
     </message>
     <message>
         <source>force overloaded</source>
-        <translation type="unfinished"></translation>
+        <translation>przesterowana siła</translation>
     </message>
     <message>
         <source>response overloaded</source>
-        <translation type="unfinished"></translation>
+        <translation>przesterowana odpowiedź</translation>
     </message>
     <message>
         <source>too little energy</source>
-        <translation type="unfinished"></translation>
+        <translation>za mało energii</translation>
     </message>
     <message>
         <source>the record ends within the block</source>
-        <translation type="unfinished"></translation>
+        <translation>zapis kończy się w bloku</translation>
     </message>
     <message>
         <source>Finding hits</source>
-        <translation type="unfinished"></translation>
+        <translation>Szukanie uderzeń</translation>
     </message>
     <message>
         <source>Averaging spectra</source>
-        <translation type="unfinished"></translation>
+        <translation>Uśrednianie widm</translation>
     </message>
     <message>
         <source>samples</source>
-        <translation type="unfinished"></translation>
+        <translation>próbki</translation>
     </message>
     <message>
         <source>samples a second</source>
-        <translation type="unfinished"></translation>
+        <translation>próbki na sekundę</translation>
     </message>
     <message>
         <source>seconds at the first sample</source>
-        <translation type="unfinished"></translation>
+        <translation>sekundy przy pierwszej próbce</translation>
     </message>
     <message>
         <source>the hammer</source>
-        <translation type="unfinished"></translation>
+        <translation>młotek</translation>
     </message>
     <message>
         <source>a force such as N, or a sensitivity such as 2.25 mV/N or 500 N</source>
-        <translation type="unfinished"></translation>
+        <translation>siła taka jak N albo czułość taka jak 2.25 mV/N lub 500 N</translation>
     </message>
     <message>
         <source>500 N</source>
-        <translation type="unfinished"></translation>
+        <translation>500 N</translation>
     </message>
     <message>
         <source>the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>czujnik</translation>
     </message>
     <message>
         <source>a motion such as m/s^2, g, mm/s or um, or a sensitivity such as 100 mV/g</source>
-        <translation type="unfinished"></translation>
+        <translation>ruch taki jak m/s^2, g, mm/s lub um albo czułość taka jak 100 mV/g</translation>
     </message>
     <message>
         <source>50 g</source>
-        <translation type="unfinished"></translation>
+        <translation>50 g</translation>
     </message>
     <message>
         <source>another channel than the hammer</source>
-        <translation type="unfinished"></translation>
+        <translation>inny kanał niż młotek</translation>
     </message>
     <message>
         <source>Hammer</source>
-        <translation type="unfinished"></translation>
+        <translation>Młotek</translation>
     </message>
     <message>
         <source>Column or channel of the force, by name or number. Empty: the one in N or named so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolumna lub kanał siły, według nazwy albo numeru. Puste: ten w N albo tak nazwany.</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Czujnik</translation>
     </message>
     <message>
         <source>Column or channel of the motion, by name or number. Empty: the one in m/s², g, mm/s…</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolumna lub kanał ruchu, według nazwy albo numeru. Puste: ten w m/s², g, mm/s…</translation>
     </message>
     <message>
         <source>Sensitivity of the hammer</source>
-        <translation type="unfinished"></translation>
+        <translation>Czułość młotka</translation>
     </message>
     <message>
         <source>Of a record in volts: 2.25 mV/N; or the force of one unit of the record: 500 N.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisu w woltach: 2.25 mV/N; albo siła jednej jednostki zapisu: 500 N.</translation>
     </message>
     <message>
         <source>Sensitivity of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Czułość czujnika</translation>
     </message>
     <message>
         <source>Of a record in volts: 100 mV/g, 10 mV/(m/s^2); or the motion of one unit of the record: 50 g. Its unit tells what is measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisu w woltach: 100 mV/g, 10 mV/(m/s^2); albo ruch jednej jednostki zapisu: 50 g. Jej jednostka mówi, co jest mierzone.</translation>
     </message>
     <message>
         <source>Full scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Pełna skala</translation>
     </message>
     <message>
         <source>Voltage of the largest number of a WAV file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Napięcie największej liczby pliku WAV.</translation>
     </message>
     <message>
         <source>Sampling rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Częstotliwość próbkowania</translation>
     </message>
     <message>
         <source>Of a record without times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapisu bez czasów.</translation>
     </message>
     <message>
         <source>Which channel is {meaning} cannot be told among {found}. State --{parameter}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie wiadomo, który z kanałów {found} to {meaning}. Podaj --{parameter}.</translation>
     </message>
     <message>
         <source>The unit of {channel} is not known: found “{found}”, expected {expected}. State it in the file, or a sensitivity by --{parameter}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jednostka kanału {channel} nie jest znana: znaleziono „{found}”, oczekiwano {expected}. Podaj ją w pliku albo podaj czułość przez --{parameter}.</translation>
     </message>
     <message>
         <source>{channel} is stated in parts of full scale; a sensitivity in volts needs the voltage of full scale. State --full-scale-V, or the sensitivity of full scale such as {expected}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{channel} jest podany w częściach pełnej skali; czułość w woltach wymaga napięcia pełnej skali. Podaj --full-scale-V albo czułość pełnej skali, np. {expected}.</translation>
     </message>
     <message>
         <source>Neither times nor a rate are stated. State --rate-hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nie podano ani czasów, ani częstotliwości próbkowania. Podaj --rate-hz.</translation>
     </message>
     <message>
         <source>A sample of {channel} is missing; a spectrum needs all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brakuje próbki kanału {channel}; widmo wymaga wszystkich.</translation>
     </message>
     <message>
         <source>{channel} has {found} in place of {expected}: {quantity}. Records are averaged only when alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>{channel} ma {found} zamiast {expected}: {quantity}. Uśrednia się tylko zapisy jednakowe.</translation>
     </message>
     <message>
         <source>No hit is in the record: the largest force is {largest_N} N, the level that triggers {level_N} N.</source>
-        <translation type="unfinished"></translation>
+        <translation>W zapisie nie ma uderzenia: największa siła to {largest_N} N, poziom wyzwalania {level_N} N.</translation>
     </message>
     <message>
         <source>A block of {samples} samples is too short for a spectrum; at least {minimum} are needed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Blok o liczbie próbek {samples} jest za krótki na widmo; potrzeba co najmniej {minimum}.</translation>
     </message>
     <message>
         <source>None of {count} hits is usable; the first at {time_s} s: {reason}. --keep-rejected takes them all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Żadne z uderzeń (liczba: {count}) nie jest użyteczne; pierwsze przy {time_s} s: {reason}. --keep-rejected bierze je mimo to.</translation>
     </message>
     <message>
         <source>No line is between {from_hz} and {to_hz} Hz; usable are {usable_from_hz} to {usable_to_hz} Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Między {from_hz} a {to_hz} Hz nie ma prążka; użyteczne są od {usable_from_hz} do {usable_to_hz} Hz.</translation>
     </message>
     <message>
         <source>Hits left out: {count} of {of} ({reason}), at {times} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pominięte uderzenia: {count} z {of} ({reason}), przy {times} s.</translation>
     </message>
     <message>
         <source>Hits that would be left out, kept as asked: {count} of {of} ({reason}), at {times} s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenia, które byłyby pominięte, zachowane na żądanie: {count} z {of} ({reason}), przy {times} s.</translation>
     </message>
     <message>
         <source>One hit only: its noise cannot be judged, and the coherence is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tylko jedno uderzenie: jego szumu nie można ocenić, a koherencja nie jest znana.</translation>
     </message>
     <message>
         <source>The exponential window adds {window_decay_1_s:3} 1/s to the decay of every mode: at {frequency_hz:1} Hz, {added_percent:3} % to the damping ratio, and the peak is lower by as much. Limits by it are too high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno wykładnicze dodaje {window_decay_1_s:3} 1/s do zaniku każdej postaci: przy {frequency_hz:1} Hz {added_percent:3} % do stopnia tłumienia, a szczyt jest o tyle niższy. Granice z niego są za wysokie.</translation>
     </message>
     <message>
         <source>At the end of the block the response is still {percent:1} % of its peak: peaks are smeared. Take a longer block, or --window force_exponential.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na końcu bloku odpowiedź ma jeszcze {percent:1} % swojego szczytu: szczyty są rozmyte. Weź dłuższy blok albo --window force_exponential.</translation>
     </message>
     <message>
         <source>The force is {drop_dB} dB below its maximum at {usable_to_hz:1} Hz; lines above are left out: {lines}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła jest o {drop_dB} dB poniżej maksimum przy {usable_to_hz:1} Hz; pominięte prążki powyżej: {lines}.</translation>
     </message>
     <message>
         <source>Below {usable_from_hz:1} Hz the coherence is under {limit:1}; lines left out: {lines}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poniżej {usable_from_hz:1} Hz koherencja jest mniejsza niż {limit:1}; pominięte prążki: {lines}.</translation>
     </message>
     <message>
         <source>The pulses of the force are negative. If the hammer pushes in the positive direction of the sensor, turn the sign by a negative sensitivity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Impulsy siły są ujemne. Jeżeli młotek uderza w dodatnim kierunku czujnika, odwróć znak ujemną czułością.</translation>
     </message>
     <message>
         <source>{path}: {channel} is stated in {unit}; the given sensitivity {given} is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: {channel} jest podany w {unit}; podanej czułości {given} nie użyto.</translation>
     </message>
     <message>
         <source>{path}: the file states {rate_hz} samples a second; the given rate {given_hz} is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: plik podaje {rate_hz} próbek na sekundę; podanej częstotliwości {given_hz} nie użyto.</translation>
     </message>
     <message>
         <source>H1: noise of the sensor averages out</source>
-        <translation type="unfinished"></translation>
+        <translation>H1: szum czujnika się uśrednia</translation>
     </message>
     <message>
         <source>H2: noise of the hammer averages out</source>
-        <translation type="unfinished"></translation>
+        <translation>H2: szum młotka się uśrednia</translation>
     </message>
     <message>
         <source>Estimator</source>
-        <translation type="unfinished"></translation>
+        <translation>Estymator</translation>
     </message>
     <message>
         <source>How the spectra of the hits are averaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jak uśrednia się widma uderzeń.</translation>
     </message>
     <message>
         <source>force and exponential</source>
-        <translation type="unfinished"></translation>
+        <translation>siła i wykładnicze</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno</translation>
     </message>
     <message>
         <source>Force window and exponential window; the decay that the latter adds is stated.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno siły i okno wykładnicze; zanik, który dodaje to drugie, jest podany.</translation>
     </message>
     <message>
         <source>Time of the exponential window</source>
-        <translation type="unfinished"></translation>
+        <translation>Czas okna wykładniczego</translation>
     </message>
     <message>
         <source>In which it falls to 1/e. By default a third of the block.</source>
-        <translation type="unfinished"></translation>
+        <translation>W którym maleje do 1/e. Domyślnie jedna trzecia bloku.</translation>
     </message>
     <message>
         <source>Force window</source>
-        <translation type="unfinished"></translation>
+        <translation>Okno siły</translation>
     </message>
     <message>
         <source>From the trigger on. By default twice the pulse.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od wyzwolenia. Domyślnie dwukrotność impulsu.</translation>
     </message>
     <message>
         <source>Length of the signals of a hit; its inverse is the distance of the lines. By default as long as the distance of the hits allows, at most 2 s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Długość sygnałów jednego uderzenia; jej odwrotność to odstęp prążków. Domyślnie tyle, na ile pozwala odstęp uderzeń, najwyżej 2 s.</translation>
     </message>
     <message>
         <source>Whose lines are handed on. By default all usable ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Którego prążki są przekazywane. Domyślnie wszystkie użyteczne.</translation>
     </message>
     <message>
         <source>Trigger level</source>
-        <translation type="unfinished"></translation>
+        <translation>Poziom wyzwalania</translation>
     </message>
     <message>
         <source>Of the largest force of a record.</source>
-        <translation type="unfinished"></translation>
+        <translation>Największej siły zapisu.</translation>
     </message>
     <message>
         <source>Pre-trigger</source>
-        <translation type="unfinished"></translation>
+        <translation>Czas przed wyzwoleniem</translation>
     </message>
     <message>
         <source>Of a block in front of its hit. By default 2 % of the block.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bloku przed jego uderzeniem. Domyślnie 2 % bloku.</translation>
     </message>
     <message>
         <source>Double hit</source>
-        <translation type="unfinished"></translation>
+        <translation>Podwójne uderzenie</translation>
     </message>
     <message>
         <source>A later pulse of more than this, of the peak, makes a hit a double one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Późniejszy impuls większy niż tyle, szczytu, czyni uderzenie podwójnym.</translation>
     </message>
     <message>
         <source>Fall of the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Spadek siły</translation>
     </message>
     <message>
         <source>Of its spectrum below the maximum, which ends the usable range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jej widma poniżej maksimum, który kończy użyteczny zakres.</translation>
     </message>
     <message>
         <source>dB</source>
-        <translation type="unfinished"></translation>
+        <translation>dB</translation>
     </message>
     <message>
         <source>Keep rejected hits</source>
-        <translation type="unfinished"></translation>
+        <translation>Zachowaj odrzucone uderzenia</translation>
     </message>
     <message>
         <source>Averages double, overloaded and weak hits as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uśrednia także uderzenia podwójne, przesterowane i słabe.</translation>
     </message>
     <message>
         <source>mm/s</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/s</translation>
     </message>
     <message>
         <source>mm/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/s²</translation>
     </message>
     <message>
         <source>Velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Prędkość</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Przyspieszenie</translation>
     </message>
     <message>
         <source>hit used</source>
-        <translation type="unfinished"></translation>
+        <translation>uderzenie użyte</translation>
     </message>
     <message>
         <source>hit left out</source>
-        <translation type="unfinished"></translation>
+        <translation>uderzenie pominięte</translation>
     </message>
     <message>
         <source>window</source>
-        <translation type="unfinished"></translation>
+        <translation>okno</translation>
     </message>
     <message>
         <source>records one behind another</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisy jeden za drugim</translation>
     </message>
     <message>
         <source>Force of the hammer</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła młotka</translation>
     </message>
     <message>
         <source>{number}</source>
-        <translation type="unfinished"></translation>
+        <translation>{number}</translation>
     </message>
     <message>
         <source>{number}: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>{number}: {reason}</translation>
     </message>
     <message>
         <source>Motion of the sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruch czujnika</translation>
     </message>
     <message>
         <source>Spectrum of the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Widmo siły</translation>
     </message>
     <message>
         <source>Force, of its maximum</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła, jej maksimum</translation>
     </message>
     <message>
         <source>usable up to {frequency} Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>użyteczne do {frequency} Hz</translation>
     </message>
     <message>
         <source>Lines and windows</source>
-        <translation type="unfinished"></translation>
+        <translation>Prążki i okna</translation>
     </message>
     <message>
         <source>Distance of the lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Odstęp prążków</translation>
     </message>
     <message>
         <source>Usable from</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyteczne od</translation>
     </message>
     <message>
         <source>Usable up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyteczne do</translation>
     </message>
     <message>
         <source>Decay added by the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Zanik dodany przez okno</translation>
     </message>
     <message>
         <source>1/s</source>
-        <translation type="unfinished"></translation>
+        <translation>1/s</translation>
     </message>
     <message>
         <source>Hit</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenie</translation>
     </message>
     <message>
         <source>Record</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapis</translation>
     </message>
     <message>
         <source>Peak force</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła szczytowa</translation>
     </message>
     <message>
         <source>Second pulse</source>
-        <translation type="unfinished"></translation>
+        <translation>Drugi impuls</translation>
     </message>
     <message>
         <source>Its time</source>
-        <translation type="unfinished"></translation>
+        <translation>Jego czas</translation>
     </message>
     <message>
         <source>Used</source>
-        <translation type="unfinished"></translation>
+        <translation>Użyte</translation>
     </message>
     <message>
         <source>Response usable up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Charakterystyka użyteczna do</translation>
     </message>
     <message>
         <source>From {from} Hz · hits used: {used} of {hits} · a line every {resolution} Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>Od {from} Hz · użyte uderzenia: {used} z {hits} · prążek co {resolution} Hz</translation>
     </message>
     <message>
         <source>From {from} Hz · hits used: {used} of {hits} · a line every {resolution} Hz · mean coherence {coherence}</source>
-        <translation type="unfinished"></translation>
+        <translation>Od {from} Hz · użyte uderzenia: {used} z {hits} · prążek co {resolution} Hz · średnia koherencja {coherence}</translation>
     </message>
     <message>
         <source>Hit at {time} s left out: {reason}</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenie przy {time} s pominięte: {reason}</translation>
     </message>
     <message>
         <source>Hits</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenia</translation>
     </message>
     <message>
         <source>Impact test</source>
-        <translation type="unfinished"></translation>
+        <translation>Próba udarowa</translation>
     </message>
     <message>
         <source>Spectra of force F and motion X, averaged over the hits: H1 = Σ X F* / Σ F F*, H2 = Σ X X* / Σ F X*, coherence |Σ X F*|² / (Σ F F* · Σ X X*). An exponential window moves the response from iω to iω + σ; velocity and acceleration become a displacement by division by that and its square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Widma siły F i ruchu X, uśrednione po uderzeniach: H1 = Σ X F* / Σ F F*, H2 = Σ X X* / Σ F X*, koherencja |Σ X F*|² / (Σ F F* · Σ X X*). Okno wykładnicze przesuwa charakterystykę z iω do iω + σ; prędkość i przyspieszenie stają się przemieszczeniem po podzieleniu przez tę wielkość i jej kwadrat.</translation>
     </message>
     <message>
         <source>All responses of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>Wszystkie charakterystyki pliku</translation>
     </message>
     <message>
         <source>Fitted together: common frequencies and damping, own stiffnesses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopasowane razem: wspólne częstotliwości i tłumienie, własne sztywności.</translation>
     </message>
     <message>
         <source>nodes of response and force such as 12/5 or 12x/5x</source>
-        <translation type="unfinished"></translation>
+        <translation>węzły odpowiedzi i siły, np. 12/5 lub 12x/5x</translation>
     </message>
     <message>
         <source>another quantity of the sensor, as displacement 0, velocity 1, acceleration 2</source>
-        <translation type="unfinished"></translation>
+        <translation>inna wielkość czujnika: przemieszczenie 0, prędkość 1, przyspieszenie 2</translation>
     </message>
     <message>
         <source>Nodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Węzły</translation>
     </message>
     <message>
         <source>Of response and force, as 12/5 or 12x/5x, for a universal file. Empty: those of the record.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odpowiedzi i siły, jako 12/5 lub 12x/5x, dla pliku uniwersalnego. Puste: te z zapisu.</translation>
     </message>
     <message>
         <source>Tap test</source>
-        <translation type="unfinished"></translation>
+        <translation>Próba udarowa</translation>
     </message>
     <message>
         <source>Time record</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapis w czasie</translation>
     </message>
     <message>
         <source>Force and motion over time (CSV, UFF or WAV), or one record for each hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siła i ruch w czasie (CSV, UFF lub WAV) albo po jednym zapisie na uderzenie.</translation>
     </message>
     <message>
         <source>From {from_hz} to {to_hz} Hz the response has {found} lines; at least 4 are needed. It runs from {first_hz} to {last_hz} Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od {from_hz} do {to_hz} Hz liczba prążków charakterystyki to {found}; potrzeba co najmniej 4. Sięga ona od {first_hz} do {last_hz} Hz.</translation>
     </message>
     <message>
         <source>{path}: {count} lines hold no more than the noise of the sensor and are left out; used is {from_hz} to {to_hz} Hz. --range-hz states another range.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: prążki, które nie zawierają nic ponad szum czujnika i są pominięte: {count}; użyto od {from_hz} do {to_hz} Hz. --range-hz podaje inny zakres.</translation>
     </message>
     <message>
         <source>{path}: nowhere does the response stand out of the noise of its lines.</source>
-        <translation type="unfinished"></translation>
+        <translation>{path}: charakterystyka nigdzie nie wystaje ponad szum swoich prążków.</translation>
     </message>
     <message>
         <source>one range of frequencies</source>
-        <translation type="unfinished"></translation>
+        <translation>jeden zakres częstotliwości</translation>
     </message>
     <message>
         <source>Uncertainty of the damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Niepewność tłumienia</translation>
     </message>
     <message>
         <source>One standard deviation of each damping ratio; of modes that are stated or fitted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedno odchylenie standardowe każdego stopnia tłumienia; postaci podanych albo dopasowanych.</translation>
     </message>
     <message>
         <source>a response by its modes: stated ones, or the fitted model</source>
-        <translation type="unfinished"></translation>
+        <translation>charakterystyka przez postacie: podane albo dopasowany model</translation>
     </message>
     <message>
         <source>Error of the modes at this frequency</source>
-        <translation type="unfinished"></translation>
+        <translation>Błąd postaci przy tej częstotliwości</translation>
     </message>
     <message>
         <source>Error of the modes over all lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Błąd postaci na wszystkich prążkach</translation>
     </message>
     <message>
         <source>A simulation needs modes, and none could be found in the frequency response. State them with --mode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Symulacja wymaga postaci, a w charakterystyce częstotliwościowej żadnej nie znaleziono. Podaj je przez --mode.</translation>
     </message>
     <message>
         <source>The least real part, at {frequency_hz} Hz, hardly stands out of the noise of its line ({noise_percent} % of it): the least depth may be that of the noise. State the range that was excited with --range-hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najmniejsza część rzeczywista, przy {frequency_hz} Hz, ledwie wystaje ponad szum swojego prążka ({noise_percent} % z niej): najmniejsza głębokość może wynikać z szumu. Podaj wzbudzony zakres przez --range-hz.</translation>
     </message>
     <message>
         <source>The resonance that limits the depth, at {frequency_hz} Hz, is seen by {lines} lines within its half-power band: the least depth may be wrong by 15 %. Measure longer for a finer resolution, or use the fitted model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rezonans, który ogranicza głębokość, przy {frequency_hz} Hz, widać w prążkach w jego paśmie połowy mocy w liczbie {lines}: najmniejsza głębokość może być błędna o 15 %. Mierz dłużej, aby zmniejszyć krok częstotliwości, albo użyj dopasowanego modelu.</translation>
     </message>
     <message>
         <source>So many lobes reach these speeds that {count} of them are not listed: those farthest from the foot of the lobes, and the slowest. The limit is that of all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tych prędkości sięga tyle worków, że nie wymieniono ich w liczbie {count}: najdalszych od podstawy worków i najwolniejszych. Granica jest granicą wszystkich.</translation>
     </message>
     <message>
         <source>Modes fitted to the frequency response, which the simulation rests on: {count}; what they leave of it together with what lies outside its lines is {error_percent} %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postacie dopasowane do charakterystyki częstotliwościowej, na których opiera się symulacja: {count}; zostaje z niej razem z tym, co leży poza jej prążkami, {error_percent} %.</translation>
     </message>
     <message>
         <source>Modes of the computed response, which the simulation rests on: {count}; what they leave of it together with the compliance beyond its lines is {error_percent} %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postacie obliczonej charakterystyki, na których opiera się symulacja: {count}; zostaje z niej razem z podatnością poza jej prążkami {error_percent} %.</translation>
     </message>
     <message>
         <source>At {frequency_hz} Hz, where the cut vibrates, the modes that are simulated leave {error_percent} % of the frequency response, more than {limit_percent} %: the verdict is undecided.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy {frequency_hz} Hz, gdzie drga skrawanie, symulowane postacie zostawiają {error_percent} % charakterystyki częstotliwościowej, więcej niż {limit_percent} %: orzeczenie jest nierozstrzygnięte.</translation>
     </message>
     <message>
         <source>The vibration of the simulated cut, {frequency_hz} Hz, lies outside the lines of the frequency response, {from_hz} to {to_hz} Hz: the verdict is undecided.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drgania symulowanego skrawania, {frequency_hz} Hz, leżą poza prążkami charakterystyki częstotliwościowej, {from_hz} do {to_hz} Hz: orzeczenie jest nierozstrzygnięte.</translation>
     </message>
     <message>
         <source>Noise of its line</source>
-        <translation type="unfinished"></translation>
+        <translation>Szum jej prążka</translation>
     </message>
     <message>
         <source>Limits against roots of the delay equation</source>
-        <translation type="unfinished"></translation>
+        <translation>Granice względem pierwiastków równania z opóźnieniem</translation>
     </message>
     <message>
         <source>Limits of impact tests with the sensor&apos;s noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Granice prób udarowych z szumem czujnika</translation>
     </message>
     <message>
         <source>Frequencies used</source>
-        <translation type="unfinished"></translation>
+        <translation>Używane częstotliwości</translation>
     </message>
     <message>
         <source>Of a measured response, 100:700. Default: the lines that stand out of their noise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zmierzonej charakterystyki, 100:700. Domyślnie: prążki, które wystają ponad swój szum.</translation>
     </message>
     <message>
         <source>The lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Prążki</translation>
     </message>
     <message>
         <source>The fitted modes</source>
-        <translation type="unfinished"></translation>
+        <translation>Dopasowane postacie</translation>
     </message>
     <message>
         <source>Used of a measurement</source>
-        <translation type="unfinished"></translation>
+        <translation>Z pomiaru</translation>
     </message>
     <message>
         <source>The lines as measured, or the modes fitted to them, with their uncertainties.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prążki tak, jak zmierzono, albo dopasowane do nich postacie, z ich niepewnościami.</translation>
     </message>
     <message>
         <source>{name} says nothing here: it belongs to {names}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{name} nic tu nie mówi: należy do {names}.</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>wszystkie</translation>
     </message>
     <message>
         <source>form</source>
-        <translation type="unfinished"></translation>
+        <translation>kształt</translation>
     </message>
     <message>
         <source>registration</source>
-        <translation type="unfinished"></translation>
+        <translation>dopasowanie</translation>
     </message>
     <message>
         <source>dynamics</source>
-        <translation type="unfinished"></translation>
+        <translation>dynamika</translation>
     </message>
     <message>
         <source>deflection</source>
-        <translation type="unfinished"></translation>
+        <translation>ugięcie</translation>
     </message>
     <message>
         <source>Which checks are run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Które sprawdzenia są wykonywane.</translation>
     </message>
     <message>
         <source>Drop the record of a tap test here, hammer and sensor over time, or one for each hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Upuść tu zapis próby udarowej, młotek i czujnik w czasie, albo po jednym na uderzenie.</translation>
     </message>
 </context>
 <context>
@@ -17605,11 +17605,11 @@ Wolne oprogramowanie na licencji GNU General Public License, wersja 3 lub nowsza
     </message>
     <message>
         <source>Stability of the poles</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabilność biegunów</translation>
     </message>
     <message>
         <source>All responses</source>
-        <translation type="unfinished"></translation>
+        <translation>Wszystkie charakterystyki</translation>
     </message>
 </context>
 <context>
@@ -18929,46 +18929,46 @@ Wszystkie inne widoki działają.</translation>
     <name>lathelier::tap_panel::TapPanel</name>
     <message>
         <source>%L1 channels · %L2 samples</source>
-        <translation type="unfinished"></translation>
+        <translation>kanały: %L1 · próbki: %L2</translation>
     </message>
 </context>
 <context>
     <name>lathelier::tap_panel::TapViews</name>
     <message>
         <source>Magnitude</source>
-        <translation type="unfinished"></translation>
+        <translation>Moduł</translation>
     </message>
     <message>
         <source>Force</source>
-        <translation type="unfinished">Siła</translation>
+        <translation>Siła</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished"></translation>
+        <translation>Czujnik</translation>
     </message>
     <message>
         <source>Spectrum of the force</source>
-        <translation type="unfinished"></translation>
+        <translation>Widmo siły</translation>
     </message>
     <message>
         <source>Phase</source>
-        <translation type="unfinished">Faza</translation>
+        <translation>Faza</translation>
     </message>
     <message>
         <source>Hits</source>
-        <translation type="unfinished"></translation>
+        <translation>Uderzenia</translation>
     </message>
     <message>
         <source>Coherence</source>
-        <translation type="unfinished">Koherencja</translation>
+        <translation>Koherencja</translation>
     </message>
     <message>
         <source>Use this response</source>
-        <translation type="unfinished">Użyj tej charakterystyki</translation>
+        <translation>Użyj tej charakterystyki</translation>
     </message>
     <message>
         <source>Keeps the response in the project: for modes, lobes and speeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Zachowuje charakterystykę w projekcie: dla postaci, krzywych workowych i prędkości</translation>
     </message>
 </context>
 <context>

@@ -166,7 +166,7 @@ inline SpindleMeasurements tapTests(const Machine& machine, const std::vector<Ta
         for (std::size_t a = 0; a < rod.points_mm.size(); ++a) {
             const std::size_t first = result.frfs.size();
             for (std::size_t b = a; b < rod.points_mm.size(); ++b)
-                result.frfs.push_back({index, a, b, {"", FrfQuantity::Accelerance, {}, {}, {}}});
+                result.frfs.push_back({index, a, b, {"", FrfQuantity::Accelerance, {}, {}, {}, {}}});
             for (double f = 60; f < to_hz + step_hz / 2; f += step_hz) {
                 const Eigen::MatrixXcd w = model.deflections(f, machine(f), rod.points_mm, rod.points_mm[a], mass_g);
                 const double omega = 2 * std::numbers::pi * f;

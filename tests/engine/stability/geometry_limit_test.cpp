@@ -83,7 +83,7 @@ TEST(LimitFromGeometry, IsExactOverAPass)
     LobeParameters lobes;
     lobes.cutting_coefficient_N_mm2 = coefficient_N_mm2;
     lobes.speed_rpm = {{150, 300}};
-    const PassResult found = lobesOverPass(stock, pass, {}, chuck, lobes);
+    const PassResult found = lobesOverPass(stock, pass, {}, {chuck, {}}, lobes);
     for (const PassStation& station : found.stations) {
         const Shaft now = cutShaft(stock, 0, station.z_mm, 0.1);
         receptance::ReceptanceParameters at_tool;

@@ -77,7 +77,10 @@ TEST(LobesOverPass, IsTheLimitOfEachStation)
     EXPECT_NEAR(pointOfPass(result, between).limit_mm, (result.worst.depth_mm[20] + result.worst.depth_mm[21]) / 2,
                 1e-12);
     lobes.cutting_coefficient_N_mm2.reset();
-    EXPECT_EQ(codeOfError([&] { lobesOverPass(steps(), pass, lines, {spindle, {}}, lobes); }), errors::valueNotUnderstood);
+    EXPECT_EQ(codeOfError([&] {
+                  lobesOverPass(steps(), pass, lines, {spindle, {}}, lobes);
+              }),
+              errors::valueNotUnderstood);
 }
 
 }  // namespace

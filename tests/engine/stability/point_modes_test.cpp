@@ -51,8 +51,9 @@ PointResponse shaftOn(double diameter_mm, double length_mm, double loss_factor,
     response.shaft->segments = {{length_mm, diameter_mm, diameter_mm, 0, {}, {}}};
     response.shaft->material.emplace();
     response.shaft->material->loss_factor = loss_factor;
-    response.spindle = spindle;
-    const auto computed = shaftReceptance(*response.shaft, {}, response.spindle, {}, receptance::LinesOf::Refined);
+    response.holding.spindle = spindle;
+    const auto computed =
+        shaftReceptance(*response.shaft, {}, response.holding.spindle, {}, receptance::LinesOf::Refined);
     response.frf = std::make_shared<const Frf>(computed.frf);
     response.natural_frequencies_hz = computed.natural_frequencies_hz.value_or(std::vector<double>());
     return response;

@@ -8,6 +8,7 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/units.h"
+#include "engine/io/frf/frf_noise.h"
 #include "engine/receptance/tap/tap_codes.h"
 #include "engine/receptance/tap/tap_spectra.h"
 
@@ -172,6 +173,7 @@ void takeLines(const TapSpectra& sums, TapResult& result)
         if (is_judged) result.response.coherence.push_back(coherence[k]);
     }
     if (is_judged) result.coherence.assign(coherence.begin() + 1, coherence.end());
+    result.response.noise = io::noiseOf(result.response);
 }
 
 }  // namespace

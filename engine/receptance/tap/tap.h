@@ -72,8 +72,8 @@ struct TapHit {
 };
 
 struct TapResult {
-    std::vector<TapHit> hits;                         ///< in the order of the records and of time
-    Frf response;                                     ///< receptance over the usable lines; coherence from two hits on
+    std::vector<TapHit> hits;  ///< in the order of the records and of time
+    Frf response;              ///< receptance over the usable lines with its noise; coherence from two hits on
     FrfQuantity measured = FrfQuantity::Accelerance;  ///< quantity of the sensor per force
     std::vector<double> frequency_hz;                 ///< all lines above 0
     std::vector<double> force_dB;                     ///< spectrum of the force, relative to its maximum

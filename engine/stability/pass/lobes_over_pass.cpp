@@ -47,9 +47,8 @@ const std::vector<Field<PassParameters>>& fieldsOf(const PassParameters*)
 }
 
 PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
-                         const receptance::ReceptanceParameters& receptance,
-                         const receptance::ShaftHolding& holding, const LobeParameters& lobes,
-                         const Progress& progress)
+                         const receptance::ReceptanceParameters& receptance, const receptance::ShaftHolding& holding,
+                         const LobeParameters& lobes, const Progress& progress)
 {
     checkPass(parameters, lobes);
     cutShaft(stock, parameters.pass_z_mm.front().from, parameters.pass_z_mm.front().to, *parameters.pass_depth_mm);
@@ -78,8 +77,7 @@ PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
         at_tool.respond_z_mm = at_tool.excite_z_mm = z_mm;
         LobeParameters asked = lobes;
         if (asked.process_damping_N_mm) asked.diameter_mm = station.diameter_mm;
-        const Frf frf =
-            receptance::receptanceOf(now, material, at_tool, holding, part, receptance::LinesOf::Refined);
+        const Frf frf = receptance::receptanceOf(now, material, at_tool, holding, part, receptance::LinesOf::Refined);
         const LobeLimit limit = limitOf(frf, asked, part);
         if (row == 0) result.speed_rpm = result.worst.speed_rpm = limit.speed_rpm;
         for (std::size_t i = 0; i < columns; ++i) {

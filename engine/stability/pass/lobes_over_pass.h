@@ -50,9 +50,8 @@ struct PassResult {
 /// coefficient (needed), relation, one range of speeds (needed), points; process damping uses the machined diameter.
 /// Errors: valueNotUnderstood; those of cutShaft(), shaftReceptance() and findLobes(). Throws Cancelled.
 PassResult lobesOverPass(const Shaft& stock, const PassParameters& parameters,
-                         const receptance::ReceptanceParameters& receptance,
-                         const receptance::ShaftHolding& holding, const LobeParameters& lobes,
-                         const Progress& progress = {});
+                         const receptance::ReceptanceParameters& receptance, const receptance::ShaftHolding& holding,
+                         const LobeParameters& lobes, const Progress& progress = {});
 
 /// Stability of the whole pass at one spindle speed.
 struct PassPoint {

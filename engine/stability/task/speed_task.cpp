@@ -203,6 +203,8 @@ SpeedOutcome answerSpeed(const project::PanelState& state, Stores& stores, task:
         }
         outcome.near = std::make_shared<const LobeResult>(findLobes(
             *outcome.response.frf, shownLobes(outcome, *selected), progress.part(0.9, 1), outcome.response.model));
+        for (const Note& note : outcome.near->notes)  // what is said of the response, not of lobes
+            if (note.code == notes::minimumInNoise || note.code == notes::minimumNotResolved) found.push_back(note);
     }
     outcome.record(state, sources, found);
     progress.report(1);

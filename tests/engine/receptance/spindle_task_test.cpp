@@ -20,7 +20,7 @@ namespace {
 
 class SpindleTask : public testing::Test {
 protected:
-    /// Writes responses and MEASUREMENTS.json, the rods without points beyond them.
+    /// Writes responses and MEASUREMENTS.json.
     void write(const SpindleMeasurements& made)
     {
         std::vector<io::MeasuredFrf> responses;
@@ -30,16 +30,15 @@ protected:
                 {one.frf, static_cast<int>(rod.nodeOf(one.point_a)), 1, static_cast<int>(rod.nodeOf(one.point_b)), 1});
         }
         io::writeFile((folder_ / "taps.uff").string(), io::toUff(responses));
-        MeasurementFile file;
-        file.frf = "taps.uff";
+        Json file{{"frf", "taps.uff"}, {"rods", Json::array()}};
         for (const MeasuredRod& rod : made.rods) {
-            RodEntry& entry = file.rods.emplace_back();
-            entry.length_mm = rod.shaft.length_mm();
-            entry.diameter_mm = 40;
+            Json points = Json::array();
             for (std::size_t k = 0; k < rod.distance_from_chuck_mm.size(); ++k)
-                entry.points.push_back({static_cast<int>(rod.nodeOf(k)), rod.distance_from_chuck_mm[k], {}});
+                points.push_back({{"node", rod.nodeOf(k)}, {"distance_from_chuck_mm", rod.distance_from_chuck_mm[k]}});
+            file["rods"].push_back(
+                {{"length_mm", rod.shaft.length_mm()}, {"diameter_mm", 40}, {"points", std::move(points)}});
         }
-        io::writeFile((folder_ / "taps.json").string(), toJson(lathelier::toValues(file)).dump());
+        io::writeFile((folder_ / "taps.json").string(), file.dump());
     }
     std::shared_ptr<const SpindleOutcome> answered()
     {

@@ -5424,12 +5424,12 @@
         <translation>Zalecane: {speed:0} obr/min, stabilne do {limit:3} ×</translation>
     </message>
     <message>
-        <source>Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm</source>
-        <translation>Zalecane: {speed:0} obr/min, stabilne do {limit_mm:3} mm</translation>
+        <source>Recommended: {speed:0} 1/min, stable up to {limit_mm:3+} mm</source>
+        <translation>Zalecane: {speed:0} obr/min, stabilne do {limit_mm:3+} mm</translation>
     </message>
     <message>
-        <source>Stable at every speed up to {depth_mm:3} mm</source>
-        <translation>Stabilne przy każdej prędkości do {depth_mm:3} mm</translation>
+        <source>Stable at every speed up to {depth_mm:3+} mm</source>
+        <translation>Stabilne przy każdej prędkości do {depth_mm:3+} mm</translation>
     </message>
     <message>
         <source>{lines} lines are too many to be kept in a project; at most {maximum} are.</source>
@@ -14056,24 +14056,24 @@
         <translation>Żadna prędkość od {from:0} do {to:0} 1/min nie jest stabilna przy {depth:3} ×; najwięcej to {limit:3} × przy {speed:0} 1/min</translation>
     </message>
     <message>
-        <source>No speed from {from:0} to {to:0} 1/min is stable at {depth_mm:3} mm; the most is {limit_mm:3} mm at {speed:0} 1/min</source>
-        <translation>Żadna prędkość od {from:0} do {to:0} 1/min nie jest stabilna przy {depth_mm:3} mm; najwięcej to {limit_mm:3} mm przy {speed:0} 1/min</translation>
+        <source>No speed from {from:0} to {to:0} 1/min is stable at {depth_mm:3+} mm; the most is {limit_mm:3+} mm at {speed:0} 1/min</source>
+        <translation>Żadna prędkość od {from:0} do {to:0} 1/min nie jest stabilna przy {depth_mm:3+} mm; najwięcej to {limit_mm:3+} mm przy {speed:0} 1/min</translation>
     </message>
     <message>
         <source>At {speed:0} 1/min no deeper than {limit:3} ×</source>
         <translation>Przy {speed:0} 1/min nie głębiej niż {limit:3} ×</translation>
     </message>
     <message>
-        <source>At {speed:0} 1/min no deeper than {limit_mm:3} mm</source>
-        <translation>Przy {speed:0} 1/min nie głębiej niż {limit_mm:3} mm</translation>
+        <source>At {speed:0} 1/min no deeper than {limit_mm:3+} mm</source>
+        <translation>Przy {speed:0} 1/min nie głębiej niż {limit_mm:3+} mm</translation>
     </message>
     <message>
         <source>The most is {limit:3} × at {speed:0} 1/min</source>
         <translation>Najwięcej to {limit:3} × przy {speed:0} 1/min</translation>
     </message>
     <message>
-        <source>The most is {limit_mm:3} mm at {speed:0} 1/min</source>
-        <translation>Najwięcej to {limit_mm:3} mm przy {speed:0} 1/min</translation>
+        <source>The most is {limit_mm:3+} mm at {speed:0} 1/min</source>
+        <translation>Najwięcej to {limit_mm:3+} mm przy {speed:0} 1/min</translation>
     </message>
     <message>
         <source>Limit and lobes (CSV)…</source>
@@ -14604,8 +14604,8 @@
         <translation>ta prędkość {speed}</translation>
     </message>
     <message>
-        <source>The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: {depth_mm:3} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives {exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.</source>
-        <translation>Reguła z artykułów, która nie zna głębokości, daje {speed_rpm} 1/min dla z = {z_start_mm} … {z_end_mm} mm: przy {depth_mm:3} mm występują tam drgania samowzbudne, stabilne jest do {stable_depth_mm:3} mm. Zależność ścisła daje {exact_rpm:0} 1/min, stabilnie do {exact_depth_mm:3} mm.</translation>
+        <source>The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: {depth_mm:3+} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives {exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.</source>
+        <translation>Reguła z artykułów, która nie zna głębokości, daje {speed_rpm} 1/min dla z = {z_start_mm} … {z_end_mm} mm: przy {depth_mm:3+} mm występują tam drgania samowzbudne, stabilne jest do {stable_depth_mm:3} mm. Zależność ścisła daje {exact_rpm:0} 1/min, stabilnie do {exact_depth_mm:3} mm.</translation>
     </message>
     <message>
         <source>The worn part: a point cloud or mesh.</source>

@@ -44,12 +44,13 @@ double readable(double converted)
     return std::round(converted * digit) / digit;
 }
 
-/// {name} or {name:+3} of a pattern.
+/// {name}, {name:+3} or {name:3+} of a pattern.
 struct Brace {
     std::size_t begin = 0, end = 0;  ///< in the pattern, braces included
     std::string_view name;
     std::optional<int> decimals;  ///< none: as the number needs
     bool is_signed = false;       ///< "+" is written
+    bool is_least = false;        ///< more decimals where a small value needs them for three digits
 };
 
 std::optional<Brace> nextBrace(std::string_view pattern, std::size_t from)
@@ -57,13 +58,14 @@ std::optional<Brace> nextBrace(std::string_view pattern, std::size_t from)
     const std::size_t open = pattern.find('{', from);
     const std::size_t close = open == std::string_view::npos ? open : pattern.find('}', open);
     if (close == std::string_view::npos) return std::nullopt;
-    Brace brace{open, close + 1, pattern.substr(open + 1, close - open - 1), {}, false};
+    Brace brace{open, close + 1, pattern.substr(open + 1, close - open - 1), {}};
     const std::size_t colon = brace.name.find(':');
     if (colon == std::string_view::npos) return brace;
     std::string_view digits = brace.name.substr(colon + 1);
     brace.name = brace.name.substr(0, colon);
     brace.is_signed = digits.starts_with('+');
     if (brace.is_signed) digits.remove_prefix(1);
+    brace.is_least = digits.ends_with('+');
     int decimals = 0;
     if (std::from_chars(digits.data(), digits.data() + digits.size(), decimals).ec == std::errc())
         brace.decimals = decimals;
@@ -126,6 +128,15 @@ std::string withUnits(std::string piece, const Lengths& lengths, const Language&
     return piece;
 }
 
+/// Decimals beyond `decimals` that show three digits of a small value, up to nine in all.
+int moreDecimals(double size, int decimals)
+{
+    constexpr int digits = 3, most = 9;
+    if (!(std::abs(size) > 0) || !std::isfinite(size)) return 0;
+    const int needed = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(size))));
+    return std::clamp(needed - decimals, 0, std::max(0, most - decimals));
+}
+
 /// The value of a brace. Numbers of lengths as they are shown.
 std::string textOfBrace(const Value& value, const Brace& brace, const Lengths& lengths, const Language& language)
 {
@@ -135,8 +146,9 @@ std::string textOfBrace(const Value& value, const Brace& brace, const Lengths& l
     const ShownUnit shown = lengths.has(unit) ? shownUnit(unit, language) : ShownUnit{};
     const double size = *exact * shown.factor;
     const std::string sign = brace.is_signed && size > 0 ? "+" : "";
-    return sign + (brace.decimals ? fixed(size, std::max(0, *brace.decimals + shown.more_decimals), language)
-                                  : numberText(size, language));
+    const int more = shown.more_decimals + (brace.is_least ? moreDecimals(size, brace.decimals.value_or(0)) : 0);
+    return sign +
+           (brace.decimals ? fixed(size, std::max(0, *brace.decimals + more), language) : numberText(size, language));
 }
 
 }  // namespace

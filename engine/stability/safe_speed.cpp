@@ -179,21 +179,21 @@ std::vector<report::Finding> findingsOf(const SafeSpeed& safe, bool is_relative,
         best.pattern = LT_TEXT("Engine", "Recommended: {speed:0} 1/min, where no lobe limits the depth");
     else if (safe.best.is_stable)
         best.pattern = is_relative ? LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit:3} ×")
-                                   : LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit_mm:3} mm");
+                                   : LT_TEXT("Engine", "Recommended: {speed:0} 1/min, stable up to {limit_mm:3+} mm");
     else
-        best.pattern = is_relative
-                           ? LT_TEXT("Engine",
-                                     "No speed from {from:0} to {to:0} 1/min is stable at {depth:3} ×; the most is "
-                                     "{limit:3} × at {speed:0} 1/min")
-                           : LT_TEXT("Engine",
-                                     "No speed from {from:0} to {to:0} 1/min is stable at {depth_mm:3} mm; the most is "
-                                     "{limit_mm:3} mm at {speed:0} 1/min");
+        best.pattern =
+            is_relative ? LT_TEXT("Engine",
+                                  "No speed from {from:0} to {to:0} 1/min is stable at {depth:3} ×; the most is "
+                                  "{limit:3} × at {speed:0} 1/min")
+                        : LT_TEXT("Engine",
+                                  "No speed from {from:0} to {to:0} 1/min is stable at {depth_mm:3+} mm; the most is "
+                                  "{limit_mm:3+} mm at {speed:0} 1/min");
     best.verdict = safe.best.is_stable ? std::nullopt : std::optional(Verdict::Fail);
     best.offer = {{speedKey, std::round(safe.best.speed_rpm)}};
     findings.push_back(std::move(best));
     if (!safe.selected.is_stable)
         findings.push_back({is_relative ? LT_TEXT("Engine", "At {speed:0} 1/min no deeper than {limit:3} ×")
-                                        : LT_TEXT("Engine", "At {speed:0} 1/min no deeper than {limit_mm:3} mm"),
+                                        : LT_TEXT("Engine", "At {speed:0} 1/min no deeper than {limit_mm:3+} mm"),
                             {{"speed", std::round(safe.question.selected_rpm)},
                              {"limit", valueOf(safe.selected.limit)},
                              {"limit_mm", valueOf(safe.selected.limit)}},

@@ -243,7 +243,7 @@ report::Answer answer(const LobesOutcome& outcome, const Language& language)
     if (!outcome.is_judged && outcome.safe.best.limit)
         told.findings.push_back({lobes.isRelative()
                                      ? LT_TEXT("Engine", "The most is {limit:3} × at {speed:0} 1/min")
-                                     : LT_TEXT("Engine", "The most is {limit_mm:3} mm at {speed:0} 1/min"),
+                                     : LT_TEXT("Engine", "The most is {limit_mm:3+} mm at {speed:0} 1/min"),
                                  {{"speed", outcome.safe.best.speed_rpm},
                                   {"limit", *outcome.safe.best.limit},
                                   {"limit_mm", *outcome.safe.best.limit}},
@@ -254,7 +254,7 @@ report::Answer answer(const LobesOutcome& outcome, const Language& language)
         if (const auto check = checkModel(*outcome.marks, lobes))
             told.findings.push_back(modelFinding(*outcome.marks, *check, language));
     if (outcome.is_judged && lobes.minimum_depth_mm && !lobes.isRelative())
-        told.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth_mm:3} mm"),
+        told.findings.push_back({LT_TEXT("Engine", "Stable at every speed up to {depth_mm:3+} mm"),
                                  {{"depth_mm", *lobes.minimum_depth_mm}},
                                  {},
                                  {}});

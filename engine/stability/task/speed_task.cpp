@@ -6,6 +6,7 @@
 #include "engine/core/field_within.h"
 #include "engine/core/json.h"
 #include "engine/core/units.h"
+#include "engine/stability/depth_digits.h"
 #include "engine/stability/refusal.h"
 #include "engine/stability/stability_codes.h"
 #include "engine/stability/stability_quantities.h"
@@ -239,11 +240,12 @@ report::Answer answer(const SpeedOutcome& outcome, const Language& language)
     told.verdict = safe.best.is_stable ? Verdict::Pass : Verdict::Fail;
     told.verdict_words = safe.best.is_stable ? LT_TEXT("Engine", "✓ stable") : LT_TEXT("Engine", "✗ chatter");
     if (!safe.best.is_stable) told.quantity = LT_TEXT("Engine", "Speed that bears the most");
+    const auto shown = [&](double depth_mm) { return fixed(depth_mm, depthDecimals(depth_mm), language); };
     told.values = {{"selected", fixed(safe.question.selected_rpm, 0, language)},
-                   {"depth", fixed(safe.question.depth, 3, language)},
-                   {"limit", fixed(safe.best.limit.value_or(notANumber), 3, language)},
-                   {"margin", fixed(safe.best.margin.value_or(notANumber), 3, language)},
-                   {"largest", fixed(safe.selected.limit.value_or(notANumber), 3, language)}};
+                   {"depth", shown(safe.question.depth)},
+                   {"limit", shown(safe.best.limit.value_or(notANumber))},
+                   {"margin", shown(safe.best.margin.value_or(notANumber))},
+                   {"largest", shown(safe.selected.limit.value_or(notANumber))}};
     if (!safe.best.limit)
         told.sentence = LT_TEXT("Engine", "No lobe limits the depth here · instead of {selected}");
     else if (!safe.best.is_stable)

@@ -14604,8 +14604,8 @@
         <translation>ta prędkość {speed}</translation>
     </message>
     <message>
-        <source>The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: {depth_mm:3+} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives {exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.</source>
-        <translation>Reguła z artykułów, która nie zna głębokości, daje {speed_rpm} 1/min dla z = {z_start_mm} … {z_end_mm} mm: przy {depth_mm:3+} mm występują tam drgania samowzbudne, stabilne jest do {stable_depth_mm:3} mm. Zależność ścisła daje {exact_rpm:0} 1/min, stabilnie do {exact_depth_mm:3} mm.</translation>
+        <source>The rule of the papers, which knows no depth, gives {speed_rpm} 1/min for z = {z_start_mm} … {z_end_mm} mm: {depth_mm:3} mm chatter there, up to {stable_depth_mm:3} mm are stable. The exact relation gives {exact_rpm:0} 1/min, stable up to {exact_depth_mm:3} mm.</source>
+        <translation>Reguła z artykułów, która nie zna głębokości, daje {speed_rpm} 1/min dla z = {z_start_mm} … {z_end_mm} mm: przy {depth_mm:3} mm występują tam drgania samowzbudne, stabilne jest do {stable_depth_mm:3} mm. Zależność ścisła daje {exact_rpm:0} 1/min, stabilnie do {exact_depth_mm:3} mm.</translation>
     </message>
     <message>
         <source>The worn part: a point cloud or mesh.</source>

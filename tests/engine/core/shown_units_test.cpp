@@ -23,6 +23,16 @@ TEST(ShownUnits, ANumberHasTheDecimalsAndTheSignThatThePatternAsksFor)
     EXPECT_EQ(fill("{a:2", {{"a", 1.0}}), "{a:2");
 }
 
+TEST(ShownUnits, SmallValuesKeepThreeDigitsWhereAsked)
+{
+    const auto shown = [](double value) { return fill("{a:3+}", {{"a", value}}); };
+    EXPECT_EQ(shown(12.5), "12.500");
+    EXPECT_EQ(shown(0.0002697912), "0.000270");
+    EXPECT_EQ(shown(-0.0421), "-0.0421");
+    EXPECT_EQ(shown(0), "0.000");
+    EXPECT_EQ(shown(1e-12), "0.000000000");
+}
+
 TEST(ShownUnits, ASentenceInInches)
 {
     const Values values{{"value_mm", 0.0508}, {"uncertainty_mm", 0.0127}, {"from_mm", 25.4}, {"to_mm", 50.8}};

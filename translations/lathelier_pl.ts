@@ -15651,6 +15651,10 @@
         <source>Drop the record of a tap test here, hammer and sensor over time, or one for each hit.</source>
         <translation>Upuść tu zapis próby udarowej, młotek i czujnik w czasie, albo po jednym na uderzenie.</translation>
     </message>
+    <message>
+        <source>Real modes leave {real_percent} % of the response; modes whose residues have a phase are fitted, which leave {error_percent} %.</source>
+        <translation>Postacie rzeczywiste zostawiają {real_percent} % charakterystyki; dopasowano postacie, których reszty mają fazę, te zostawiają {error_percent} %.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

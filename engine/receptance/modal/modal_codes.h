@@ -52,6 +52,12 @@ inline constexpr NoteCode modesBeyond{
             "A mode outside the fitted range takes part in the fit (near {frequency_hz} Hz); it stands for what lies "
             "there and is not measured.")};
 
+inline constexpr NoteCode complexModes{
+    "complex_modes", Severity::Info,
+    LT_TEXT("Engine",
+            "Real modes leave {real_percent} % of the response; modes whose residues have a phase are fitted, which "
+            "leave {error_percent} %.")};
+
 inline constexpr NoteCode fitLeavesMore{
     "fit_leaves_more", Severity::Warning,
     LT_TEXT(

@@ -186,6 +186,36 @@ Refined foundModel(std::vector<FitLines>& lines, std::span<const ResponseToFit> 
     return found;
 }
 
+/// A fit with real or complex residues, of each response.
+std::vector<ModalFit> fitted(std::vector<FitLines> lines, std::span<const ResponseToFit> responses,
+                             const OrderRequest& request, const Progress& progress)
+{
+    const Refined found = foundModel(lines, responses, request, progress);
+    std::vector<ModalFit> fits;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ModalFit& fit = fits.emplace_back();
+        fit.parameters.modes = request.modes;
+        fit.parameters.complex_residues = request.complex_residues;
+        fit.range_hz = request.range_hz;
+        describe(fit, found, lines, i);
+        compare(fit, found, lines[i], i);
+        addNotes(fit, found.converged);
+    }
+    return fits;
+}
+
+/// Half the error with no more modes.
+bool isMuchBetter(const std::vector<ModalFit>& one, const std::vector<ModalFit>& other)
+{
+    constexpr double much = 0.5;
+    double error = 0, of_other = 0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        error += one[i].error_rms_percent * one[i].error_rms_percent;
+        of_other += other[i].error_rms_percent * other[i].error_rms_percent;
+    }
+    return error < much * much * of_other && one.front().modes.size() <= other.front().modes.size();
+}
+
 }  // namespace
 
 const std::vector<Field<ModalParameters>>& fieldsOf(const ModalParameters*)
@@ -233,16 +263,20 @@ std::vector<ModalFit> fitResponses(std::span<const ResponseToFit> responses, con
     request.range_hz = spanOf(lines);
     const std::vector<OrderPole> orders = polesByOrder(lines, progress.part(0, 0.1));
     request.stable = stablePoles(orders);
-    const Refined found = foundModel(lines, responses, request, progress.part(0.1, 1));
-    std::vector<ModalFit> fits;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        ModalFit& fit = fits.emplace_back();
-        fit.parameters = parameters;
-        fit.range_hz = request.range_hz;
+    std::vector<ModalFit> fits = fitted(lines, responses, request, progress.part(0.1, 0.6));
+    if (!request.complex_residues && std::any_of(fits.begin(), fits.end(), leavesMore)) {
+        request.complex_residues = true;
+        std::vector<ModalFit> complex = fitted(lines, responses, request, progress.part(0.6, 1));
+        if (isMuchBetter(complex, fits)) {
+            for (std::size_t i = 0; i < fits.size(); ++i) noteComplexModes(complex[i], fits[i].error_rms_percent);
+            fits = std::move(complex);
+        }
+    }
+    for (ModalFit& fit : fits) {
         fit.orders = orders;
-        describe(fit, found, lines, i);
-        compare(fit, found, lines[i], i);
-        addNotes(fit, found.converged);
+        const bool complex_residues = fit.parameters.complex_residues;
+        fit.parameters = parameters;
+        fit.parameters.complex_residues = complex_residues;
     }
     progress.report(1);
     return fits;

@@ -33,7 +33,8 @@ enum class DrivingPoint { Automatic, Yes, No };
 struct ModalParameters {
     int modes = 0;                   ///< number of modes, 1 to 8; 0: selected by the criterion
     std::vector<Interval> range_hz;  ///< frequency range used, one interval; empty: all above 0 Hz
-    bool complex_residues = false;   ///< complex modes (phases other than 0 and 180°)
+    bool complex_residues =
+        false;  ///< complex modes (phases other than 0 and 180°); also where real ones leave much more
     DrivingPoint driving_point = DrivingPoint::Automatic;  ///< Automatic: as is known of the response
     friend bool operator==(const ModalParameters&, const ModalParameters&) = default;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double resolvedLines = 4;  ///< least number of lines in a half-power band of a resolved mode
 constexpr double uncertain = 0.3;    ///< relative standard uncertainty of a stiffness reported as large
-constexpr double leavesMore = 2.5, leastScatter_percent = 1;  ///< error over scatter that is said
+constexpr double muchMore = 2.5, leastScatter_percent = 1;  ///< error over scatter that is said
 
 /// Two digits.
 double significant(double percent)
@@ -21,6 +21,18 @@ double significant(double percent)
 }
 
 }  // namespace
+
+bool leavesMore(const ModalFit& fit)
+{
+    return fit.error_rms_percent > muchMore * std::max(fit.scatter_percent, leastScatter_percent);
+}
+
+void noteComplexModes(ModalFit& fit, double real_error_percent)
+{
+    fit.notes.push_back(
+        {notes::complexModes,
+         {{"real_percent", significant(real_error_percent)}, {"error_percent", significant(fit.error_rms_percent)}}});
+}
 
 void addNotes(ModalFit& fit, bool converged)
 {
@@ -48,8 +60,7 @@ void addNotes(ModalFit& fit, bool converged)
     }
     for (const ModalMode& mode : fit.model.beyond)
         notes.push_back({notes::modesBeyond, {{"frequency_hz", rounded(mode.frequency_hz)}}});
-    const double scatter = std::max(fit.scatter_percent, leastScatter_percent);
-    if (fit.error_rms_percent > leavesMore * scatter)
+    if (leavesMore(fit))
         notes.push_back({notes::fitLeavesMore,
                          {{"error_percent", significant(fit.error_rms_percent)},
                           {"scatter_percent", significant(fit.scatter_percent)}}});

@@ -13,6 +13,7 @@ constexpr double largestResidueError = 0.35, largestDampingError = 0.5;  ///< la
                                                                          ///< determined term
 constexpr double largestDamping = 0.25;  ///< damping ratio above which a term is not a resonance
 constexpr double leastShare = 0.03;      ///< least contribution relative to |G| at its own frequency
+constexpr double leastWideShare = 0.5;   ///< likewise of a wide one, which errors of other modes' damping imitate
 constexpr double cancelling = 60;   ///< contribution relative to |G| at its own frequency that indicates cancelling
                                     ///< terms
 constexpr double modesApart = 0.5;  ///< least distance of two modes, in half-power half-widths ζ f_n of the wider one
@@ -106,7 +107,8 @@ bool isSound(const Refined& fit, Lines lines, std::size_t k, const OrderRequest&
         if (request.signs[i] == ResidueSign::Positive && residue.a_mm_N < 0) return false;
         const double here = std::abs(valueOf(fit.poles, fit.responses[i], pole.frequency_hz)),
                      alone = sizeOf(residue) / (2 * pole.damping);
-        is_seen |= alone >= leastShare * here && alone <= cancelling * here;
+        const double least = pole.damping > wideDamping ? leastWideShare : leastShare;
+        is_seen |= alone >= least * here && alone <= cancelling * here;
     }
     return is_seen && isApart(fit, k);
 }

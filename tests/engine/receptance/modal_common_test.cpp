@@ -123,6 +123,30 @@ TEST(CommonFit, DampingTimesStiffnessIsSurerThanEither)
     EXPECT_LT(predicted, .7 * independent);
 }
 
+/// Where damping couples the modes, as two loss factors do, real modes would need a further one that is not there.
+TEST(ComplexFit, IsTakenWhereRealModesLeaveMuch)
+{
+    ModalModel model;
+    model.modes = {{360, .024, 2500, 4}, {1070, .02, 22000, -9}};
+    std::vector<double> lines;
+    for (double f = 50; f <= 1500; f += 1) lines.push_back(f);
+    const ModalFit fit = fitModes(synthesised(model, lines));
+    ASSERT_THAT(fit.modes, SizeIs(2));
+    EXPECT_TRUE(fit.parameters.complex_residues);
+    EXPECT_LT(fit.error_rms_percent, 0.1);
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_NEAR(fit.modes[k].mode.frequency_hz, model.modes[k].frequency_hz, 0.1);
+        EXPECT_NEAR(fit.modes[k].mode.damping_ratio, model.modes[k].damping_ratio, 1e-4);
+        EXPECT_NEAR(fit.modes[k].mode.phase_deg, model.modes[k].phase_deg, 0.2);
+    }
+    EXPECT_TRUE(contains(fit.notes, notes::complexModes));
+    ModalModel real = model;
+    for (ModalMode& mode : real.modes) mode.phase_deg = 0;
+    const ModalFit of_real = fitModes(synthesised(real, lines));
+    EXPECT_FALSE(of_real.parameters.complex_residues);
+    EXPECT_FALSE(contains(of_real.notes, notes::complexModes));
+}
+
 TEST(CommonFit, AnItemKeepsModesWithTheirUncertainties)
 {
     const UncertainModel model = uncertainModelOf(fitModes(tapped(0, 1, .01)));

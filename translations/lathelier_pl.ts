@@ -5800,10 +5800,6 @@
         <translation>Reszta każdej charakterystyki</translation>
     </message>
     <message>
-        <source>used</source>
-        <translation>użyte</translation>
-    </message>
-    <message>
         <source>Measured by a hammer or shaker: UFF, CSV or MAT.</source>
         <translation>Zmierzona młotkiem lub wzbudnikiem: UFF, CSV albo MAT.</translation>
     </message>
@@ -15004,18 +15000,6 @@
         <translation>Pręt</translation>
     </message>
     <message>
-        <source>Node that responds</source>
-        <translation>Węzeł odpowiedzi</translation>
-    </message>
-    <message>
-        <source>Node that is tapped</source>
-        <translation>Węzeł uderzany</translation>
-    </message>
-    <message>
-        <source>χ² per degree of freedom</source>
-        <translation>χ² na stopień swobody</translation>
-    </message>
-    <message>
         <source>Shafts on springs against finite elements</source>
         <translation>Wały na sprężynach względem elementów skończonych</translation>
     </message>
@@ -15654,6 +15638,18 @@
     <message>
         <source>Real modes leave {real_percent} % of the response; modes whose residues have a phase are fitted, which leave {error_percent} %.</source>
         <translation>Postacie rzeczywiste zostawiają {real_percent} % charakterystyki; dopasowano postacie, których reszty mają fazę, te zostawiają {error_percent} %.</translation>
+    </message>
+    <message>
+        <source>Response node</source>
+        <translation>Węzeł odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Force node</source>
+        <translation>Węzeł siły</translation>
+    </message>
+    <message>
+        <source>χ² per degree</source>
+        <translation>χ² na stopień</translation>
     </message>
 </context>
 <context>

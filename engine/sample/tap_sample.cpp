@@ -42,7 +42,7 @@ std::vector<TapPulse> tapPulses()
     return pulses;
 }
 
-double pulseForce_N(const TapPulse& pulse, double time_s)
+double pulseForce(const TapPulse& pulse, double time_s)
 {
     const double since = time_s - pulse.start_s;
     return since > 0 && since < pulse_s ? pulse.peak_N * std::sin(std::numbers::pi * since / pulse_s) : 0;
@@ -67,7 +67,7 @@ double accelerationOfSine(const TapMode& mode, double drive_rad_s, double since_
 }
 
 /// A half-sine is a sine from its start and another one from its end.
-double accelerationOf_mm_s2(const TapPulse& pulse, double time_s)
+double accelerationOf(const TapPulse& pulse, double time_s)
 {
     double sum = 0;
     for (const TapMode& mode : tapModes)
@@ -88,8 +88,8 @@ SampleContent makeTap(std::uint64_t seed, const Progress& progress)
         double force = forceNoise_N * randomNormal(seed, forceStream, i);
         double acceleration = sensorNoise_m_s2 * randomNormal(seed, sensorStream, i);
         for (const TapPulse& pulse : pulses) {
-            force += pulseForce_N(pulse, time_s);
-            acceleration += 1e-3 * accelerationOf_mm_s2(pulse, time_s);
+            force += pulseForce(pulse, time_s);
+            acceleration += 1e-3 * accelerationOf(pulse, time_s);
         }
         text += fmt::format("{:.8f},{:.3f},{:.4f}\n", time_s, force, acceleration);
     }

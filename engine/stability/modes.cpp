@@ -35,7 +35,7 @@ std::vector<double> linesAround(const std::vector<Mode>& modes, const Interval& 
     std::vector<double> lines;
     for (double f = range_hz.from; f < range_hz.to; f *= density.ratio) lines.push_back(f);
     lines.push_back(range_hz.to);
-    const double highest = highestFrequency_hz(modes);
+    const double highest = highestFrequency(modes);
     for (const Mode& mode : modes) {
         if (!mode.isResonance() && highest != mode.frequency_hz) continue;
         const double step = mode.damping_ratio * mode.frequency_hz / density.per_width;
@@ -67,7 +67,7 @@ std::string keyOf(const std::vector<Mode>& modes)
     return key;
 }
 
-double highestFrequency_hz(std::span<const Mode> modes)
+double highestFrequency(std::span<const Mode> modes)
 {
     double resonance = 0, any = 0;
     for (const Mode& mode : modes) {
@@ -91,7 +91,7 @@ std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequen
 Frf frfOf(const std::vector<Mode>& modes, double highest_speed_rpm)
 {
     Frf frf;
-    const double highest = highestFrequency_hz(modes);
+    const double highest = highestFrequency(modes);
     if (!(highest > 0)) return frf;
     double lowest = highest;
     for (const Mode& mode : modes)

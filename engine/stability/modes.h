@@ -56,7 +56,7 @@ Mode complianceMode(double compliance_mm_N);
 std::string keyOf(const std::vector<Mode>& modes);
 
 /// The highest frequency of a resonance; of all modes with mass where there is none.
-double highestFrequency_hz(std::span<const Mode> modes);
+double highestFrequency(std::span<const Mode> modes);
 
 /// Receptance in mm/N at one frequency.
 std::complex<double> receptanceOf(const std::vector<Mode>& modes, double frequency_hz);

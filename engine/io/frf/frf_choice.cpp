@@ -63,7 +63,7 @@ std::string otherResponses(std::span<const MeasuredFrf> responses, const Measure
 
 }  // namespace
 
-double flexibility_mm_N(const Frf& frf)
+double largestFlexibility(const Frf& frf)
 {
     const Frf receptance = toReceptance(frf);
     double largest = 0, before = 0, last = 0;  // of the two lines before
@@ -85,7 +85,7 @@ const MeasuredFrf& preferredResponse(std::span<const MeasuredFrf> responses)
         double largest = -1;
         for (const MeasuredFrf& response : responses) {
             if (!fits(response)) continue;
-            const double flexibility = flexibility_mm_N(response.frf);
+            const double flexibility = largestFlexibility(response.frf);
             if (flexibility > largest) softest = &response;
             largest = std::max(largest, flexibility);
         }

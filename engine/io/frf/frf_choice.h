@@ -17,13 +17,13 @@ const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const 
 /// FrfOptions::response.
 const MeasuredFrf& chosenResponse(std::span<const MeasuredFrf> responses, const FrfOptions& options);
 
-/// The response that is taken when none is named: of the driving points that of the largest flexibility_mm_N(), as it
+/// The response that is taken when none is named: of the driving points that of largestFlexibility(), as it
 /// limits the depth of cut most; without a driving point the first. Of equals the first.
 const MeasuredFrf& preferredResponse(std::span<const MeasuredFrf> responses);
 
 /// Largest -Re of the receptance that three lines in a row reach, which a single noisy line does not; lines of a stated
 /// coherence below 0.8, and those that hardly exceed their noise, are left out. 0 without such lines.
-double flexibility_mm_N(const Frf& frf);
+double largestFlexibility(const Frf& frf);
 
 /// Of several responses severalResponses, which names the nodes used and the others, and noDrivingPoint where all
 /// state their nodes and none is a driving point. The notes contain `path`; none for a single response.

@@ -55,7 +55,7 @@ struct Loadings {
     {
         for (std::size_t rod = 0; rod < measurements.rods.size(); ++rod) all.push_back({rod, {}, 0});
         for (const RodFrf& one : measurements.frfs) {
-            const double mass_g = measurements.rods[one.rod].massAt_g(one.point_a);
+            const double mass_g = measurements.rods[one.rod].massAt(one.point_a);
             const Loading wanted = mass_g > 0 ? Loading{one.rod, one.point_a, mass_g} : Loading{one.rod, {}, 0};
             const auto found = std::find(all.begin(), all.end(), wanted);
             of_frf.push_back(static_cast<std::size_t>(found - all.begin()));

@@ -33,7 +33,7 @@ std::int64_t MeasuredRod::nodeOf(std::size_t point) const
     return point < node.size() ? node[point] : static_cast<std::int64_t>(point) + 1;
 }
 
-double MeasuredRod::massAt_g(std::size_t point) const
+double MeasuredRod::massAt(std::size_t point) const
 {
     return point < accelerometer_mass_g.size() ? accelerometer_mass_g[point] : 0;
 }

@@ -21,7 +21,7 @@ struct MeasuredRod {
     std::vector<double> accelerometer_mass_g = {};  ///< by point, of the sensor where it responds; empty: none
 
     std::int64_t nodeOf(std::size_t point) const;
-    double massAt_g(std::size_t point) const;
+    double massAt(std::size_t point) const;
 };
 
 /// A measured frequency response between two points of a rod. Without the mass of an accelerometer their order is

@@ -129,6 +129,7 @@ std::vector<double> varianceByScatter(const Frf& frf)
     for (double& one : x) one /= squaresOfDifference;
     const auto [a, b] = fittedVariance(x, y);
     std::vector<double> variance;
+    variance.reserve(magnitude.size());
     for (const double one : magnitude) variance.push_back(a + b * one);
     return variance;
 }

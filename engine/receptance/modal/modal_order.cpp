@@ -212,7 +212,7 @@ Refined withoutNoise(Refined fit, Lines lines, const OrderRequest& request, cons
 bool hasCourse(const FitLines& lines, const Refined& fit, std::size_t response, const std::vector<double>& scatter)
 {
     constexpr std::size_t stretches = 16;
-    constexpr double mostOfNoise = 2 * stretches + 4 * 8;  // mean and four standard deviations of χ² with 32 degrees
+    constexpr double mostOfNoise = 2.0 * stretches + 4 * 8;  // mean and four standard deviations of χ² with 32 degrees
     const auto errors = weightedErrors(lines, fit, response);
     double sum = 0;
     for (std::size_t k = 0; k < stretches; ++k) {

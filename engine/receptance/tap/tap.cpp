@@ -94,7 +94,7 @@ void noteRange(TapResult& result, std::size_t from, std::size_t end, std::size_t
 {
     if (end < lines)
         result.notes.push_back({notes::tapForceRange,
-                                {{"drop_dB", result.parameters.force_drop_dB},
+                                {{"drop_dB", result.parameters.force_drop_db},
                                  {"usable_to_hz", result.usable_to_hz},
                                  {"lines", static_cast<std::int64_t>(lines - end)}}});
     if (from > 1)
@@ -149,11 +149,11 @@ void takeLines(const TapSpectra& sums, TapResult& result)
     std::vector<double> coherence{0};
     for (std::size_t k = 1; k < lines; ++k) {
         result.frequency_hz.push_back(static_cast<double>(k) * result.resolution_hz);
-        result.force_dB.push_back(10 * std::log10(std::max(sums.ff[k] / largest, std::numeric_limits<double>::min())));
+        result.force_db.push_back(10 * std::log10(std::max(sums.ff[k] / largest, std::numeric_limits<double>::min())));
         const double both = sums.ff[k] * sums.xx[k];
         coherence.push_back(both > 0 ? std::min(1.0, std::norm(sums.xf[k]) / both) : 0);
     }
-    std::size_t end = endOfForce(sums, result.parameters.force_drop_dB);
+    std::size_t end = endOfForce(sums, result.parameters.force_drop_db);
     const bool is_judged = sums.count > 1;
     std::size_t from = is_judged ? startOfCoherence(coherence, end) : 1;
     const auto state = [&] {

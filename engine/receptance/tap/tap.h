@@ -36,7 +36,7 @@ struct TapParameters {
     double trigger_percent = 5;                ///< of the largest force of a record
     std::optional<double> pre_trigger_s;       ///< none: 2 % of the block
     double double_hit_percent = 2;             ///< of the peak: a later rise of the force by more is a second pulse
-    double force_drop_dB = 20;                 ///< fall of the force's spectrum that ends the usable range
+    double force_drop_db = 20;                 ///< fall of the force's spectrum that ends the usable range
     std::vector<Interval> range_hz;            ///< of the lines handed on, one interval; empty: the usable ones
     bool keep_rejected = false;                ///< average rejected hits as well
 };
@@ -76,7 +76,7 @@ struct TapResult {
     Frf response;              ///< receptance over the usable lines with its noise; coherence from two hits on
     FrfQuantity measured = FrfQuantity::Accelerance;  ///< quantity of the sensor per force
     std::vector<double> frequency_hz;                 ///< all lines above 0
-    std::vector<double> force_dB;                     ///< spectrum of the force, relative to its maximum
+    std::vector<double> force_db;                     ///< spectrum of the force, relative to its maximum
     std::vector<double> coherence;                    ///< of all lines; empty with one hit
     std::size_t averages = 0;                         ///< hits used
     std::size_t samples = 0;                          ///< of a block

@@ -41,7 +41,7 @@ const std::vector<Field<TapParameters>>& fieldsOf(const TapParameters*)
               Label{LT_TEXT("Engine", "Double hit"),
                     LT_TEXT("Engine", "A later pulse of more than this, of the peak, makes a hit a double one."),
                     unit::percent, true}),
-        field("force_drop_dB", &P::force_drop_dB, {1, 100},
+        field("force_drop_dB", &P::force_drop_db, {1, 100},
               Label{LT_TEXT("Engine", "Fall of the force"),
                     LT_TEXT("Engine", "Of its spectrum below the maximum, which ends the usable range."),
                     LT_TEXT("Engine", "dB"), true}),

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int signalColour = 0, windowColour = 1;
 constexpr int windowPoints = 60;
-constexpr double lowest_dB = -80;
+constexpr double lowest_db = -80;
 
 Text motionUnit(FrfQuantity quantity)
 {
@@ -135,9 +135,9 @@ report::Plot tapSpectrumPlot(const TapResult& result, const Language& language)
     plot.x = frequencyAxis();
     plot.y = {LT_TEXT("Engine", "Force, of its maximum"), LT_TEXT("Engine", "dB")};
     report::Curve curve{{}, result.frequency_hz, {}};
-    for (const double force_dB : result.force_dB) curve.y.push_back(std::max(force_dB, lowest_dB));
+    for (const double force_db : result.force_db) curve.y.push_back(std::max(force_db, lowest_db));
     plot.curves.push_back(std::move(curve));
-    plot.limits.push_back({report::Limit::Direction::Horizontal, -result.parameters.force_drop_dB, {}});
+    plot.limits.push_back({report::Limit::Direction::Horizontal, -result.parameters.force_drop_db, {}});
     plot.limits.push_back(atFrequency(result.usable_to_hz, LT_TEXT("Engine", "usable up to {frequency} Hz"), language));
     return plot;
 }

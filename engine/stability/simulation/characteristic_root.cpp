@@ -58,7 +58,7 @@ std::optional<Complex> rootFrom(std::span<const Mode> modes, const CutForces& cu
 
 Growth growthOfRoots(std::span<const Mode> modes, const CutForces& cut, double revolution_s, const Progress& progress)
 {
-    const double highest_hz = highestFrequency_hz(modes);
+    const double highest_hz = highestFrequency(modes);
     const double last = 2 * std::numbers::pi * beyondHighest * highest_hz + 2 * std::numbers::pi / revolution_s;
     const double spacing = 2 * std::numbers::pi / (startsPerTurn * revolution_s);
     const double starts = std::ceil(last / spacing);

@@ -142,7 +142,7 @@ double stepsOfRevolution(std::span<const Mode> modes, double revolution_s, doubl
     for (const Mode& mode : modes) largest_mm_N = std::max(largest_mm_N, peak_mm_N(mode));
     for (const Mode& mode : modes)
         if (peak_mm_N(mode) > weakPeak * largest_mm_N) highest_hz = std::max(highest_hz, mode.frequency_hz);
-    if (highest_hz == 0) highest_hz = highestFrequency_hz(modes);
+    if (highest_hz == 0) highest_hz = highestFrequency(modes);
     return std::ceil(std::max(fewestPeriods, highest_hz * revolution_s) * per_period);
 }
 

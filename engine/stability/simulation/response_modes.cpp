@@ -24,6 +24,7 @@ std::vector<double> linesOutside(double from_hz, double to_hz)
     constexpr int below = 60, above = 140;
     constexpr double lowest = 0.01, highest = 30;
     std::vector<double> lines;
+    lines.reserve(below + above);
     for (int i = 0; i < below; ++i) lines.push_back(from_hz * std::pow(lowest, 1 - i / static_cast<double>(below)));
     for (int i = 1; i <= above; ++i) lines.push_back(to_hz * std::pow(highest, i / static_cast<double>(above)));
     return lines;

@@ -113,7 +113,7 @@ std::vector<Mode> modesOfPoint(const PointResponse& response, double stiffness_N
         count = static_cast<std::int64_t>(fit->modes.size());
         if (count > 0 || !fit->model.beyond.empty()) modes = modesOfFit(*fit, stiffness_N_mm);
     }
-    if (modes.empty() || !(highestFrequency_hz(modes) > 0)) throw Error(errors::modesNeeded, {});
+    if (modes.empty() || !(highestFrequency(modes) > 0)) throw Error(errors::modesNeeded, {});
     found.push_back({response.shaft ? notes::modesComputed : notes::modesFitted,
                      {{"count", count}, {"error_percent", overallError_percent(modes, *response.frf)}}});
     return modes;

@@ -149,7 +149,7 @@ report::Answer answer(const TrainingOutcome& outcome, const Language& language)
 
 double highestShown(const TrainingOutcome& outcome)
 {
-    return shownSpectrum * stability::highestFrequency_hz(outcome.scenario.modes);
+    return shownSpectrum * stability::highestFrequency(outcome.scenario.modes);
 }
 
 stability::RasterParameters rasterOf(const TrainingOutcome& outcome)

@@ -94,8 +94,8 @@ TEST(FrfChoice, FlexibilityIsThatOfTheMode)
     // min Re of one mode is -1/(4 k ζ (1 + ζ)), near r = √(1 + 2ζ).
     const double expected = 1 / (4 * 1e4 * 0.02 * 1.02);
     for (const FrfQuantity quantity : {FrfQuantity::Receptance, FrfQuantity::Mobility, FrfQuantity::Accelerance})
-        EXPECT_NEAR(flexibility_mm_N(testing::modeFrf(quantity, 4000, 0, 0.1).frf) / expected, 1, 1e-3);
-    EXPECT_EQ(flexibility_mm_N({}), 0);
+        EXPECT_NEAR(largestFlexibility(testing::modeFrf(quantity, 4000, 0, 0.1).frf) / expected, 1, 1e-3);
+    EXPECT_EQ(largestFlexibility({}), 0);
 }
 
 TEST(FrfInput, TheChoiceIsAReadingOption)

@@ -194,9 +194,9 @@ TEST(SpindleMeasurementsFile, TheNearestMassCounts)
     const std::vector<NodeFrf> frfs{{11, 11, {}}, {21, 22, {}}};
     const SpindleMeasurements all = measurementsOf(file, frfs);
     EXPECT_EQ(all.averages, 5);
-    EXPECT_EQ(all.rods[0].massAt_g(0), 2);
-    EXPECT_EQ(all.rods[1].massAt_g(0), 0.5);
-    EXPECT_EQ(all.rods[1].massAt_g(1), 3);
+    EXPECT_EQ(all.rods[0].massAt(0), 2);
+    EXPECT_EQ(all.rods[1].massAt(0), 0.5);
+    EXPECT_EQ(all.rods[1].massAt(1), 3);
     EXPECT_EQ(all.rods[1].nodeOf(1), 22);
     EXPECT_EQ(all.frfs[1].point_a, 0U);  // responds
 }

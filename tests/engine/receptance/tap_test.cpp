@@ -131,7 +131,7 @@ TEST(Tap, TheForceEndsTheUsableRange)
     const Tapping tapping = threeHits();
     for (const double drop_dB : {10.0, 20.0}) {
         TapParameters parameters;
-        parameters.force_drop_dB = drop_dB;
+        parameters.force_drop_db = drop_dB;
         Tapping alike = tapping;
         for (HalfSine& pulse : alike.pulses) pulse.length_s = 1e-3;
         const TapResult result = evaluated(alike, parameters);

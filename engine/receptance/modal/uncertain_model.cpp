@@ -14,6 +14,8 @@ constexpr const char* beyondKey = "model_beyond";
 constexpr const char* uncertaintiesKey = "model_uncertainties";  ///< f, ζ, k and correlation of each mode
 constexpr const char* termsKey = "model_terms";                  ///< range (two numbers, or none), 1/M, 1/K
 
+constexpr double sure = 2;  ///< standard uncertainties that a residual term exceeds
+
 Rows rowsOf(const std::vector<ModalMode>& modes)
 {
     Rows rows;
@@ -38,6 +40,10 @@ UncertainModel uncertainModelOf(const ModalFit& fit)
     UncertainModel result;
     result.model = fit.model;
     result.range_hz = fit.range_hz;
+    // A residual term that may as well be none would stand for a mode that nobody has seen.
+    ModalResiduals& terms = result.model.residuals;
+    if (std::abs(terms.lower_mm_Ns2) <= sure * fit.lower_uncertainty_mm_Ns2) terms.lower_mm_Ns2 = 0;
+    if (std::abs(terms.upper_mm_N) <= sure * fit.upper_uncertainty_mm_N) terms.upper_mm_N = 0;
     for (const FittedMode& mode : fit.modes)
         result.own.push_back({mode.frequency_uncertainty_hz, mode.damping_uncertainty, mode.stiffness_uncertainty_N_mm,
                               mode.damping_stiffness_correlation});
@@ -47,7 +53,7 @@ UncertainModel uncertainModelOf(const ModalFit& fit)
 UncertainModel uncertainModelOf(const ResponseStudy& study)
 {
     UncertainModel result = uncertainModelOf(*study.fit);
-    result.model = study.model;
+    result.model.modes = study.model.modes;
     if (study.is_changed) result.own.clear();
     return result;
 }

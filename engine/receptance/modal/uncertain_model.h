@@ -31,6 +31,7 @@ struct UncertainModel {
     friend bool operator==(const UncertainModel&, const UncertainModel&) = default;
 };
 
+/// Without residual terms within twice their standard uncertainty.
 UncertainModel uncertainModelOf(const ModalFit& fit);
 
 /// The shown model. Precondition: there is a fit. Modes changed by hand have no uncertainties.

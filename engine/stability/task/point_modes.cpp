@@ -30,19 +30,19 @@ Mode modeOf(const receptance::ModalMode& mode)
 }
 
 /// The fitted model on lines dense enough for its modes.
-Frf onDenseLines(const receptance::ModalFit& fit, const std::vector<Pole>& poles)
+Frf onDenseLines(const receptance::UncertainModel& fit, const Interval& range_hz, const std::vector<Pole>& poles)
 {
     std::vector<double> lines;
     for (std::size_t i = 0; i < linesOfModel; ++i)
-        lines.push_back(fit.range_hz.from + (fit.range_hz.to - fit.range_hz.from) * static_cast<double>(i) /
-                                                static_cast<double>(linesOfModel - 1));
+        lines.push_back(range_hz.from +
+                        (range_hz.to - range_hz.from) * static_cast<double>(i) / static_cast<double>(linesOfModel - 1));
     constexpr int around = 60;
     constexpr double widths = 15;
     for (const Pole& pole : poles)
         for (int i = -around; i <= around; ++i) {
             const double share = static_cast<double>(i) / around;
             const double f = pole.frequency_hz * (1 + widths * pole.damping_ratio * share * std::abs(share));
-            if (f > fit.range_hz.from && f < fit.range_hz.to) lines.push_back(f);
+            if (f > range_hz.from && f < range_hz.to) lines.push_back(f);
         }
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
@@ -50,7 +50,7 @@ Frf onDenseLines(const receptance::ModalFit& fit, const std::vector<Pole>& poles
 }
 
 /// All of a fit. Residual terms and modes beyond the lines become what is right within them.
-std::vector<Mode> modesOfFit(const receptance::ModalFit& fit, double stiffness_N_mm)
+std::vector<Mode> modesOfFit(const receptance::UncertainModel& fit, const Interval& range_hz, double stiffness_N_mm)
 {
     const receptance::ModalModel& model = fit.model;
     if (model.beyond.empty() && model.residuals.lower_mm_Ns2 == 0) {
@@ -63,8 +63,8 @@ std::vector<Mode> modesOfFit(const receptance::ModalFit& fit, double stiffness_N
     for (const receptance::ModalMode& mode : model.modes) poles.push_back({mode.frequency_hz, mode.damping_ratio});
     for (const receptance::ModalMode& mode : model.beyond)
         broad.push_back({mode.frequency_hz, std::max(mode.damping_ratio, broadDamping)});
-    if (model.residuals.lower_mm_Ns2 != 0) broad.push_back({belowLines * fit.range_hz.from, broadDamping});
-    return modesThrough(onDenseLines(fit, poles), poles, broad, stiffness_N_mm);
+    if (model.residuals.lower_mm_Ns2 != 0) broad.push_back({belowLines * range_hz.from, broadDamping});
+    return modesThrough(onDenseLines(fit, range_hz, poles), poles, broad, stiffness_N_mm);
 }
 
 std::vector<Pole> startOf(const PointResponse& response)
@@ -98,20 +98,19 @@ std::vector<Mode> modesOfPoint(const PointResponse& response, double stiffness_N
     if (!response.modes.empty()) return response.modes;
     std::vector<Mode> modes;
     std::int64_t count = 0;
-    if (response.model.isKnown()) {
-        receptance::ModalFit fit;
-        fit.model = response.model.model;
-        fit.range_hz = response.model.range_hz.value_or(
-            Interval{response.frf->frequency_hz.front(), response.frf->frequency_hz.back()});
-        count = static_cast<std::int64_t>(fit.model.modes.size());
-        modes = modesOfFit(fit, stiffness_N_mm);
-    } else if (response.shaft) {
+    if (response.shaft) {
         modes = modesOfComputed(response, stiffness_N_mm, stores, count, progress);
     } else {
-        const auto fit = fitOf(*response.frf, response.basis, stores, progress);
-        found.insert(found.end(), fit->notes.begin(), fit->notes.end());
-        count = static_cast<std::int64_t>(fit->modes.size());
-        if (count > 0 || !fit->model.beyond.empty()) modes = modesOfFit(*fit, stiffness_N_mm);
+        receptance::UncertainModel model = response.model;
+        if (!model.isKnown()) {
+            const auto fit = fitOf(*response.frf, response.basis, stores, progress);
+            found.insert(found.end(), fit->notes.begin(), fit->notes.end());
+            model = receptance::uncertainModelOf(*fit);
+        }
+        const std::vector<double>& lines = response.frf->frequency_hz;
+        const Interval range_hz = model.range_hz.value_or(Interval{lines.front(), lines.back()});
+        count = static_cast<std::int64_t>(model.model.modes.size());
+        if (count > 0 || !model.model.beyond.empty()) modes = modesOfFit(model, range_hz, stiffness_N_mm);
     }
     if (modes.empty() || !(highestFrequency(modes) > 0)) throw Error(errors::modesNeeded, {});
     found.push_back({response.shaft ? notes::modesComputed : notes::modesFitted,

@@ -15651,6 +15651,10 @@
         <source>χ² per degree</source>
         <translation>χ² na stopień</translation>
     </message>
+    <message>
+        <source>The slowest decay, {frequency_hz} Hz, is that of what lies outside the lines of the frequency response, {from_hz} to {to_hz} Hz, and is not known; within them vibrations decay faster than the growth stated.</source>
+        <translation>Najwolniejsze zanikanie, {frequency_hz} Hz, pochodzi od tego, co leży poza prążkami charakterystyki, od {from_hz} do {to_hz} Hz, i nie jest znane; w ich obrębie drgania zanikają szybciej niż podany przyrost.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

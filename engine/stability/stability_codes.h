@@ -101,6 +101,12 @@ inline constexpr NoteCode modelLeavesMuch{
             "frequency response, more than {limit_percent} %: the verdict is undecided."),
     NoteRole::NotModelled};
 
+inline constexpr NoteCode growthOutsideLines{
+    "growth_outside_lines", Severity::Info,
+    LT_TEXT("Engine",
+            "The slowest decay, {frequency_hz} Hz, is that of what lies outside the lines of the frequency response, "
+            "{from_hz} to {to_hz} Hz, and is not known; within them vibrations decay faster than the growth stated.")};
+
 inline constexpr NoteCode vibrationOutsideLines{
     "vibration_outside_lines", Severity::Warning,
     LT_TEXT("Engine",

@@ -154,9 +154,10 @@ void judgeModel(SimulationResult& result, const std::vector<Mode>& modes, const 
                                  {"error_percent", std::round(10 * *result.model_error_percent) / 10},
                                  {"limit_percent", largestModelError_percent}}});
     } else {
-        if (result.cut == CutVerdict::Stable) return;  // what lies within the lines decays faster still
-        result.notes.push_back({notes::vibrationOutsideLines,
+        const bool is_stable = result.cut == CutVerdict::Stable;
+        result.notes.push_back({is_stable ? notes::growthOutsideLines : notes::vibrationOutsideLines,
                                 {{"frequency_hz", std::round(10 * f) / 10}, {"from_hz", from}, {"to_hz", to}}});
+        if (is_stable) return;
     }
     result.cut = CutVerdict::Undecided;
 }

@@ -59,9 +59,9 @@ std::string text(const Value& value, const Language& language = {});
 std::string fixed(double value, int decimals, const Language& language = {});
 
 /// Replaces each {name} in `pattern` (already translated) by the value of that name; unknown names stay visible.
-/// An empty value takes the blank before it away. {name:3} has 3 decimals, {name:+3} the sign of a positive number too.
-/// Numbers whose name ends in _mm or _um are shown in the units of the language; the words "mm" and "µm" of such a
-/// pattern follow.
+/// An empty value takes the blank before it away. {name:3} has 3 decimals, {name:3+} more for a small value, {name:+3}
+/// the sign of a positive number too. Numbers whose name ends in _mm or _um are shown in the units of the language; the
+/// words "mm" and "µm" of such a pattern follow.
 std::string fill(const std::string& pattern, const Values& values, const Language& language = {});
 
 }  // namespace lathelier

@@ -48,13 +48,13 @@ const std::vector<QuantityOf<SpindleIdentification>>& quantitiesOf(const Spindle
 const std::vector<QuantityOf<CheckedResponse>>& quantitiesOf(const CheckedResponse*)
 {
     using R = CheckedResponse;
-    static const auto all = describedBy<R>(
-        quantity<R>("rod", [](const R& r) { return r.rod + 1; }, {LT_TEXT("Engine", "Rod"), {}, 0}),
-        quantity<R>("respond", &R::respond, {LT_TEXT("Engine", "Response node"), {}, 0}),
-        quantity<R>("excite", &R::excite, {LT_TEXT("Engine", "Force node"), {}, 0}),
-        quantity<R>("used", &R::used, {LT_TEXT("Engine", "Used"), {}, 0}),
-        quantity<R>("rms_percent", &R::rms_percent, {LT_TEXT("Engine", "Residual"), unit::percent, 2}),
-        quantity<R>("chi2_per_dof", &R::chi2_per_dof, {LT_TEXT("Engine", "χ² per degree"), {}, 2}));
+    static const auto all =
+        describedBy<R>(quantity<R>("rod", [](const R& r) { return r.rod + 1; }, {LT_TEXT("Engine", "Rod"), {}, 0}),
+                       quantity<R>("respond", &R::respond, {LT_TEXT("Engine", "Response node"), {}, 0}),
+                       quantity<R>("excite", &R::excite, {LT_TEXT("Engine", "Force node"), {}, 0}),
+                       quantity<R>("used", &R::used, {LT_TEXT("Engine", "Used"), {}, 0}),
+                       quantity<R>("rms_percent", &R::rms_percent, {LT_TEXT("Engine", "Residual"), unit::percent, 2}),
+                       quantity<R>("chi2_per_dof", &R::chi2_per_dof, {LT_TEXT("Engine", "χ² per degree"), {}, 2}));
     return all;
 }
 

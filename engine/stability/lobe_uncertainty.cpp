@@ -29,9 +29,9 @@ enum Stream : std::uint64_t { Frequency = 1, Compliance = 2, Coefficient = 3, No
 constexpr std::uint64_t perMode = 6;  ///< streams
 
 /// Factor of machine `number` for a standard uncertainty in percent.
-double factorOf(std::uint64_t stream, std::size_t number, double percent, double bound = widest)
+double factorOf(std::uint64_t stream, std::size_t number, double percent)
 {
-    return std::clamp(1 + percent / 100 * randomNormal(1, stream, number), 1 / bound, bound);
+    return std::clamp(1 + percent / 100 * randomNormal(1, stream, number), 1 / widest, widest);
 }
 
 double coefficientFactor(const LobeParameters& p, std::size_t number)

@@ -15655,6 +15655,10 @@
         <source>The slowest decay, {frequency_hz} Hz, is that of what lies outside the lines of the frequency response, {from_hz} to {to_hz} Hz, and is not known; within them vibrations decay faster than the growth stated.</source>
         <translation>Najwolniejsze zanikanie, {frequency_hz} Hz, pochodzi od tego, co leży poza prążkami charakterystyki, od {from_hz} do {to_hz} Hz, i nie jest znane; w ich obrębie drgania zanikają szybciej niż podany przyrost.</translation>
     </message>
+    <message>
+        <source>Mistakes of tap tests named</source>
+        <translation>Nazwane błędy prób udarowych</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

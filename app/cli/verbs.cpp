@@ -14,7 +14,7 @@
 #include "engine/form/task/cylindricity_task.h"
 #include "engine/io/shaft/shaft_kind.h"
 #include "engine/io/time_record/time_record_reader.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/receptance/task/modes_task.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/receptance/task/spindle_task.h"

@@ -8,7 +8,7 @@
 #include "engine/cam/plan_codes.h"
 #include "engine/cam/work_frame.h"
 #include "engine/core/units.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/stability/safe_speed.h"
 #include "engine/stability/speed_choice.h"
 #include "engine/stability/stability_codes.h"

@@ -17,7 +17,7 @@
 #include "engine/cam/work_stock.h"
 #include "engine/core/frf.h"
 #include "engine/core/progress.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 #include "engine/stability/lobes.h"
 
 namespace lathelier::cam {

@@ -8,7 +8,7 @@
 #include "engine/deflection/turning_job.h"
 #include "engine/io/file.h"
 #include "engine/io/input_files.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 
 namespace lathelier::chain {
 namespace fs = std::filesystem;

@@ -9,7 +9,7 @@
 #include "engine/chain/dossier.h"
 #include "engine/chain/proof.h"
 #include "engine/deflection/identification.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::chain {
 

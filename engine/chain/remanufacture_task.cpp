@@ -12,7 +12,7 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/features/recognition.h"
 #include "engine/io/cloud/scan_input.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/task/asked_state.h"
 
 namespace lathelier::chain {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/core/significant_digits.h"
 #include "engine/core/visible.h"
 
 namespace lathelier {
@@ -128,15 +129,6 @@ std::string withUnits(std::string piece, const Lengths& lengths, const Language&
     return piece;
 }
 
-/// Decimals beyond `decimals` that show three digits of a small value, up to nine in all.
-int moreDecimals(double size, int decimals)
-{
-    constexpr int digits = 3, most = 9;
-    if (!(std::abs(size) > 0) || !std::isfinite(size)) return 0;
-    const int needed = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(size))));
-    return std::clamp(needed - decimals, 0, std::max(0, most - decimals));
-}
-
 /// The value of a brace. Numbers of lengths as they are shown.
 std::string textOfBrace(const Value& value, const Brace& brace, const Lengths& lengths, const Language& language)
 {
@@ -146,9 +138,9 @@ std::string textOfBrace(const Value& value, const Brace& brace, const Lengths& l
     const ShownUnit shown = lengths.has(unit) ? shownUnit(unit, language) : ShownUnit{};
     const double size = *exact * shown.factor;
     const std::string sign = brace.is_signed && size > 0 ? "+" : "";
-    const int more = shown.more_decimals + (brace.is_least ? moreDecimals(size, brace.decimals.value_or(0)) : 0);
-    return sign +
-           (brace.decimals ? fixed(size, std::max(0, *brace.decimals + more), language) : numberText(size, language));
+    if (!brace.decimals) return sign + numberText(size, language);
+    const int decimals = brace.is_least ? decimalsOfThreeDigits(size, *brace.decimals) : *brace.decimals;
+    return sign + fixed(size, std::max(0, decimals + shown.more_decimals), language);
 }
 
 }  // namespace

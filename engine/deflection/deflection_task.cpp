@@ -11,7 +11,7 @@
 #include "engine/gcode/program_item_codes.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_input.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/spindle/spindle_input.h"
 #include "engine/report/chart_csv.h"
 
 namespace lathelier::deflection {

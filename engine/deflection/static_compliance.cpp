@@ -6,7 +6,7 @@
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
 #include "engine/deflection/turning_work.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::deflection {
 namespace {

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -10,7 +10,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/library.h"
 #include "engine/core/material.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 #include "engine/shaft/shaft.h"
 
 namespace lathelier::receptance {

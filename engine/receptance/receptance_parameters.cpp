@@ -1,6 +1,6 @@
 #include "engine/core/units.h"
 #include "engine/receptance/receptance_fields.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 

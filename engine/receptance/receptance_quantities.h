@@ -5,7 +5,7 @@
 #include "engine/core/quantities.h"
 #include "engine/receptance/eirc/identify_spindle.h"
 #include "engine/receptance/eirc/spindle_check.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -8,8 +8,8 @@
 #include "engine/receptance/frf_plots.h"
 #include "engine/receptance/receptance_units.h"
 #include "engine/receptance/receptance_verification.h"
-#include "engine/receptance/shaft_report.h"
-#include "engine/receptance/spindle_plots.h"
+#include "engine/receptance/shaft/shaft_report.h"
+#include "engine/receptance/spindle/spindle_plots.h"
 #include "engine/report/cells.h"
 #include "engine/report/parameters_table.h"
 

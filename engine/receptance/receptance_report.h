@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/receptance/eirc/identify_spindle.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/report/document.h"
 
 namespace lathelier::receptance {

@@ -8,8 +8,8 @@
 #include "engine/beam/beam_receptance.h"
 #include "engine/beam/natural_frequencies.h"
 #include "engine/receptance/coupling.h"
-#include "engine/receptance/eirc/identify_spindle.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
+#include "engine/receptance/spindle/spindle_verification.h"
 
 namespace lathelier::receptance {
 namespace {
@@ -53,23 +53,6 @@ template <VerifyKind (*check)()>
 VerifyKind quick(const Progress&)
 {
     return check();
-}
-
-/// A machine with one mode and a cross receptance.
-SpindleTable machine()
-{
-    SpindleTable table;
-    for (double f = 100; f <= 1500; f += 20) {
-        const double ratio = f / 640;
-        const Complex mode = 1.0 / Complex(1 - ratio * ratio, 2 * 0.04 * ratio) / 40000.0;
-        const double lever = -1.0 / 150;
-        const Complex soft = 1.0 / Complex(1, 0.06);
-        table.frequency_hz.push_back(f);
-        table.H_mm_N.push_back(soft / 15000.0 + mode);
-        table.L_mm_Nmm.push_back(mode * lever);
-        table.P_rad_Nmm.push_back(soft / 1.974e8 + mode * lever * lever);
-    }
-    return table;
 }
 
 }  // namespace
@@ -166,40 +149,6 @@ VerifyKind verifyCoupledRod()
     return tally.done();
 }
 
-VerifyKind verifyInverseCoupling(const Progress& progress)
-{
-    VerifyTally tally("inverse_coupling", LT_TEXT("Engine", "Spindle found from made responses"), {}, 1e-5);
-    const SpindleTable truth = machine();
-    SpindleMeasurements measurements;
-    for (const auto& [length_mm, distances_mm] :
-         {std::pair{150.0, std::vector{50.0, 100.0, 150.0}}, {260.0, std::vector{80.0, 170.0, 260.0}}}) {
-        const Shaft rod = steppedShaft({{length_mm, 40}});
-        measurements.rods.push_back({rod, distances_mm});
-        for (std::size_t a = 0; a < distances_mm.size(); ++a)
-            for (std::size_t b = a; b < distances_mm.size(); ++b) {
-                ReceptanceParameters parameters;
-                parameters.respond_z_mm = length_mm - distances_mm[a];
-                parameters.excite_z_mm = length_mm - distances_mm[b];
-                parameters.from_hz = truth.frequency_hz.front();
-                parameters.to_hz = truth.frequency_hz.back();
-                parameters.step_hz = 20;
-                measurements.frfs.push_back(
-                    {measurements.rods.size() - 1, a, b,
-                     receptanceOf(rod, *rod.material, parameters, {SpindleReceptance{truth}, {}}, progress.quiet())});
-            }
-    }
-    const SpindleIdentification found = identifySpindle(measurements, {}, progress.quiet());
-    const auto* const table = std::get_if<SpindleTable>(&found.spindle.source);
-    if (!table || table->frequency_hz.size() != truth.frequency_hz.size()) return tally.done();
-    for (std::size_t i = 0; i < truth.frequency_hz.size(); ++i) {
-        tally.nextSet();
-        tally.take(std::abs(table->H_mm_N[i] / truth.H_mm_N[i] - 1.0));
-        tally.take(std::abs(table->L_mm_Nmm[i] / truth.L_mm_Nmm[i] - 1.0));
-        tally.take(std::abs(table->P_rad_Nmm[i] / truth.P_rad_Nmm[i] - 1.0));
-    }
-    return tally.done();
-}
-
 VerifyKind verifyFiniteElements()
 {
     VerifyTally tally("finite_elements", LT_TEXT("Engine", "Shafts on springs against finite elements"), {}, 2e-3);
@@ -226,11 +175,12 @@ VerifyKind verifyFiniteElements()
 
 const VerifyPart& receptanceVerification()
 {
-    static const VerifyPart part{"receptance",
-                                 {quick<verifyNaturalFrequencies>, quick<verifyBeamReceptances>, quick<verifyCoupling>,
-                                  quick<verifyCoupledRod>, verifyInverseCoupling, quick<verifyFiniteElements>},
-                                 {},
-                                 "dynamics"};
+    static const VerifyPart part{
+        "receptance",
+        {quick<verifyNaturalFrequencies>, quick<verifyBeamReceptances>, quick<verifyCoupling>, quick<verifyCoupledRod>,
+         verifyInverseCoupling, verifySpindleMistakes, quick<verifyFiniteElements>},
+        {},
+        "dynamics"};
     return part;
 }
 

@@ -5,8 +5,8 @@
 #include "engine/core/random.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/io/json/json_fields.h"
-#include "engine/receptance/shaft_receptance.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
+#include "engine/receptance/spindle/spindle_file.h"
 
 namespace lathelier::sample {
 namespace {

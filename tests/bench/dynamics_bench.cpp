@@ -12,7 +12,7 @@
 #include "engine/core/parallel.h"
 #include "engine/core/random.h"
 #include "engine/receptance/modal/modal_fit.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/report/plot_svg.h"
 #include "engine/stability/simulation/response_modes.h"
 #include "engine/stability/simulation/response_poles.h"

@@ -7,7 +7,7 @@
 #include "engine/chain/of_project/chain_memory.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
 #include "widgets/core/form/input_column.h"
 

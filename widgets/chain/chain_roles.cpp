@@ -6,8 +6,8 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/image/image_kind.h"
 #include "engine/io/shaft/shaft_kind.h"
-#include "engine/receptance/spindle_item.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_item.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/shaft/shaft_item.h"
 
 namespace lathelier::chain_panel {

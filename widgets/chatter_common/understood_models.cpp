@@ -5,7 +5,7 @@
 #include "engine/core/units.h"
 #include "engine/io/frf/frf_input.h"
 #include "engine/io/shaft/shaft_input.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/spindle/spindle_input.h"
 #include "engine/task/inputs.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/language.h"

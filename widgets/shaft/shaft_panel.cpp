@@ -1,8 +1,8 @@
 #include "widgets/shaft/shaft_panel.h"
 
 #include "engine/core/frf_item.h"
-#include "engine/receptance/shaft_plots.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/shaft/shaft_plots.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/shaft/shaft_item.h"
 #include "widgets/chatter_common/understood_models.h"
 #include "widgets/core/form/form.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "engine/receptance/frf_plots.h"
-#include "engine/receptance/shaft_plots.h"
-#include "engine/receptance/shaft_report.h"
+#include "engine/receptance/shaft/shaft_plots.h"
+#include "engine/receptance/shaft/shaft_report.h"
 #include "widgets/core/icons.h"
 #include "widgets/core/language.h"
 

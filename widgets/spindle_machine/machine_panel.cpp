@@ -1,6 +1,6 @@
 #include "widgets/spindle_machine/machine_panel.h"
 
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "widgets/core/form/input_box.h"
 #include "widgets/core/form/input_column.h"
 #include "widgets/core/session.h"

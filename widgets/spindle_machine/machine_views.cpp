@@ -2,7 +2,7 @@
 
 #include <QVBoxLayout>
 
-#include "engine/receptance/spindle_plots.h"
+#include "engine/receptance/spindle/spindle_plots.h"
 #include "widgets/core/language.h"
 
 namespace lathelier::machine_panel {

@@ -17,7 +17,7 @@
 #include "engine/core/frf_item.h"
 #include "engine/gcode/program_input.h"
 #include "engine/gcode/program_item.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/spindle/spindle_input.h"
 
 namespace lathelier::cam {
 namespace {

@@ -10,8 +10,8 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/receptance/spindle_file.h"
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_file.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
 
 namespace lathelier::chain {

@@ -4,7 +4,7 @@
 
 #include "engine/deflection/deflection_task.h"
 #include "engine/deflection/setup_file.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/spindle/spindle_input.h"
 
 namespace lathelier::chain {
 namespace {

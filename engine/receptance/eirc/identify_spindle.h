@@ -13,7 +13,7 @@
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/eirc/spindle_noise.h"
 #include "engine/receptance/eirc/spindle_remedy.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -8,7 +8,7 @@
 #include "engine/beam/beam_receptance.h"
 #include "engine/core/parallel.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 namespace {

@@ -16,7 +16,7 @@
 #include "engine/receptance/modal/modal_quantities.h"
 #include "engine/receptance/modal/modal_report.h"
 #include "engine/receptance/modal/uncertain_model.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/spindle/spindle_input.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/report/parameters_table.h"
 #include "engine/report/quantity_table.h"

@@ -12,7 +12,7 @@
 
 #include "engine/io/frf/measured_frf.h"
 #include "engine/receptance/modal/response_study.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/task/task.h"
 
 namespace lathelier::receptance {

@@ -17,9 +17,9 @@
 #include "engine/io/shaft/shaft_input.h"
 #include "engine/receptance/receptance_quantities.h"
 #include "engine/receptance/receptance_report.h"
-#include "engine/receptance/shaft_place.h"
-#include "engine/receptance/shaft_report.h"
-#include "engine/receptance/spindle_input.h"
+#include "engine/receptance/shaft/shaft_place.h"
+#include "engine/receptance/shaft/shaft_report.h"
+#include "engine/receptance/spindle/spindle_input.h"
 #include "engine/shaft/shaft_item.h"
 
 namespace lathelier::receptance {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "engine/receptance/library.h"
-#include "engine/receptance/shaft_receptance.h"
-#include "engine/receptance/shaft_study.h"
-#include "engine/receptance/shaft_supports.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_study.h"
+#include "engine/receptance/shaft/shaft_supports.h"
 #include "engine/task/edited_segments.h"
 #include "engine/task/task.h"
 

@@ -10,7 +10,7 @@
 #include "engine/receptance/eirc/identify_spindle.h"
 #include "engine/receptance/eirc/spindle_check.h"
 #include "engine/receptance/library.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/task/task.h"
 
 namespace lathelier::receptance {

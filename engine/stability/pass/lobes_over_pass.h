@@ -9,7 +9,7 @@
 #include "engine/core/fields.h"
 #include "engine/core/json.h"
 #include "engine/core/units.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/report/document.h"
 #include "engine/shaft/shaft.h"
 #include "engine/stability/lobes.h"

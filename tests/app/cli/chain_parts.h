@@ -8,7 +8,7 @@
 
 #include "engine/cam/job_file.h"
 #include "engine/deflection/setup_file.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "engine/sample/sample.h"
 #include "engine/sample/scan_ply.h"
 #include "tests/engine/cam/plan_data.h"

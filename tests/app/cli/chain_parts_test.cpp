@@ -14,7 +14,7 @@
 #include "engine/deflection/setup_file.h"
 #include "engine/io/file.h"
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "tests/app/cli/chain_parts.h"
 #include "tests/app/cli/run_program.h"
 #include "tests/scratch_folder.h"

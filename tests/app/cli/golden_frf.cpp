@@ -10,7 +10,7 @@
 #include "engine/io/file.h"
 #include "engine/io/frf/frf_writer.h"
 #include "engine/receptance/modal/modal_model.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "tests/engine/io/frf_files.h"
 
 namespace lathelier::golden {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "case_a.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::deflection {
 namespace {

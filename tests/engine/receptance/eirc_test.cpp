@@ -9,7 +9,7 @@
 #include "engine/receptance/eirc/spindle_check.h"
 #include "engine/receptance/eirc/spindle_line.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_plots.h"
+#include "engine/receptance/spindle/spindle_plots.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "engine/receptance/coupling.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 

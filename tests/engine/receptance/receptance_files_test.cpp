@@ -7,7 +7,7 @@
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "engine/shaft/shaft_codes.h"
 #include "made_spindle.h"
 

@@ -9,7 +9,7 @@
 #include "engine/core/item_codes.h"
 #include "engine/core/item_numbers.h"
 #include "engine/project/project.h"
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "engine/shaft/shaft_item.h"
 #include "made_spindle.h"
 

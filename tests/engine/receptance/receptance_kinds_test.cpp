@@ -3,7 +3,7 @@
 
 #include "engine/io/json/json_head.h"
 #include "engine/io/shaft/shaft_kind.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 
 namespace lathelier::receptance {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 namespace {

@@ -1,5 +1,5 @@
 // Frequency responses of shafts on machines: the papers' numbers, statics, refusals.
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 #include <gtest/gtest.h>
 

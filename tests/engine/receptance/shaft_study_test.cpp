@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "engine/io/shaft/shaft_file.h"
-#include "engine/receptance/shaft_plots.h"
-#include "engine/receptance/shaft_report.h"
+#include "engine/receptance/shaft/shaft_plots.h"
+#include "engine/receptance/shaft/shaft_report.h"
 #include "made_spindle.h"
 
 namespace lathelier::receptance {

@@ -10,8 +10,8 @@
 #include "engine/io/frf/frf_writer.h"
 #include "engine/io/input_files.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_file.h"
-#include "engine/receptance/spindle_plots.h"
+#include "engine/receptance/spindle/spindle_file.h"
+#include "engine/receptance/spindle/spindle_plots.h"
 #include "engine/receptance/task/spindle_task.h"
 #include "tapped_rods.h"
 

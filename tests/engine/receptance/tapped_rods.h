@@ -10,7 +10,7 @@
 
 #include "engine/core/random.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/stability/boundary.h"
 #include "engine/stability/depth_digits.h"
 #include "engine/stability/pass/cut_shaft.h"

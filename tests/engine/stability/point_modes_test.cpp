@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "engine/core/random.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 #include "engine/stability/lobes.h"
 #include "engine/stability/simulation/characteristic_root.h"
 #include "engine/stability/simulation/response_modes.h"

@@ -9,7 +9,7 @@
 #include "engine/deflection/deflection_plots.h"
 #include "engine/receptance/library.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "engine/shaft/shaft_item.h"
 #include "slender_files.h"
 #include "tests/widgets/core/panel_fixture.h"

@@ -14,7 +14,7 @@
 #include "engine/io/json/json_fields.h"
 #include "engine/receptance/modal/modal_plots.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "engine/receptance/task/shaft_task.h"
 #include "engine/shaft/shaft_item.h"
 #include "tests/widgets/core/panel_fixture.h"

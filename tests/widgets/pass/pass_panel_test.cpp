@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/io/file.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/answer_strip.h"
 #include "widgets/core/panel/primary_views.h"

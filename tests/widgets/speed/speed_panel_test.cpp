@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/io/file.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 #include "tests/widgets/core/panel_fixture.h"
 #include "widgets/core/panel/primary_views.h"
 #include "widgets/core/resources.h"

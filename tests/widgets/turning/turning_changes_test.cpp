@@ -15,7 +15,7 @@
 #include "engine/core/frf_item.h"
 #include "engine/gcode/program_item.h"
 #include "engine/io/file.h"
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_item.h"
 #include "tests/engine/cam/plan_data.h"
 #include "tests/widgets/core/drop_files.h"
 #include "tests/widgets/core/panel_fixture.h"

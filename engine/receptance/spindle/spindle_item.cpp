@@ -1,4 +1,4 @@
-#include "engine/receptance/spindle_item.h"
+#include "engine/receptance/spindle/spindle_item.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "engine/receptance/shaft_study.h"
+#include "engine/receptance/shaft/shaft_study.h"
 #include "engine/report/chart.h"
 
 namespace lathelier::receptance {

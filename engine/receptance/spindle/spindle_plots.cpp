@@ -1,4 +1,4 @@
-#include "engine/receptance/spindle_plots.h"
+#include "engine/receptance/spindle/spindle_plots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,7 @@
 #include "engine/core/progress.h"
 #include "engine/core/units.h"
 #include "engine/core/used_value.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 #include "engine/shaft/shaft.h"
 
 namespace lathelier::receptance {

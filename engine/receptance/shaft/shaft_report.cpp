@@ -1,11 +1,11 @@
-#include "engine/receptance/shaft_report.h"
+#include "engine/receptance/shaft/shaft_report.h"
 
 #include <cmath>
 
 #include "engine/core/texts.h"
 #include "engine/receptance/receptance_report.h"
 #include "engine/receptance/receptance_units.h"
-#include "engine/receptance/shaft_plots.h"
+#include "engine/receptance/shaft/shaft_plots.h"
 
 namespace lathelier::receptance {
 namespace {

@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 #include <Eigen/LU>
 #include <array>

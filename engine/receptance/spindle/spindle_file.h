@@ -6,7 +6,7 @@
 #include <string>
 
 #include "engine/core/error.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -1,4 +1,4 @@
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/beam/natural_frequencies.h"
-#include "engine/receptance/shaft_receptance.h"
+#include "engine/receptance/shaft/shaft_receptance.h"
 
 namespace lathelier::receptance {
 

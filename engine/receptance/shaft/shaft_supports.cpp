@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_supports.h"
+#include "engine/receptance/shaft/shaft_supports.h"
 
 #include "engine/core/units.h"
 

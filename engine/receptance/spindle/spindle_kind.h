@@ -3,7 +3,7 @@
 
 #include "engine/io/file_kind.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

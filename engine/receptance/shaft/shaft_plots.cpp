@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_plots.h"
+#include "engine/receptance/shaft/shaft_plots.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "engine/receptance/spindle_item.h"
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_item.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 
 namespace lathelier::receptance {
 

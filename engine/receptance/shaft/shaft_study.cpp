@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_study.h"
+#include "engine/receptance/shaft/shaft_study.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "engine/core/value.h"
-#include "engine/receptance/spindle_receptance.h"
+#include "engine/receptance/spindle/spindle_receptance.h"
 
 namespace lathelier::receptance {
 

@@ -1,4 +1,4 @@
-#include "engine/receptance/shaft_place.h"
+#include "engine/receptance/shaft/shaft_place.h"
 
 #include "engine/beam/beam_codes.h"
 #include "engine/io/file.h"

@@ -1,4 +1,4 @@
-#include "engine/receptance/spindle_kind.h"
+#include "engine/receptance/spindle/spindle_kind.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,7 +7,7 @@
 #include "engine/io/json/json_head.h"
 #include "engine/receptance/eirc/spindle_measurements.h"
 #include "engine/receptance/receptance_codes.h"
-#include "engine/receptance/spindle_file.h"
+#include "engine/receptance/spindle/spindle_file.h"
 
 namespace lathelier::receptance {
 namespace {

@@ -1,7 +1,7 @@
 // A shaft study as an answer and as a report.
 #pragma once
 
-#include "engine/receptance/shaft_study.h"
+#include "engine/receptance/shaft/shaft_study.h"
 #include "engine/report/document.h"
 
 namespace lathelier::receptance {

@@ -3,8 +3,8 @@
 
 #include <Eigen/Geometry>
 
-#include "engine/features/dimensions.h"
-#include "engine/features/outline.h"
+#include "engine/features/outline/dimensions.h"
+#include "engine/features/outline/outline.h"
 
 namespace lathelier::features {
 

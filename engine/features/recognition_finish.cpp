@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "engine/features/features_codes.h"
-#include "engine/features/roles.h"
-#include "engine/features/snap.h"
+#include "engine/features/nominal/roles.h"
+#include "engine/features/nominal/snap.h"
 
 namespace lathelier::features {
 namespace {

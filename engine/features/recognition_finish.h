@@ -1,7 +1,7 @@
 // The last steps of a recognition, which a fit with another structure repeats (refit.h).
 #pragma once
 
-#include "engine/features/outline.h"
+#include "engine/features/outline/outline.h"
 
 namespace lathelier::features {
 

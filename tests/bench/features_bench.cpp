@@ -3,9 +3,9 @@
 
 #include "engine/cad/step_reader.h"
 #include "engine/cad/step_writer.h"
+#include "engine/features/comparison/shaft_mesh.h"
 #include "engine/features/recognition.h"
 #include "engine/features/scene/scene.h"
-#include "engine/features/shaft_mesh.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/drawn_reference.h"
 #include "engine/sample/sample.h"

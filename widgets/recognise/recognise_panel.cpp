@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/understanding.h"
-#include "engine/features/refit.h"
+#include "engine/features/refit/refit.h"
 #include "engine/io/file.h"
 #include "engine/shaft/shaft_item.h"
 #include "widgets/core/language.h"

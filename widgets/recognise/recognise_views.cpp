@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/features/recognition_plots.h"
-#include "engine/features/recognition_quantities.h"
-#include "engine/features/recognition_report.h"
+#include "engine/features/report/recognition_plots.h"
+#include "engine/features/report/recognition_quantities.h"
+#include "engine/features/report/recognition_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/flow_row.h"
 #include "widgets/core/panel/view_frame.h"

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "engine/features/recognition_report.h"
+#include "engine/features/report/recognition_report.h"
 #include "widgets/core/language.h"
 #include "widgets/core/panel/view_frame.h"
 

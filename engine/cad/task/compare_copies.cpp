@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/json.h"
-#include "engine/features/shaft_mesh.h"
+#include "engine/features/comparison/shaft_mesh.h"
 #include "engine/io/file.h"
 #include "engine/registration/drawn_reference.h"
 #include "engine/registration/verdict/verdict.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/cad/task/compare_inputs.h"
-#include "engine/features/shaft_comparison.h"
+#include "engine/features/comparison/shaft_comparison.h"
 #include "engine/registration/compare.h"
 #include "engine/registration/copies.h"
 

@@ -3,7 +3,7 @@
 
 #include "engine/cad/task/compare_task.h"
 #include "engine/core/json.h"
-#include "engine/features/shaft_mesh.h"
+#include "engine/features/comparison/shaft_mesh.h"
 #include "engine/registration/compare_plots.h"
 #include "engine/registration/surface_form.h"
 #include "engine/registration/verdict/verdict.h"

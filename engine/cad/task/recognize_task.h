@@ -9,9 +9,9 @@
 
 #include "engine/cad/task/part_files.h"
 #include "engine/core/scan.h"
-#include "engine/features/accepted_sizes.h"
+#include "engine/features/nominal/accepted_sizes.h"
 #include "engine/features/recognition.h"
-#include "engine/features/row_change.h"
+#include "engine/features/refit/row_change.h"
 #include "engine/io/cloud/scan_input.h"
 #include "engine/shaft/shaft_item.h"
 #include "engine/shaft/shaft_step.h"

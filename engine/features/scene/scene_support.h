@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/features/outline.h"
+#include "engine/features/outline/outline.h"
 #include "engine/features/scene/scene.h"
 
 namespace lathelier::features {

@@ -1,5 +1,5 @@
 // Crests of threads, the cones that lead into them, and walls that a flat cuts into.
-#include "engine/features/crest.h"
+#include "engine/features/walls/crest.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/core/random.h"
-#include "engine/features/shaft_mesh.h"
+#include "engine/features/comparison/shaft_mesh.h"
 #include "engine/registration/surface/drawn_surface.h"
 #include "made_scan.h"
 

@@ -1,5 +1,5 @@
 // ISO 286-1: limits from the tables of the standard, and the classes that contain a measured size.
-#include "engine/features/iso286.h"
+#include "engine/features/nominal/iso286.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

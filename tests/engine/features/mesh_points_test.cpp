@@ -1,5 +1,5 @@
 // Meshes of turned parts: corners lie on the surface, facets inside it.
-#include "engine/features/mesh_points.h"
+#include "engine/features/walls/mesh_points.h"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // The rows of a drawing against those of a recognised part.
-#include "engine/features/nominal_rows.h"
+#include "engine/features/comparison/nominal_rows.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "engine/features/shaft_comparison.h"
-#include "engine/features/standards.h"
+#include "engine/features/comparison/shaft_comparison.h"
+#include "engine/features/nominal/standards.h"
 #include "made_recognition.h"
 #include "made_scan.h"
 

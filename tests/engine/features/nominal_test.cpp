@@ -1,5 +1,5 @@
 // Suggestions of nominal sizes: the worked examples, the series, and the shares of right and wrong ones by simulation.
-#include "engine/features/nominal.h"
+#include "engine/features/nominal/nominal.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

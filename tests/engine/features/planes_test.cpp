@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/features/model.h"
+#include "engine/features/model/model.h"
 #include "engine/features/recognition.h"
 #include "made_scan.h"
 

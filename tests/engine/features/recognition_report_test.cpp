@@ -1,5 +1,5 @@
 // Report of a recognition: tables, charts, accepted sizes, the part of a shaft outside the chuck.
-#include "engine/features/recognition_report.h"
+#include "engine/features/report/recognition_report.h"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <regex>
 
-#include "engine/features/recognition_plots.h"
-#include "engine/features/roles.h"
-#include "engine/features/snap.h"
+#include "engine/features/nominal/roles.h"
+#include "engine/features/nominal/snap.h"
+#include "engine/features/report/recognition_plots.h"
 #include "engine/features/stock_part.h"
 #include "engine/report/plain_text.h"
 #include "engine/shaft/shaft_contour.h"

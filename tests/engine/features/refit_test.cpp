@@ -1,12 +1,12 @@
 // Rows of a recognition changed by hand and fitted again.
-#include "engine/features/refit.h"
+#include "engine/features/refit/refit.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "engine/features/accepted_sizes.h"
-#include "engine/features/refit_codes.h"
+#include "engine/features/nominal/accepted_sizes.h"
+#include "engine/features/refit/refit_codes.h"
 #include "engine/shaft/shaft_rules.h"
 #include "made_scan.h"
 

@@ -1,5 +1,5 @@
 // Roles, features and suggestions of the practice parts and of single patterns.
-#include "engine/features/roles.h"
+#include "engine/features/nominal/roles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

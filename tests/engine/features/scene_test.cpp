@@ -9,7 +9,7 @@
 #include "engine/core/random.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/recognition.h"
-#include "engine/features/recognized_rows.h"
+#include "engine/features/report/recognized_rows.h"
 #include "made_scan.h"
 #include "made_scene.h"
 

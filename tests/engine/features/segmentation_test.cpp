@@ -1,5 +1,5 @@
 // The exact segmentation against all segmentations, the likelihood on discrete rows, junctions and ties of the model.
-#include "engine/features/segmentation.h"
+#include "engine/features/walls/segmentation.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "engine/core/random.h"
-#include "engine/features/edges.h"
-#include "engine/features/model_fit.h"
-#include "engine/features/selection.h"
+#include "engine/features/model/model_fit.h"
+#include "engine/features/model/selection.h"
+#include "engine/features/outline/edges.h"
 
 namespace lathelier::features {
 namespace {

@@ -1,5 +1,5 @@
 // The mesh of a shaft: closed, with its volume, within its sagitta.
-#include "engine/features/shaft_mesh.h"
+#include "engine/features/comparison/shaft_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The shaft of a recognition, as measured and with nominal sizes in place.
-#include "engine/features/snap.h"
+#include "engine/features/nominal/snap.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/core/random.h"
-#include "engine/features/roles.h"
+#include "engine/features/nominal/roles.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
 #include "made_recognition.h"

@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "engine/features/recognition_report.h"
+#include "engine/features/report/recognition_report.h"
 #include "engine/io/shaft/shaft_file.h"
 #include "engine/sample/sample.h"
 #include "engine/shaft/shaft_item.h"

@@ -1,0 +1,131 @@
+#include "engine/features/nominal/snap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/features/nominal/nominal_chain.h"
+#include "engine/shaft/shaft_rules.h"
+
+namespace lathelier::features {
+namespace {
+
+using Flags = std::vector<bool>;
+
+constexpr double changedSize_mm = 1e-9;
+
+MeasuredSize measuredOf(const RecognizedRow& row)
+{
+    return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
+            row.uncertainty};
+}
+
+bool isChanged(const ShaftSegment& now, const RecognizedRow& row)
+{
+    const auto differs = [](double a, double b) { return std::abs(a - b) > changedSize_mm; };
+    return differs(now.length_mm, row.z_end_mm - row.z_start_mm) ||
+           differs(now.start_diameter_mm, row.start_diameter_mm) || differs(now.end_diameter_mm, row.end_diameter_mm) ||
+           differs(now.arc_radius_mm.value_or(0), row.arc_radius_mm.value_or(0));
+}
+
+/// A shaft and, for each of its outer rows, the recognised row that it is (PlacedRow::none: none).
+struct Made {
+    Shaft shaft;
+    std::vector<std::ptrdiff_t> source;
+};
+
+Made outsideOf(const Recognition& recognition, const Flags& in_place, bool keep_measured)
+{
+    Made made;
+    for (const PlacedRow& row : placedRows(RowChain(recognition), in_place)) {
+        ShaftSegment segment;
+        segment.length_mm = row.end_u_mm - row.start_u_mm;
+        segment.start_diameter_mm = row.start_mm;
+        segment.end_diameter_mm = row.end_mm;
+        segment.arc_radius_mm = row.arc_radius_mm;
+        segment.role = row.role;
+        if (row.source != PlacedRow::none && keep_measured) {
+            const RecognizedRow& from = recognition.segments[static_cast<std::size_t>(row.source)];
+            if (isChanged(segment, from)) segment.measured = measuredOf(from);
+        }
+        made.shaft.segments.push_back(std::move(segment));
+        made.source.push_back(row.source);
+    }
+    made.shaft.marks = recognition.marks;
+    return made;
+}
+
+void addPlacedBores(Shaft& shaft, const Recognition& recognition, bool in_place)
+{
+    for (std::size_t i = 0; i < recognition.bores.size(); ++i) {
+        if (recognition.bores[i].empty()) continue;
+        const RowChain chain(recognition, i);
+        // A through bore ends where the part does.
+        std::optional<double> end_mm;
+        if (chain.endsAtEnd()) end_mm = shaft.length_mm();
+        ShaftBore bore{chain.isFromChuck() ? ShaftEnd::Chuck : ShaftEnd::Free, {}};
+        for (const PlacedRow& row : placedRows(chain, Flags(chain.size(), in_place), end_mm))
+            bore.segments.push_back(
+                {row.end_u_mm - row.start_u_mm, row.start_mm, row.end_mm, row.arc_radius_mm, row.role});
+        shaft.bores.push_back(std::move(bore));
+    }
+}
+
+/// Rows of the recognition that an error of checkShaft() names, and their neighbours; all rows when it names none.
+void leaveOut(const Error& error, const Made& made, Flags& in_place)
+{
+    const Flags before = in_place;
+    for (const char* name : {"row", "other_row"}) {
+        const Value* value = find(error.values(), name);
+        const auto* number = value ? std::get_if<std::int64_t>(value) : nullptr;
+        if (!number || *number < 1 || *number > static_cast<std::int64_t>(made.source.size())) continue;
+        // For a row without a recognised counterpart the one before it.
+        auto place = static_cast<std::size_t>(*number - 1);
+        while (place > 0 && made.source[place] == PlacedRow::none) --place;
+        const auto row = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, made.source[place]));
+        for (std::size_t i = row > 0 ? row - 1 : 0; i < std::min(row + 2, in_place.size()); ++i) in_place[i] = false;
+    }
+    if (in_place == before) in_place.assign(in_place.size(), false);
+}
+
+bool isSound(const Shaft& shaft)
+{
+    try {
+        checkShaft(shaft);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+Shaft measuredShaft(const Recognition& recognition)
+{
+    Made made = outsideOf(recognition, Flags(recognition.segments.size(), false), false);
+    addPlacedBores(made.shaft, recognition, false);
+    return std::move(made.shaft);
+}
+
+Shaft appliedNominal(const Recognition& recognition)
+{
+    Flags in_place(recognition.segments.size(), true);
+    Made made;
+    while (true) {
+        made = outsideOf(recognition, in_place, true);
+        try {
+            checkShaft(made.shaft);
+            break;
+        } catch (const Error& error) {
+            if (std::none_of(in_place.begin(), in_place.end(), [](bool one) { return one; })) break;
+            leaveOut(error, made, in_place);
+        }
+    }
+    for (const bool nominal_bores : {true, false}) {
+        Shaft shaft = made.shaft;
+        addPlacedBores(shaft, recognition, nominal_bores);
+        if (isSound(shaft)) return shaft;
+    }
+    return measuredShaft(recognition);
+}
+
+}  // namespace lathelier::features

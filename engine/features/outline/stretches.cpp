@@ -1,0 +1,307 @@
+#include "engine/features/outline/stretches.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/statistics.h"
+#include "engine/features/model/selection.h"
+#include "engine/features/walls/crest.h"
+
+namespace lathelier::features {
+namespace {
+
+constexpr double dataGap_mm = 1.2;  // a longer stretch without data is a gap, not an edge
+constexpr double shortestRoughZone_mm = 2.5;
+constexpr double roughScatterRatio =
+    1.3;  // ratio of a wall's scatter to that expected from noise and slope: above it the wall is rough
+constexpr double longestLead_mm = 4;        // length of the cone that leads into a rough zone
+constexpr double leastScatter_mm = 0.001;   // least scatter of a thread or knurl in data without noise
+constexpr std::size_t blurredEndWalls = 3;  // walls at a chain's end that may be artefacts of blur
+
+/// Walls with more scatter than noise and slope explain, over at least 2.5 mm, extended by neighbours with
+/// significantly increased scatter, where grooves run out into a cone.
+struct RoughWalls {
+    std::size_t from = 0, to = 0;            ///< indices of the rough walls, `to` excluded
+    std::size_t wide_from = 0, wide_to = 0;  ///< extended to walls that a groove may reach
+};
+
+std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm, bool radial)
+{
+    constexpr std::size_t mostSmoothWalls = 2, wallsBeyond = 3;
+    std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        // Noise along the normal of a slope is larger along the radius; that of rays across the axis acts along the
+        // radius.
+        const double slope = slopeAt(walls, i), square = slope * slope,
+                     spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
+        const double explained =
+            std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + leastScatter_mm * leastScatter_mm + spread);
+        const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
+        rough[i] = walls[i].sigma_mm > (roughScatterRatio + 3 * chance) * explained;
+        uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
+    }
+    std::vector<RoughWalls> stretches;
+    for (std::size_t i = 0; i < walls.size();) {
+        if (!rough[i]) {
+            ++i;
+            continue;
+        }
+        std::size_t last = i, calm = 0;
+        for (std::size_t j = i + 1; j < walls.size() && calm < 6; ++j) {
+            calm = rough[j] ? 0 : calm + 1;
+            if (rough[j]) last = j;
+        }
+        const std::size_t next = last + 1;
+        if (walls[last].z_mm - walls[i].z_mm >= shortestRoughZone_mm) {
+            std::size_t from = i, to = next;
+            const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
+            const double reach = std::min(longestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
+            for (std::size_t j = i; j-- > least && i - j <= mostSmoothWalls + (i - from);)
+                if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
+            for (std::size_t j = next; j < walls.size() && j - to <= mostSmoothWalls; ++j)
+                if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
+            from = std::max(least, from - std::min(from, wallsBeyond));
+            stretches.push_back({i, next, from, std::min(walls.size(), to + wallsBeyond)});
+        }
+        i = next;
+    }
+    return stretches;
+}
+
+/// Two lines without a common corner: a step of the radius.
+bool isStep(const Element& a, const Element& b, double z, double error_mm)
+{
+    if (a.arc || b.arc) return false;
+    const double jump = b.radiusAt_mm(z) - a.radiusAt_mm(z), bend = a.slope - b.slope;
+    if (std::abs(jump) < 5 * error_mm) return false;
+    return std::abs(bend) < 1e-9 || std::abs(jump / bend) > 0.4;
+}
+
+/// Cuts walls of one chain into stretches at steps.
+void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& walls, const std::vector<Wall>& crests,
+                  bool trim_start, bool trim_end, double form_mm, Border after, std::vector<MergedJunction>& merged,
+                  const Progress& progress)
+{
+    std::vector<Piece> pieces = cutIntoPieces(walls, progress);
+    if (pieces.empty()) return;
+    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= blurredEndWalls)
+        pieces.erase(pieces.begin());
+    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= blurredEndWalls) pieces.pop_back();
+    std::vector<Wear> worn;
+    mergeWear(pieces, walls, form_mm, merged, worn);
+    const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
+    const std::size_t merged_parts = worn.size();
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        const Piece& was = pieces[k];
+        const double from = walls[was.begin].z_mm, to = walls[was.end - 1].z_mm;
+        const auto covers = [&](const Wear& wear) { return wear.from_mm < to && wear.to_mm > from; };
+        const auto parts = worn.begin() + static_cast<std::ptrdiff_t>(merged_parts);
+        if (elements[k].arc || std::any_of(worn.begin(), parts, covers)) continue;
+        if (!was.arc && (!elements[k].cylinder || std::abs(was.slope) < 4 * was.slope_error)) continue;
+        Piece now = was;
+        now.arc = false;
+        now.slope = elements[k].slope;
+        worn.push_back({from, to, was, now});
+    }
+    Stretch stretch;
+    stretch.from_mm = walls.front().z_mm;
+    stretch.nodes_mm = {walls.front().z_mm};
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+        stretch.elements.push_back(elements[k]);
+        const bool last = k + 1 == elements.size();
+        const double z =
+            last ? walls.back().z_mm : (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
+        stretch.nodes_mm.push_back(z);
+        const Wall& wall = walls[pieces[k].end - 1];
+        const double few = static_cast<double>(
+            std::min(pieces[k].end - pieces[k].begin, last ? std::size_t{1} : pieces[k + 1].end - pieces[k + 1].begin));
+        const double error = 2 * wall.sigma_mm / std::sqrt(std::max(1.0, wall.points * few));
+        if (!last && !isStep(elements[k], elements[k + 1], z, error)) continue;
+        stretch.to_mm = z;
+        stretch.after = last ? after : Border::Step;
+        for (const Wall& one : walls)
+            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
+        for (const Wall& one : crests)
+            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.crests.push_back(one);
+        for (const Wear& wear : worn)
+            if (wear.to_mm > stretch.from_mm && wear.from_mm < z) stretch.worn.push_back(wear);
+        stretches.push_back(stretch);
+        stretch = {};
+        stretch.from_mm = z;
+        stretch.nodes_mm = {z};
+    }
+}
+
+/// First harmonic of the points' radii between two heights: mean, and how far off the axis their circle is.
+struct Circle {
+    double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
+    double root_mm = 0;  ///< 2 % quantile of the radius
+    std::optional<Crest> crest;
+};
+
+Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm)
+{
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+        const double z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
+        if (z > from_mm && z < to_mm && std::abs(r - about_mm) < std::max(2.0, 0.2 * about_mm))
+            points.emplace_back(2 * std::numbers::pi * static_cast<double>(cloud.turn[i]), r);
+    }
+    Circle circle;
+    if (points.size() < 30) return circle;
+    Eigen::Vector3d found(about_mm, 0, 0);
+    double limit = 1e9;
+    for (int round = 0; round < 5; ++round) {
+        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        std::vector<double> offs;
+        for (const auto& [angle, r] : points) {
+            const Eigen::Vector3d row(1, std::cos(angle), std::sin(angle));
+            const double off = r - row.dot(found);
+            offs.push_back(std::abs(off));
+            if (std::abs(off) > limit) continue;
+            normal += row * row.transpose();
+            right += row * r;
+        }
+        found = normal.ldlt().solve(right);
+        circle.sigma_mm = madToSigma * upperMedianInPlace(offs);
+        limit = 4 * circle.sigma_mm;
+    }
+    circle.radius_mm = found[0];
+    circle.offset_mm = found.tail<2>().norm();
+    std::vector<float> radii;
+    radii.reserve(points.size());
+    for (const auto& point : points) radii.push_back(static_cast<float>(point.second));
+    circle.crest = crestOf(radii, sigma_mm);
+    circle.root_mm = static_cast<double>(quantileInPlace(radii, 0.02));
+    return circle;
+}
+
+/// A rough zone as one cylinder over its crests, and the cones that lead into it.
+struct RoughStretch {
+    Stretch stretch;
+    double eccentric_mm = 0;
+    std::vector<Wall> lead_in, lead_out;  ///< in order of z
+};
+
+RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, RoughWalls& rough_walls)
+{
+    const auto [from, to, wide_from, wide_to] = rough_walls;
+    RoughStretch rough;
+    Stretch& stretch = rough.stretch;
+    const double half = input.coarse.bin_mm / 2;
+    stretch.from_mm = walls[from].z_mm;
+    stretch.to_mm = walls[to - 1].z_mm;
+    stretch.coarse.assign(walls.begin() + static_cast<std::ptrdiff_t>(from),
+                          walls.begin() + static_cast<std::ptrdiff_t>(to));
+    double mean = 0;
+    for (const Wall& wall : stretch.coarse) mean += wall.r_mm / static_cast<double>(stretch.coarse.size());
+    const Circle circle = circleOf(input.cloud, stretch.from_mm, stretch.to_mm, mean, input.coarse.sigma_mm);
+    const bool eccentric =
+        circle.sigma_mm > 0 && circle.sigma_mm < 1.6 * input.coarse.sigma_mm && circle.offset_mm > 0.05;
+    Element cylinder;
+    cylinder.cylinder = cylinder.rough = true;
+    cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest ? circle.crest->radius_mm : mean;
+    cylinder.level_sigma_mm = circle.crest && !eccentric ? circle.crest->sigma_mm : input.coarse.sigma_mm;
+    cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
+    if (eccentric) rough.eccentric_mm = circle.offset_mm;
+    if (circle.crest && !eccentric) {
+        const double longest = std::min(longestLead_mm, (stretch.to_mm - stretch.from_mm) / 3);
+        const auto lead = [&](double border, bool toward_end) {
+            return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
+        };
+        const Lead in = lead(walls[wide_from].z_mm - half, true), out = lead(walls[wide_to - 1].z_mm + half, false);
+        rough.lead_in = in.walls;
+        rough.lead_out = out.walls;
+        if (!in.walls.empty()) {
+            stretch.from_mm = in.reached_mm;
+            rough_walls.from = wide_from;
+        }
+        if (!out.walls.empty()) {
+            stretch.to_mm = out.reached_mm;
+            rough_walls.to = wide_to;
+        }
+    }
+    cylinder.at_mm = (stretch.from_mm + stretch.to_mm) / 2;
+    stretch.elements = {cylinder};
+    stretch.nodes_mm = {stretch.from_mm, stretch.to_mm};
+    return rough;
+}
+
+}  // namespace
+
+double slopeAt(const std::vector<Wall>& walls, std::size_t i)
+{
+    const std::size_t a = i > 0 ? i - 1 : i, b = std::min(i + 1, walls.size() - 1);
+    const double dz = walls[b].z_mm - walls[a].z_mm;
+    return dz > 0 ? (walls[b].r_mm - walls[a].r_mm) / dz : 0;
+}
+
+std::vector<const Chain*> chainsOf(const Walls& walls, bool bore)
+{
+    std::vector<const Chain*> chains;
+    for (const Chain& chain : walls.chains)
+        if (chain.bore == bore) chains.push_back(&chain);
+    std::vector<const Chain*> kept;
+    for (const Chain* one : chains) {
+        const bool hidden = std::any_of(chains.begin(), chains.end(), [&](const Chain* other) {
+            if (other == one || other->walls.size() <= one->walls.size()) return false;
+            const double from = std::max(one->zFirst_mm(), other->zFirst_mm()),
+                         to = std::min(one->zLast_mm(), other->zLast_mm());
+            return to - from > 0.5 * (one->zLast_mm() - one->zFirst_mm());
+        });
+        if (!hidden) kept.push_back(one);
+    }
+    std::sort(kept.begin(), kept.end(), [](const Chain* a, const Chain* b) {
+        return a->zFirst_mm() + a->zLast_mm() < b->zFirst_mm() + b->zLast_mm();
+    });
+    return kept;
+}
+
+std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, const Progress& progress)
+{
+    const std::vector<const Chain*> chains = chainsOf(input.coarse, input.bore);
+    std::vector<Stretch> stretches;
+    for (std::size_t c = 0; c < chains.size(); ++c) {
+        const std::vector<Wall>& walls = chains[c]->walls;
+        Border after = Border::End;
+        bool trim_end = false;
+        if (c + 1 < chains.size()) {
+            const double apart = chains[c + 1]->zFirst_mm() - walls.back().z_mm;
+            after = apart > dataGap_mm ? Border::Gap : Border::Shoulder;
+            trim_end = after == Border::Shoulder;
+        }
+        const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;
+        std::size_t at = 0;
+        std::vector<Wall> lead_out;  // of the rough zone before
+        const auto addQuiet = [&](std::size_t from, std::size_t to, const std::vector<Wall>& lead_in, Border border,
+                                  bool trim) {
+            std::vector<Wall> own = lead_out;
+            own.insert(own.end(), walls.begin() + static_cast<std::ptrdiff_t>(from),
+                       walls.begin() + static_cast<std::ptrdiff_t>(to));
+            own.insert(own.end(), lead_in.begin(), lead_in.end());
+            if (own.size() <= 2) return false;
+            std::vector<Wall> crests = lead_out;
+            crests.insert(crests.end(), lead_in.begin(), lead_in.end());
+            addStretches(stretches, own, crests, (trim_start && from == 0) || (from > 0 && lead_out.empty()),
+                         trim && lead_in.empty(), input.form_mm, border, outline.merged, progress);
+            return true;
+        };
+        for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm, input.scanner.has_value())) {
+            RoughStretch rough = roughStretch(input, walls, rough_walls);
+            const auto [from, to, wide_from, wide_to] = rough_walls;
+            addQuiet(at, from, rough.lead_in, rough.lead_in.empty() ? Border::Rough : Border::Lead, true);
+            rough.stretch.after = !rough.lead_out.empty() ? Border::Lead : to < walls.size() ? Border::Rough : after;
+            outline.rough.push_back({rough.stretch.from_mm, rough.stretch.to_mm, rough.eccentric_mm});
+            stretches.push_back(rough.stretch);
+            lead_out = rough.lead_out;
+            at = to;
+        }
+        if (!addQuiet(at, walls.size(), {}, after, trim_end) && !stretches.empty()) stretches.back().after = after;
+    }
+    return stretches;
+}
+
+}  // namespace lathelier::features

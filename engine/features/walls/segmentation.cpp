@@ -1,0 +1,178 @@
+#include "engine/features/walls/segmentation.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+
+namespace lathelier::features {
+namespace {
+
+constexpr double formFloor_mm = 1e-3;  // standard deviation of the walls' form besides their noise
+constexpr double longestArc_mm = 30;
+constexpr double infiniteCost = std::numeric_limits<double>::infinity();
+
+/// Sums over walls relative to one place, so that short arcs far from z = 0 lose no digits.
+class Sums {
+public:
+    Sums(double z_mm, double r_mm) : z_(z_mm), r_(r_mm) {}
+
+    void add(const Wall& wall)
+    {
+        const double n = std::max(1.0, wall.points);
+        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + formFloor_mm * formFloor_mm);
+        const double x = wall.z_mm - z_, y = wall.r_mm - r_, q = x * x + y * y;
+        s_ += w;
+        sx_ += w * x;
+        sy_ += w * y;
+        sxx_ += w * x * x;
+        sxy_ += w * x * y;
+        syy_ += w * y * y;
+        sq_ += w * q;
+        sxq_ += w * x * q;
+        syq_ += w * y * q;
+        sqq_ += w * q * q;
+    }
+    double line() const
+    {
+        const double cxx = sxx_ - sx_ * sx_ / s_, cxy = sxy_ - sx_ * sy_ / s_, cyy = syy_ - sy_ * sy_ / s_;
+        return cxx > 0 ? std::max(0.0, cyy - cxy * cxy / cxx) : std::max(0.0, cyy);
+    }
+    /// Solves for A, B, C and gives the cost; infinite where there is no circle.
+    double arc(double& a, double& b, double& c) const
+    {
+        Eigen::Matrix3d m;
+        m << sxx_, sxy_, sx_, sxy_, syy_, sy_, sx_, sy_, s_;
+        const Eigen::Vector3d rhs(sxq_, syq_, sq_);
+        // Scaled, since x and y may be small against 1.
+        const Eigen::Vector3d scale = m.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+        const Eigen::Matrix3d scaled = scale.asDiagonal() * m * scale.asDiagonal();
+        const Eigen::LDLT<Eigen::Matrix3d> solver(scaled);
+        const Eigen::Vector3d found = scale.asDiagonal() * solver.solve(scale.asDiagonal() * rhs);
+        a = found[0];
+        b = found[1];
+        c = found[2];
+        const double square = c + (a * a + b * b) / 4;
+        if (!(square > 0) || !found.allFinite()) return infiniteCost;
+        const double misfit = std::max(0.0, sqq_ - found.dot(rhs));
+        // Mean squared cosine: ((y - b/2)/ρ)² over the walls.
+        const double cosine = (syy_ - b * sy_ + b * b / 4 * s_) / (square * s_);
+        return misfit / (4 * square) / std::max(cosine, 0.02);
+    }
+    void lineOf(Piece& piece) const
+    {
+        const double cxx = sxx_ - sx_ * sx_ / s_, cxy = sxy_ - sx_ * sy_ / s_;
+        piece.at_mm = z_ + sx_ / s_;
+        piece.level_mm = r_ + sy_ / s_;
+        piece.slope = cxx > 0 ? cxy / cxx : 0;
+        piece.slope_error = cxx > 0 ? 1 / std::sqrt(cxx) : infiniteCost;
+    }
+    double meanY() const { return sy_ / s_; }
+    double z() const { return z_; }
+    double r() const { return r_; }
+
+private:
+    double z_, r_;
+    double s_ = 0, sx_ = 0, sy_ = 0, sxx_ = 0, sxy_ = 0, syy_ = 0, sq_ = 0, sxq_ = 0, syq_ = 0, sqq_ = 0;
+};
+
+Sums sumsOf(std::span<const Wall> walls)
+{
+    Sums sums(walls.back().z_mm, walls.back().r_mm);
+    for (const Wall& wall : walls) sums.add(wall);
+    return sums;
+}
+
+Piece pieceOf(std::span<const Wall> walls, std::size_t begin, std::size_t end, bool arc)
+{
+    Piece piece;
+    piece.begin = begin;
+    piece.end = end;
+    piece.arc = arc;
+    const Sums sums = sumsOf(walls.subspan(begin, end - begin));
+    sums.lineOf(piece);
+    if (!arc) return piece;
+    double a = 0, b = 0, c = 0;
+    sums.arc(a, b, c);
+    piece.centre_z_mm = sums.z() + a / 2;
+    piece.centre_r_mm = sums.r() + b / 2;
+    piece.radius_mm = std::sqrt(std::max(0.0, c + (a * a + b * b) / 4));
+    piece.convex = sums.meanY() > b / 2;
+    return piece;
+}
+
+}  // namespace
+
+double linePrice(std::size_t walls)
+{
+    return 5 * std::log(static_cast<double>(walls) + 1);
+}
+
+double arcPrice(std::size_t walls)
+{
+    return 7.5 * std::log(static_cast<double>(walls) + 1);
+}
+
+double leftOutPrice(std::size_t walls)
+{
+    return 2 * std::log(static_cast<double>(walls) + 1);
+}
+
+double lineCost(std::span<const Wall> walls)
+{
+    return sumsOf(walls).line();
+}
+
+double arcCost(std::span<const Wall> walls)
+{
+    double a = 0, b = 0, c = 0;
+    return sumsOf(walls).arc(a, b, c);
+}
+
+std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& progress)
+{
+    const std::size_t n = walls.size();
+    const double line_price = linePrice(n), arc_price = arcPrice(n), left_out_price = leftOutPrice(n);
+    std::vector<double> best(n + 1, infiniteCost);    // of a piece that ends before wall j
+    std::vector<double> before(n + 1, infiniteCost);  // of a piece that may start at wall i
+    std::vector<std::size_t> left_out(n + 1, 0);
+    std::vector<std::size_t> from(n + 1, 0);
+    std::vector<char> is_arc(n + 1, 0);
+    best[0] = before[0] = 0;
+    for (std::size_t j = leastLineWalls; j <= n; ++j) {
+        if (j % 64 == 0) progress.check();
+        Sums sums(walls[j - 1].z_mm, walls[j - 1].r_mm);
+        for (std::size_t i = j; i-- > 0;) {
+            sums.add(walls[i]);
+            const std::size_t length = j - i;
+            if (length < leastLineWalls || before[i] == infiniteCost) continue;
+            const double line = sums.line();
+            if (before[i] + line + line_price < best[j]) {
+                best[j] = before[i] + line + line_price;
+                from[j] = i;
+                is_arc[j] = 0;
+            }
+            if (length < leastArcWalls || walls[j - 1].z_mm - walls[i].z_mm > longestArc_mm) continue;
+            if (before[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
+            double a = 0, b = 0, c = 0;
+            const double arc = sums.arc(a, b, c);
+            if (before[i] + arc + arc_price < best[j]) {
+                best[j] = before[i] + arc + arc_price;
+                from[j] = i;
+                is_arc[j] = 1;
+            }
+        }
+        before[j] = best[j];
+        for (std::size_t k = 1; k <= mostOmittedWalls && k < j; ++k)
+            if (const double value = best[j - k] + static_cast<double>(k) * left_out_price; value < before[j]) {
+                before[j] = value;
+                left_out[j] = k;
+            }
+    }
+    std::vector<Piece> pieces;
+    if (n < leastLineWalls || best[n] == infiniteCost) return pieces;
+    for (std::size_t j = n; j > 0; j = from[j] - left_out[from[j]])
+        pieces.push_back(pieceOf(walls, from[j], j, is_arc[j] != 0));
+    return {pieces.rbegin(), pieces.rend()};
+}
+
+}  // namespace lathelier::features

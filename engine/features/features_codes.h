@@ -77,6 +77,41 @@ inline constexpr NoteCode sizesNotRecognized{
     "sizes_not_recognized", Severity::Warning,
     LT_TEXT("Engine", "The sizes of the copy were not recognised ({reason}): the rows have no measured values.")};
 
+inline constexpr NoteCode unexplainedStructure{
+    "unexplained_structure", Severity::Warning,
+    LT_TEXT("Engine",
+            "Unexplained structure ({structure}) from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², up to "
+            "{height_mm:3} mm, at {places} places around the axis: no row and no mark describes it."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode unexplainedHole{
+    "unexplained_hole", Severity::Warning,
+    LT_TEXT("Engine",
+            "No points from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², at {places} round places of a surface "
+            "that is seen: no row and no mark explains it."),
+    NoteRole::NotModelled};
+
+inline constexpr NoteCode takenForDamage{
+    "taken_for_damage", Severity::Warning,
+    LT_TEXT("Engine", "Structure that no row explains was stated to be damage of the part: {count} stretches."),
+    NoteRole::Assumed};
+
+inline constexpr NoteCode noiseCorrelated{
+    "noise_correlated", Severity::Info,
+    LT_TEXT("Engine",
+            "The noise of neighbouring points is correlated: the uncertainties are {factor:1} times those of independent "
+            "points.")};
+
+inline constexpr NoteCode passesDiffer{
+    "passes_differ", Severity::Warning,
+    LT_TEXT("Engine",
+            "Neighbouring bins differ by {scatter_um:1} µm beyond the noise (χ² {chi2:1}), as passes of a scanner that "
+            "do not agree: every diameter may be off by that much.")};
+
+inline constexpr NoteCode rowsNotRound{
+    "rows_not_round", Severity::Info,
+    LT_TEXT("Engine", "Rows that are not round: {count}; row {row} has {lobes} lobes of {height_um:1} µm.")};
+
 }  // namespace notes
 
 }  // namespace lathelier

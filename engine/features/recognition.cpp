@@ -15,6 +15,8 @@
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
 #include "engine/features/scene/scene_support.h"
+#include "engine/features/structure/bore_proof.h"
+#include "engine/features/structure/structure.h"
 #include "engine/features/walls/mesh_points.h"
 #include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
@@ -215,7 +217,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
         bin = 2 * coarse.sigma_mm;
         coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
     }
-    const Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
+    Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
     result.noise_mm = coarse.sigma_mm;
     result.points_used = static_cast<std::int64_t>(points.size());
 
@@ -228,7 +230,17 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
                                            {"minimum", std::int64_t{50}}});
     if (scene.support) placeEndOnSupport(*scene.support, fit, *outside, result);
     const double zero = outside->model.planes.front().z_mm;
+    const SurfaceTable surface(outside->model);
+    keepProvenBores(cloud, surface, coarse.sigma_mm, coarse, fine, fitting);
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
+    const StructureInput seen{cloud, *outside, inner ? &*inner : nullptr, surface, parameters.form_tolerance_mm};
+    const PartStructure structure = structureOf(seen, fitting);
     AddedUncertainty added;
+    added.variance_ratio = structure.variance_ratio;
+    added.passes_um = structure.passes_um;
+    result.variance_ratio = structure.variance_ratio;
     if (parameters.scanner_accuracy_mm)
         added.scanner_um = 1e3 * *parameters.scanner_accuracy_mm;
     else
@@ -259,9 +271,6 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
         result.complete = false;
     }
     describeEnds(*outside, result);
-    input.bore = true;
-    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
     if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
     result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
     for (ShaftMark& mark : result.marks) {
@@ -283,6 +292,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
         else
             result.notes.push_back({notes::roughZone, {{"z_start_mm", from}, {"z_end_mm", to}}});
     }
+    describeStructure(seen, structure, zero, result, fitting);
     finishRows(*outside, result);
     result.basis =
         std::make_shared<const RecognitionBasis>(RecognitionBasis{*outside, fit.axis_T_scan, fit.coverage_deg, added});

@@ -28,6 +28,7 @@ enum class RecognitionMethod { Robust, Paper };
 enum class Snap { Suggest, None, Apply };
 enum class FreeEnd { First, Last };          ///< which end of the data z = 0 is: along the axis' positive sense
 enum class CompareWith { Previous, First };  ///< the paper's section that the next one is compared with
+enum class Unexplained { Refuse, Damage };   ///< what is made of structure that no row and no mark explains
 
 struct RecognitionParameters {
     RecognitionMethod method = RecognitionMethod::Robust;  ///< robust or published
@@ -35,6 +36,7 @@ struct RecognitionParameters {
     Snap snap = Snap::Suggest;                   ///< nominal sizes: none, suggested, or put in place of the measured
     double form_tolerance_mm = 0.02;             ///< on radius: rows that one element describes within it are one
     std::optional<double> scanner_accuracy_mm;   ///< systematic, added to every uncertainty
+    Unexplained unexplained = Unexplained::Refuse;  ///< Damage: a person says that it is damage of the part
     FreeEnd free_end = FreeEnd::First;           ///< origin of z
     std::optional<double> length_mm;             ///< confirms the length where an end is not seen
     std::optional<double> length_of_chucked_mm;  ///< the last part, in the chuck: not in the stock file
@@ -60,6 +62,14 @@ struct Suggestion {
     std::string designation;        ///< "1×45°", "DIN 509 - E 0.6×0.2"; empty: only the number
 };
 
+/// Departure of a row from a circle about the common axis; nothing where it is not sure.
+struct RowLobes {
+    std::optional<double> offset_mm;    ///< of its centre
+    std::optional<double> offset_deg;   ///< direction of the offset about the axis
+    std::optional<std::int64_t> lobes;  ///< undulations per revolution of the largest harmonic; 2: oval
+    std::optional<double> height_um;    ///< of these, peak to valley of the radius
+};
+
 /// One row of the table as it was measured. z counts from the free end.
 struct RecognizedRow {
     RowKind kind = RowKind::Cylinder;
@@ -74,6 +84,7 @@ struct RecognizedRow {
     double residual_um = 0;               ///< rms of the bins about the row
     double form_pv_um = 0;                ///< peak to valley of means over five bins about the row
     double taper_um = 0;                  ///< of a worn cylinder: change of the radius along it
+    RowLobes lobes;                       ///< of the circle
     bool fully_visible = true;            ///< false: an undercut's arc that is partly hidden
     SizeUncertainty uncertainty;          ///< k = 2
     std::vector<Suggestion> suggestions;
@@ -106,6 +117,24 @@ struct MergedJunction {
     double angle_deg = 0;  ///< bend between the two
 };
 
+enum class StructureKind {
+    Raised,     ///< above the model
+    Sunken,     ///< below it
+    NoPoints,   ///< a round place of a wall or a face that is seen has no points: a hole
+    Rough,      ///< too rough for a row, and neither a thread nor a knurl
+    Eccentric,  ///< a row off the common axis
+};
+
+/// Structure that neither a row nor a mark explains.
+struct UnexplainedStructure {
+    StructureKind kind = StructureKind::Raised;
+    double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
+    std::optional<double> angle_deg = {}, span_deg = {};  ///< its middle and width about the axis; none: several places
+    double area_mm2 = 0;                                  ///< of all places
+    std::optional<double> height_mm = {};  ///< largest mean deviation of a place; Eccentric: offset; none: no points
+    std::int64_t places = 1;               ///< number of places around the axis
+};
+
 /// One wall of one bin of the meridian, for plots.
 struct MeridianPoint {
     double z_mm = 0, radius_mm = 0;  ///< z from the free end
@@ -128,6 +157,7 @@ struct Recognition {
     std::vector<std::vector<RecognizedRow>> bores;                  ///< each from its mouth inward, as Shaft::bores
     std::vector<RecognizedFeature> features;                        ///< in order of z
     std::vector<ShaftMark> marks;                                   ///< in order of z
+    std::vector<UnexplainedStructure> unexplained;                  ///< in order of z; not CAD, not a program
     std::vector<Gap> gaps;                                          ///< stretches without data
     std::vector<SceneGroup> scene;                                  ///< empty: nothing was cut off
     std::vector<MergedJunction> merged;                             ///< within the form tolerance
@@ -136,6 +166,8 @@ struct Recognition {
     double chi2_per_bin = 0;
     double spot_mm = 0;                ///< width that an edge is blurred by
     double noise_mm = 0;               ///< of single points along the normal
+    double variance_ratio = 1;         ///< of a row's mean over that of independent points: correlation of the noise
+    double passes_differ_um = 0;       ///< standard deviation of neighbouring bins beyond the noise, on the radius
     std::optional<double> volume_mm3;  ///< of the table, exact; none: the shaft is not complete
     std::int64_t points_used = 0;
     bool complete = true;  ///< no gap, both ends seen or confirmed: CAD may be made

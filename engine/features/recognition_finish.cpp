@@ -35,20 +35,20 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
 void describeEnds(const Outline& outline, Recognition& result)
 {
     const Model& model = outline.model;
-    const double zero = model.planes.front().z_mm;
+    const double zero = model.planes.front().z_mm, scale = std::sqrt(result.variance_ratio);
     bool seen[2];
     for (const bool start : {true, false}) {
         const Plane& plane = start ? model.planes.front() : model.planes.back();
         RecognizedEnd end;
         end.z_mm = plane.z_mm - zero;
-        end.uncertainty_mm = 2 * plane.sigma_mm;
+        end.uncertainty_mm = 2 * scale * plane.sigma_mm;
         end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start, false);
         seen[start ? 0 : 1] = isPartEnd(outline, start, end.closed_by);
         if (!seen[start ? 0 : 1]) end.closed_by = "data";
         result.ends.push_back(end);
     }
     const double measured = model.planes.back().z_mm - zero;
-    result.length_uncertainty_mm = 2 * std::hypot(model.planes.front().sigma_mm, model.planes.back().sigma_mm);
+    result.length_uncertainty_mm = 2 * scale * std::hypot(model.planes.front().sigma_mm, model.planes.back().sigma_mm);
     if (seen[0] && seen[1]) result.length_mm = measured;
     for (const bool start : {true, false}) {
         if (seen[start ? 0 : 1]) continue;

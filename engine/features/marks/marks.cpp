@@ -9,6 +9,7 @@
 
 #include "engine/core/statistics.h"
 #include "engine/core/units.h"
+#include "engine/features/structure/mark_proof.h"
 #include "engine/features/walls/crest.h"
 
 namespace lathelier::features {
@@ -26,6 +27,12 @@ const Run* runAt(const Model& model, double z_mm)
         if (z_mm > run.nodes_mm.front() && z_mm < run.nodes_mm.back())
             return run.elements.front().rough ? nullptr : &run;
     return nullptr;
+}
+
+/// Points further from the model belong to a mark.
+double offLimit_mm(const Model& model)
+{
+    return 5 * model.sigma_mm + 0.1;
 }
 
 /// Points of one region of the map.
@@ -71,7 +78,7 @@ std::vector<Region> regionsOf(const MeridianCloud& cloud, const Model& model, co
         if (bore && static_cast<double>(cloud.r_mm[i]) < (outer + boreAt(bore, z)) / 2) continue;
         const std::size_t cell = cellOf(i);
         ++cells[cell][0];
-        if (std::abs(static_cast<double>(cloud.r_mm[i]) - outer) > 5 * model.sigma_mm + 0.1) {
+        if (std::abs(static_cast<double>(cloud.r_mm[i]) - outer) > offLimit_mm(model)) {
             ++cells[cell][1];
             off.push_back(static_cast<std::uint32_t>(i));
         }
@@ -128,6 +135,7 @@ double quantile(std::vector<double> values, double share)
     return lowerQuantileInPlace(values, share);
 }
 
+/// The flat or keyway whose floor the points of a region prove; kind empty without one.
 ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& region)
 {
     std::vector<Eigen::Vector2d> places;
@@ -175,28 +183,30 @@ ShaftMark markOf(const MeridianCloud& cloud, const Model& model, const Region& r
     const double floor = 1 / std::max(1e-9, plane.norm());
     double angle = std::atan2(plane.y(), plane.x()) * deg_per_rad;
     if (angle < 0) angle += 360;
-    const bool flat_floor = worst < 0 && kept > 0.6 * static_cast<double>(places.size()) && rms < 1.6 * model.sigma_mm;
     mark.angle_deg = angle;
-    if (!flat_floor) {
-        mark.kind = "free_form";
-        mark.deviation_mm = worst;
-        return mark;
-    }
+    if (worst >= 0 || kept <= 0.6 * static_cast<double>(places.size()) || rms >= 1.6 * model.sigma_mm) return mark;
     const Eigen::Vector2d along(-plane.y() * floor, plane.x() * floor);
     std::vector<double> across;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        if (use[i]) across.push_back(along.dot(places[i]));
+    std::vector<FloorPoint> points;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!use[i]) continue;
+        across.push_back(along.dot(places[i]));
+        points.push_back({heights[i], across.back(), (plane.dot(places[i]) - 1) * floor});
+    }
+    if (!isPlane(points, model.sigma_mm)) return mark;
     const double width = quantile(across, 0.998) - quantile(across, 0.002);
     const Run* const run = runAt(model, (*mark.z_start_mm + *mark.z_end_mm) / 2);
     const double radius = run ? radiusAt_mm(*run, (*mark.z_start_mm + *mark.z_end_mm) / 2) : floor;
-    // A flat runs out to the surface; a keyway has walls there.
-    const double edge = std::hypot(floor, width / 2);
-    if (radius - edge < 5 * model.sigma_mm + 0.15) {
-        mark.kind = "flat";
-        mark.distance_mm = floor;
-    } else {
-        mark.kind = "keyway";
-        mark.floor_mm = floor;
+    switch (floorShape(radius, floor, width, offLimit_mm(model))) {
+        case FloorShape::Flat:
+            mark.kind = "flat";
+            mark.distance_mm = floor;
+            break;
+        case FloorShape::Keyway:
+            mark.kind = "keyway";
+            mark.floor_mm = floor;
+            break;
+        case FloorShape::Neither: return mark;
     }
     mark.width_mm = width;
     return mark;
@@ -309,9 +319,18 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         folded[bin] += static_cast<double>(cloud.r_mm[i]);
         filled[bin] += 1;
     }
-    double root = 1e300;
-    for (std::size_t b = 0; b < bins; ++b)
-        if (filled[b] > 0) root = std::min(root, folded[b] / filled[b]);
+    double root = 1e300, explained = 0;
+    for (std::size_t b = 0; b < bins; ++b) {
+        if (filled[b] <= 0) continue;
+        root = std::min(root, folded[b] / filled[b]);
+        explained += filled[b] * (folded[b] / filled[b] - mean) * (folded[b] / filled[b] - mean);
+    }
+    double scatter = 0;
+    for (const std::uint32_t i : points) {
+        const double off = static_cast<double>(cloud.r_mm[i]) - mean;
+        scatter += off * off - sigma_mm * sigma_mm;
+    }
+    if (explained < proofThresholds.least_explained * scatter) return ShaftMark();
     std::vector<float> crests;
     crests.reserve(points.size());
     for (const std::uint32_t i : points) crests.push_back(cloud.r_mm[i]);
@@ -335,9 +354,28 @@ ShaftMark periodicMark(const MeridianCloud& cloud, double from_mm, double to_mm,
         mark.diameter_mm = 2 * crest_mm;
         mark.depth_mm = crest_mm - quantile(std::move(radii), 0.02);
         mark.pitch_mm = std::numbers::pi * *mark.diameter_mm / *mark.teeth;
+        if (*mark.pitch_mm > proofThresholds.most_knurl_pitch_mm) return ShaftMark();
     }
     return mark;
 }
+
+namespace {
+
+/// More equal keyways over one stretch than a shaft has are the gaps of teeth.
+void dropTeeth(std::vector<ShaftMark>& marks)
+{
+    const auto alike = [&](const ShaftMark& mark) {
+        return static_cast<std::size_t>(std::count_if(marks.begin(), marks.end(), [&](const ShaftMark& other) {
+            return other.kind == mark.kind && *other.z_start_mm < *mark.z_end_mm && *other.z_end_mm > *mark.z_start_mm;
+        }));
+    };
+    std::vector<ShaftMark> kept;
+    for (const ShaftMark& mark : marks)
+        if (mark.kind != "keyway" || alike(mark) <= proofThresholds.most_alike) kept.push_back(mark);
+    marks = std::move(kept);
+}
+
+}  // namespace
 
 std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outline, const Outline* bore,
                                  const Progress& progress)
@@ -347,8 +385,9 @@ std::vector<ShaftMark> findMarks(const MeridianCloud& cloud, const Outline& outl
     std::vector<ShaftMark> marks;
     for (const Region& region : regionsOf(cloud, model, bore, first, last)) {
         progress.check();
-        marks.push_back(markOf(cloud, model, region));
+        if (ShaftMark mark = markOf(cloud, model, region); !mark.kind.empty()) marks.push_back(std::move(mark));
     }
+    dropTeeth(marks);
     for (const RoughZone& zone : outline.rough) {
         if (zone.eccentric_mm > 0) continue;
         double about = 0;

@@ -167,10 +167,11 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             row.coverage_deg = coverage_deg;
             if (!e.rough) addForm(outline, run, k, row);
             const Sizes& s = sigma[rows.size()];
-            const double common = added.scanner_um;
-            const auto length = [&](double standard) { return std::hypot(2e3 * standard, common); };
+            const double common = added.scanner_um, scale = std::sqrt(added.variance_ratio);
+            const auto length = [&](double standard) { return std::hypot(2e3 * scale * standard, common); };
             const auto diameter = [&](double standard) {
-                return std::hypot(4e3 * standard, std::hypot(2 * common, added.ovality_um));
+                const double noise = std::hypot(4e3 * scale * standard, std::hypot(2 * common, added.ovality_um));
+                return std::hypot(noise, 4 * added.passes_um);
             };
             row.uncertainty.z_start_um = length(s[0]);
             row.uncertainty.z_end_um = length(s[1]);

@@ -11,6 +11,8 @@ namespace lathelier::features {
 struct AddedUncertainty {
     double scanner_um = 0;  ///< systematic, in quadrature
     double ovality_um = 0;  ///< of the diameter, where only a part of the circle is seen, in quadrature
+    double passes_um = 0;   ///< of the radius, where passes of the scanner differ, in quadrature
+    double variance_ratio = 1;  ///< of correlated noise to independent noise; multiplies the covariance
 };
 
 /// Error of the diameter per µm of a two-lobed form error (radius) when only this arc of the circle is seen.

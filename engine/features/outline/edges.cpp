@@ -15,7 +15,7 @@ using registration::Ray;
 
 constexpr double sureOfRay = 0.997;
 constexpr std::array<double, 13> candidateWidths_mm{0.01, 0.02, 0.04, 0.06, 0.08, 0.1, 0.12,
-                                                    0.15, 0.18, 0.22, 0.28, 0.36, 0.5};
+                                                    0.15, 0.18, 0.22, 0.28, 0.36, widestSpot_mm};
 constexpr int edgeSectors = 24;
 
 /// Sum of log P over the rays, which are in order of height.

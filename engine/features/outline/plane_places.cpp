@@ -264,7 +264,8 @@ void placePlanes(const OutlineInput& input, Outline& outline, const std::vector<
         std::vector<double> spots;
         const auto rays = registration::findEdgeRays(input.points_mm, input.fit, edges, progress);
         for (std::size_t e = 0; e < edges.size(); ++e)
-            if (const auto place = placeOf(rays[e])) {
+            // The widest spot is a bound: hits and misses mix over all of the stretch, and say nothing of the edge.
+            if (const auto place = placeOf(rays[e]); place && place->spot_mm < widestSpot_mm) {
                 Plane& plane = model.planes[plane_of[e]];
                 plane.z_mm = plane.seen_mm = place->z_mm - lags_mm[e];
                 plane.sigma_mm = place->sigma_mm;

@@ -43,6 +43,20 @@ void shift(double by_mm, Recognition& result)
     for (ShaftMark& mark : result.marks)
         for (auto* z : {&mark.z_start_mm, &mark.z_end_mm})
             if (*z) **z += by_mm;
+    for (UnexplainedStructure& one : result.unexplained) {
+        one.z_start_mm += by_mm;
+        one.z_end_mm += by_mm;
+    }
+}
+
+/// Lobes belong to a place: a row has those of the earlier row at its middle.
+void keepLobes(const Recognition& found, double shift_mm, std::vector<RecognizedRow>& rows)
+{
+    for (RecognizedRow& row : rows) {
+        const double middle = (row.z_start_mm + row.z_end_mm) / 2 - shift_mm;
+        for (const RecognizedRow& before : found.segments)
+            if (middle >= before.z_start_mm && middle <= before.z_end_mm) row.lobes = before.lobes;
+    }
 }
 
 /// A seen end of the part stays one, whichever row now leads to it.
@@ -95,6 +109,7 @@ Recognition refit(const Recognition& found, const std::vector<RowChange>& change
     result.axis_point_mm = result.part_T_scan.inverse().translation();
     shift(before_mm - zero_mm, result);
     result.segments = rowsOf(outline, zero_mm, basis.coverage_deg, basis.added);
+    keepLobes(found, before_mm - zero_mm, result.segments);
     std::erase_if(result.meridian, [](const MeridianPoint& point) { return !point.bore; });
     addMeridian(outline, zero_mm, false, 0, result.meridian);
     takeGaps(outline, zero_mm, result);

@@ -263,6 +263,13 @@ void plotStretches(report::Plot& plot, const Recognition& result)
                                                {gap.z_start_mm, gap.z_end_mm}, report::ColourRole::Limit));
         named = true;
     }
+    named = false;
+    for (const UnexplainedStructure& one : result.unexplained) {
+        plot.regions.push_back(report::stretch(named ? Text{} : LT_TEXT("Engine", "unexplained"),
+                                               {one.z_start_mm, std::max(one.z_end_mm, one.z_start_mm + 0.5)},
+                                               report::ColourRole::Limit));
+        named = true;
+    }
     std::map<std::string, std::vector<Interval>> kinds;  // stretches of one kind that overlap are one
     for (const ShaftMark& mark : result.marks)
         if (mark.z_start_mm && mark.z_end_mm) kinds[mark.kind].push_back({*mark.z_start_mm, *mark.z_end_mm});

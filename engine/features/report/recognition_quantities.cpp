@@ -25,6 +25,18 @@ Text kindName(RowKind kind)
     return {};
 }
 
+Text structureName(StructureKind kind)
+{
+    switch (kind) {
+        case StructureKind::Raised: return LT_TEXT("Engine", "raised");
+        case StructureKind::Sunken: return LT_TEXT("Engine", "sunken");
+        case StructureKind::NoPoints: return LT_TEXT("Engine", "without points");
+        case StructureKind::Rough: return LT_TEXT("Engine", "rough");
+        case StructureKind::Eccentric: return LT_TEXT("Engine", "eccentric");
+    }
+    return {};
+}
+
 Value roleName(const std::string& role)
 {
     return named(role, {{"chamfer", LT_TEXT("Engine", "chamfer")},
@@ -89,6 +101,10 @@ const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*)
         quantity<R>("chi2_per_bin", &R::chi2_per_bin, {LT_TEXT("Engine", "χ² per bin"), {}, 2}),
         quantity<R>("spot_mm", &R::spot_mm, {LT_TEXT("Engine", "Width that edges are blurred by"), unit::mm, 3}),
         quantity<R>("noise_mm", &R::noise_mm, {LT_TEXT("Engine", "Noise of single points"), unit::mm, 4}),
+        quantity<R>("variance_ratio", &R::variance_ratio,
+                    {LT_TEXT("Engine", "Variance of a row's mean over that of independent points"), {}, 1}),
+        quantity<R>("passes_differ_um", &R::passes_differ_um,
+                    {LT_TEXT("Engine", "Scatter of neighbouring bins beyond the noise"), unit::um, 1}),
         quantity<R>("volume_mm3", &R::volume_mm3, {LT_TEXT("Engine", "Volume"), unit::mm3, 1}),
         quantity<R>("points_used", &R::points_used, {LT_TEXT("Engine", "Points"), {}, 0}));
     return all;

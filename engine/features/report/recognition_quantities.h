@@ -18,6 +18,7 @@ std::optional<LargestDiameter> largestDiameter(const Recognition& result);
 
 /// Names of kinds, roles and ends; an unknown role is shown as it is.
 Text kindName(RowKind kind);
+Text structureName(StructureKind kind);
 Value roleName(const std::string& role);
 Value endName(const std::string& closed_by);
 

@@ -131,6 +131,22 @@ report::Table gapsTable(const Recognition& result)
     return table;
 }
 
+report::Table unexplainedTable(const Recognition& result)
+{
+    report::Table table{LT_TEXT("Engine", "Structure that no row and no mark explains"),
+                        {LT_TEXT("Engine", "Kind"), fromColumn(), toColumn(), LT_TEXT("Engine", "Places"),
+                         report::Labelled{LT_TEXT("Engine", "Direction"), unit::deg},
+                         report::Labelled{LT_TEXT("Engine", "Area"), LT_TEXT("Engine", "mm²")},
+                         report::Labelled{LT_TEXT("Engine", "Height"), unit::mm}},
+                        {},
+                        {0, 1, 1, 0, 0, 1, 3}};
+    const auto given = [](const std::optional<double>& value) { return value ? Value(*value) : Value(); };
+    for (const UnexplainedStructure& one : result.unexplained)
+        table.rows.push_back({structureName(one.kind), one.z_start_mm, one.z_end_mm, one.places, given(one.angle_deg),
+                              one.area_mm2, given(one.height_mm)});
+    return table;
+}
+
 report::Table endsTable(const Recognition& result)
 {
     report::Table table{LT_TEXT("Engine", "Free end and chuck end"),
@@ -161,6 +177,12 @@ std::int64_t suggestionsIn(const Recognition& result)
 
 void addFindings(const Recognition& result, report::Answer& answer)
 {
+    for (const UnexplainedStructure& one : result.unexplained)
+        answer.findings.push_back(
+            {LT_TEXT("Engine", "Unexplained: {structure} · z {from_mm:1}-{to_mm:1} mm"),
+             {{"structure", structureName(one.kind)}, {"from_mm", one.z_start_mm}, {"to_mm", one.z_end_mm}},
+             {},
+             {Interval{one.z_start_mm, one.z_end_mm}, {}, {}}});
     if (!result.gaps.empty()) {
         const Gap& gap = result.gaps.front();
         answer.findings.push_back({LT_TEXT("Engine", "No data · z {from_mm:1}-{to_mm:1} mm"),
@@ -306,6 +328,7 @@ report::Section recognitionSummary(const Recognition& result, const Language& la
     report::Section section{LT_TEXT("Engine", "Result"), {answer(result), rowsTable(result, language)}};
     if (!result.features.empty()) section.blocks.push_back(featuresTable(result));
     if (!result.marks.empty()) section.blocks.push_back(marksTable(result, language));
+    if (!result.unexplained.empty()) section.blocks.push_back(unexplainedTable(result));
     if (!result.gaps.empty()) section.blocks.push_back(gapsTable(result));
     if (!result.notes.empty()) section.blocks.push_back(result.notes);
     return section;
@@ -333,7 +356,8 @@ report::Document recognitionReport(const Recognition& result, const std::vector<
          endsTable(result), stepsTable(steps),
          report::quantityTable(
              LT_TEXT("Engine", "How well the rows describe the data"), result,
-             {"coverage_percent", "residual_rmse_mm", "chi2_per_bin", "noise_mm", "spot_mm", "points_used"})}};
+             {"coverage_percent", "residual_rmse_mm", "chi2_per_bin", "noise_mm", "variance_ratio", "passes_differ_um",
+              "spot_mm", "points_used"})}};
     if (!result.merged.empty())
         fit.blocks.push_back(report::listTable<MergedJunction>(LT_TEXT("Engine", "Junctions within the form tolerance"),
                                                                result.merged, {"z_mm", "step_um", "angle_deg"}));

@@ -119,6 +119,11 @@ const std::vector<QuantityOf<RecognizedRow>>& quantitiesOf(const RecognizedRow*)
         quantity<R>("residual_um", &R::residual_um, {LT_TEXT("Engine", "Residual"), unit::um, 1}),
         quantity<R>("form_pv_um", &R::form_pv_um, {LT_TEXT("Engine", "Form"), unit::um, 1}),
         quantity<R>("taper_um", &R::taper_um, {LT_TEXT("Engine", "Taper of the radius"), unit::um, 1}),
+        quantity<R>("offset_mm", [](const R& row) { return row.lobes.offset_mm; },
+                    {LT_TEXT("Engine", "Off the axis"), unit::mm, 4}),
+        quantity<R>("lobes", [](const R& row) { return row.lobes.lobes; }, {LT_TEXT("Engine", "Lobes")}),
+        quantity<R>("lobes_um", [](const R& row) { return row.lobes.height_um; },
+                    {LT_TEXT("Engine", "Height of the lobes"), unit::um, 1}),
         quantity<R>("fully_visible", &R::fully_visible), uncertainties());
     return all;
 }
@@ -153,6 +158,33 @@ const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*)
     return all;
 }
 
+const char* key(StructureKind kind)
+{
+    switch (kind) {
+        case StructureKind::Raised: return "raised";
+        case StructureKind::Sunken: return "sunken";
+        case StructureKind::NoPoints: return "no_points";
+        case StructureKind::Rough: return "rough";
+        case StructureKind::Eccentric: return "eccentric";
+    }
+    return "";
+}
+
+const std::vector<QuantityOf<UnexplainedStructure>>& quantitiesOf(const UnexplainedStructure*)
+{
+    using U = UnexplainedStructure;
+    static const auto all = describedBy<U>(
+        quantity<U>("kind", [](const U& u) { return key(u.kind); }, {LT_TEXT("Engine", "Kind")}),
+        quantity<U>("z_start_mm", &U::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 1}),
+        quantity<U>("z_end_mm", &U::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 1}),
+        quantity<U>("places", &U::places, {LT_TEXT("Engine", "Places")}),
+        quantity<U>("angle_deg", &U::angle_deg, {LT_TEXT("Engine", "Direction"), unit::deg, 0}),
+        quantity<U>("span_deg", &U::span_deg, {LT_TEXT("Engine", "Width"), unit::deg, 0}),
+        quantity<U>("area_mm2", &U::area_mm2, {LT_TEXT("Engine", "Area"), LT_TEXT("Engine", "mm²"), 1}),
+        quantity<U>("height_mm", &U::height_mm, {LT_TEXT("Engine", "Height"), unit::mm, 3}));
+    return all;
+}
+
 const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*)
 {
     using M = MergedJunction;
@@ -182,6 +214,7 @@ Json toJson(const Recognition& result)
     json["features"] = listOf(result.features);
     json["marks"] = Json::array();
     for (const ShaftMark& mark : result.marks) json["marks"].push_back(markJson(mark));
+    json["unexplained"] = listOf(result.unexplained);
     json["gaps"] = listOf(result.gaps);
     json["scene"] = sceneJson(result.scene);
     json["merged"] = listOf(result.merged);
@@ -190,6 +223,8 @@ Json toJson(const Recognition& result)
     json["chi2_per_bin"] = result.chi2_per_bin;
     json["spot_mm"] = result.spot_mm;
     json["noise_mm"] = result.noise_mm;
+    json["variance_ratio"] = result.variance_ratio;
+    json["passes_differ_um"] = result.passes_differ_um;
     json["volume_mm3"] = result.volume_mm3 ? Json(*result.volume_mm3) : Json(nullptr);
     if (result.parameters.method == RecognitionMethod::Paper) {
         json["steps"] = listOf(result.paper_steps);

@@ -1,0 +1,132 @@
+#include "engine/features/structure/face_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/core/units.h"
+#include "engine/features/structure/map_regions.h"
+#include "engine/features/structure/residual_map.h"
+
+namespace lathelier::features {
+namespace {
+
+constexpr FaceThresholds limits = faceThresholds;
+
+/// A plane of the model with the ring that it shows.
+struct Face {
+    double z_mm = 0, inner_mm = 0, outer_mm = 0;
+};
+
+std::vector<Face> facesOf(const Outline& outside, const Outline* bore)
+{
+    const Model& model = outside.model;
+    std::vector<Face> faces;
+    const auto add = [&](double z, double a, double b) {
+        const Face face{z, std::min(a, b) + limits.rim_mm, std::max(a, b) - limits.rim_mm};
+        if (face.outer_mm > face.inner_mm) faces.push_back(face);
+    };
+    const Run &first = model.runs.front(), &last = model.runs.back();
+    if (outside.face_seen[0])
+        add(first.nodes_mm.front(), startRadius_mm(first), boreRadius_mm(bore, first.nodes_mm.front()));
+    for (std::size_t r = 0; r + 1 < model.runs.size(); ++r)
+        if (model.runs[r].right == model.runs[r + 1].left)
+            add(model.planes[model.runs[r].right].z_mm, endRadius_mm(model.runs[r]), startRadius_mm(model.runs[r + 1]));
+    if (outside.face_seen[1])
+        add(last.nodes_mm.back(), endRadius_mm(last), boreRadius_mm(bore, last.nodes_mm.back()));
+    return faces;
+}
+
+/// Points of a face on a grid across the axis.
+struct FaceGrid {
+    double cell_mm = 1;
+    std::size_t side = 0;          ///< cells along x and along y
+    std::vector<float> points;     ///< by y, then x; -1 outside the ring
+    double mean = 0;               ///< of the cells within
+};
+
+std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const Face& face)
+{
+    const double area = turn_rad / 2 * (face.outer_mm * face.outer_mm - face.inner_mm * face.inner_mm);
+    const double density = static_cast<double>(places.size()) / area;
+    FaceGrid grid;
+    grid.cell_mm = std::max(limits.least_cell_mm, std::sqrt(limits.cell_points / std::max(1e-9, density)));
+    if (grid.cell_mm > limits.most_cell_mm) return std::nullopt;
+    grid.side = static_cast<std::size_t>(std::ceil(2 * face.outer_mm / grid.cell_mm));
+    grid.points.assign(grid.side * grid.side, 0);
+    const auto index = [&](double x) {
+        return std::min(grid.side - 1, static_cast<std::size_t>((x + face.outer_mm) / grid.cell_mm));
+    };
+    for (const Eigen::Vector2d& p : places) grid.points[index(p.y()) * grid.side + index(p.x())] += 1;
+    double cells = 0, seen = 0, sum = 0;
+    const double half = grid.cell_mm * std::sqrt(0.5);
+    for (std::size_t c = 0; c < grid.points.size(); ++c) {
+        const double x = (static_cast<double>(c % grid.side) + 0.5) * grid.cell_mm - face.outer_mm,
+                     y = (static_cast<double>(c / grid.side) + 0.5) * grid.cell_mm - face.outer_mm;
+        const double r = std::hypot(x, y);
+        if (r - half < face.inner_mm || r + half > face.outer_mm) {
+            grid.points[c] = -1;
+            continue;
+        }
+        cells += 1;
+        seen += grid.points[c] > 0 ? 1 : 0;
+        sum += static_cast<double>(grid.points[c]);
+    }
+    if (seen < limits.seen_share * cells || seen == 0) return std::nullopt;
+    grid.mean = sum / seen;
+    return grid;
+}
+
+std::optional<UnexplainedStructure> holesOf(const FaceGrid& grid, const Face& face)
+{
+    std::vector<std::uint8_t> empty(grid.points.size(), 0);
+    double cells = 0, others = 0;
+    for (std::size_t c = 0; c < empty.size(); ++c) {
+        if (grid.points[c] < 0) continue;
+        cells += 1;
+        empty[c] = static_cast<double>(grid.points[c]) <= limits.empty_share * grid.mean ? 1 : 0;
+    }
+    UnexplainedStructure found;
+    found.kind = StructureKind::NoPoints;
+    found.z_start_mm = found.z_end_mm = face.z_mm;
+    found.places = 0;
+    const double cell_mm2 = grid.cell_mm * grid.cell_mm;
+    for (const std::vector<std::size_t>& region : connectedRegions(empty, grid.side, false)) {
+        const RegionBox box = boxOf(region, grid.side, false);
+        const double area = static_cast<double>(region.size()) * cell_mm2;
+        if (area >= limits.least_hole_mm2 &&
+            isRound(region, box, grid.cell_mm, grid.cell_mm, limits.most_aspect, limits.most_fill)) {
+            ++found.places;
+            found.area_mm2 += area;
+        } else {
+            others += static_cast<double>(region.size());
+        }
+    }
+    if (found.places == 0 || others > limits.most_missing * cells) return std::nullopt;
+    return found;
+}
+
+}  // namespace
+
+std::vector<UnexplainedStructure> holesInFaces(const MeridianCloud& cloud, const Outline& outside, const Outline* bore,
+                                               const Progress& progress)
+{
+    std::vector<UnexplainedStructure> all;
+    if (!outside.surface_scan) return all;
+    const double near = limits.near_sigmas * outside.model.sigma_mm + limits.near_mm;
+    for (const Face& face : facesOf(outside, bore)) {
+        progress.check();
+        std::vector<Eigen::Vector2d> places;
+        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+            const auto z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
+            if (std::abs(z - face.z_mm) > near || r < face.inner_mm || r > face.outer_mm) continue;
+            const double angle = turn_rad * static_cast<double>(cloud.turn[i]);
+            places.emplace_back(r * std::cos(angle), r * std::sin(angle));
+        }
+        if (const auto grid = gridOf(places, face))
+            if (const auto holes = holesOf(*grid, face)) all.push_back(*holes);
+    }
+    return all;
+}
+
+}  // namespace lathelier::features

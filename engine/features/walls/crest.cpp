@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/features/walls/grid_search.h"
 #include "engine/features/walls/wall_limits.h"
 
 namespace lathelier::features {
@@ -235,19 +236,12 @@ std::optional<Crest> crestOf(const std::vector<float>& radii, double sigma_mm, d
     const Histogram histogram =
         histogramOf(radii, start - crestLimits.inner_sigmas * sigma_mm - blur_mm,
                     start + crestLimits.outer_sigmas * sigma_mm + blur_mm / 2, sigma_mm / crestLimits.bins_per_sigma);
-    double place = start, step = crestLimits.search_step_sigmas * sigma_mm,
-           least = misfitAt(histogram, start, sigma_mm, blur_mm);
-    for (int round = 0; round < crestLimits.search_rounds; ++round, step /= 4) {
-        const double around = place;
-        for (int k = -crestLimits.search_steps; k <= crestLimits.search_steps; ++k)
-            if (const double trial = misfitAt(histogram, around + k * step, sigma_mm, blur_mm); trial < least) {
-                least = trial;
-                place = around + k * step;
-            }
-    }
+    const auto misfit = [&](double place) { return misfitAt(histogram, place, sigma_mm, blur_mm); };
+    const auto [place, largest] =
+        gridMaximum([&](double at) { return -misfit(at); }, start, crestLimits.search_step_sigmas * sigma_mm,
+                    crestLimits.search_rounds, crestLimits.search_steps);
     const double h = crestLimits.curvature_step_sigmas * sigma_mm;
-    const double bend = misfitAt(histogram, place + h, sigma_mm, blur_mm) +
-                        misfitAt(histogram, place - h, sigma_mm, blur_mm) - 2 * least;
+    const double bend = misfit(place + h) + misfit(place - h) + 2 * largest;
     return Crest{place, bend > 0 ? std::min(sigma_mm, h * std::sqrt(2 / bend)) : sigma_mm};
 }
 

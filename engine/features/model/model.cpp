@@ -4,15 +4,20 @@
 #include <array>
 #include <cmath>
 
+#include "engine/features/model/model_limits.h"
+
 namespace lathelier::features {
 namespace {
-
-constexpr double penaltyScale_mm = 2e-3;
-constexpr double leastElementLength_mm = 0.01;
 
 double square(double x)
 {
     return x * x;
+}
+
+/// Squared penalty of a junction that is off by this length.
+double penaltyOf(double off_mm)
+{
+    return square(off_mm / fitLimits.penalty_mm);
 }
 
 /// The side of the line that an arc's centre lies on: below it for a convex one.
@@ -37,13 +42,13 @@ void placeCentre(const Model& model, Run& run, std::size_t k)
     const bool tangent_start = arc.start == Tie::Tangent && before, tangent_end = arc.end == Tie::Tangent && after;
     if (tangent_start && tangent_end) {
         const double bend = before->slope - after->slope;
-        if (std::abs(bend) > 1e-9) {
+        if (std::abs(bend) > fitLimits.parallel_slope) {
             const double a = offset(*before) - before->slope * before->at_mm;
             const double b = offset(*after) - after->slope * after->at_mm;
             arc.centre_z_mm = (b - a) / bend;
             arc.centre_r_mm = a + before->slope * arc.centre_z_mm;
         } else {
-            run.violation += 1e6;
+            run.violation += fitLimits.no_junction_penalty;
         }
     } else if (tangent_start || tangent_end) {
         const Element& line = tangent_start ? *before : *after;
@@ -65,7 +70,7 @@ double meetLineAndArc(const Element& line, const Element& arc, double hint, doub
     const double a = 1 + s * s, b = s * m, c = m * m - square(arc.radius_mm());
     const double disc = b * b - a * c;
     if (disc < 0) {
-        violation += square((std::abs(m) / std::sqrt(a) - arc.radius_mm()) / penaltyScale_mm);
+        violation += penaltyOf(std::abs(m) / std::sqrt(a) - arc.radius_mm());
         return arc.centre_z_mm - b / a;
     }
     const double one = arc.centre_z_mm + (-b - std::sqrt(disc)) / a, two = arc.centre_z_mm + (-b + std::sqrt(disc)) / a;
@@ -76,14 +81,14 @@ double meetArcs(const Element& p, const Element& q, double hint, double& violati
 {
     const double dz = q.centre_z_mm - p.centre_z_mm, dr = q.centre_r_mm - p.centre_r_mm, d = std::hypot(dz, dr);
     const double a = p.radius_mm(), b = q.radius_mm();
-    if (!(d > 1e-12)) {
-        violation += 1e6;
+    if (!(d > fitLimits.coincident_mm)) {
+        violation += fitLimits.no_junction_penalty;
         return hint;
     }
     const double at = (d * d + a * a - b * b) / (2 * d), disc = a * a - at * at;
     const double z = p.centre_z_mm + at * dz / d;
     if (disc < 0) {
-        violation += square((std::abs(at) - a) / penaltyScale_mm);
+        violation += penaltyOf(std::abs(at) - a);
         return z;
     }
     const double half = std::sqrt(disc) * dr / d;
@@ -95,8 +100,8 @@ double meet(const Element& p, const Element& q, double hint, double& violation)
     if (!p.arc && !q.arc) {
         const double bend = p.slope - q.slope;
         const double gap = (q.level_mm - q.slope * q.at_mm) - (p.level_mm - p.slope * p.at_mm);
-        if (std::abs(bend) > 1e-9) return gap / bend;
-        violation += square(gap / penaltyScale_mm);
+        if (std::abs(bend) > fitLimits.parallel_slope) return gap / bend;
+        violation += penaltyOf(gap);
         return hint;
     }
     if (p.arc && q.arc) return meetArcs(p, q, hint, violation);
@@ -114,8 +119,8 @@ std::size_t elementAt(const Run& run, double z_mm)
 /// the surface: to second order in the noise σ² f'' (1 + s²/(2 (1 + s²))), f'' = ∓(1 + s²)^(3/2)/ρ, s the slope.
 double normalNoiseShift_mm(const Element& arc, double z_mm, double sigma_mm)
 {
-    constexpr double steepestSlope = 2;  // beyond it the expansion does not hold
-    const double s = std::clamp(arc.slopeAt(z_mm), -steepestSlope, steepestSlope), q = 1 + s * s;
+    constexpr double steepest = fitLimits.steepest_slope;
+    const double s = std::clamp(arc.slopeAt(z_mm), -steepest, steepest), q = 1 + s * s;
     const double bend = (arc.convex ? -1 : 1) * q * std::sqrt(q) / arc.radius_mm();
     return sigma_mm * sigma_mm * bend * (1 + s * s / (2 * q));
 }
@@ -138,7 +143,8 @@ double Element::slopeAt(double z_mm) const
 {
     if (!arc) return slope;
     const double rho = radius_mm(), off = z_mm - centre_z_mm;
-    return -(convex ? 1 : -1) * off / std::sqrt(std::max(1e-6 * rho * rho, rho * rho - off * off));
+    return -(convex ? 1 : -1) * off /
+           std::sqrt(std::max(fitLimits.least_depth_share * rho * rho, rho * rho - off * off));
 }
 
 void resolve(const Model& model, Run& run)
@@ -154,14 +160,13 @@ void resolve(const Model& model, Run& run)
         run.nodes_mm[k + 1] = meet(run.elements[k], run.elements[k + 1], run.nodes_mm[k + 1], run.violation);
     for (std::size_t k = 0; k < n; ++k) {
         const double length = run.nodes_mm[k + 1] - run.nodes_mm[k];
-        if (!(length > leastElementLength_mm))
-            run.violation += square((length - leastElementLength_mm) / penaltyScale_mm);
+        if (!(length > fitLimits.least_element_mm)) run.violation += penaltyOf(length - fitLimits.least_element_mm);
         const Element& e = run.elements[k];
         if (!e.arc) continue;
         // An arc is less than half a turn and single-valued along z.
         const double over =
             std::max(run.nodes_mm[k + 1] - e.centre_z_mm, e.centre_z_mm - run.nodes_mm[k]) - e.radius_mm();
-        if (over > 1e-9) run.violation += square(over / penaltyScale_mm);
+        if (over > fitLimits.arc_overrun_mm) run.violation += penaltyOf(over);
     }
 }
 
@@ -197,8 +202,8 @@ double predicted_mm(const Model& model, const Run& run, const Wall& wall)
     const std::size_t own = elementAt(run, wall.z_mm);
     if (model.corner_mm > 0 && run.elements[own].arc && model.sigma_mm > 0) {
         // Noise displaces points of an arc of similar length to its neighbours.
-        const double share =
-            std::clamp((run.nodes_mm[own + 1] - run.nodes_mm[own]) / (4 * model.sigma_mm) - 1, 0.0, 1.0);
+        const double length = run.nodes_mm[own + 1] - run.nodes_mm[own];
+        const double share = std::clamp(length / (fitLimits.short_arc_sigmas * model.sigma_mm) - 1, 0.0, 1.0);
         if (share > 0) sum += share * normalNoiseShift_mm(run.elements[own], wall.z_mm, model.sigma_mm);
     }
     return sum;
@@ -206,12 +211,12 @@ double predicted_mm(const Model& model, const Run& run, const Wall& wall)
 
 bool counts(const Model& model, const Run& run, const Wall& wall)
 {
-    constexpr double least_mm = 0.01;
     const auto reach = [&](const Plane& plane, int side) {
         const double blurred = (model.spot_mm + wall.width_mm) / 2 + model.edge_mm;
         const double lean = plane.low_side == -side ? 0 : plane.lean;
         if (!plane.is_clear || model.spot_mm <= 0) return blurred + lean;
-        return std::min(blurred, wall.width_mm / 2 + std::max(least_mm, 3 * plane.sigma_mm)) + lean;
+        const double margin = std::max(fitLimits.clear_margin_mm, fitLimits.clear_margin_sigmas * plane.sigma_mm);
+        return std::min(blurred, wall.width_mm / 2 + margin) + lean;
     };
     const Plane& left = model.planes[run.left];
     const Plane& right = model.planes[run.right];
@@ -221,15 +226,15 @@ bool counts(const Model& model, const Run& run, const Wall& wall)
             const double node = run.nodes_mm[k + 1];
             if (std::abs(wall.z_mm - node) > model.corner_mm + wall.width_mm / 2) continue;
             const double bend = std::atan(run.elements[k].slopeAt(node)) - std::atan(run.elements[k + 1].slopeAt(node));
-            if (std::abs(bend) > 0.3) return false;
+            if (std::abs(bend) > fitLimits.sharp_corner_rad) return false;
         }
     return true;
 }
 
 double sigmaOf(const Model& model, const Wall& wall)
 {
-    constexpr double floor_mm = 2e-4;
-    const double own = std::max(wall.sigma_mm, 0.8 * model.sigma_mm);
+    constexpr double floor_mm = fitLimits.wall_floor_mm;
+    const double own = std::max(wall.sigma_mm, fitLimits.least_scatter_share * model.sigma_mm);
     return std::sqrt(own * own / std::max(1.0, wall.points) + floor_mm * floor_mm);
 }
 

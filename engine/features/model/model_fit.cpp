@@ -4,35 +4,31 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
+
+#include "engine/features/model/model_limits.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double huberLimit = 4;
-
 double huber(double residual)
 {
+    constexpr double limit = fitLimits.huber_sigmas;
     const double a = std::abs(residual);
-    return a <= huberLimit ? a * a : huberLimit * (2 * a - huberLimit);
+    return a <= limit ? a * a : limit * (2 * a - limit);
 }
 
 double weightOf(double residual)
 {
+    constexpr double limit = fitLimits.huber_sigmas;
     const double a = std::abs(residual);
-    return a <= huberLimit ? 1 : huberLimit / a;
+    return a <= limit ? 1 : limit / a;
 }
 
 double stepOf(const Slot& slot)
 {
-    switch (slot.of) {
-        case Slot::Of::Plane:
-        case Slot::Of::Level:
-        case Slot::Of::CentreZ:
-        case Slot::Of::CentreR: return 1e-5;
-        case Slot::Of::Slope: return 1e-6;
-        case Slot::Of::LogRadius: return 1e-5;
-    }
-    return 1e-6;
+    return slot.of == Slot::Of::Slope ? fitLimits.slope_step : fitLimits.place_step_mm;
 }
 
 /// A wall (index into Run::walls) with its standard uncertainty in mm.
@@ -53,20 +49,24 @@ std::vector<FitRow> fitRowsOf(const Model& model, const Run& run, double from_mm
     return rows;
 }
 
+/// Measured radius less that of the model, over its standard uncertainty.
+double residualOf(const Model& model, const Run& run, const FitRow& row)
+{
+    const Wall& wall = run.walls[row.wall];
+    return (wall.r_mm - predicted_mm(model, run, wall)) / row.sigma;
+}
+
 double sumOf(const Model& model, const Run& run, const std::vector<FitRow>& rows)
 {
     double sum = run.violation;
-    for (const FitRow& row : rows) {
-        const Wall& wall = run.walls[row.wall];
-        sum += huber((wall.r_mm - predicted_mm(model, run, wall)) / row.sigma);
-    }
+    for (const FitRow& row : rows) sum += huber(residualOf(model, run, row));
     return sum;
 }
 
 /// Rows that a change of element `element` moves: between the nodes two before and two after it.
-std::pair<std::size_t, std::size_t> rowsMoved(const Run& run, const std::vector<FitRow>& rows, std::size_t element,
-                                              double reach_mm)
+std::pair<std::size_t, std::size_t> rowsMoved(const Run& run, const std::vector<FitRow>& rows, std::size_t element)
 {
+    constexpr double reach_mm = fitLimits.derivative_reach_mm;
     const std::size_t first = element >= 2 ? element - 2 : 0, last = std::min(element + 3, run.elements.size());
     const double from = run.nodes_mm[first] - reach_mm, to = run.nodes_mm[last] + reach_mm;
     const auto low = std::lower_bound(rows.begin(), rows.end(), from,
@@ -76,63 +76,66 @@ std::pair<std::size_t, std::size_t> rowsMoved(const Run& run, const std::vector<
     return {static_cast<std::size_t>(low - rows.begin()), static_cast<std::size_t>(high - rows.begin())};
 }
 
-/// Normal equations of the rows of one run over some slots.
+/// Derivatives by one slot: of the residuals from row `first` on, and of the root of the penalties.
+struct Column {
+    std::size_t first = 0;
+    std::vector<double> values;
+    double violation = 0;
+};
+
+/// By a forward difference; `residuals` and the root of the penalties `violation` at the present values.
+Column columnOf(Model& model, Run& run, const std::vector<FitRow>& rows, const Slot& slot,
+                const std::vector<double>& residuals, double violation)
+{
+    const std::size_t at_plane = run.left == slot.run ? 0 : run.elements.size() - 1;
+    const auto range = rowsMoved(run, rows, slot.of == Slot::Of::Plane ? at_plane : slot.element);
+    Column column;
+    column.first = range.first;
+    double& value = valueOf(model, slot);
+    const double before = value, step = stepOf(slot);
+    const std::vector<double> nodes = run.nodes_mm;
+    value = before + step;
+    resolve(model, run);
+    column.violation = (std::sqrt(run.violation) - violation) / step;
+    for (std::size_t i = range.first; i < range.second; ++i)
+        column.values.push_back((residualOf(model, run, rows[i]) - residuals[i]) / step);
+    value = before;
+    run.nodes_mm = nodes;
+    resolve(model, run);
+    return column;
+}
+
+/// Weighted sum over the rows that both columns have, and over the penalties.
+double productOf(const Column& one, const Column& two, const std::vector<double>& residuals)
+{
+    const std::size_t from = std::max(one.first, two.first);
+    const std::size_t to = std::min(one.first + one.values.size(), two.first + two.values.size());
+    double sum = one.violation * two.violation;
+    for (std::size_t i = from; i < to; ++i)
+        sum += weightOf(residuals[i]) * one.values[i - one.first] * two.values[i - two.first];
+    return sum;
+}
+
+/// Adds the normal equations of the rows of one run over some slots; `places`: their indices among all.
 void addNormals(Model& model, std::size_t run_index, const std::vector<FitRow>& rows, const std::vector<Slot>& slots,
                 const std::vector<std::size_t>& places, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient)
 {
     Run& run = model.runs[run_index];
     std::vector<double> residuals(rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Wall& wall = run.walls[rows[i].wall];
-        residuals[i] = (wall.r_mm - predicted_mm(model, run, wall)) / rows[i].sigma;
-    }
-    struct Column {
-        std::size_t first = 0;
-        std::vector<double> values;
-    };
-    std::vector<Column> columns(slots.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) residuals[i] = residualOf(model, run, rows[i]);
     const double violation = std::sqrt(run.violation);
-    std::vector<double> violated(slots.size(), 0);
-    for (std::size_t s = 0; s < slots.size(); ++s) {
-        const Slot& slot = slots[s];
-        std::pair<std::size_t, std::size_t> range{0, rows.size()};
-        if (slot.of != Slot::Of::Plane) {
-            range = rowsMoved(run, rows, slot.element, 1);
-        } else {
-            const std::size_t end = run.left == slot.run ? 0 : run.elements.size() - 1;
-            range = rowsMoved(run, rows, end, 1);
-        }
-        Column& column = columns[s];
-        column.first = range.first;
-        double& value = valueOf(model, slot);
-        const double before = value, step = stepOf(slot);
-        const std::vector<double> nodes = run.nodes_mm;
-        value = before + step;
-        resolve(model, run);
-        violated[s] = (std::sqrt(run.violation) - violation) / step;
-        for (std::size_t i = range.first; i < range.second; ++i) {
-            const Wall& wall = run.walls[rows[i].wall];
-            const double residual = (wall.r_mm - predicted_mm(model, run, wall)) / rows[i].sigma;
-            column.values.push_back((residual - residuals[i]) / step);
-        }
-        value = before;
-        run.nodes_mm = nodes;
-        resolve(model, run);
-    }
+    std::vector<Column> columns;
+    columns.reserve(slots.size());
+    for (const Slot& slot : slots) columns.push_back(columnOf(model, run, rows, slot, residuals, violation));
     for (std::size_t s = 0; s < slots.size(); ++s) {
         const auto a = static_cast<Eigen::Index>(places[s]);
         const Column& one = columns[s];
         for (std::size_t k = 0; k < one.values.size(); ++k)
             gradient[a] += weightOf(residuals[one.first + k]) * one.values[k] * residuals[one.first + k];
-        gradient[a] += violated[s] * violation;
+        gradient[a] += one.violation * violation;
         for (std::size_t t = s; t < slots.size(); ++t) {
             const auto b = static_cast<Eigen::Index>(places[t]);
-            const Column& two = columns[t];
-            const std::size_t from = std::max(one.first, two.first);
-            const std::size_t to = std::min(one.first + one.values.size(), two.first + two.values.size());
-            double sum = violated[s] * violated[t];
-            for (std::size_t i = from; i < to; ++i)
-                sum += weightOf(residuals[i]) * one.values[i - one.first] * two.values[i - two.first];
+            const double sum = productOf(one, columns[t], residuals);
             normal(a, b) += sum;
             if (t != s) normal(b, a) += sum;
         }
@@ -145,6 +148,64 @@ double planesMisfit(const Model& model)
     for (const Plane& plane : model.planes)
         if (!plane.data_end) sum += std::pow((plane.z_mm - plane.seen_mm) / plane.sigma_mm, 2);
     return sum;
+}
+
+/// Adds the observed places of the planes.
+void addPlanes(const Model& model, const std::vector<Slot>& slots, Eigen::MatrixXd& normal, Eigen::VectorXd& gradient)
+{
+    for (Eigen::Index s = 0; s < gradient.size(); ++s) {
+        const Slot& slot = slots[static_cast<std::size_t>(s)];
+        if (slot.of != Slot::Of::Plane) continue;
+        const Plane& plane = model.planes[slot.run];
+        normal(s, s) += 1 / (plane.sigma_mm * plane.sigma_mm);
+        gradient[s] += (plane.z_mm - plane.seen_mm) / (plane.sigma_mm * plane.sigma_mm);
+    }
+}
+
+/// The slots that move a run, and their indices among all.
+std::pair<std::vector<Slot>, std::vector<std::size_t>> slotsOfRun(const Model& model, std::size_t r,
+                                                                  const std::vector<Slot>& all)
+{
+    std::vector<Slot> slots;
+    std::vector<std::size_t> places;
+    for (std::size_t s = 0; s < all.size(); ++s) {
+        const bool own = all[s].of == Slot::Of::Plane
+                             ? all[s].run == model.runs[r].left || all[s].run == model.runs[r].right
+                             : all[s].run == r;
+        if (!own) continue;
+        slots.push_back(all[s]);
+        places.push_back(s);
+    }
+    return {slots, places};
+}
+
+void moveBy(Model& model, const std::vector<Slot>& slots, const Eigen::VectorXd& step)
+{
+    for (std::size_t s = 0; s < slots.size(); ++s) valueOf(model, slots[s]) += step[static_cast<Eigen::Index>(s)];
+}
+
+/// One step of Levenberg and Marquardt: the damping grows until `sumAfter(step)` is less than `best`; `undo()` takes a
+/// step back. Returns the gain, 0 when no step had any.
+template <class SumAfter, class Undo>
+double dampedStep(const Eigen::MatrixXd& normal, const Eigen::VectorXd& gradient, int most_tries, double& damping,
+                  double& best, const SumAfter& sumAfter, const Undo& undo)
+{
+    for (int tries = 0; tries < most_tries; ++tries, damping *= fitLimits.damping_growth) {
+        Eigen::MatrixXd damped = normal;
+        damped.diagonal() +=
+            damping * normal.diagonal() + Eigen::VectorXd::Constant(normal.rows(), fitLimits.regularization);
+        const Eigen::VectorXd step = damped.ldlt().solve(-gradient);
+        if (!step.allFinite()) continue;
+        const double now = sumAfter(step);
+        if (now < best) {
+            const double gain = best - now;
+            best = now;
+            damping = fitLimits.damping_growth * std::max(fitLimits.least_damping, damping / fitLimits.damping_fall);
+            return gain;
+        }
+        undo();
+    }
+    return 0;
 }
 
 }  // namespace
@@ -218,39 +279,28 @@ double fitWindow(Model& model, const Window& window, double from_mm, double to_m
     resolve(model, run);
     const std::vector<Slot> slots = slotsOf(model, window.run, window.first, window.last);
     std::vector<std::size_t> places(slots.size());
-    for (std::size_t s = 0; s < slots.size(); ++s) places[s] = s;
+    std::iota(places.begin(), places.end(), std::size_t{0});
     const std::vector<FitRow> rows = fitRowsOf(model, run, from_mm, to_mm);
-    double best = sumOf(model, run, rows), damping = 1e-3;
+    double best = sumOf(model, run, rows), damping = fitLimits.window_damping;
     const auto count = static_cast<Eigen::Index>(slots.size());
     for (int i = 0; i < iterations; ++i) {
         Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
         Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
         addNormals(model, window.run, rows, slots, places, normal, gradient);
-        bool better = false;
-        double gain = 0;
-        for (int tries = 0; tries < 6 && !better; ++tries, damping *= 8) {
-            Eigen::MatrixXd damped = normal;
-            damped.diagonal() += damping * normal.diagonal() + Eigen::VectorXd::Constant(count, 1e-12);
-            const Eigen::VectorXd step = damped.ldlt().solve(-gradient);
-            if (!step.allFinite()) continue;
-            const std::vector<Element> elements = run.elements;
-            const std::vector<double> nodes = run.nodes_mm;
-            for (std::size_t s = 0; s < slots.size(); ++s)
-                valueOf(model, slots[s]) += step[static_cast<Eigen::Index>(s)];
+        const std::vector<Element> elements = run.elements;
+        const std::vector<double> nodes = run.nodes_mm;
+        const auto sumAfter = [&](const Eigen::VectorXd& step) {
+            moveBy(model, slots, step);
             resolve(model, run);
-            const double now = sumOf(model, run, rows);
-            if (now < best) {
-                gain = best - now;
-                best = now;
-                better = true;
-                damping = std::max(1e-9, damping / 64);
-            } else {
-                run.elements = elements;
-                run.nodes_mm = nodes;
-                resolve(model, run);
-            }
-        }
-        if (!better || gain < 1e-3) break;
+            return sumOf(model, run, rows);
+        };
+        const auto undo = [&] {
+            run.elements = elements;
+            run.nodes_mm = nodes;
+            resolve(model, run);
+        };
+        const double gain = dampedStep(normal, gradient, fitLimits.window_tries, damping, best, sumAfter, undo);
+        if (gain < fitLimits.window_gain) break;
     }
     return misfit(model, window.run, from_mm, to_mm);
 }
@@ -260,70 +310,40 @@ JointFit fitAll(Model& model, int iterations, const Progress& progress)
     JointFit fit;
     fit.slots = allSlots(model);
     const auto count = static_cast<Eigen::Index>(fit.slots.size());
-    double damping = 1e-4;
+    double damping = fitLimits.joint_damping;
     for (int i = 0; i < iterations; ++i) {
         progress.check();
         for (Run& run : model.runs) resolve(model, run);
         std::vector<std::vector<FitRow>> rows;
         const double all = std::numeric_limits<double>::infinity();
         for (const Run& run : model.runs) rows.push_back(fitRowsOf(model, run, -all, all));
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
+        Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
+        fit.rows = 0;
+        for (std::size_t r = 0; r < model.runs.size(); ++r) {
+            const auto [slots, places] = slotsOfRun(model, r, fit.slots);
+            addNormals(model, r, rows[r], slots, places, normal, gradient);
+            fit.rows += rows[r].size();
+        }
+        addPlanes(model, fit.slots, normal, gradient);
+        Eigen::MatrixXd regular = normal;
+        regular.diagonal() += Eigen::VectorXd::Constant(count, fitLimits.covariance_regularization);
+        fit.covariance = regular.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
         const auto total = [&] {
             double sum = planesMisfit(model);
             for (std::size_t r = 0; r < model.runs.size(); ++r) sum += sumOf(model, model.runs[r], rows[r]);
             return sum;
         };
-        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
-        Eigen::VectorXd gradient = Eigen::VectorXd::Zero(count);
-        fit.rows = 0;
-        for (std::size_t r = 0; r < model.runs.size(); ++r) {
-            std::vector<Slot> slots;
-            std::vector<std::size_t> places;
-            for (std::size_t s = 0; s < fit.slots.size(); ++s) {
-                const Slot& slot = fit.slots[s];
-                const bool own = slot.of == Slot::Of::Plane
-                                     ? slot.run == model.runs[r].left || slot.run == model.runs[r].right
-                                     : slot.run == r;
-                if (!own) continue;
-                slots.push_back(slot);
-                places.push_back(s);
-            }
-            addNormals(model, r, rows[r], slots, places, normal, gradient);
-            fit.rows += rows[r].size();
-        }
-        for (Eigen::Index s = 0; s < count; ++s) {
-            const Slot& slot = fit.slots[static_cast<std::size_t>(s)];
-            if (slot.of != Slot::Of::Plane) continue;
-            const Plane& plane = model.planes[slot.run];
-            normal(s, s) += 1 / (plane.sigma_mm * plane.sigma_mm);
-            gradient[s] += (plane.z_mm - plane.seen_mm) / (plane.sigma_mm * plane.sigma_mm);
-        }
-        Eigen::MatrixXd sure = normal;
-        sure.diagonal() += Eigen::VectorXd::Constant(count, 1e-9);
-        fit.covariance = sure.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-        double best = total();
-        bool better = false;
-        double gain = 0;
-        for (int tries = 0; tries < 8 && !better; ++tries, damping *= 8) {
-            Eigen::MatrixXd damped = normal;
-            damped.diagonal() += damping * normal.diagonal() + Eigen::VectorXd::Constant(count, 1e-12);
-            const Eigen::VectorXd step = damped.ldlt().solve(-gradient);
-            if (!step.allFinite()) continue;
-            const Model before = model;
-            for (std::size_t s = 0; s < fit.slots.size(); ++s)
-                valueOf(model, fit.slots[s]) += step[static_cast<Eigen::Index>(s)];
+        const Model before = model;
+        const auto sumAfter = [&](const Eigen::VectorXd& step) {
+            moveBy(model, fit.slots, step);
             for (Run& run : model.runs) resolve(model, run);
-            const double now = total();
-            if (now < best) {
-                gain = best - now;
-                best = now;
-                better = true;
-                damping = std::max(1e-9, damping / 64);
-            } else {
-                model = before;
-            }
-        }
-        fit.chi2 = best;
-        if (!better || gain < 1e-4) {
+            return total();
+        };
+        fit.chi2 = total();
+        const double gain =
+            dampedStep(normal, gradient, fitLimits.joint_tries, damping, fit.chi2, sumAfter, [&] { model = before; });
+        if (gain < fitLimits.joint_gain) {
             fit.converged = true;
             break;
         }

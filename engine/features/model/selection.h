@@ -7,6 +7,9 @@
 
 namespace lathelier::features {
 
+/// Does the slope of the line differ from 0 by more than chance explains?
+bool isSignificantSlope(const Piece& piece);
+
 /// Elements of a run from the pieces of its chain.
 std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<const Wall> walls, double form_mm);
 

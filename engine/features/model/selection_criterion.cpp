@@ -3,38 +3,37 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/features/model/model_limits.h"
+
 namespace lathelier::features {
-namespace {
-
-constexpr double shortNeighbour_mm = 5;
-constexpr double neighbourMargin_mm = 1.5;  // length of the neighbours included in the misfit
-
-}  // namespace
 
 double price(const Model& model, std::size_t parameters)
 {
     std::size_t rows = 1;
     for (const Run& run : model.runs) rows += run.walls.size();
-    return 2.5 * static_cast<double>(parameters) * std::log(static_cast<double>(rows));
+    return selectionLimits.parameter_price * static_cast<double>(parameters) * std::log(static_cast<double>(rows));
 }
 
 Scope scopeOf(const Run& run, std::size_t r, std::size_t first, std::size_t last)
 {
-    const auto length = [&](std::size_t k) { return run.nodes_mm[k + 1] - run.nodes_mm[k]; };
+    const auto isFree = [&](std::size_t k) {
+        return run.nodes_mm[k + 1] - run.nodes_mm[k] < selectionLimits.short_neighbour_mm;
+    };
+    const auto reach_mm = [](bool free) {
+        return free ? selectionLimits.short_neighbour_mm : selectionLimits.neighbour_margin_mm;
+    };
     Scope scope;
     scope.window = {r, first, last};
     scope.from_mm = run.nodes_mm[first];
     scope.to_mm = run.nodes_mm[last + 1];
     if (first > 0) {
-        const bool free = length(first - 1) < shortNeighbour_mm;
-        scope.from_mm =
-            std::max(run.nodes_mm[first - 1], run.nodes_mm[first] - (free ? shortNeighbour_mm : neighbourMargin_mm));
+        const bool free = isFree(first - 1);
+        scope.from_mm = std::max(run.nodes_mm[first - 1], run.nodes_mm[first] - reach_mm(free));
         if (free) scope.window.first = first - 1;
     }
     if (last + 1 < run.elements.size()) {
-        const bool free = length(last + 1) < shortNeighbour_mm;
-        scope.to_mm =
-            std::min(run.nodes_mm[last + 2], run.nodes_mm[last + 1] + (free ? shortNeighbour_mm : neighbourMargin_mm));
+        const bool free = isFree(last + 1);
+        scope.to_mm = std::min(run.nodes_mm[last + 2], run.nodes_mm[last + 1] + reach_mm(free));
         if (free) scope.window.last = last + 1;
     }
     return scope;
@@ -42,7 +41,6 @@ Scope scopeOf(const Run& run, std::size_t r, std::size_t first, std::size_t last
 
 double criterion(Model& model, const Scope& scope, int iterations)
 {
-    constexpr double saved = 6;
     const double chi2 = fitWindow(model, scope.window, scope.from_mm, scope.to_mm, iterations);
     double ties = 0;
     for (std::size_t k = scope.window.first; k <= scope.window.last; ++k) {
@@ -50,7 +48,7 @@ double criterion(Model& model, const Scope& scope, int iterations)
         ties += (e.arc && e.start == Tie::Plane) + (e.arc && e.end == Tie::Plane);
     }
     return chi2 + price(model, slotsOf(model, scope.window.run, scope.window.first, scope.window.last).size()) +
-           ties * std::max(0.0, price(model, 1) - saved);
+           ties * std::max(0.0, price(model, 1) - selectionLimits.plane_tie_discount);
 }
 
 bool isFoot(const Model& model, std::size_t r, bool start)

@@ -6,9 +6,6 @@
 
 namespace lathelier::features {
 
-/// Least gain of a new element or an undercut beyond its price.
-inline constexpr double leastGain = 8;
-
 /// 2.5 ln n for each parameter, n walls of the model (Schwarz 1978, with a wider margin).
 double price(const Model& model, std::size_t parameters);
 

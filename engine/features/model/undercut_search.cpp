@@ -6,16 +6,14 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/features/model/model_limits.h"
 #include "engine/features/model/selection.h"
 #include "engine/features/model/selection_criterion.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr double longestUndercut_mm = 8;  // longest of DIN 509: 7 mm, and its run-out
-constexpr double shallowestUndercut_mm = 0.05;
-constexpr std::size_t mostReplacedRows = 3;  // rows that an undercut may replace
-const double runOutSlope = std::tan(15 * std::numbers::pi / 180);
+const double runOutSlope = std::tan(undercutLimits.run_out_deg * std::numbers::pi / 180);
 
 /// Least mean of three neighbouring walls between two places; the level where there are none.
 double deepest(const Run& run, double from_mm, double to_mm, double level_mm)
@@ -49,7 +47,7 @@ std::optional<FoundUndercut> fittedUndercut(double from_mm, double plane_mm, dou
 {
     const double sense = plane_mm > from_mm ? 1 : -1, length = std::abs(plane_mm - from_mm);
     const double run_out = depth_mm / runOutSlope;
-    if (!(run_out + radius_mm < 0.95 * length)) return std::nullopt;
+    if (!(run_out + radius_mm < undercutLimits.length_share * length)) return std::nullopt;
     const double bottom = level_mm - depth_mm, tangent = plane_mm - sense * radius_mm;
     FoundUndercut made;
     made.from_mm = {from_mm, from_mm + sense * run_out, tangent};
@@ -105,37 +103,37 @@ bool tryUndercut(Model& model, std::size_t r, bool start)
     const double plane = start ? before.nodes_mm.front() : before.nodes_mm.back();
     Run chosen = before;
     bool found = false;
-    for (std::size_t rows = 1; rows <= std::min(mostReplacedRows, n - 1); ++rows) {
+    for (std::size_t rows = 1; rows <= std::min(undercutLimits.most_replaced_rows, n - 1); ++rows) {
         const std::size_t first = start ? 0 : n - rows, last = start ? rows - 1 : n - 1;
         const Element& base = before.elements[start ? rows : n - rows - 1];
         const double from = start ? before.nodes_mm[rows] : before.nodes_mm[n - rows];
-        const bool possible = !base.arc && !base.rough && std::abs(base.slope) < 0.1 &&
-                              std::abs(plane - from) < longestUndercut_mm &&
-                              std::none_of(before.elements.begin() + static_cast<std::ptrdiff_t>(first),
-                                           before.elements.begin() + static_cast<std::ptrdiff_t>(last) + 1,
-                                           [](const Element& e) { return e.rough; });
-        if (!possible) continue;
+        if (base.arc || base.rough || !(std::abs(base.slope) < undercutLimits.largest_shaft_slope) ||
+            !(std::abs(plane - from) < undercutLimits.longest_mm) ||
+            std::any_of(before.elements.begin() + static_cast<std::ptrdiff_t>(first),
+                        before.elements.begin() + static_cast<std::ptrdiff_t>(last) + 1,
+                        [](const Element& e) { return e.rough; }))
+            continue;
         const double level = base.radiusAt_mm(from);
         const double depth = level - deepest(before, std::min(from, plane), std::max(from, plane), level);
-        if (depth < std::max(shallowestUndercut_mm, model.sigma_mm)) continue;
+        if (depth < std::max(undercutLimits.shallowest_mm, model.sigma_mm)) continue;
         const Scope scope = scopeOf(before, r, first, last);
         model.runs[r] = before;
-        double best = criterion(model, scope, 8) - leastGain;
+        double best = criterion(model, scope, undercutLimits.before_iterations) - selectionLimits.least_gain;
         if (found) {  // an undercut found with fewer rows is compared over the same stretch
             model.runs[r] = chosen;
             Scope wider = scope;
             wider.window.last = std::min(chosen.elements.size() - 1, scope.window.last + chosen.elements.size() - n);
-            best = std::min(best, criterion(model, wider, 8));
+            best = std::min(best, criterion(model, wider, undercutLimits.before_iterations));
         }
-        for (const double radius : {0.3, 0.6, 1.0, 1.6}) {
+        for (const double radius : undercutLimits.radii_mm) {
             const auto undercut = fittedUndercut(from, plane, level, depth, radius);
             if (!undercut) continue;
             model.runs[r] = replaced(before, start, rows, *undercut);
             resolve(model, model.runs[r]);
             Scope own = scope;
             own.window.last = scope.window.last + 3 - rows;
-            const double value = criterion(model, own, 20);
-            if (!(value < best) || model.runs[r].violation > 1) continue;
+            const double value = criterion(model, own, undercutLimits.iterations);
+            if (!(value < best) || model.runs[r].violation > selectionLimits.largest_violation) continue;
             best = value;
             chosen = model.runs[r];
             found = true;
@@ -150,13 +148,13 @@ bool tryUndercut(Model& model, std::size_t r, bool start)
 
 int tryUndercuts(Model& model, const Progress& progress)
 {
-    int put_in = 0;
+    int inserted = 0;
     for (std::size_t r = 0; r < model.runs.size(); ++r)
         for (const bool start : {true, false}) {
             progress.check();
-            put_in += tryUndercut(model, r, start) ? 1 : 0;
+            inserted += tryUndercut(model, r, start) ? 1 : 0;
         }
-    return put_in;
+    return inserted;
 }
 
 }  // namespace lathelier::features

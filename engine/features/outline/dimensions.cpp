@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "engine/core/units.h"
+#include "engine/features/outline/outline_limits.h"
 
 namespace lathelier::features {
 namespace {
@@ -46,7 +47,7 @@ std::vector<Sizes> sigmas(const Outline& outline)
     std::vector<Eigen::MatrixXd> jacobians(base.size(),
                                            Eigen::MatrixXd::Zero(sizeCount, static_cast<Eigen::Index>(count)));
     for (std::size_t s = 0; s < count; ++s) {
-        constexpr double step = 1e-5;
+        constexpr double step = dimensionLimits.derivative_step;
         const Model before = model;
         valueOf(model, outline.fit.slots[s]) += step;
         for (Run& run : model.runs) resolve(model, run);
@@ -79,8 +80,7 @@ std::string tiesOf(const Element& e)
 double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from -1 to 1, deviation, weight
 {
     constexpr int degree = 4;
-    constexpr std::size_t least = 60;
-    if (left.size() < least) return 0;
+    if (left.size() < dimensionLimits.least_form_walls) return 0;
     Eigen::Matrix<double, degree + 1, degree + 1> normal = Eigen::Matrix<double, degree + 1, degree + 1>::Zero();
     Eigen::Matrix<double, degree + 1, 1> right = Eigen::Matrix<double, degree + 1, 1>::Zero();
     const auto rowAt = [](double x) {
@@ -95,8 +95,8 @@ double formOf_um(const std::vector<std::array<double, 3>>& left)  // place from 
     }
     const Eigen::Matrix<double, degree + 1, 1> fit = normal.ldlt().solve(right);
     double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (int k = 0; k <= 100; ++k) {
-        const double value = fit.dot(rowAt(-1 + 0.02 * k));
+    for (int k = 0; k <= dimensionLimits.form_samples; ++k) {
+        const double value = fit.dot(rowAt(-1 + dimensionLimits.form_step * k));
         low = std::min(low, value);
         high = std::max(high, value);
     }
@@ -127,15 +127,14 @@ void addForm(const Outline& outline, const Run& run, std::size_t k, RecognizedRo
     if (n > 0) row.residual_um = 1e3 * std::sqrt(squares / n);
     row.form_pv_um = formOf_um(left);
     const double spread = sxx - sx * sx / std::max(1e-300, weights);
-    if (n > 4 && spread > 0) row.taper_um = 2e3 * (sxy - sx * sy / weights) / spread;
+    if (n >= dimensionLimits.least_taper_walls && spread > 0) row.taper_um = 2e3 * (sxy - sx * sy / weights) / spread;
 }
 
 }  // namespace
 
 double ovalityFactor(double coverage_deg)
 {
-    constexpr std::array<std::pair<double, double>, 8> table{
-        {{60, 5.5}, {90, 5.0}, {120, 4.3}, {180, 2.9}, {210, 2.1}, {270, 1.0}, {300, 0.6}, {360, 0}}};
+    const auto& table = dimensionLimits.ovality;
     if (coverage_deg <= table.front().first) return table.front().second;
     for (std::size_t i = 1; i < table.size(); ++i)
         if (coverage_deg <= table[i].first) {

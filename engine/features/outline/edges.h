@@ -18,9 +18,6 @@ struct PlanePlace {
     double spot_mm = 0;   ///< width over which hits become misses; 0: not known
 };
 
-/// The widest spot that placeOf() tries.
-inline constexpr double widestSpot_mm = 0.5;
-
 /// The place of an edge from its rays. P(hit | h) = clamp((h - z_e)/s + ½, 0.003, 0.997) is maximised over z_e and s.
 /// Uncertainty: √(s/(6·density) + gap²/12 + (1 µm)²), gap the distance of the heights beside the edge. nullopt with
 /// fewer than 10 hits or misses. Heights are those of the edge (z times its sign).

@@ -5,6 +5,7 @@
 
 #include "engine/features/model/selection.h"
 #include "engine/features/model/undercut_search.h"
+#include "engine/features/outline/outline_limits.h"
 #include "engine/features/outline/plane_places.h"
 #include "engine/features/outline/stretches.h"
 #include "engine/features/outline/wear.h"
@@ -19,7 +20,9 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
     if (stretch.coarse.empty() || stretch.elements.front().rough) return walls;
     for (const Chain& chain : input.fine.chains)
         for (const Wall& wall : chain.walls) {
-            if (wall.z_mm < stretch.from_mm - 0.5 || wall.z_mm > stretch.to_mm + 0.5) continue;
+            if (wall.z_mm < stretch.from_mm - outlineLimits.wall_reach_mm ||
+                wall.z_mm > stretch.to_mm + outlineLimits.wall_reach_mm)
+                continue;
             const auto over = [&](const Wall& crest) { return std::abs(crest.z_mm - wall.z_mm) < crest.width_mm / 2; };
             if (std::any_of(stretch.crests.begin(), stretch.crests.end(), over)) continue;
             const auto next = std::lower_bound(stretch.coarse.begin(), stretch.coarse.end(), wall.z_mm,
@@ -27,7 +30,10 @@ std::vector<Wall> wallsOf(const OutlineInput& input, const Stretch& stretch)
             const auto near = next == stretch.coarse.end() ? next - 1 : next;
             const auto index = static_cast<std::size_t>(near - stretch.coarse.begin());
             const double slope = std::abs(slopeAt(stretch.coarse, index));
-            if (std::abs(wall.r_mm - near->r_mm) < 0.3 + 2 * slope * std::abs(wall.z_mm - near->z_mm) + slope * 0.2)
+            if (std::abs(wall.r_mm - near->r_mm) <
+                outlineLimits.wall_step_mm +
+                    outlineLimits.wall_slope_factor * slope * std::abs(wall.z_mm - near->z_mm) +
+                    slope * outlineLimits.wall_slope_mm)
                 subtractWear(stretch.worn, walls.emplace_back(wall));
         }
     walls.insert(walls.end(), stretch.crests.begin(), stretch.crests.end());
@@ -40,7 +46,7 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
 {
     Model& model = outline.model;
     model.sigma_mm = input.fine.sigma_mm;
-    model.spot_mm = 0.1;
+    model.spot_mm = outlineLimits.starting_spot_mm;
     const auto plane = [&](double z, double sigma, bool data_end, Border border) {
         Plane made;
         made.z_mm = made.seen_mm = z;
@@ -50,7 +56,8 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
         borders.push_back(border);
         return model.planes.size() - 1;
     };
-    std::size_t left = plane(stretches.front().from_mm - input.fine.bin_mm / 2, 0.05, false, Border::End);
+    constexpr double end_sigma_mm = outlineLimits.end_sigma_mm;
+    std::size_t left = plane(stretches.front().from_mm - input.fine.bin_mm / 2, end_sigma_mm, false, Border::End);
     for (std::size_t s = 0; s < stretches.size(); ++s) {
         const Stretch& stretch = stretches[s];
         Run run;
@@ -59,10 +66,10 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
         run.walls = wallsOf(input, stretch);
         run.left = left;
         if (s + 1 == stretches.size()) {
-            run.right = plane(stretch.to_mm + input.fine.bin_mm / 2, 0.05, false, Border::End);
+            run.right = plane(stretch.to_mm + input.fine.bin_mm / 2, end_sigma_mm, false, Border::End);
         } else if (stretch.after == Border::Gap) {
-            run.right = plane(stretch.to_mm, 0.05, true, Border::Gap);
-            left = plane(stretches[s + 1].from_mm, 0.05, true, Border::Gap);
+            run.right = plane(stretch.to_mm, end_sigma_mm, true, Border::Gap);
+            left = plane(stretches[s + 1].from_mm, end_sigma_mm, true, Border::Gap);
             outline.gaps.push_back({stretch.to_mm, stretches[s + 1].from_mm});
         } else {
             const bool own_rough = stretch.elements.front().rough, next_rough = stretches[s + 1].elements.front().rough;
@@ -70,7 +77,7 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
                              : next_rough                        ? stretches[s + 1].from_mm
                              : stretch.after == Border::Shoulder ? (stretch.to_mm + stretches[s + 1].from_mm) / 2
                                                                  : stretch.to_mm;
-            run.right = left = plane(z, 0.1, false, stretch.after);
+            run.right = left = plane(z, outlineLimits.shoulder_sigma_mm, false, stretch.after);
         }
         model.runs.push_back(std::move(run));
     }
@@ -81,7 +88,6 @@ void makeModel(const OutlineInput& input, const std::vector<Stretch>& stretches,
 /// of that place follows from the cone and the crests, z = at + (crest - level)/slope.
 void meetCones(Outline& outline, const std::vector<Border>& borders)
 {
-    constexpr double reach_mm = 3;
     Model& model = outline.model;
     JointFit& fit = outline.fit;
     const auto slotOf = [&](Slot::Of of, std::size_t run, std::size_t element) {
@@ -109,11 +115,11 @@ void meetCones(Outline& outline, const std::vector<Border>& borders)
         const std::size_t own = first_rough ? r + 1 : r, k = first_rough ? 0 : a.elements.size() - 1;
         const Element& cone = model.runs[own].elements[k];
         const double crest = first_rough ? a.elements.back().level_mm : b.elements.front().level_mm;
-        if (cone.arc || std::abs(cone.slope) < 0.2) continue;
+        if (cone.arc || std::abs(cone.slope) < outlineLimits.least_cone_slope) continue;
         const double z = cone.at_mm + (crest - cone.level_mm) / cone.slope;
         Plane& plane = model.planes[a.right];
         const bool inside = z > a.nodes_mm[a.nodes_mm.size() - 2] && z < b.nodes_mm[1];
-        if (std::abs(z - plane.z_mm) > reach_mm || !inside) continue;
+        if (std::abs(z - plane.z_mm) > outlineLimits.cone_reach_mm || !inside) continue;
         plane.z_mm = plane.seen_mm = z;
         const Eigen::MatrixXd& known = fit.covariance;
         const Eigen::Index slope = slotOf(Slot::Of::Slope, own, k), level = slotOf(Slot::Of::Level, own, k);
@@ -121,7 +127,7 @@ void meetCones(Outline& outline, const std::vector<Border>& borders)
         const Eigen::RowVectorXd row =
             (known.row(high) - known.row(level) - (z - cone.at_mm) * known.row(slope)) / cone.slope;
         const double variance = (row[high] - row[level] - (z - cone.at_mm) * row[slope]) / cone.slope;
-        plane.sigma_mm = std::sqrt(std::max(1e-6, variance));
+        plane.sigma_mm = std::sqrt(std::max(outlineLimits.least_cone_variance_mm2, variance));
         put(slotOf(Slot::Of::Plane, a.right, 0), row, plane.sigma_mm * plane.sigma_mm);
         resolve(model, a);
         resolve(model, b);
@@ -139,13 +145,13 @@ std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& pro
     makeModel(input, stretches, outline, borders);
     Model& model = outline.model;
     placePlanes(input, outline, borders, progress);
-    fitAll(model, 6, progress);
+    fitAll(model, outlineLimits.first_iterations, progress);
     placePlanes(input, outline, borders, progress);
     progress.report(0.3);
     simplify(model, progress);
     selectKinds(model, progress);
     selectKinds(model, progress);
-    fitAll(model, 8, progress);
+    fitAll(model, outlineLimits.iterations, progress);
     progress.report(0.6);
     tryCorners(model, progress);
     tryUndercuts(model, progress);
@@ -154,9 +160,9 @@ std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& pro
     selectKinds(model, progress);
     simplify(model, progress);
     for (const MergedJunction& junction : mergeWithinForm(model, input.form_mm)) outline.merged.push_back(junction);
-    fitAll(model, 8, progress);
+    fitAll(model, outlineLimits.iterations, progress);
     placePlanes(input, outline, borders, progress);
-    outline.fit = fitAll(model, 25, progress);
+    outline.fit = fitAll(model, outlineLimits.last_iterations, progress);
     meetCones(outline, borders);
     progress.report(1);
     return outline;

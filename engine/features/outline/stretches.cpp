@@ -3,22 +3,18 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "engine/core/statistics.h"
+#include "engine/core/units.h"
 #include "engine/features/model/selection.h"
+#include "engine/features/outline/outline_limits.h"
 #include "engine/features/walls/crest.h"
 
 namespace lathelier::features {
 namespace {
-
-constexpr double dataGap_mm = 1.2;  // a longer stretch without data is a gap, not an edge
-constexpr double shortestRoughZone_mm = 2.5;
-constexpr double roughScatterRatio =
-    1.3;  // ratio of a wall's scatter to that expected from noise and slope: above it the wall is rough
-constexpr double longestLead_mm = 4;        // length of the cone that leads into a rough zone
-constexpr double leastScatter_mm = 0.001;   // least scatter of a thread or knurl in data without noise
-constexpr std::size_t blurredEndWalls = 3;  // walls at a chain's end that may be artefacts of blur
 
 /// Walls with more scatter than noise and slope explain, over at least 2.5 mm, extended by neighbours with
 /// significantly increased scatter, where grooves run out into a cone.
@@ -27,20 +23,25 @@ struct RoughWalls {
     std::size_t wide_from = 0, wide_to = 0;  ///< extended to walls that a groove may reach
 };
 
+double longestLead_mm(double zone_mm)
+{
+    return std::min(stretchLimits.longest_lead_mm, zone_mm / stretchLimits.longest_lead_part);
+}
+
 std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double sigma_mm, bool radial)
 {
-    constexpr std::size_t mostSmoothWalls = 2, wallsBeyond = 3;
-    std::vector<char> rough(walls.size(), 0), uneasy(walls.size(), 0);
+    const StretchLimits& limits = stretchLimits;
+    std::vector<char> rough(walls.size(), 0), scattered(walls.size(), 0);
     for (std::size_t i = 0; i < walls.size(); ++i) {
         // Noise along the normal of a slope is larger along the radius; that of rays across the axis acts along the
         // radius.
         const double slope = slopeAt(walls, i), square = slope * slope,
-                     spread = square * (walls[i].width_mm * walls[i].width_mm + 0.0225) / 12;
-        const double explained =
-            std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + leastScatter_mm * leastScatter_mm + spread);
-        const double chance = 1 / std::sqrt(2 * std::max(1.0, walls[i].points));
-        rough[i] = walls[i].sigma_mm > (roughScatterRatio + 3 * chance) * explained;
-        uneasy[i] = walls[i].sigma_mm > (1 + 3 * chance) * explained;
+                     spread = square * (walls[i].width_mm * walls[i].width_mm + limits.assumed_spot_mm2) / 12;
+        const double least = limits.least_scatter_mm * limits.least_scatter_mm;
+        const double explained = std::sqrt(sigma_mm * sigma_mm * (radial ? 1 : 1 + square) + least + spread);
+        const double chance = limits.rough_errors * (1 / std::sqrt(2 * std::max(1.0, walls[i].points)));
+        rough[i] = walls[i].sigma_mm > (limits.rough_ratio + chance) * explained;
+        scattered[i] = walls[i].sigma_mm > (1 + chance) * explained;
     }
     std::vector<RoughWalls> stretches;
     for (std::size_t i = 0; i < walls.size();) {
@@ -49,21 +50,21 @@ std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double si
             continue;
         }
         std::size_t last = i, calm = 0;
-        for (std::size_t j = i + 1; j < walls.size() && calm < 6; ++j) {
+        for (std::size_t j = i + 1; j < walls.size() && calm < limits.most_calm_walls; ++j) {
             calm = rough[j] ? 0 : calm + 1;
             if (rough[j]) last = j;
         }
         const std::size_t next = last + 1;
-        if (walls[last].z_mm - walls[i].z_mm >= shortestRoughZone_mm) {
+        if (walls[last].z_mm - walls[i].z_mm >= limits.shortest_rough_mm) {
             std::size_t from = i, to = next;
             const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
-            const double reach = std::min(longestLead_mm, (walls[last].z_mm - walls[i].z_mm) / 3);
-            for (std::size_t j = i; j-- > least && i - j <= mostSmoothWalls + (i - from);)
-                if (uneasy[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
-            for (std::size_t j = next; j < walls.size() && j - to <= mostSmoothWalls; ++j)
-                if (uneasy[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
-            from = std::max(least, from - std::min(from, wallsBeyond));
-            stretches.push_back({i, next, from, std::min(walls.size(), to + wallsBeyond)});
+            const double reach = longestLead_mm(walls[last].z_mm - walls[i].z_mm);
+            for (std::size_t j = i; j-- > least && i - j <= limits.most_smooth_walls + (i - from);)
+                if (scattered[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
+            for (std::size_t j = next; j < walls.size() && j - to <= limits.most_smooth_walls; ++j)
+                if (scattered[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
+            from = std::max(least, from - std::min(from, limits.walls_beyond));
+            stretches.push_back({i, next, from, std::min(walls.size(), to + limits.walls_beyond)});
         }
         i = next;
     }
@@ -75,8 +76,8 @@ bool isStep(const Element& a, const Element& b, double z, double error_mm)
 {
     if (a.arc || b.arc) return false;
     const double jump = b.radiusAt_mm(z) - a.radiusAt_mm(z), bend = a.slope - b.slope;
-    if (std::abs(jump) < 5 * error_mm) return false;
-    return std::abs(bend) < 1e-9 || std::abs(jump / bend) > 0.4;
+    if (std::abs(jump) < stretchLimits.step_errors * error_mm) return false;
+    return std::abs(bend) < stretchLimits.step_parallel_slope || std::abs(jump / bend) > stretchLimits.step_reach_mm;
 }
 
 /// Cuts walls of one chain into stretches at steps.
@@ -86,9 +87,9 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
 {
     std::vector<Piece> pieces = cutIntoPieces(walls, progress);
     if (pieces.empty()) return;
-    if (trim_start && pieces.size() > 1 && pieces.front().end - pieces.front().begin <= blurredEndWalls)
-        pieces.erase(pieces.begin());
-    if (trim_end && pieces.size() > 1 && pieces.back().end - pieces.back().begin <= blurredEndWalls) pieces.pop_back();
+    const auto isBlur = [](const Piece& piece) { return piece.end - piece.begin <= stretchLimits.blurred_end_walls; };
+    if (trim_start && pieces.size() > 1 && isBlur(pieces.front())) pieces.erase(pieces.begin());
+    if (trim_end && pieces.size() > 1 && isBlur(pieces.back())) pieces.pop_back();
     std::vector<Wear> worn;
     mergeWear(pieces, walls, form_mm, merged, worn);
     const std::vector<Element> elements = elementsOf(pieces, walls, form_mm);
@@ -99,7 +100,7 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
         const auto covers = [&](const Wear& wear) { return wear.from_mm < to && wear.to_mm > from; };
         const auto parts = worn.begin() + static_cast<std::ptrdiff_t>(merged_parts);
         if (elements[k].arc || std::any_of(worn.begin(), parts, covers)) continue;
-        if (!was.arc && (!elements[k].cylinder || std::abs(was.slope) < 4 * was.slope_error)) continue;
+        if (!was.arc && (!elements[k].cylinder || !isSignificantSlope(was))) continue;
         Piece now = was;
         now.arc = false;
         now.slope = elements[k].slope;
@@ -121,10 +122,11 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
         if (!last && !isStep(elements[k], elements[k + 1], z, error)) continue;
         stretch.to_mm = z;
         stretch.after = last ? after : Border::Step;
-        for (const Wall& one : walls)
-            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.coarse.push_back(one);
-        for (const Wall& one : crests)
-            if (one.z_mm >= stretch.from_mm - 1e-9 && one.z_mm <= z + 1e-9) stretch.crests.push_back(one);
+        const auto isWithin = [&](const Wall& one) {
+            return one.z_mm >= stretch.from_mm - meet_mm && one.z_mm <= z + meet_mm;
+        };
+        std::copy_if(walls.begin(), walls.end(), std::back_inserter(stretch.coarse), isWithin);
+        std::copy_if(crests.begin(), crests.end(), std::back_inserter(stretch.crests), isWithin);
         for (const Wear& wear : worn)
             if (wear.to_mm > stretch.from_mm && wear.from_mm < z) stretch.worn.push_back(wear);
         stretches.push_back(stretch);
@@ -143,17 +145,18 @@ struct Circle {
 
 Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm)
 {
+    const double reach = std::max(stretchLimits.circle_reach_mm, stretchLimits.circle_reach_share * about_mm);
     std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
-        if (z > from_mm && z < to_mm && std::abs(r - about_mm) < std::max(2.0, 0.2 * about_mm))
+        if (z > from_mm && z < to_mm && std::abs(r - about_mm) < reach)
             points.emplace_back(2 * std::numbers::pi * static_cast<double>(cloud.turn[i]), r);
     }
     Circle circle;
-    if (points.size() < 30) return circle;
+    if (points.size() < stretchLimits.least_circle_points) return circle;
     Eigen::Vector3d found(about_mm, 0, 0);
-    double limit = 1e9;
-    for (int round = 0; round < 5; ++round) {
+    double limit = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < stretchLimits.circle_rounds; ++round) {
         Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
         Eigen::Vector3d right = Eigen::Vector3d::Zero();
         std::vector<double> offs;
@@ -167,7 +170,7 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
         }
         found = normal.ldlt().solve(right);
         circle.sigma_mm = madToSigma * upperMedianInPlace(offs);
-        limit = 4 * circle.sigma_mm;
+        limit = stretchLimits.circle_outlier_sigmas * circle.sigma_mm;
     }
     circle.radius_mm = found[0];
     circle.offset_mm = found.tail<2>().norm();
@@ -175,7 +178,7 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     radii.reserve(points.size());
     for (const auto& point : points) radii.push_back(static_cast<float>(point.second));
     circle.crest = crestOf(radii, sigma_mm);
-    circle.root_mm = static_cast<double>(quantileInPlace(radii, 0.02));
+    circle.root_mm = static_cast<double>(quantileInPlace(radii, stretchLimits.root_share));
     return circle;
 }
 
@@ -199,8 +202,9 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
     double mean = 0;
     for (const Wall& wall : stretch.coarse) mean += wall.r_mm / static_cast<double>(stretch.coarse.size());
     const Circle circle = circleOf(input.cloud, stretch.from_mm, stretch.to_mm, mean, input.coarse.sigma_mm);
-    const bool eccentric =
-        circle.sigma_mm > 0 && circle.sigma_mm < 1.6 * input.coarse.sigma_mm && circle.offset_mm > 0.05;
+    const bool eccentric = circle.sigma_mm > 0 &&
+                           circle.sigma_mm < stretchLimits.eccentric_ratio * input.coarse.sigma_mm &&
+                           circle.offset_mm > stretchLimits.least_eccentricity_mm;
     Element cylinder;
     cylinder.cylinder = cylinder.rough = true;
     cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest ? circle.crest->radius_mm : mean;
@@ -208,7 +212,7 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
     cylinder.root_mm = eccentric || circle.root_mm <= 0 ? cylinder.level_mm : circle.root_mm;
     if (eccentric) rough.eccentric_mm = circle.offset_mm;
     if (circle.crest && !eccentric) {
-        const double longest = std::min(longestLead_mm, (stretch.to_mm - stretch.from_mm) / 3);
+        const double longest = longestLead_mm(stretch.to_mm - stretch.from_mm);
         const auto lead = [&](double border, bool toward_end) {
             return leadIn(input.cloud, border, toward_end, longest, cylinder.level_mm, input.coarse.sigma_mm);
         };
@@ -250,7 +254,7 @@ std::vector<const Chain*> chainsOf(const Walls& walls, bool bore)
             if (other == one || other->walls.size() <= one->walls.size()) return false;
             const double from = std::max(one->zFirst_mm(), other->zFirst_mm()),
                          to = std::min(one->zLast_mm(), other->zLast_mm());
-            return to - from > 0.5 * (one->zLast_mm() - one->zFirst_mm());
+            return to - from > stretchLimits.coverage_share * (one->zLast_mm() - one->zFirst_mm());
         });
         if (!hidden) kept.push_back(one);
     }
@@ -270,7 +274,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         bool trim_end = false;
         if (c + 1 < chains.size()) {
             const double apart = chains[c + 1]->zFirst_mm() - walls.back().z_mm;
-            after = apart > dataGap_mm ? Border::Gap : Border::Shoulder;
+            after = apart > stretchLimits.data_gap_mm ? Border::Gap : Border::Shoulder;
             trim_end = after == Border::Shoulder;
         }
         const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;
@@ -282,7 +286,7 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
             own.insert(own.end(), walls.begin() + static_cast<std::ptrdiff_t>(from),
                        walls.begin() + static_cast<std::ptrdiff_t>(to));
             own.insert(own.end(), lead_in.begin(), lead_in.end());
-            if (own.size() <= 2) return false;
+            if (own.size() < stretchLimits.least_walls) return false;
             std::vector<Wall> crests = lead_out;
             crests.insert(crests.end(), lead_in.begin(), lead_in.end());
             addStretches(stretches, own, crests, (trim_start && from == 0) || (from > 0 && lead_out.empty()),

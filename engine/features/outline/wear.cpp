@@ -3,27 +3,36 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "engine/features/model/selection.h"
+#include "engine/features/outline/outline_limits.h"
 
 namespace lathelier::features {
 namespace {
+
+bool isWellWithin(const Wall& wall, double from_mm, double to_mm)
+{
+    return wall.z_mm >= from_mm + wearLimits.end_margin_mm && wall.z_mm <= to_mm - wearLimits.end_margin_mm;
+}
 
 /// Largest deviation of means over five walls from a line over [from, to]; the last five count though they overlap
 /// those before.
 double deviationFrom(const Run& run, double from_mm, double to_mm, double level, double slope, double at)
 {
-    constexpr std::size_t meanWalls = 5;
+    constexpr std::size_t n = wearLimits.mean_walls;
     std::vector<double> offs;
     for (const Wall& wall : run.walls)
-        if (wall.z_mm >= from_mm + 0.1 && wall.z_mm <= to_mm - 0.1)
+        if (isWellWithin(wall, from_mm, to_mm))
             offs.push_back(wall.r_mm + wall.form_mm - level - slope * (wall.z_mm - at));
     double largest = 0;
     const auto mean = [&](std::size_t first) {
         double sum = 0;
-        for (std::size_t i = first; i < first + meanWalls; ++i) sum += offs[i];
-        largest = std::max(largest, std::abs(sum / meanWalls));
+        for (std::size_t i = first; i < first + n; ++i) sum += offs[i];
+        largest = std::max(largest, std::abs(sum / n));
     };
-    for (std::size_t first = 0; first + meanWalls <= offs.size(); first += meanWalls) mean(first);
-    if (offs.size() >= meanWalls) mean(offs.size() - meanWalls);
+    for (std::size_t first = 0; first + n <= offs.size(); first += n) mean(first);
+    if (offs.size() >= n) mean(offs.size() - n);
     return largest;
 }
 
@@ -38,8 +47,8 @@ double turnOf(const Element& element, double from_mm, double to_mm)
 bool isGenuine(const Piece& a, const Piece& b, double jump_mm, double form_mm)
 {
     if (std::abs(jump_mm) > form_mm) return true;
-    const auto level = [](const Piece& piece) { return !piece.arc && std::abs(piece.slope) < 4 * piece.slope_error; };
-    return level(a) && level(b);
+    const auto isLevel = [](const Piece& piece) { return !piece.arc && !isSignificantSlope(piece); };
+    return isLevel(a) && isLevel(b);
 }
 
 double radiusOf(const Piece& piece, double z)
@@ -52,8 +61,153 @@ double radiusOf(const Piece& piece, double z)
 
 double slopeOf(const Piece& piece, double z)
 {
-    constexpr double h = 0.05;
+    constexpr double h = wearLimits.slope_half_width_mm;
     return (radiusOf(piece, z + h) - radiusOf(piece, z - h)) / (2 * h);
+}
+
+/// Weighted sums over the walls of a seat.
+struct SeatSums {
+    double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
+
+    void add(double weight, double z, double r)
+    {
+        n += weight;
+        sz += weight * z;
+        sr += weight * r;
+        szz += weight * z * z;
+        szr += weight * z * r;
+    }
+    double slope() const { return (szr - sz * sr / n) / std::max(wearLimits.least_spread_mm2, szz - sz * sz / n); }
+};
+
+/// A cylinder (slope 0) or a cone by least squares.
+struct SeatLine {
+    double at_mm = 0, level_mm = 0, slope = 0;
+    bool cylinder = true;
+};
+
+/// The cylinder, else the cone that describes the walls of `run` within the form tolerance; none: neither does.
+std::optional<SeatLine> seatLineOf(const SeatSums& sums, const Run& run, double from_mm, double to_mm, double form_mm,
+                                   bool may_be_cone)
+{
+    SeatLine line{sums.sz / sums.n, sums.sr / sums.n};
+    const auto fits = [&] {
+        return deviationFrom(run, from_mm, to_mm, line.level_mm, line.slope, line.at_mm) <= form_mm;
+    };
+    if (fits()) return line;
+    if (!may_be_cone) return std::nullopt;
+    line.cylinder = false;
+    line.slope = sums.slope();
+    return fits() ? std::optional(line) : std::nullopt;
+}
+
+/// Half way between piece k and the next.
+double borderBehind(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, std::size_t k)
+{
+    return (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
+}
+
+MergedJunction junctionBehind(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, std::size_t k)
+{
+    const double z = borderBehind(pieces, walls, k);
+    const double jump = radiusOf(pieces[k + 1], z) - radiusOf(pieces[k], z);
+    const double bend = std::atan(slopeOf(pieces[k + 1], z)) - std::atan(slopeOf(pieces[k], z));
+    return {z, 1e3 * jump, bend * 180 / std::numbers::pi};
+}
+
+/// Do pieces i to j follow each other without bends and steps of the part?
+bool isOneSeat(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, std::size_t i, std::size_t j,
+               double form_mm)
+{
+    for (std::size_t k = i; k <= j; ++k) {
+        const double chord = walls[pieces[k].end - 1].z_mm - walls[pieces[k].begin].z_mm;
+        if (pieces[k].arc && !(chord < wearLimits.largest_bend_rad * pieces[k].radius_mm)) return false;
+    }
+    for (std::size_t k = i; k < j; ++k) {
+        const MergedJunction junction = junctionBehind(pieces, walls, k);
+        const double small_um = wearLimits.no_step_um_per_mm * walls[pieces[k].end - 1].sigma_mm;
+        if (!(std::abs(junction.angle_deg) < wearLimits.largest_bend_rad * 180 / std::numbers::pi)) return false;
+        if (!(std::abs(junction.step_um) < small_um) &&
+            isGenuine(pieces[k], pieces[k + 1], 1e-3 * junction.step_um, form_mm))
+            return false;
+    }
+    return true;
+}
+
+/// Pieces i to j as one line within the form tolerance; none: they are not.
+std::optional<Piece> mergedPiece(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, std::size_t i,
+                                 std::size_t j, double form_mm)
+{
+    Run seat;
+    seat.walls.assign(walls.begin() + static_cast<std::ptrdiff_t>(pieces[i].begin),
+                      walls.begin() + static_cast<std::ptrdiff_t>(pieces[j].end));
+    SeatSums sums;
+    for (const Wall& wall : seat.walls) sums.add(wall.points, wall.z_mm, wall.r_mm);
+    const auto line = seatLineOf(sums, seat, seat.walls.front().z_mm, seat.walls.back().z_mm, form_mm, true);
+    if (!line) return std::nullopt;
+    Piece merged = pieces[i];
+    merged.end = pieces[j].end;
+    merged.arc = false;
+    merged.at_mm = line->at_mm;
+    merged.level_mm = line->level_mm;
+    merged.slope = line->slope;
+    return merged;
+}
+
+double bendBehind(const Run& run, std::size_t k)
+{
+    const double z = run.nodes_mm[k + 1];
+    return std::atan(run.elements[k + 1].slopeAt(z)) - std::atan(run.elements[k].slopeAt(z));
+}
+
+/// A bend within elements i to j is a designed feature for any size: a corner, or a fillet that joins without one.
+bool hasBend(const Run& run, std::size_t i, std::size_t j)
+{
+    for (std::size_t k = i; k <= j; ++k)
+        if (turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > wearLimits.largest_bend_rad) return true;
+    for (std::size_t k = i; k < j; ++k)
+        if (std::abs(bendBehind(run, k)) > wearLimits.largest_bend_rad) return true;
+    return false;
+}
+
+/// Elements i to j as one line within the form tolerance; none: they are not.
+std::optional<Element> mergedElement(const Run& run, std::size_t i, std::size_t j, double form_mm)
+{
+    const auto first = run.elements.begin() + static_cast<std::ptrdiff_t>(i),
+               last = run.elements.begin() + static_cast<std::ptrdiff_t>(j) + 1;
+    if (std::any_of(first, last, [](const Element& e) { return e.rough; }) || hasBend(run, i, j)) return std::nullopt;
+    const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
+    SeatSums sums;
+    for (const Wall& wall : run.walls)
+        if (isWellWithin(wall, from, to)) sums.add(wall.points, wall.z_mm, wall.r_mm + wall.form_mm);
+    if (!(sums.n > 0) || to - from < wearLimits.shortest_seat_mm) return std::nullopt;
+    const auto line = seatLineOf(sums, run, from, to, form_mm, i != j);
+    if (!line) return std::nullopt;
+    Element merged;
+    merged.at_mm = line->at_mm;
+    merged.level_mm = line->level_mm;
+    merged.slope = line->slope;
+    merged.cylinder = line->cylinder;
+    return merged;
+}
+
+/// Puts `seat` in place of elements i to j: its wear is subtracted from the walls, ties of neighbouring arcs are freed.
+void replaceBySeat(const Model& model, Run& run, std::size_t i, std::size_t j, const Element& seat)
+{
+    for (Wall& wall : run.walls) {
+        if (wall.z_mm < run.nodes_mm[i] || wall.z_mm > run.nodes_mm[j + 1]) continue;
+        const double off = radiusAt_mm(run, wall.z_mm) - seat.radiusAt_mm(wall.z_mm);
+        wall.r_mm -= off;
+        wall.form_mm += off;
+    }
+    run.elements.erase(run.elements.begin() + static_cast<std::ptrdiff_t>(i),
+                       run.elements.begin() + static_cast<std::ptrdiff_t>(j));
+    run.elements[i] = seat;
+    run.nodes_mm.erase(run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                       run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(j) + 1);
+    if (i > 0 && run.elements[i - 1].arc) run.elements[i - 1].end = Tie::Free;
+    if (i + 1 < run.elements.size() && run.elements[i + 1].arc) run.elements[i + 1].start = Tie::Free;
+    resolve(model, run);
 }
 
 }  // namespace
@@ -78,61 +232,19 @@ void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, doubl
                std::vector<MergedJunction>& merged, std::vector<Wear>& worn)
 {
     if (!(form_mm > 0)) return;
-    const auto joins = [&](std::size_t k) {
-        const double z = (walls[pieces[k].end - 1].z_mm + walls[pieces[k + 1].begin].z_mm) / 2;
-        const double jump = radiusOf(pieces[k + 1], z) - radiusOf(pieces[k], z);
-        const double bend = std::atan(slopeOf(pieces[k + 1], z)) - std::atan(slopeOf(pieces[k], z));
-        return MergedJunction{z, 1e3 * jump, bend * 180 / std::numbers::pi};
-    };
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
         for (std::size_t j = pieces.size() - 1; j > i; --j) {
-            bool possible = true;
-            for (std::size_t k = i; k <= j && possible; ++k) {
-                const double chord = walls[pieces[k].end - 1].z_mm - walls[pieces[k].begin].z_mm;
-                possible = !pieces[k].arc || chord < largestWearBend_rad * pieces[k].radius_mm;
-            }
-            for (std::size_t k = i; k < j && possible; ++k) {
-                const MergedJunction join = joins(k);
-                const double small = 5e-3 * walls[pieces[k].end - 1].sigma_mm;  // no jump
-                possible = std::abs(join.angle_deg) < largestWearBend_rad * 180 / std::numbers::pi &&
-                           (std::abs(join.step_um) < small ||
-                            !isGenuine(pieces[k], pieces[k + 1], 1e-3 * join.step_um, form_mm));
-            }
-            if (!possible) continue;
-            Run seat;
-            seat.walls.assign(walls.begin() + static_cast<std::ptrdiff_t>(pieces[i].begin),
-                              walls.begin() + static_cast<std::ptrdiff_t>(pieces[j].end));
-            double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
-            for (const Wall& wall : seat.walls) {
-                n += wall.points;
-                sz += wall.points * wall.z_mm;
-                sr += wall.points * wall.r_mm;
-                szz += wall.points * wall.z_mm * wall.z_mm;
-                szr += wall.points * wall.z_mm * wall.r_mm;
-            }
-            Piece one = pieces[i];
-            one.end = pieces[j].end;
-            one.arc = false;
-            one.at_mm = sz / n;
-            one.level_mm = sr / n;
-            one.slope = 0;
-            const double from = seat.walls.front().z_mm, to = seat.walls.back().z_mm;
-            bool fits = deviationFrom(seat, from, to, one.level_mm, 0, one.at_mm) <= form_mm;
-            if (!fits) {
-                one.slope = (szr - sz * sr / n) / std::max(1e-12, szz - sz * sz / n);
-                fits = deviationFrom(seat, from, to, one.level_mm, one.slope, one.at_mm) <= form_mm;
-            }
-            if (!fits) continue;
-            for (std::size_t k = i; k < j; ++k) merged.push_back(joins(k));
-            for (std::size_t k = i; k <= j; ++k) {
-                const auto border = [&](std::size_t part) {
-                    return (walls[pieces[part].end - 1].z_mm + walls[pieces[part + 1].begin].z_mm) / 2;
-                };
-                worn.push_back({k == i ? from : border(k - 1), k == j ? to : border(k), pieces[k], one});
-            }
+            if (!isOneSeat(pieces, walls, i, j, form_mm)) continue;
+            const std::optional<Piece> seat = mergedPiece(pieces, walls, i, j, form_mm);
+            if (!seat) continue;
+            for (std::size_t k = i; k < j; ++k) merged.push_back(junctionBehind(pieces, walls, k));
+            for (std::size_t k = i; k <= j; ++k)
+                worn.push_back({k == i ? walls[pieces[i].begin].z_mm : borderBehind(pieces, walls, k - 1),
+                                k == j ? walls[pieces[j].end - 1].z_mm : borderBehind(pieces, walls, k), pieces[k],
+                                *seat});
             pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                          pieces.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-            pieces[i] = one;
+            pieces[i] = *seat;
             break;
         }
 }
@@ -145,67 +257,14 @@ std::vector<MergedJunction> mergeWithinForm(Model& model, double form_mm)
         for (std::size_t i = 0; i < run.elements.size(); ++i)
             for (std::size_t j = run.elements.size() - 1; j + 1 > i; --j) {
                 if (i == j && !run.elements[i].arc && run.elements[i].cylinder) break;
-                if (std::any_of(run.elements.begin() + static_cast<std::ptrdiff_t>(i),
-                                run.elements.begin() + static_cast<std::ptrdiff_t>(j) + 1,
-                                [](const Element& e) { return e.rough; }))
-                    continue;
-                const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
-                // A bend is a designed feature for any size: a corner, or a fillet that joins without one.
-                bool bends = false;
-                for (std::size_t k = i; k <= j; ++k)
-                    bends |= turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > largestWearBend_rad;
+                const std::optional<Element> seat = mergedElement(run, i, j, form_mm);
+                if (!seat) continue;
                 for (std::size_t k = i; k < j; ++k) {
                     const double z = run.nodes_mm[k + 1];
-                    bends |= std::abs(std::atan(run.elements[k + 1].slopeAt(z)) -
-                                      std::atan(run.elements[k].slopeAt(z))) > largestWearBend_rad;
-                }
-                if (bends) continue;
-                // Weighted least squares of a cylinder and a cone over the seat.
-                double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
-                for (const Wall& wall : run.walls) {
-                    if (wall.z_mm < from + 0.1 || wall.z_mm > to - 0.1) continue;
-                    n += wall.points;
-                    sz += wall.points * wall.z_mm;
-                    sr += wall.points * (wall.r_mm + wall.form_mm);
-                    szz += wall.points * wall.z_mm * wall.z_mm;
-                    szr += wall.points * wall.z_mm * (wall.r_mm + wall.form_mm);
-                }
-                if (!(n > 0) || to - from < 1) continue;
-                Element one;
-                one.at_mm = sz / n;
-                one.level_mm = sr / n;
-                one.cylinder = true;
-                bool fits = deviationFrom(run, from, to, one.level_mm, 0, one.at_mm) <= form_mm;
-                if (!fits && i != j) {
-                    one.cylinder = false;
-                    one.slope = (szr - sz * sr / n) / std::max(1e-12, szz - sz * sz / n);
-                    fits = deviationFrom(run, from, to, one.level_mm, one.slope, one.at_mm) <= form_mm;
-                }
-                if (!fits) continue;
-                for (std::size_t k = i; k < j; ++k) {
-                    const double z = run.nodes_mm[k + 1];
-                    const double bend =
-                        std::atan(run.elements[k + 1].slopeAt(z)) - std::atan(run.elements[k].slopeAt(z));
                     merged.push_back({z, 1e3 * (run.elements[k + 1].radiusAt_mm(z) - run.elements[k].radiusAt_mm(z)),
-                                      bend * 180 / std::numbers::pi});
+                                      bendBehind(run, k) * 180 / std::numbers::pi});
                 }
-                for (Wall& wall : run.walls) {
-                    if (wall.z_mm < from || wall.z_mm > to) continue;
-                    const double off = radiusAt_mm(run, wall.z_mm) - one.radiusAt_mm(wall.z_mm);
-                    wall.r_mm -= off;
-                    wall.form_mm += off;
-                }
-                run.elements.erase(run.elements.begin() + static_cast<std::ptrdiff_t>(i),
-                                   run.elements.begin() + static_cast<std::ptrdiff_t>(j));
-                run.elements[i] = one;
-                run.nodes_mm.erase(run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                   run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(j) + 1);
-                for (const std::size_t k : {i - 1, i + 1}) {
-                    if (k >= run.elements.size() || !run.elements[k].arc) continue;
-                    if (k + 1 == i) run.elements[k].end = Tie::Free;
-                    if (k == i + 1) run.elements[k].start = Tie::Free;
-                }
-                resolve(model, run);
+                replaceBySeat(model, run, i, j, *seat);
                 break;
             }
     return merged;

@@ -1,7 +1,6 @@
 // Worn seats: pieces within the form tolerance of one element become one row.
 #pragma once
 
-#include <numbers>
 #include <vector>
 
 #include "engine/features/model/model.h"
@@ -9,9 +8,6 @@
 #include "engine/features/walls/segmentation.h"
 
 namespace lathelier::features {
-
-/// A junction between neighbours that bend by less than this may be wear.
-inline constexpr double largestWearBend_rad = 3.4 * std::numbers::pi / 180;
 
 /// A part of a worn seat: its piece before merging and the merged one.
 struct Wear {

@@ -7,17 +7,13 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/features/walls/wall_limits.h"
 #include "engine/registration/surface/facet_sagitta.h"
 
 namespace lathelier::features {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double smallestSagitta_mm = 5e-4;
-constexpr double flatSagittaRatio =
-    2;  // facets with a sagitta above this multiple of the usual one are flats of the part
-constexpr double faceNormalShare = 0.02;  // radial share of the normal below which a facet lies across the axis
 
 using Corners = std::array<Vector3d, 3>;
 
@@ -30,7 +26,7 @@ Vector3d flat(const Corners& p, const registration::SurfaceSample& at)
 Vector3d rounded(const Corners& p, const registration::SurfaceSample& at, double usual_sagitta_mm)
 {
     const Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-    if (!(normal.head<2>().norm() > faceNormalShare * normal.norm())) return flat(p, at);
+    if (!(normal.head<2>().norm() > meshLimits.face_normal_share * normal.norm())) return flat(p, at);
     std::array<double, 3> radius{}, turn{};
     for (std::size_t k = 0; k < 3; ++k) {
         radius[k] = p[k].head<2>().norm();
@@ -39,8 +35,10 @@ Vector3d rounded(const Corners& p, const registration::SurfaceSample& at, double
     }
     const auto [least, most] = std::minmax_element(turn.begin(), turn.end());
     const double span = *most - *least, largest = *std::max_element(radius.begin(), radius.end());
-    if (!(*std::min_element(radius.begin(), radius.end()) > 1e-3 * largest)) return flat(p, at);
-    if (span > 2 || largest * (1 - std::cos(span / 2)) > flatSagittaRatio * usual_sagitta_mm) return flat(p, at);
+    if (!(*std::min_element(radius.begin(), radius.end()) > meshLimits.least_radius_share * largest))
+        return flat(p, at);
+    if (span > meshLimits.largest_span_rad) return flat(p, at);
+    if (largest * (1 - std::cos(span / 2)) > meshLimits.flat_sagitta_ratio * usual_sagitta_mm) return flat(p, at);
     const double r = radius[0] + at.s * (radius[1] - radius[0]) + at.t * (radius[2] - radius[0]);
     const double angle = turn[0] + at.s * (turn[1] - turn[0]) + at.t * (turn[2] - turn[0]);
     return {r * std::cos(angle), r * std::sin(angle), flat(p, at).z()};
@@ -69,7 +67,7 @@ RoundedPoints roundedPoints(const Scan& mesh, const std::vector<registration::Su
 {
     RoundedPoints result;
     result.sagitta_mm = registration::facetSagitta_mm(mesh, fit.axis_T_scan, progress);
-    if (!(result.sagitta_mm > smallestSagitta_mm)) return result;
+    if (!(result.sagitta_mm > meshLimits.least_sagitta_mm)) return result;
     const Eigen::Isometry3d scan_T_axis = fit.axis_T_scan.inverse();
     result.points.resize(samples.size());
     parallelFor(samples.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/features/walls/wall_limits.h"
+
 namespace lathelier::features {
 namespace {
 
-constexpr double formFloor_mm = 1e-3;  // standard deviation of the walls' form besides their noise
-constexpr double longestArc_mm = 30;
 constexpr double infiniteCost = std::numeric_limits<double>::infinity();
 
 /// Sums over walls relative to one place, so that short arcs far from z = 0 lose no digits.
@@ -18,8 +18,9 @@ public:
 
     void add(const Wall& wall)
     {
+        constexpr double floor_mm = segmentationLimits.form_floor_mm;
         const double n = std::max(1.0, wall.points);
-        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + formFloor_mm * formFloor_mm);
+        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + floor_mm * floor_mm);
         const double x = wall.z_mm - z_, y = wall.r_mm - r_, q = x * x + y * y;
         s_ += w;
         sx_ += w * x;
@@ -56,7 +57,7 @@ public:
         const double misfit = std::max(0.0, sqq_ - found.dot(rhs));
         // Mean squared cosine: ((y - b/2)/ρ)² over the walls.
         const double cosine = (syy_ - b * sy_ + b * b / 4 * s_) / (square * s_);
-        return misfit / (4 * square) / std::max(cosine, 0.02);
+        return misfit / (4 * square) / std::max(cosine, segmentationLimits.least_mean_square_cosine);
     }
     void lineOf(Piece& piece) const
     {
@@ -104,17 +105,17 @@ Piece pieceOf(std::span<const Wall> walls, std::size_t begin, std::size_t end, b
 
 double linePrice(std::size_t walls)
 {
-    return 5 * std::log(static_cast<double>(walls) + 1);
+    return segmentationLimits.line_price * std::log(static_cast<double>(walls) + 1);
 }
 
 double arcPrice(std::size_t walls)
 {
-    return 7.5 * std::log(static_cast<double>(walls) + 1);
+    return segmentationLimits.arc_price * std::log(static_cast<double>(walls) + 1);
 }
 
 double leftOutPrice(std::size_t walls)
 {
-    return 2 * std::log(static_cast<double>(walls) + 1);
+    return segmentationLimits.omitted_price * std::log(static_cast<double>(walls) + 1);
 }
 
 double lineCost(std::span<const Wall> walls)
@@ -130,6 +131,7 @@ double arcCost(std::span<const Wall> walls)
 
 std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& progress)
 {
+    const SegmentationLimits& limits = segmentationLimits;
     const std::size_t n = walls.size();
     const double line_price = linePrice(n), arc_price = arcPrice(n), left_out_price = leftOutPrice(n);
     std::vector<double> best(n + 1, infiniteCost);    // of a piece that ends before wall j
@@ -138,20 +140,21 @@ std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& pr
     std::vector<std::size_t> from(n + 1, 0);
     std::vector<char> is_arc(n + 1, 0);
     best[0] = before[0] = 0;
-    for (std::size_t j = leastLineWalls; j <= n; ++j) {
+    for (std::size_t j = limits.least_line_walls; j <= n; ++j) {
         if (j % 64 == 0) progress.check();
         Sums sums(walls[j - 1].z_mm, walls[j - 1].r_mm);
         for (std::size_t i = j; i-- > 0;) {
             sums.add(walls[i]);
             const std::size_t length = j - i;
-            if (length < leastLineWalls || before[i] == infiniteCost) continue;
+            if (length < limits.least_line_walls || before[i] == infiniteCost) continue;
             const double line = sums.line();
             if (before[i] + line + line_price < best[j]) {
                 best[j] = before[i] + line + line_price;
                 from[j] = i;
                 is_arc[j] = 0;
             }
-            if (length < leastArcWalls || walls[j - 1].z_mm - walls[i].z_mm > longestArc_mm) continue;
+            if (length < limits.least_arc_walls) continue;
+            if (walls[j - 1].z_mm - walls[i].z_mm > limits.longest_arc_mm) continue;
             if (before[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
             double a = 0, b = 0, c = 0;
             const double arc = sums.arc(a, b, c);
@@ -162,14 +165,14 @@ std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& pr
             }
         }
         before[j] = best[j];
-        for (std::size_t k = 1; k <= mostOmittedWalls && k < j; ++k)
+        for (std::size_t k = 1; k <= limits.most_omitted_walls && k < j; ++k)
             if (const double value = best[j - k] + static_cast<double>(k) * left_out_price; value < before[j]) {
                 before[j] = value;
                 left_out[j] = k;
             }
     }
     std::vector<Piece> pieces;
-    if (n < leastLineWalls || best[n] == infiniteCost) return pieces;
+    if (n < limits.least_line_walls || best[n] == infiniteCost) return pieces;
     for (std::size_t j = n; j > 0; j = from[j] - left_out[from[j]])
         pieces.push_back(pieceOf(walls, from[j], j, is_arc[j] != 0));
     return {pieces.rbegin(), pieces.rend()};

@@ -36,6 +36,5 @@ double arcCost(std::span<const Wall> walls);
 double linePrice(std::size_t walls);
 double arcPrice(std::size_t walls);
 double leftOutPrice(std::size_t walls);
-inline constexpr std::size_t leastLineWalls = 3, leastArcWalls = 5, mostOmittedWalls = 2;
 
 }  // namespace lathelier::features

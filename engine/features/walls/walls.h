@@ -46,6 +46,9 @@ struct Walls {
     std::vector<Chain> chains;  ///< by the z of their first wall, outside before bores
 };
 
+/// Radii of one bin that are further apart belong to different walls; `sigma_mm`: noise of single points.
+double clusterGap_mm(double sigma_mm);
+
 /// Bins of `bin_mm`. `sigma_mm`: noise of single points, from the axis fit.
 Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, const Progress& progress = {});
 

@@ -1,5 +1,6 @@
 // The exact segmentation against all segmentations, the likelihood on discrete rows, junctions and ties of the model.
 #include "engine/features/walls/segmentation.h"
+#include "engine/features/walls/wall_limits.h"
 
 #include <gtest/gtest.h>
 
@@ -35,12 +36,12 @@ double bestOfAll(const std::vector<Wall>& walls)
         if (j == 0) return 0;
         if (known[j] >= 0) return known[j];
         double best = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i + leastLineWalls <= j; ++i) {
+        for (std::size_t i = 0; i + segmentationLimits.least_line_walls <= j; ++i) {
             const double before = upTo(i);
             if (before == std::numeric_limits<double>::infinity()) continue;
             const std::span<const Wall> piece(walls.data() + i, j - i);
             best = std::min(best, before + lineCost(piece) + linePrice(n));
-            if (piece.size() >= leastArcWalls) best = std::min(best, before + arcCost(piece) + arcPrice(n));
+            if (piece.size() >= segmentationLimits.least_arc_walls) best = std::min(best, before + arcCost(piece) + arcPrice(n));
         }
         return known[j] = best;
     };

@@ -86,9 +86,10 @@ inline constexpr NoteCode unexplainedStructure{
 
 inline constexpr NoteCode unexplainedHole{
     "unexplained_hole", Severity::Warning,
-    LT_TEXT("Engine",
-            "No points from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², at {places} round places of a surface "
-            "that is seen: no row and no mark explains it."),
+    LT_TEXT(
+        "Engine",
+        "No points from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², at {places} round places of a surface "
+        "that is seen: no row and no mark explains it."),
     NoteRole::NotModelled};
 
 inline constexpr NoteCode takenForDamage{
@@ -98,9 +99,10 @@ inline constexpr NoteCode takenForDamage{
 
 inline constexpr NoteCode noiseCorrelated{
     "noise_correlated", Severity::Info,
-    LT_TEXT("Engine",
-            "The noise of neighbouring points is correlated: the uncertainties are {factor:1} times those of independent "
-            "points.")};
+    LT_TEXT(
+        "Engine",
+        "The noise of neighbouring points is correlated: the uncertainties are {factor:1} times those of independent "
+        "points.")};
 
 inline constexpr NoteCode passesDiffer{
     "passes_differ", Severity::Warning,

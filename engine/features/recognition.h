@@ -33,16 +33,16 @@ enum class Unexplained { Refuse, Damage };   ///< what is made of structure that
 struct RecognitionParameters {
     RecognitionMethod method = RecognitionMethod::Robust;  ///< robust or published
     SceneUse scene = SceneUse::Auto;                       ///< removal of objects other than the part
-    Snap snap = Snap::Suggest;                   ///< nominal sizes: none, suggested, or put in place of the measured
-    double form_tolerance_mm = 0.02;             ///< on radius: rows that one element describes within it are one
-    std::optional<double> scanner_accuracy_mm;   ///< systematic, added to every uncertainty
+    Snap snap = Snap::Suggest;                      ///< nominal sizes: none, suggested, or put in place of the measured
+    double form_tolerance_mm = 0.02;                ///< on radius: rows that one element describes within it are one
+    std::optional<double> scanner_accuracy_mm;      ///< systematic, added to every uncertainty
     Unexplained unexplained = Unexplained::Refuse;  ///< Damage: a person says that it is damage of the part
-    FreeEnd free_end = FreeEnd::First;           ///< origin of z
-    std::optional<double> length_mm;             ///< confirms the length where an end is not seen
-    std::optional<double> length_of_chucked_mm;  ///< the last part, in the chuck: not in the stock file
-    double band_width_mm = 0.2;                  ///< paper: width of a section
-    double coverage_percent = 100;               ///< paper: sections cover this share of the length
-    double radial_tolerance_mm = 0.1;            ///< paper: sections whose radius is this near form a step
+    FreeEnd free_end = FreeEnd::First;              ///< origin of z
+    std::optional<double> length_mm;                ///< confirms the length where an end is not seen
+    std::optional<double> length_of_chucked_mm;     ///< the last part, in the chuck: not in the stock file
+    double band_width_mm = 0.2;                     ///< paper: width of a section
+    double coverage_percent = 100;                  ///< paper: sections cover this share of the length
+    double radial_tolerance_mm = 0.1;               ///< paper: sections whose radius is this near form a step
     CompareWith compare_with = CompareWith::Previous;  ///< of the published method
 };
 
@@ -128,7 +128,7 @@ enum class StructureKind {
 /// Structure that neither a row nor a mark explains.
 struct UnexplainedStructure {
     StructureKind kind = StructureKind::Raised;
-    double z_start_mm = 0, z_end_mm = 0;  ///< from the free end
+    double z_start_mm = 0, z_end_mm = 0;                  ///< from the free end
     std::optional<double> angle_deg = {}, span_deg = {};  ///< its middle and width about the axis; none: several places
     double area_mm2 = 0;                                  ///< of all places
     std::optional<double> height_mm = {};  ///< largest mean deviation of a place; Eccentric: offset; none: no points

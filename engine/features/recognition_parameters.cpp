@@ -54,12 +54,13 @@ const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParam
             label(LT_TEXT("Engine", "Scanner accuracy"),
                   LT_TEXT("Engine", "Of the maker; it is added to every uncertainty. Without it they hold noise only."),
                   unit::mm)),
-        field("unexplained", &P::unexplained,
-              {{"refuse", LT_TEXT("Engine", "no CAD, no program")}, {"damage", LT_TEXT("Engine", "damage of the part")}},
-              label(LT_TEXT("Engine", "Unexplained structure"),
-                    LT_TEXT("Engine",
-                            "What no row and no mark explains. Damage: a person says that the part was made without "
-                            "it."))),
+        field(
+            "unexplained", &P::unexplained,
+            {{"refuse", LT_TEXT("Engine", "no CAD, no program")}, {"damage", LT_TEXT("Engine", "damage of the part")}},
+            label(LT_TEXT("Engine", "Unexplained structure"),
+                  LT_TEXT("Engine",
+                          "What no row and no mark explains. Damage: a person says that the part was made without "
+                          "it."))),
         field("free_end", &P::free_end,
               {{"first", LT_TEXT("Engine", "first of the data")}, {"last", LT_TEXT("Engine", "last of the data")}},
               label(LT_TEXT("Engine", "Free end"),

@@ -366,7 +366,7 @@ void dropTeeth(std::vector<ShaftMark>& marks)
 {
     const auto alike = [&](const ShaftMark& mark) {
         return static_cast<std::size_t>(std::count_if(marks.begin(), marks.end(), [&](const ShaftMark& other) {
-            return other.kind == mark.kind && *other.z_start_mm < *mark.z_end_mm && *other.z_end_mm > *mark.z_start_mm;
+            return other.kind == mark.kind && *other.z_start_mm<*mark.z_end_mm&& * other.z_end_mm> * mark.z_start_mm;
         }));
     };
     std::vector<ShaftMark> kept;

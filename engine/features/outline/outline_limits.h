@@ -150,6 +150,7 @@ inline constexpr OutlineLimits outlineLimits;
 /// Worn seats as one row (wear.h).
 struct WearLimits {
     double largest_bend_rad = selectionLimits.merged_bend_rad;  ///< a sharper bend is a designed feature
+    double level_share = 0.5;    ///< of the form tolerance, for the level on both sides of a score
     std::size_t mean_walls = 5;  ///< means over so many walls are compared with the form tolerance
     double end_margin_mm = 0.1;  ///< walls nearer to the ends of a seat do not count
     double shortest_seat_mm = 1;

@@ -115,10 +115,25 @@ MergedJunction junctionBehind(const std::vector<Piece>& pieces, const std::vecto
     return {z, 1e3 * jump, bend * 180 / std::numbers::pi};
 }
 
+/// A score or a band of wear in a seat: whatever lies between two lines of one level along the axis. Its depth is
+/// judged by the form tolerance.
+bool returnsToLevel(double slope_before, double level_before_mm, double slope_after, double level_after_mm,
+                    double form_mm)
+{
+    const double steepest = std::tan(wearLimits.largest_bend_rad);
+    return std::abs(slope_before) < steepest && std::abs(slope_after) < steepest &&
+           std::abs(level_after_mm - level_before_mm) <= wearLimits.level_share * form_mm;
+}
+
 /// Do pieces i to j follow each other without bends and steps of the part?
 bool isOneSeat(const std::vector<Piece>& pieces, const std::vector<Wall>& walls, std::size_t i, std::size_t j,
                double form_mm)
 {
+    const Piece &first = pieces[i], &last = pieces[j];
+    if (j > i + 1 && !first.arc && !last.arc &&
+        returnsToLevel(first.slope, radiusOf(first, walls[first.end - 1].z_mm), last.slope,
+                       radiusOf(last, walls[last.begin].z_mm), form_mm))
+        return true;
     for (std::size_t k = i; k <= j; ++k) {
         const double chord = walls[pieces[k].end - 1].z_mm - walls[pieces[k].begin].z_mm;
         if (pieces[k].arc && !(chord < wearLimits.largest_bend_rad * pieces[k].radius_mm)) return false;
@@ -160,9 +175,15 @@ double bendBehind(const Run& run, std::size_t k)
     return std::atan(run.elements[k + 1].slopeAt(z)) - std::atan(run.elements[k].slopeAt(z));
 }
 
-/// A bend within elements i to j is a designed feature for any size: a corner, or a fillet that joins without one.
-bool hasBend(const Run& run, std::size_t i, std::size_t j)
+/// A bend within elements i to j is a designed feature for any size, a corner or a fillet that joins without one,
+/// unless the seat goes on behind it.
+bool hasBend(const Run& run, std::size_t i, std::size_t j, double form_mm)
 {
+    const Element &first = run.elements[i], &last = run.elements[j];
+    if (j > i + 1 && !first.arc && !last.arc &&
+        returnsToLevel(first.slope, first.radiusAt_mm(run.nodes_mm[i + 1]), last.slope,
+                       last.radiusAt_mm(run.nodes_mm[j]), form_mm))
+        return false;
     for (std::size_t k = i; k <= j; ++k)
         if (turnOf(run.elements[k], run.nodes_mm[k], run.nodes_mm[k + 1]) > wearLimits.largest_bend_rad) return true;
     for (std::size_t k = i; k < j; ++k)
@@ -175,7 +196,8 @@ std::optional<Element> mergedElement(const Run& run, std::size_t i, std::size_t 
 {
     const auto first = run.elements.begin() + static_cast<std::ptrdiff_t>(i),
                last = run.elements.begin() + static_cast<std::ptrdiff_t>(j) + 1;
-    if (std::any_of(first, last, [](const Element& e) { return e.rough; }) || hasBend(run, i, j)) return std::nullopt;
+    if (std::any_of(first, last, [](const Element& e) { return e.rough; }) || hasBend(run, i, j, form_mm))
+        return std::nullopt;
     const double from = run.nodes_mm[i], to = run.nodes_mm[j + 1];
     SeatSums sums;
     for (const Wall& wall : run.walls)

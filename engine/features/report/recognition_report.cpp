@@ -354,10 +354,9 @@ report::Document recognitionReport(const Recognition& result, const std::vector<
         {report::quantityTable(LT_TEXT("Engine", "Part"), result,
                                {"length_mm", "length_uncertainty_mm", "largest_diameter_mm", "volume_mm3"}),
          endsTable(result), stepsTable(steps),
-         report::quantityTable(
-             LT_TEXT("Engine", "How well the rows describe the data"), result,
-             {"coverage_percent", "residual_rmse_mm", "chi2_per_bin", "noise_mm", "variance_ratio", "passes_differ_um",
-              "spot_mm", "points_used"})}};
+         report::quantityTable(LT_TEXT("Engine", "How well the rows describe the data"), result,
+                               {"coverage_percent", "residual_rmse_mm", "chi2_per_bin", "noise_mm", "variance_ratio",
+                                "passes_differ_um", "spot_mm", "points_used"})}};
     if (!result.merged.empty())
         fit.blocks.push_back(report::listTable<MergedJunction>(LT_TEXT("Engine", "Junctions within the form tolerance"),
                                                                result.merged, {"z_mm", "step_um", "angle_deg"}));

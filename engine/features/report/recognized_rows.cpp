@@ -173,15 +173,15 @@ const char* key(StructureKind kind)
 const std::vector<QuantityOf<UnexplainedStructure>>& quantitiesOf(const UnexplainedStructure*)
 {
     using U = UnexplainedStructure;
-    static const auto all = describedBy<U>(
-        quantity<U>("kind", [](const U& u) { return key(u.kind); }, {LT_TEXT("Engine", "Kind")}),
-        quantity<U>("z_start_mm", &U::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 1}),
-        quantity<U>("z_end_mm", &U::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 1}),
-        quantity<U>("places", &U::places, {LT_TEXT("Engine", "Places")}),
-        quantity<U>("angle_deg", &U::angle_deg, {LT_TEXT("Engine", "Direction"), unit::deg, 0}),
-        quantity<U>("span_deg", &U::span_deg, {LT_TEXT("Engine", "Width"), unit::deg, 0}),
-        quantity<U>("area_mm2", &U::area_mm2, {LT_TEXT("Engine", "Area"), LT_TEXT("Engine", "mm²"), 1}),
-        quantity<U>("height_mm", &U::height_mm, {LT_TEXT("Engine", "Height"), unit::mm, 3}));
+    static const auto all =
+        describedBy<U>(quantity<U>("kind", [](const U& u) { return key(u.kind); }, {LT_TEXT("Engine", "Kind")}),
+                       quantity<U>("z_start_mm", &U::z_start_mm, {LT_TEXT("Engine", "Start z"), unit::mm, 1}),
+                       quantity<U>("z_end_mm", &U::z_end_mm, {LT_TEXT("Engine", "End z"), unit::mm, 1}),
+                       quantity<U>("places", &U::places, {LT_TEXT("Engine", "Places")}),
+                       quantity<U>("angle_deg", &U::angle_deg, {LT_TEXT("Engine", "Direction"), unit::deg, 0}),
+                       quantity<U>("span_deg", &U::span_deg, {LT_TEXT("Engine", "Width"), unit::deg, 0}),
+                       quantity<U>("area_mm2", &U::area_mm2, {LT_TEXT("Engine", "Area"), LT_TEXT("Engine", "mm²"), 1}),
+                       quantity<U>("height_mm", &U::height_mm, {LT_TEXT("Engine", "Height"), unit::mm, 3}));
     return all;
 }
 

@@ -1,7 +1,7 @@
 // Is a wall inside the part a bore, or the lower part of an outside that is not round?
 //
-// Rays reach a bore through its mouth: the outside is seen at the same places about the axis. The roots of a spline, the
-// floor of a slot are seen where the outside is not. And a bore goes around; stray points do not.
+// Rays reach a bore through its mouth: the outside is seen at the same places about the axis. The roots of a spline,
+// the floor of a slot are seen where the outside is not. And a bore goes around; stray points do not.
 #pragma once
 
 #include "engine/core/progress.h"

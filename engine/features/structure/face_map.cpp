@@ -32,17 +32,16 @@ std::vector<Face> facesOf(const Outline& outside, const Outline* bore)
     for (std::size_t r = 0; r + 1 < model.runs.size(); ++r)
         if (model.runs[r].right == model.runs[r + 1].left)
             add(model.planes[model.runs[r].right].z_mm, endRadius_mm(model.runs[r]), startRadius_mm(model.runs[r + 1]));
-    if (outside.face_seen[1])
-        add(last.nodes_mm.back(), endRadius_mm(last), boreRadius_mm(bore, last.nodes_mm.back()));
+    if (outside.face_seen[1]) add(last.nodes_mm.back(), endRadius_mm(last), boreRadius_mm(bore, last.nodes_mm.back()));
     return faces;
 }
 
 /// Points of a face on a grid across the axis.
 struct FaceGrid {
     double cell_mm = 1;
-    std::size_t side = 0;          ///< cells along x and along y
-    std::vector<float> points;     ///< by y, then x; -1 outside the ring
-    double mean = 0;               ///< of the cells within
+    std::size_t side = 0;       ///< cells along x and along y
+    std::vector<float> points;  ///< by y, then x; -1 outside the ring
+    double mean = 0;            ///< of the cells within
 };
 
 std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const Face& face)

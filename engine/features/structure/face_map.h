@@ -10,18 +10,18 @@ namespace lathelier::features {
 
 /// Thresholds of the search.
 struct FaceThresholds {
-    double cell_points = 10;    ///< mean of the points of a cell: one of 10⁴ is empty by chance
+    double cell_points = 10;  ///< mean of the points of a cell: one of 10⁴ is empty by chance
     double least_cell_mm = 0.5;
-    double most_cell_mm = 2;    ///< coarser cells show no holes of 6 mm
-    double near_sigmas = 5;     ///< points this near the plane belong to the face
-    double near_mm = 0.1;       ///< besides
-    double rim_mm = 0.8;        ///< beside the edges of the face: blurred, chamfered
-    double empty_share = 0.2;   ///< of the mean: less is empty
-    double seen_share = 0.5;    ///< of the cells that hold points: else the face is not seen
-    double least_hole_mm2 = 3;  ///< a hole of 2 mm
-    double most_aspect = 1.6;   ///< of a round region
-    double most_fill = 0.92;    ///< of its box
-    double most_missing = 0.15; ///< share of the face in other places without points: seen in patches only
+    double most_cell_mm = 2;     ///< coarser cells show no holes of 6 mm
+    double near_sigmas = 5;      ///< points this near the plane belong to the face
+    double near_mm = 0.1;        ///< besides
+    double rim_mm = 0.8;         ///< beside the edges of the face: blurred, chamfered
+    double empty_share = 0.2;    ///< of the mean: less is empty
+    double seen_share = 0.5;     ///< of the cells that hold points: else the face is not seen
+    double least_hole_mm2 = 3;   ///< a hole of 2 mm
+    double most_aspect = 1.6;    ///< of a round region
+    double most_fill = 0.92;     ///< of its box
+    double most_missing = 0.15;  ///< share of the face in other places without points: seen in patches only
 };
 inline constexpr FaceThresholds faceThresholds{};
 

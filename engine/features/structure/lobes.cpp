@@ -100,7 +100,8 @@ LobeFit lobesOf(const ResidualMap& map, const SurfaceTable& surface, const Run& 
     for (int k = 1; k <= limits.most_lobes; ++k) {
         const double amplitude = harmonics.amplitude_mm(k);
         const double u = scale * map.sigma_mm * std::sqrt(harmonics.cofactorOf(k));
-        if (!(amplitude > std::max(limits.sigmas * u, 1e-3 * limits.least_um)) || amplitude * amplitude < least) continue;
+        if (!(amplitude > std::max(limits.sigmas * u, 1e-3 * limits.least_um)) || amplitude * amplitude < least)
+            continue;
         const double cosine = harmonics.fit[2 * k - 1], sine = harmonics.fit[2 * k];
         found.curve_mm.resize(sectors, 0);
         for (std::size_t s = 0; s < sectors; ++s)
@@ -122,7 +123,8 @@ void removeLobes(ResidualMap& map, const SurfaceTable& surface, std::size_t run,
     if (curve_mm.empty()) return;
     for (std::size_t row = 0; row < map.rows; ++row) {
         const SurfaceTable::Place& place = surface.at(map.middle_mm(row));
-        if (place.run != static_cast<std::int32_t>(run) || place.element != static_cast<std::int32_t>(element)) continue;
+        if (place.run != static_cast<std::int32_t>(run) || place.element != static_cast<std::int32_t>(element))
+            continue;
         for (std::size_t s = 0; s < sectors; ++s) {
             MapCell& cell = map.cells[row * sectors + s];
             cell.sum_mm -= static_cast<float>(static_cast<double>(cell.on) * curve_mm[s]);

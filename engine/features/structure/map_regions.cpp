@@ -61,8 +61,8 @@ bool isRound(const std::vector<std::size_t>& region, const RegionBox& box, doubl
     const double length = row_mm * static_cast<double>(box.rows()),
                  width = column_mm * static_cast<double>(box.columns());
     if (length > most_aspect * width || width > most_aspect * length) return false;
-    return region.size() < judged || static_cast<double>(region.size()) <
-                                         most_fill * static_cast<double>(box.rows()) * static_cast<double>(box.columns());
+    return region.size() < judged || static_cast<double>(region.size()) < most_fill * static_cast<double>(box.rows()) *
+                                                                              static_cast<double>(box.columns());
 }
 
 }  // namespace lathelier::features

@@ -9,16 +9,16 @@ namespace lathelier::features {
 
 /// Thresholds of the proofs.
 struct ProofThresholds {
-    double slice_mm = 1;             ///< width of the slices along z and across
-    double slice_points = 8;         ///< of a slice that is judged
-    double slice_sigmas = 4;         ///< by which the mean of a slice may be off
-    double slice_mm_off = 0.01;      ///< besides: waviness of a milled floor
-    double most_slices_off = 0.2;    ///< share: the walls of the ends fall into some
-    double chord_share = 0.15;       ///< by which the width of a flat may differ from its chord
-    double chord_mm = 0.6;           ///< besides: two sectors of a shaft of 30 mm
-    double keyway_share = 0.75;      ///< of the chord at its floor: a wider floor has no walls
-    std::size_t most_alike = 4;      ///< keyways over one stretch; more are the gaps of teeth
-    double least_explained = 0.3;    ///< share of the variance beyond noise that the grooves of a thread or knurl explain
+    double slice_mm = 1;           ///< width of the slices along z and across
+    double slice_points = 8;       ///< of a slice that is judged
+    double slice_sigmas = 4;       ///< by which the mean of a slice may be off
+    double slice_mm_off = 0.01;    ///< besides: waviness of a milled floor
+    double most_slices_off = 0.2;  ///< share: the walls of the ends fall into some
+    double chord_share = 0.15;     ///< by which the width of a flat may differ from its chord
+    double chord_mm = 0.6;         ///< besides: two sectors of a shaft of 30 mm
+    double keyway_share = 0.75;    ///< of the chord at its floor: a wider floor has no walls
+    std::size_t most_alike = 4;    ///< keyways over one stretch; more are the gaps of teeth
+    double least_explained = 0.3;  ///< share of the variance beyond noise that the grooves of a thread or knurl explain
     double most_knurl_pitch_mm = 2.2;  ///< DIN 82: 1.6, with room for odd tools; coarser teeth are a serration
 };
 inline constexpr ProofThresholds proofThresholds{};

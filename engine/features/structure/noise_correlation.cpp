@@ -29,7 +29,8 @@ std::vector<Patch> patchesOf(const ResidualMap& map, const SurfaceTable& surface
     for (std::size_t row = 0; row < map.rows; ++row) {
         const double z = map.middle_mm(row);
         if (z < from || z > to || surface.at(z).run < 0) continue;
-        const auto a = std::min(along - 1, static_cast<std::size_t>((z - from) / (to - from) * static_cast<double>(along)));
+        const auto a =
+            std::min(along - 1, static_cast<std::size_t>((z - from) / (to - from) * static_cast<double>(along)));
         for (std::size_t s = 0; s < sectors; ++s) {
             const MapCell& cell = map.at(row, s);
             if (cell.far > cell.on) continue;

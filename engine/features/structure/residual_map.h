@@ -12,12 +12,12 @@ namespace lathelier::features {
 
 /// Thresholds of the map.
 struct MapThresholds {
-    double cell_mm = 1;       ///< along z; a tenth of the shortest seat that is judged
-    int sectors = 144;        ///< around the axis, as of the walls: 2.5°
-    double edge_mm = 0.4;     ///< beside the planes of a run: the spot and the lean of rays blur the wall there
-    double table_mm = 0.02;   ///< step of the tabulated radius; a slope of 45° errs by a tenth of the usual noise
-    double far_sigmas = 5;    ///< points beyond this and `far_mm` lie on another surface
-    double far_mm = 0.1;      ///< likewise: waviness and steps of the walls of ordinary scans
+    double cell_mm = 1;      ///< along z; a tenth of the shortest seat that is judged
+    int sectors = 144;       ///< around the axis, as of the walls: 2.5°
+    double edge_mm = 0.4;    ///< beside the planes of a run: the spot and the lean of rays blur the wall there
+    double table_mm = 0.02;  ///< step of the tabulated radius; a slope of 45° errs by a tenth of the usual noise
+    double far_sigmas = 5;   ///< points beyond this and `far_mm` lie on another surface
+    double far_mm = 0.1;     ///< likewise: waviness and steps of the walls of ordinary scans
 };
 inline constexpr MapThresholds mapThresholds{};
 
@@ -27,10 +27,10 @@ public:
     explicit SurfaceTable(const Model& model);
 
     struct Place {
-        float radius_mm = 0;      ///< of the model
-        float cosine = 1;         ///< of the angle between the normal and the radius
-        std::int32_t run = -1;    ///< index into Model::runs; -1: no wall
-        std::int32_t element = 0; ///< index into its elements
+        float radius_mm = 0;       ///< of the model
+        float cosine = 1;          ///< of the angle between the normal and the radius
+        std::int32_t run = -1;     ///< index into Model::runs; -1: no wall
+        std::int32_t element = 0;  ///< index into its elements
     };
     /// The place at z; run -1 outside.
     const Place& at(double z_mm) const
@@ -64,10 +64,7 @@ struct ResidualMap {
 
     static constexpr auto sectors = static_cast<std::size_t>(mapThresholds.sectors);
     const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * sectors + sector]; }
-    std::size_t rowOf(double z_mm) const
-    {
-        return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm);
-    }
+    std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm); }
     double middle_mm(std::size_t row) const
     {
         return first_mm + (static_cast<double>(row) + 0.5) * mapThresholds.cell_mm;

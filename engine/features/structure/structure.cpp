@@ -87,9 +87,9 @@ void noteNoise(const PartStructure& structure, const JointFit& fit, Recognition&
     if (structure.variance_ratio > 1)
         result.notes.push_back({notes::noiseCorrelated, {{"factor", std::sqrt(structure.variance_ratio)}}});
     if (structure.passes_um > 0)
-        result.notes.push_back(
-            {notes::passesDiffer,
-             {{"scatter_um", structure.passes_um}, {"chi2", fit.chi2 / static_cast<double>(std::max<std::size_t>(1, fit.rows))}}});
+        result.notes.push_back({notes::passesDiffer,
+                                {{"scatter_um", structure.passes_um},
+                                 {"chi2", fit.chi2 / static_cast<double>(std::max<std::size_t>(1, fit.rows))}}});
 }
 
 }  // namespace
@@ -121,8 +121,8 @@ PartStructure structureOf(const StructureInput& input, const Progress& progress)
     return found;
 }
 
-void describeStructure(const StructureInput& input, const PartStructure& structure, double zero_mm,
-                       Recognition& result, const Progress& progress)
+void describeStructure(const StructureInput& input, const PartStructure& structure, double zero_mm, Recognition& result,
+                       const Progress& progress)
 {
     for (std::size_t i = 0; i < std::min(result.segments.size(), structure.lobes.size()); ++i)
         result.segments[i].lobes = structure.lobes[i];
@@ -142,10 +142,9 @@ void describeStructure(const StructureInput& input, const PartStructure& structu
         one.z_end_mm -= zero_mm;
     }
     addEccentricRows(input.form_mm, result);
-    std::stable_sort(result.unexplained.begin(), result.unexplained.end(),
-                     [](const UnexplainedStructure& a, const UnexplainedStructure& b) {
-                         return a.z_start_mm < b.z_start_mm;
-                     });
+    std::stable_sort(
+        result.unexplained.begin(), result.unexplained.end(),
+        [](const UnexplainedStructure& a, const UnexplainedStructure& b) { return a.z_start_mm < b.z_start_mm; });
     if (result.unexplained.empty()) return;
     if (result.parameters.unexplained == Unexplained::Damage)
         result.notes.push_back(

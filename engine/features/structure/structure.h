@@ -1,5 +1,5 @@
-// All that the map of residuals says of a recognised outside: offsets and lobes of its rows, correlation of the noise, and
-// what remains unexplained. One pass over the points.
+// All that the map of residuals says of a recognised outside: offsets and lobes of its rows, correlation of the noise,
+// and what remains unexplained. One pass over the points.
 #pragma once
 
 #include "engine/core/progress.h"
@@ -28,9 +28,9 @@ struct PartStructure {
 
 PartStructure structureOf(const StructureInput& input, const Progress& progress = {});
 
-/// Puts lobes, unexplained structure and their notes into the result. z from the free end: `zero_mm` in the frame of the
-/// outline. Precondition: rows and marks are there.
-void describeStructure(const StructureInput& input, const PartStructure& structure, double zero_mm,
-                       Recognition& result, const Progress& progress = {});
+/// Puts lobes, unexplained structure and their notes into the result. z from the free end: `zero_mm` in the frame of
+/// the outline. Precondition: rows and marks are there.
+void describeStructure(const StructureInput& input, const PartStructure& structure, double zero_mm, Recognition& result,
+                       const Progress& progress = {});
 
 }  // namespace lathelier::features

@@ -70,8 +70,7 @@ std::vector<std::uint8_t> emptyCells(const ResidualMap& map)
             const MapCell& cell = map.at(row, s % sectors);
             return static_cast<float>(cell.on + cell.far);
         };
-        for (std::size_t s = 0; s < sectors; ++s)
-            window[s] = points(s + sectors - 1) + points(s) + points(s + 1);
+        for (std::size_t s = 0; s < sectors; ++s) window[s] = points(s + sectors - 1) + points(s) + points(s + 1);
         sorted = window;
         const float usual = upperMedianInPlace(sorted);
         if (usual < limits.least_usual) continue;
@@ -109,8 +108,7 @@ UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& sur
     found.z_end_mm = map.first_mm + mapThresholds.cell_mm * static_cast<double>(box.last_row + 1);
     const double sector_deg = 360.0 / mapThresholds.sectors;
     found.span_deg = sector_deg * static_cast<double>(box.columns());
-    found.angle_deg =
-        std::fmod(sector_deg * (static_cast<double>(box.first_column + box.last_column) + 1) / 2, 360.0);
+    found.angle_deg = std::fmod(sector_deg * (static_cast<double>(box.first_column + box.last_column) + 1) / 2, 360.0);
     double height = 0;
     std::uint32_t points = 0;
     for (const std::size_t c : region) {
@@ -165,8 +163,7 @@ void joinAround(std::vector<UnexplainedStructure>& all)
     std::vector<UnexplainedStructure> joined;
     for (const UnexplainedStructure& one : all) {
         const auto same = std::find_if(joined.begin(), joined.end(), [&](const UnexplainedStructure& other) {
-            const double shared =
-                std::min(one.z_end_mm, other.z_end_mm) - std::max(one.z_start_mm, other.z_start_mm);
+            const double shared = std::min(one.z_end_mm, other.z_end_mm) - std::max(one.z_start_mm, other.z_start_mm);
             const double longer = std::max(one.z_end_mm - one.z_start_mm, other.z_end_mm - other.z_start_mm);
             return one.kind == other.kind && shared >= limits.same_z_share * longer;
         });
@@ -192,7 +189,7 @@ void addRoughZones(const Outline& outside, const std::vector<ShaftMark>& marks, 
     for (const RoughZone& zone : outside.rough) {
         const double middle = (zone.z_start_mm + zone.z_end_mm) / 2;
         const bool named = std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
-            return mark.z_start_mm && *mark.z_start_mm < middle && *mark.z_end_mm > middle;
+            return mark.z_start_mm && *mark.z_start_mm<middle&& * mark.z_end_mm> middle;
         });
         if (named) continue;
         UnexplainedStructure found;

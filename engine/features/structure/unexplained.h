@@ -1,10 +1,10 @@
 // What the rows and marks of a recognition do not explain: regions where the residuals of the points differ from the
-// model by more than noise and form tolerance, places without points on a wall or face that is seen, zones too rough for
-// a row.
+// model by more than noise and form tolerance, places without points on a wall or face that is seen, zones too rough
+// for a row.
 //
 // A cell of the residual map is judged against the scatter of all cells about the median of their ring, which holds the
-// noise with whatever correlation it has; what is the same all around is a matter of the meridian, not of this map. Only
-// round places without points count as holes: others are taken for what the scanner did not see.
+// noise with whatever correlation it has; what is the same all around is a matter of the meridian, not of this map.
+// Only round places without points count as holes: others are taken for what the scanner did not see.
 #pragma once
 
 #include <vector>

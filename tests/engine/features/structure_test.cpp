@@ -85,8 +85,8 @@ TEST(Structure, AnEccentricCollarIsNamedAndMovesNoShoulder)
         EXPECT_TRUE(contains(result.notes, notes::segmentNotCoaxial)) << offset_mm;
         ASSERT_EQ(result.segments.size(), 5U) << offset_mm;
         for (const auto& [row, z_mm] : {std::pair<std::size_t, double>{1, 41}, {2, 56}})
-            EXPECT_LT(std::abs(result.segments[row].z_end_mm - z_mm),
-                      2e-3 * *result.segments[row].uncertainty.z_end_um) << offset_mm;
+            EXPECT_LT(std::abs(result.segments[row].z_end_mm - z_mm), 2e-3 * *result.segments[row].uncertainty.z_end_um)
+                << offset_mm;
     }
 }
 
@@ -118,8 +118,8 @@ TEST(Structure, PitsAreNoFlats)
     const Recognition result = recognized([](const AroundPoint& p) {
         double r = p.r_mm;
         for (int i = 0; i < 8; ++i) {
-            const double dz = p.z_mm - (6 + 4 * i),
-                         along = p.r_mm * std::remainder(p.angle_rad - 1.3 * i, 2 * pi), size = 1.2 + 0.15 * i;
+            const double dz = p.z_mm - (6 + 4 * i), along = p.r_mm * std::remainder(p.angle_rad - 1.3 * i, 2 * pi),
+                         size = 1.2 + 0.15 * i;
             r -= (0.15 + 0.05 * i) * std::max(0.0, 1 - (dz * dz + along * along) / (size * size));
         }
         return r;
@@ -162,8 +162,8 @@ TEST(Structure, LobesAreOfTheRow)
 }
 
 /// Errors of diameters within U, over all rows of parts with this noise.
-double shareWithinU(const std::function<double(std::size_t index, double z_mm, double angle_rad, std::uint64_t seed)>& noise,
-                    int parts)
+double shareWithinU(
+    const std::function<double(std::size_t index, double z_mm, double angle_rad, std::uint64_t seed)>& noise, int parts)
 {
     int all = 0, within = 0;
     for (int seed = 0; seed < parts; ++seed) {
@@ -203,7 +203,8 @@ TEST(StatedUncertainty, HoldsWithTwoPasses)
     // Every other row along z comes from a pass that reads 40 µm too much.
     const double share = shareWithinU(
         [](std::size_t, double z, double, std::uint64_t seed) {
-            return static_cast<std::int64_t>(std::floor(z / 0.15 + 0.1 * static_cast<double>(seed))) % 2 == 0 ? 0.04 : 0.0;
+            return static_cast<std::int64_t>(std::floor(z / 0.15 + 0.1 * static_cast<double>(seed))) % 2 == 0 ? 0.04
+                                                                                                              : 0.0;
         },
         6);
     EXPECT_GE(share, 0.9);
@@ -234,7 +235,8 @@ TEST(MarkProof, FloorsAndChords)
     EXPECT_EQ(floorShape(12.5, 8.5, 15, 0.25), FloorShape::Neither);
     std::vector<FloorPoint> plane, bowl;
     for (int i = 0; i < 400; ++i) {
-        const double z = 0.25 * (i % 20), across = 0.25 * i / 20, noise = 0.03 * randomNormal(1, 2, static_cast<std::uint64_t>(i));
+        const double z = 0.25 * (i % 20), across = 0.25 * i / 20,
+                     noise = 0.03 * randomNormal(1, 2, static_cast<std::uint64_t>(i));
         plane.push_back({z, across, noise});
         bowl.push_back({z, across, noise + 0.02 * (z - 2.5) * (z - 2.5)});
     }

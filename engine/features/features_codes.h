@@ -110,6 +110,25 @@ inline constexpr NoteCode passesDiffer{
             "Neighbouring bins differ by {scatter_um:1} µm beyond the noise (χ² {chi2:1}), as passes of a scanner that "
             "do not agree: every diameter may be off by that much.")};
 
+inline constexpr NoteCode edgeNotPlaced{
+    "edge_not_placed", Severity::Warning,
+    LT_TEXT("Engine",
+            "At the shoulder near z {z_mm:2} mm rays hit and miss over all of half a millimetre: its place is that of "
+            "the walls beside it.")};
+
+inline constexpr NoteCode scatterUnexplained{
+    "scatter_unexplained", Severity::Warning,
+    LT_TEXT(
+        "Engine",
+        "The bins scatter more than their noise explains (χ² {chi2:1} per bin): the uncertainties are multiplied by "
+        "its root.")};
+
+inline constexpr NoteCode sizeNotDetermined{
+    "size_not_determined", Severity::Warning,
+    LT_TEXT("Engine",
+            "Row {row}: the data do not determine its {size} (U {uncertainty_mm:1} mm); it is given without an "
+            "uncertainty.")};
+
 inline constexpr NoteCode rowsNotRound{
     "rows_not_round", Severity::Info,
     LT_TEXT("Engine", "Rows that are not round: {count}; row {row} has {lobes} lobes of {height_um:1} µm.")};

@@ -30,6 +30,29 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
     return closed_by != "edge";
 }
 
+/// Sizes whose U is larger than any size of interest are stated without it, with a note.
+void dropUndetermined(Recognition& result)
+{
+    constexpr double largest_um = 1000;
+    using U = SizeUncertainty;
+    static constexpr std::pair<std::optional<double> U::*, Text> sizes[]{
+        {&U::z_start_um, LT_TEXT("Engine", "start")},
+        {&U::z_end_um, LT_TEXT("Engine", "end")},
+        {&U::length_um, LT_TEXT("Engine", "length")},
+        {&U::start_diameter_um, LT_TEXT("Engine", "start diameter")},
+        {&U::end_diameter_um, LT_TEXT("Engine", "end diameter")},
+        {&U::arc_radius_um, LT_TEXT("Engine", "radius")}};
+    for (std::size_t i = 0; i < result.segments.size(); ++i)
+        for (const auto& [member, name] : sizes) {
+            std::optional<double>& stated_um = result.segments[i].uncertainty.*member;
+            if (!stated_um || *stated_um <= largest_um) continue;
+            result.notes.push_back(
+                {notes::sizeNotDetermined,
+                 {{"row", static_cast<std::int64_t>(i) + 1}, {"size", name}, {"uncertainty_mm", 1e-3 * *stated_um}}});
+            stated_um.reset();
+        }
+}
+
 }  // namespace
 
 void describeEnds(const Outline& outline, Recognition& result)
@@ -92,6 +115,7 @@ void nameRoughRows(Recognition& result)
 
 void finishRows(const Outline& outline, Recognition& result)
 {
+    dropUndetermined(result);
     double squares = 0, n = 0, covered = 0;
     for (const MeridianPoint& point : result.meridian)
         if (!std::isnan(point.residual_mm)) {

@@ -39,6 +39,7 @@ struct Outline {
     std::vector<MergedJunction> merged;  ///< within the form tolerance
     std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: not estimated
     bool face_seen[2] = {false, false};
+    std::vector<double> unsure_edges_mm;  ///< shoulders that hits and misses of rays do not place
     bool surface_scan = false;  ///< most faces are seen: not the rays of a rotary scanner
 };
 

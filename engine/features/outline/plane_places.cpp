@@ -260,15 +260,21 @@ public:
         const double clear_mm = clusterGap_mm(model_.sigma_mm) + planeLimits.clear_sigmas * model_.sigma_mm;
         std::vector<double> spots;
         const auto rays = registration::findEdgeRays(input_.points_mm, input_.fit, edges_, progress);
-        for (std::size_t e = 0; e < edges_.size(); ++e)
+        outline_.unsure_edges_mm.clear();
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            const auto place = placeOf(rays[e]);
+            if (!place) continue;
+            const EdgeOfPlane& edge = edgesOfPlanes_[e];
+            Plane& plane = model_.planes[edge.plane];
             // The widest spot is a bound: hits and misses mix over all of the stretch, and say nothing of the edge.
-            if (const auto place = placeOf(rays[e]); place && place->spot_mm < edgeLimits.widths_mm.back()) {
-                const EdgeOfPlane& edge = edgesOfPlanes_[e];
-                Plane& plane = model_.planes[edge.plane];
-                move(plane, place->z_mm - edge.lag_mm, place->sigma_mm);
-                plane.is_clear = edge.lag_mm == 0 && edge.step_mm > clear_mm;
-                spots.push_back(place->spot_mm);
+            if (place->spot_mm >= edgeLimits.widths_mm.back()) {
+                outline_.unsure_edges_mm.push_back(plane.z_mm);
+                continue;
             }
+            move(plane, place->z_mm - edge.lag_mm, place->sigma_mm);
+            plane.is_clear = edge.lag_mm == 0 && edge.step_mm > clear_mm;
+            spots.push_back(place->spot_mm);
+        }
         if (!spots.empty()) model_.spot_mm = upperMedianInPlace(spots);
     }
 

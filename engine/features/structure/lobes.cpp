@@ -20,7 +20,7 @@ struct Profile {
 Profile profileOf(const ResidualMap& map, const SurfaceTable& surface, double from_mm, double to_mm)
 {
     Profile profile{std::vector<double>(sectors, 0), std::vector<double>(sectors, 0)};
-    const double half = mapThresholds.cell_mm / 2;
+    const double half = map.cell_mm / 2;
     for (std::size_t row = 0; row < map.rows; ++row) {
         const double z = map.middle_mm(row);
         if (z - half < from_mm || z + half > to_mm || surface.at(z).run < 0) continue;

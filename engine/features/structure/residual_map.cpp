@@ -11,7 +11,7 @@ std::vector<float> boreRadii(const Outline* bore, const SurfaceTable& surface)
 {
     std::vector<float> radii;
     if (!bore) return radii;
-    for (double z = surface.first_mm(); z < surface.last_mm(); z += mapThresholds.cell_mm / 2)
+    for (double z = surface.first_mm(); z < surface.last_mm(); z += surface.cell_mm() / 2)
         radii.push_back(static_cast<float>(boreRadius_mm(bore, z)));
     return radii;
 }
@@ -33,8 +33,9 @@ double boreRadius_mm(const Outline* bore, double z_mm)
 
 SurfaceTable::SurfaceTable(const Model& model) : first_mm_(model.planes.front().z_mm)
 {
-    const double step = mapThresholds.table_mm, edge = mapThresholds.edge_mm;
-    const double length = std::max(0.0, model.planes.back().z_mm - first_mm_);
+    const double length = std::max(0.0, model.planes.back().z_mm - first_mm_), edge = mapThresholds.edge_mm;
+    step_mm_ = std::max(mapThresholds.cell_mm, length / mapThresholds.most_cells) / mapThresholds.steps_of_cell;
+    const double step = step_mm_;
     places_.resize(static_cast<std::size_t>(length / step) + 1);
     for (std::size_t r = 0; r < model.runs.size(); ++r) {
         const Run& run = model.runs[r];
@@ -60,8 +61,9 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
     constexpr std::size_t checkEvery = 1U << 16U;
     ResidualMap map;
     map.first_mm = surface.first_mm();
+    map.cell_mm = surface.cell_mm();
     map.sigma_mm = outside.sigma_mm;
-    map.rows = static_cast<std::size_t>((surface.last_mm() - map.first_mm) / mapThresholds.cell_mm) + 1;
+    map.rows = static_cast<std::size_t>((surface.last_mm() - map.first_mm) / map.cell_mm) + 1;
     map.cells.resize(map.rows * ResidualMap::sectors);
     const auto limit = static_cast<float>(mapThresholds.far_sigmas * map.sigma_mm + mapThresholds.far_mm);
     const std::vector<float> bore_mm = boreRadii(bore, surface);
@@ -71,7 +73,7 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
         const SurfaceTable::Place& place = surface.at(z);
         if (place.run < 0) continue;
         if (!bore_mm.empty()) {
-            const auto b = static_cast<std::size_t>((z - map.first_mm) / (mapThresholds.cell_mm / 2));
+            const auto b = static_cast<std::size_t>((z - map.first_mm) / (map.cell_mm / 2));
             if (cloud.r_mm[i] < (place.radius_mm + bore_mm[std::min(b, bore_mm.size() - 1)]) / 2) continue;
         }
         const auto sector = static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(ResidualMap::sectors));

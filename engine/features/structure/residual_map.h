@@ -35,15 +35,16 @@ public:
     /// The place at z; run -1 outside.
     const Place& at(double z_mm) const
     {
-        const double index = (z_mm - first_mm_) / mapThresholds.table_mm;
+        const double index = (z_mm - first_mm_) / step_mm_;
         if (!(index >= 0) || index >= static_cast<double>(places_.size())) return nowhere_;
         return places_[static_cast<std::size_t>(index)];
     }
     double first_mm() const { return first_mm_; }
-    double last_mm() const { return first_mm_ + mapThresholds.table_mm * static_cast<double>(places_.size()); }
+    double last_mm() const { return first_mm_ + step_mm_ * static_cast<double>(places_.size()); }
+    double cell_mm() const { return mapThresholds.steps_of_cell * step_mm_; }  ///< of a map of this surface, along z
 
 private:
-    double first_mm_ = 0;
+    double first_mm_ = 0, step_mm_ = 0;
     std::vector<Place> places_;
     Place nowhere_;
 };
@@ -58,6 +59,7 @@ struct MapCell {
 
 struct ResidualMap {
     double first_mm = 0;         ///< z of the first row of cells, in the frame of the outline
+    double cell_mm = 1;          ///< length of a cell along z
     std::size_t rows = 0;        ///< number of rows of cells
     std::vector<MapCell> cells;  ///< by row, then sector
     double sigma_mm = 0;         ///< noise of single points
@@ -65,10 +67,7 @@ struct ResidualMap {
     static constexpr auto sectors = static_cast<std::size_t>(mapThresholds.sectors);
     const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * sectors + sector]; }
     std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm); }
-    double middle_mm(std::size_t row) const
-    {
-        return first_mm + (static_cast<double>(row) + 0.5) * mapThresholds.cell_mm;
-    }
+    double middle_mm(std::size_t row) const { return first_mm + (static_cast<double>(row) + 0.5) * cell_mm; }
 };
 
 /// The map of the outside. `bore`: points nearer to its radius than to that of the outside are none of it; nullptr

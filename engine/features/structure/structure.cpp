@@ -15,6 +15,7 @@
 namespace lathelier::features {
 namespace {
 
+constexpr double largestChiSquare = 2;   ///< per bin: more is not chance
 constexpr double leastOffset_mm = 0.01;  ///< of a row from the axis, recognition.md section 5
 
 /// Calls for every row of the model: run, element.
@@ -62,6 +63,11 @@ void addEccentricRows(double form_mm, Recognition& result)
     }
 }
 
+double chiSquarePerBin(const JointFit& fit)
+{
+    return fit.rows > 0 ? fit.chi2 / static_cast<double>(fit.rows) : 0;
+}
+
 void noteLobes(Recognition& result)
 {
     std::int64_t count = 0;
@@ -84,12 +90,13 @@ void noteLobes(Recognition& result)
 void noteNoise(const PartStructure& structure, const JointFit& fit, Recognition& result)
 {
     result.passes_differ_um = structure.passes_um;
-    if (structure.variance_ratio > 1)
+    const double chi2 = chiSquarePerBin(fit);
+    if (structure.by_scatter)
+        result.notes.push_back({notes::scatterUnexplained, {{"chi2", chi2}}});
+    else if (structure.variance_ratio > 1)
         result.notes.push_back({notes::noiseCorrelated, {{"factor", std::sqrt(structure.variance_ratio)}}});
     if (structure.passes_um > 0)
-        result.notes.push_back({notes::passesDiffer,
-                                {{"scatter_um", structure.passes_um},
-                                 {"chi2", fit.chi2 / static_cast<double>(std::max<std::size_t>(1, fit.rows))}}});
+        result.notes.push_back({notes::passesDiffer, {{"scatter_um", structure.passes_um}, {"chi2", chi2}}});
 }
 
 }  // namespace
@@ -109,6 +116,11 @@ PartStructure structureOf(const StructureInput& input, const Progress& progress)
         removeLobes(rest, input.surface, r, k, fit.curve_mm);
     });
     found.variance_ratio = varianceRatio(rest, input.surface, model);
+    const double chi2 = chiSquarePerBin(input.outside.fit);
+    if (chi2 > largestChiSquare && chi2 > found.variance_ratio && found.passes_um == 0) {
+        found.variance_ratio = chi2;
+        found.by_scatter = true;
+    }
     const double scale = std::sqrt(found.variance_ratio);
     forEachRow(model, [&](std::size_t r, std::size_t k) {
         progress.check();
@@ -126,6 +138,8 @@ void describeStructure(const StructureInput& input, const PartStructure& structu
 {
     for (std::size_t i = 0; i < std::min(result.segments.size(), structure.lobes.size()); ++i)
         result.segments[i].lobes = structure.lobes[i];
+    for (const double z : input.outside.unsure_edges_mm)
+        result.notes.push_back({notes::edgeNotPlaced, {{"z_mm", z - zero_mm}}});
     noteNoise(structure, input.outside.fit, result);
     noteLobes(result);
     std::vector<ShaftMark> marks = result.marks;

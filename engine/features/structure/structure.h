@@ -22,7 +22,8 @@ struct StructureInput {
 struct PartStructure {
     ResidualMap map;
     double variance_ratio = 1;    ///< noise_correlation.h
-    double passes_um = 0;         ///< likewise
+    bool by_scatter = false;      ///< the ratio is χ² per bin: the model does not explain the bins
+    double passes_um = 0;         ///< noise_correlation.h
     std::vector<RowLobes> lobes;  ///< of the rows in order of z
 };
 

@@ -104,8 +104,8 @@ UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& sur
 {
     const RegionBox box = boxOf(region, sectors, true);
     UnexplainedStructure found;
-    found.z_start_mm = map.first_mm + mapThresholds.cell_mm * static_cast<double>(box.first_row);
-    found.z_end_mm = map.first_mm + mapThresholds.cell_mm * static_cast<double>(box.last_row + 1);
+    found.z_start_mm = map.first_mm + map.cell_mm * static_cast<double>(box.first_row);
+    found.z_end_mm = map.first_mm + map.cell_mm * static_cast<double>(box.last_row + 1);
     const double sector_deg = 360.0 / mapThresholds.sectors;
     found.span_deg = sector_deg * static_cast<double>(box.columns());
     found.angle_deg = std::fmod(sector_deg * (static_cast<double>(box.first_column + box.last_column) + 1) / 2, 360.0);
@@ -113,7 +113,7 @@ UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& sur
     std::uint32_t points = 0;
     for (const std::size_t c : region) {
         const MapCell& cell = map.cells[c];
-        found.area_mm2 += mapThresholds.cell_mm * columnWidth_mm(surface, map.middle_mm(c / sectors));
+        found.area_mm2 += map.cell_mm * columnWidth_mm(surface, map.middle_mm(c / sectors));
         points += cell.on + cell.far;
         const bool is_far = cell.far > cell.on;
         const auto count = static_cast<float>(is_far ? cell.far : cell.on);
@@ -146,9 +146,9 @@ std::vector<std::vector<std::size_t>> holesOf(const ResidualMap& map, const Surf
     for (std::vector<std::size_t>& region : connectedRegions(empty, sectors, true)) {
         const RegionBox box = boxOf(region, sectors, true);
         const double width = columnWidth_mm(surface, map.middle_mm((box.first_row + box.last_row) / 2));
-        const double area = static_cast<double>(region.size()) * mapThresholds.cell_mm * width;
+        const double area = static_cast<double>(region.size()) * map.cell_mm * width;
         if (area >= limits.least_hole_mm2 &&
-            isRound(region, box, mapThresholds.cell_mm, width, limits.most_aspect, limits.most_fill))
+            isRound(region, box, map.cell_mm, width, limits.most_aspect, limits.most_fill))
             round.push_back(std::move(region));
         else
             others += region.size();

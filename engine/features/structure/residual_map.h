@@ -12,12 +12,13 @@ namespace lathelier::features {
 
 /// Thresholds of the map.
 struct MapThresholds {
-    double cell_mm = 1;      ///< along z; a tenth of the shortest seat that is judged
-    int sectors = 144;       ///< around the axis, as of the walls: 2.5°
-    double edge_mm = 0.4;    ///< beside the planes of a run: the spot and the lean of rays blur the wall there
-    double table_mm = 0.02;  ///< step of the tabulated radius; a slope of 45° errs by a tenth of the usual noise
-    double far_sigmas = 5;   ///< points beyond this and `far_mm` lie on another surface
-    double far_mm = 0.1;     ///< likewise: waviness and steps of the walls of ordinary scans
+    double cell_mm = 1;        ///< along z; a tenth of the shortest seat that is judged
+    double most_cells = 5000;  ///< along z: those of a longer part are longer
+    int steps_of_cell = 50;    ///< of the tabulated radius; at a slope of 45° 10 µm, a fifth of the usual noise
+    int sectors = 144;         ///< around the axis, as of the walls: 2.5°
+    double edge_mm = 0.4;      ///< beside the planes of a run: the spot and the lean of rays blur the wall there
+    double far_sigmas = 5;     ///< points beyond this and `far_mm` lie on another surface
+    double far_mm = 0.1;       ///< likewise: waviness and steps of the walls of ordinary scans
 };
 inline constexpr MapThresholds mapThresholds{};
 

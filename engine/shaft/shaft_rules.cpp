@@ -191,9 +191,9 @@ void remarkMarks(const Shaft& shaft, Notes& notes)
             z += row.length_mm;
         }
         // A thread may begin on the chamfer before its row.
-        if (!inside && mark.kind != "thread" && mark.kind != "knurl" && mark.kind != "free_form")
+        if (!inside && mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl && mark.kind != MarkKind::FreeForm)
             notes.push_back({notes::markOutsideRow,
-                             {{"kind", mark.kind}, {"z_start_mm", *mark.z_start_mm}, {"z_end_mm", *mark.z_end_mm}}});
+                             {{"kind", key(mark)}, {"z_start_mm", *mark.z_start_mm}, {"z_end_mm", *mark.z_end_mm}}});
     }
 }
 

@@ -41,7 +41,8 @@ double bestOfAll(const std::vector<Wall>& walls)
             if (before == std::numeric_limits<double>::infinity()) continue;
             const std::span<const Wall> piece(walls.data() + i, j - i);
             best = std::min(best, before + lineCost(piece) + linePrice(n));
-            if (piece.size() >= segmentationLimits.least_arc_walls) best = std::min(best, before + arcCost(piece) + arcPrice(n));
+            if (piece.size() >= segmentationLimits.least_arc_walls)
+                best = std::min(best, before + arcCost(piece) + arcPrice(n));
         }
         return known[j] = best;
     };

@@ -7,9 +7,6 @@
 #include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
-namespace {
-
-}  // namespace
 
 Notes cadNotes(const Shaft& shaft)
 {
@@ -18,9 +15,10 @@ Notes cadNotes(const Shaft& shaft)
         std::vector<std::string> seen;
         std::string kinds;
         for (const ShaftMark& mark : shaft.marks) {
-            if (std::find(seen.begin(), seen.end(), mark.kind) != seen.end()) continue;
-            seen.push_back(mark.kind);
-            kinds += (kinds.empty() ? "" : ", ") + mark.kind;
+            const std::string kind = key(mark);
+            if (std::find(seen.begin(), seen.end(), kind) != seen.end()) continue;
+            seen.push_back(kind);
+            kinds += (kinds.empty() ? "" : ", ") + kind;
         }
         notes.push_back(
             {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", kinds}}});

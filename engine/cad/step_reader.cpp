@@ -172,7 +172,7 @@ void addMarks(Shaft& shaft, std::vector<OtherFace> faces)
             end = std::max(end, face.z_end_mm);
             continue;
         }
-        ShaftMark mark{"free_form"};
+        ShaftMark mark{MarkKind::FreeForm};
         mark.z_start_mm = face.z_start_mm;
         mark.z_end_mm = face.z_end_mm;
         shaft.marks.push_back(mark);

@@ -26,7 +26,7 @@ struct OtherFace {
 };
 
 struct StepPart {
-    Shaft shaft;  ///< its name is the product's; faces that are not of revolution are marks "free_form"
+    Shaft shaft;  ///< its name is the product's; faces that are not of revolution are marks of free form
     /// The frame of the shaft in the file: its free end's centre, and the direction toward the chuck.
     Eigen::Vector3d free_end_mm = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< unit vector toward the chuck

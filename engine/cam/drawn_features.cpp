@@ -15,7 +15,7 @@ namespace {
 DrawnFeature featureOf(const ShaftBore& bore, double part_length_mm)
 {
     DrawnFeature feature;
-    feature.kind = boreKind;
+    feature.kind = MarkKind::Bore;
     double length = 0, largest = 0;
     for (const BoreSegment& row : bore.segments) {
         length += row.length_mm;
@@ -35,32 +35,22 @@ std::vector<DrawnFeature> featuresBesideOutside(const Shaft& part)
     std::vector<DrawnFeature> all;
     for (const ShaftBore& bore : boresOf(part)) all.push_back(featureOf(bore, part.length_mm()));
     for (const DrawnThread& thread : threadsOf(part))
-        all.push_back({threadKind, thread.z_start_mm, thread.z_end_mm, thread.major_mm, thread.designation});
+        all.push_back({MarkKind::Thread, thread.z_start_mm, thread.z_end_mm, thread.major_mm, thread.designation});
     for (const ShaftMark& mark : part.marks) {
-        if (mark.kind == threadKind) continue;  // among those above
-        all.push_back({mark.kind, mark.z_start_mm, mark.z_end_mm, mark.diameter_mm, mark.designation});
+        if (mark.kind == MarkKind::Thread) continue;  // among those above
+        all.push_back({mark.kind, mark.z_start_mm, mark.z_end_mm, mark.diameter_mm, mark.designation, mark.other_kind});
     }
     return all;
 }
 
+std::string key(const DrawnFeature& feature)
+{
+    return feature.kind == MarkKind::Other ? feature.other_kind : key(feature.kind);
+}
+
 Value nameOf(const DrawnFeature& feature)
 {
-    static const std::pair<const char*, Text> names[]{{boreKind, LT_TEXT("Engine", "bore")},
-                                                      {threadKind, LT_TEXT("Engine", "thread")},
-                                                      {"knurl", LT_TEXT("Engine", "knurl")},
-                                                      {"keyway", LT_TEXT("Engine", "keyway")},
-                                                      {"flat", LT_TEXT("Engine", "flat")},
-                                                      {"cross_hole", LT_TEXT("Engine", "cross hole")},
-                                                      {"free_form", LT_TEXT("Engine", "free form")},
-                                                      {"spline", LT_TEXT("Engine", "spline")},
-                                                      {"hexagon", LT_TEXT("Engine", "hexagon")},
-                                                      {"square", LT_TEXT("Engine", "square")},
-                                                      {"bolt_circle", LT_TEXT("Engine", "bolt circle")},
-                                                      {"eccentric", LT_TEXT("Engine", "eccentric")},
-                                                      {"sphere", LT_TEXT("Engine", "sphere")}};
-    for (const auto& [kind, name] : names)
-        if (feature.kind == kind) return name;
-    return feature.kind;
+    return feature.kind == MarkKind::Other ? Value(feature.other_kind) : Value(nameOf(feature.kind));
 }
 
 Values valuesOf(const DrawnFeature& feature)
@@ -75,7 +65,7 @@ Values valuesOf(const DrawnFeature& feature)
 
 std::string plainText(const DrawnFeature& feature)
 {
-    std::string text = feature.kind;
+    std::string text = key(feature);
     std::replace(text.begin(), text.end(), '_', ' ');
     if (!feature.designation.empty())
         text += " " + feature.designation;
@@ -88,7 +78,7 @@ std::string plainText(const DrawnFeature& feature)
 
 bool isThreaded(const DrawnFeature& feature, std::span<const gcode::Move> moves, double zero_mm)
 {
-    if (feature.kind != threadKind || !feature.z_start_mm || !feature.z_end_mm) return false;
+    if (feature.kind != MarkKind::Thread || !feature.z_start_mm || !feature.z_end_mm) return false;
     for (std::size_t i = 1; i < moves.size(); ++i) {
         if (moves[i].kind != gcode::MoveKind::Thread) continue;
         const double a = zero_mm - moves[i - 1].z_mm, b = zero_mm - moves[i].z_mm;
@@ -101,7 +91,7 @@ const std::vector<QuantityOf<DrawnFeature>>& quantitiesOf(const DrawnFeature*)
 {
     using R = DrawnFeature;
     static const auto all = describedBy<R>(
-        quantity<R>("kind", &R::kind),
+        quantity<R>("kind", [](const R& r) { return key(r); }),
         quantity<R>("feature", [](const R& r) { return nameOf(r); }, {LT_TEXT("Engine", "Feature"), {}, 0, false}),
         quantity<R>("z_start_mm", &R::z_start_mm, {LT_TEXT("Engine", "From z"), unit::mm, 2}),
         quantity<R>("z_end_mm", &R::z_end_mm, {LT_TEXT("Engine", "To z"), unit::mm, 2}),

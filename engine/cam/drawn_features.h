@@ -14,20 +14,21 @@
 
 namespace lathelier::cam {
 
-inline constexpr const char* boreKind = "bore";
-inline constexpr const char* threadKind = "thread";
-
 struct DrawnFeature {
-    std::string kind;                  ///< "bore", "thread", or ShaftMark::kind
+    MarkKind kind = MarkKind::Bore;    ///< of a bore, of a thread, or of the mark
     std::optional<double> z_start_mm;  ///< from the drawn free end; none: the drawing states no place
     std::optional<double> z_end_mm;
     std::optional<double> diameter_mm;  ///< of a bore its largest, of a thread that over its crests
     std::string designation;            ///< "M16x1.5"; empty: none
+    std::string other_kind = {};        ///< as ShaftMark::other_kind
     friend bool operator==(const DrawnFeature&, const DrawnFeature&) = default;
 };
 
 /// Bores first, then threads, then marks, each in the order of the drawing.
 std::vector<DrawnFeature> featuresBesideOutside(const Shaft& part);
+
+/// "bore", "thread"…: key of its kind.
+std::string key(const DrawnFeature& feature);
 
 /// For people: a Text of the known kinds, else the kind as the drawing has it.
 Value nameOf(const DrawnFeature& feature);

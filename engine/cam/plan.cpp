@@ -59,9 +59,9 @@ private:
         noteAssumed(plan.planning);
         plan.not_made = notMade();
         for (const DrawnFeature& feature : plan.not_made)
-            if (feature.kind == boreKind)
+            if (feature.kind == MarkKind::Bore)
                 plan.planning.push_back({notes::boreNotPlanned, valuesOf(feature)});
-            else if (feature.kind != threadKind)  // of those its own note says why
+            else if (feature.kind != MarkKind::Thread)  // of those its own note says why
                 plan.planning.push_back({notes::featureNotPlanned, valuesOf(feature)});
         conclude(plan);
         return plan;
@@ -73,7 +73,7 @@ private:
         std::vector<DrawnFeature> features = featuresBesideOutside(part_);
         std::erase_if(features, [this](const DrawnFeature& feature) {
             return std::any_of(threadsCut_.begin(), threadsCut_.end(), [&](const DrawnThread& thread) {
-                return feature.kind == threadKind && feature.z_start_mm &&
+                return feature.kind == MarkKind::Thread && feature.z_start_mm &&
                        std::abs(*feature.z_start_mm - thread.z_start_mm) < meet_mm &&
                        std::abs(*feature.z_end_mm - thread.z_end_mm) < meet_mm;
             });
@@ -86,7 +86,7 @@ private:
     {
         std::vector<DrawnFeature> features = notMade();
         std::erase_if(features, [&](const DrawnFeature& feature) {
-            if (feature.kind != threadKind) return false;
+            if (feature.kind != MarkKind::Thread) return false;
             return std::none_of(clamping.threads.begin(), clamping.threads.end(), [&](const DrawnThread& thread) {
                 const DrawnThread drawn = clamping.is_mirrored ? mirrored({thread}, part_.length_mm()).front() : thread;
                 return std::abs(*feature.z_start_mm - drawn.z_start_mm) < meet_mm;

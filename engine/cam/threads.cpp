@@ -157,7 +157,7 @@ std::vector<DrawnThread> threadsOf(const Shaft& part)
         begin = end;
     }
     for (const ShaftMark& mark : part.marks) {
-        if (mark.kind != "thread") continue;
+        if (mark.kind != MarkKind::Thread) continue;
         DrawnThread thread = threadNamed(mark.designation);
         if (mark.pitch_mm) thread.pitch_mm = mark.pitch_mm;
         if (mark.major_mm) thread.major_mm = mark.major_mm;

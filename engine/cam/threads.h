@@ -27,7 +27,7 @@ struct DrawnThread {
     friend bool operator==(const DrawnThread&, const DrawnThread&) = default;
 };
 
-/// Of the rows (ShaftSegment::thread) and the marks of kind "thread" with a place. M with or without a pitch (ISO 261,
+/// Of the rows (ShaftSegment::thread) and the marks of threads with a place. M with or without a pitch (ISO 261,
 /// coarse), "x", "×" or "*" between, "LH" for left-handed.
 std::vector<DrawnThread> threadsOf(const Shaft& part);
 

@@ -80,8 +80,9 @@ private:
     const ShaftMark* threadOver(const ContourRow& row) const
     {
         for (const ShaftMark& mark : shaft_.marks)
-            if (mark.kind == "thread" && mark.z_start_mm && mark.z_end_mm && row.middleZ_mm() > *mark.z_start_mm &&
-                row.middleZ_mm() < *mark.z_end_mm && !threadDesignation(mark, options_.decimal_separator).empty())
+            if (mark.kind == MarkKind::Thread && mark.z_start_mm && mark.z_end_mm &&
+                row.middleZ_mm() > *mark.z_start_mm && row.middleZ_mm() < *mark.z_end_mm &&
+                !threadDesignation(mark, options_.decimal_separator).empty())
                 return &mark;
         return nullptr;
     }
@@ -184,8 +185,9 @@ private:
     DimensionText undercutText(const std::vector<ContourRow>& rows, std::size_t first, std::size_t last) const
     {
         for (const ShaftMark& mark : shaft_.marks)
-            if (!mark.designation.empty() && mark.kind != "thread" && mark.kind != "knurl" && mark.z_start_mm &&
-                mark.z_end_mm && *mark.z_start_mm<rows[last].end_z_mm&& * mark.z_end_mm> rows[first].start_z_mm)
+            if (!mark.designation.empty() && mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl &&
+                mark.z_start_mm && mark.z_end_mm && rows[last].end_z_mm > *mark.z_start_mm &&
+                rows[first].start_z_mm < *mark.z_end_mm)
                 return {mark.designation, false};
         double radius = 0, bottom = 1e300;
         bool face = false;
@@ -331,15 +333,16 @@ private:
     void addMarks()
     {
         for (const ShaftMark& mark : shaft_.marks) {
-            if (!mark.z_start_mm || !mark.z_end_mm || mark.kind == "thread") continue;
+            if (!mark.z_start_mm || !mark.z_end_mm || mark.kind == MarkKind::Thread) continue;
             const double z = (*mark.z_start_mm + *mark.z_end_mm) / 2;
             const bool in_undercut = std::any_of(outer_.begin(), outer_.end(), [&](const ContourRow& row) {
                 return row.kind == RowKind::Undercut && row.start_z_mm < *mark.z_end_mm &&
                        row.end_z_mm > *mark.z_start_mm;
             });
-            if (mark.kind == "keyway" && mark.width_mm && mark.floor_mm) {
+            if (mark.kind == MarkKind::Keyway && mark.width_mm && mark.floor_mm) {
                 addKeyway(mark, z);
-            } else if (mark.kind == "knurl" || mark.kind == "flat" || mark.kind == "cross_hole" || !in_undercut) {
+            } else if (mark.kind == MarkKind::Knurl || mark.kind == MarkKind::Flat ||
+                       mark.kind == MarkKind::CrossHole || mark.kind == MarkKind::Unexplained || !in_undercut) {
                 const std::string text = markText(mark);
                 if (!text.empty())
                     features_.callouts.push_back({{z, outerRadius(outer_, z)}, {text, false}, Mouth::None});
@@ -350,13 +353,16 @@ private:
     std::string markText(const ShaftMark& mark) const
     {
         if (!mark.designation.empty()) return mark.designation;
-        if (mark.kind == "knurl" && mark.teeth)
+        if (mark.kind == MarkKind::Knurl && mark.teeth)
             return fill(translated(LT_TEXT("Engine", "knurl, {teeth} teeth"), options_),
                         {{"teeth", number(*mark.teeth, 0)}});
-        if (mark.kind == "flat" && mark.distance_mm)
+        if (mark.kind == MarkKind::Flat && mark.distance_mm)
             return fill(translated(LT_TEXT("Engine", "flat, {distance} from the axis"), options_),
                         {{"distance", number(*mark.distance_mm)}});
-        if (mark.kind == "cross_hole" && mark.diameter_mm) return diameterPrefix + number(*mark.diameter_mm);
+        if (mark.kind == MarkKind::CrossHole && mark.diameter_mm) return diameterPrefix + number(*mark.diameter_mm);
+        if (mark.kind == MarkKind::Unexplained)
+            return fill(translated(LT_TEXT("Engine", "NOT EXPLAINED, z {from}-{to}"), options_),
+                        {{"from", number(*mark.z_start_mm)}, {"to", number(*mark.z_end_mm)}});
         return {};
     }
 

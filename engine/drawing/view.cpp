@@ -160,7 +160,7 @@ private:
     {
         if (!mark.z_start_mm || !mark.z_end_mm) return;
         const double from = *mark.z_start_mm, to = *mark.z_end_mm;
-        if (mark.kind == "thread" && mark.major_mm && (mark.minor_mm || mark.pitch_mm)) {
+        if (mark.kind == MarkKind::Thread && mark.major_mm && (mark.minor_mm || mark.pitch_mm)) {
             const double root = mark.minor_mm ? *mark.minor_mm / 2 : (*mark.major_mm - rootDepth * *mark.pitch_mm) / 2;
             double begin = from;  // the root begins inside a chamfer
             for (const ContourPiece& piece : outside_)
@@ -169,14 +169,14 @@ private:
                     begin = piece.from_mm.x() + (piece.to_mm.x() - piece.from_mm.x()) * (root - piece.from_mm.y()) /
                                                     (piece.to_mm.y() - piece.from_mm.y());
             for (const double sign : {1.0, -1.0}) addLine({begin, sign * root}, {to, sign * root}, thin_mm);
-        } else if (mark.kind == "keyway" && mark.width_mm) {
+        } else if (mark.kind == MarkKind::Keyway && mark.width_mm) {
             const double low = -*mark.width_mm / 2,
                          high = shaft_.bores.empty() ? -low : 0;  // the upper half is cut away
             addLine({from, low}, {to, low});
             if (high > 0) addLine({from, high}, {to, high});
             addLine({from, low}, {from, high});
             addLine({to, low}, {to, high});
-        } else if (mark.kind == "knurl") {
+        } else if (mark.kind == MarkKind::Knurl) {
             addKnurl(from, to);
         }
     }

@@ -106,8 +106,8 @@ void nameRoughRows(Recognition& result)
         for (RecognizedRow& row : result.segments) {
             const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
             if (row.role != "rough" || middle < row.z_start_mm || middle > row.z_end_mm) continue;
-            row.role = mark.kind;
-            if (mark.kind == "knurl") row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
+            row.role = key(mark);
+            if (mark.kind == MarkKind::Knurl) row.start_diameter_mm = row.end_diameter_mm = *mark.diameter_mm;
         }
     for (RecognizedRow& row : result.segments)
         if (row.role == "rough") row.role.clear();

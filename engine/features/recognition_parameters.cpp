@@ -4,7 +4,7 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double longest_mm = 1e5;
+constexpr double largestLength_mm = 1e5;
 
 Label label(Text name, Text help, Text unit = {})
 {
@@ -65,10 +65,10 @@ const std::vector<Field<RecognitionParameters>>& fieldsOf(const RecognitionParam
               {{"first", LT_TEXT("Engine", "first of the data")}, {"last", LT_TEXT("Engine", "last of the data")}},
               label(LT_TEXT("Engine", "Free end"),
                     LT_TEXT("Engine", "Where z is 0, along the larger coordinate's sense."))),
-        field("length_mm", &P::length_mm, {0.01, longest_mm},
+        field("length_mm", &P::length_mm, {0.01, largestLength_mm},
               folded(LT_TEXT("Engine", "Length"),
                      LT_TEXT("Engine", "Confirms the length where an end lies outside the scan."), unit::mm)),
-        field("length_of_chucked_mm", &P::length_of_chucked_mm, {0, longest_mm},
+        field("length_of_chucked_mm", &P::length_of_chucked_mm, {0, largestLength_mm},
               folded(LT_TEXT("Engine", "Length in the chuck"),
                      LT_TEXT("Engine", "Kept in the shaft, left out of the stock file."), unit::mm)),
         field("band_width_mm", &P::band_width_mm, {0.001, 100},

@@ -44,6 +44,18 @@ const Text roleName = LT_TEXT("Engine", "Role");
 const Text roleHelp = LT_TEXT("Engine", "What it is: chamfer, fillet, groove…");
 const Text expandedHelp = LT_TEXT("Engine", "Expanded uncertainty, k = 2.");
 
+/// Its kind by key; a key that is not known is kept.
+Field<ShaftMark> markKind(const char* name, const Label& described_as)
+{
+    return {detail::makeInfo(name, FieldInfo::Kind::Word, described_as),
+            [](const ShaftMark& mark) -> Value { return key(mark); },
+            [](ShaftMark& mark, const Value& v) {
+                const auto& stated = std::get<std::string>(v);
+                mark.kind = markKindOf(stated);
+                mark.other_kind = mark.kind == MarkKind::Other ? stated : std::string();
+            }};
+}
+
 /// The optional numbers of a mark.
 Field<ShaftMark> markNumber(const char* key, std::optional<double> ShaftMark::*member, Text name, Text unit)
 {
@@ -51,6 +63,16 @@ Field<ShaftMark> markNumber(const char* key, std::optional<double> ShaftMark::*m
 }
 
 }  // namespace
+
+std::string key(const ShaftMark& mark)
+{
+    return mark.kind == MarkKind::Other ? mark.other_kind : key(mark.kind);
+}
+
+Value nameOf(const ShaftMark& mark)
+{
+    return mark.kind == MarkKind::Other ? Value(mark.other_kind) : Value(nameOf(mark.kind));
+}
 
 double Shaft::length_mm() const
 {
@@ -163,27 +185,26 @@ const std::vector<Field<ShaftBore>>& fieldsOf(const ShaftBore*)
 const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
 {
     using M = ShaftMark;
-    static const auto all =
-        described<M>(field("kind", &M::kind,
-                           required(LT_TEXT("Engine", "Kind"), LT_TEXT("Engine", "Thread, knurl, keyway, flat…"), {})),
-                     markNumber("z_start_mm", &M::z_start_mm, LT_TEXT("Engine", "Start z"), unit::mm),
-                     markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), unit::mm),
-                     markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), unit::deg),
-                     markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), unit::mm),
-                     markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), unit::mm),
-                     markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), unit::mm),
-                     markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), unit::mm),
-                     markNumber("major_mm", &M::major_mm, LT_TEXT("Engine", "Crest ⌀"), unit::mm),
-                     markNumber("minor_mm", &M::minor_mm, LT_TEXT("Engine", "Root ⌀"), unit::mm),
-                     markNumber("starts", &M::starts, LT_TEXT("Engine", "Starts"), {}),
-                     markNumber("hand", &M::hand, LT_TEXT("Engine", "Hand"), {}),
-                     markNumber("teeth", &M::teeth, LT_TEXT("Engine", "Teeth"), {}),
-                     markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), unit::deg),
-                     markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), unit::mm),
-                     markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), unit::mm),
-                     markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), unit::mm),
-                     field("designation", &M::designation,
-                           folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
+    static const auto all = described<M>(
+        markKind("kind", required(LT_TEXT("Engine", "Kind"), LT_TEXT("Engine", "Thread, knurl, keyway, flat…"), {})),
+        markNumber("z_start_mm", &M::z_start_mm, LT_TEXT("Engine", "Start z"), unit::mm),
+        markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), unit::mm),
+        markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), unit::deg),
+        markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), unit::mm),
+        markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), unit::mm),
+        markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), unit::mm),
+        markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), unit::mm),
+        markNumber("major_mm", &M::major_mm, LT_TEXT("Engine", "Crest ⌀"), unit::mm),
+        markNumber("minor_mm", &M::minor_mm, LT_TEXT("Engine", "Root ⌀"), unit::mm),
+        markNumber("starts", &M::starts, LT_TEXT("Engine", "Starts"), {}),
+        markNumber("hand", &M::hand, LT_TEXT("Engine", "Hand"), {}),
+        markNumber("teeth", &M::teeth, LT_TEXT("Engine", "Teeth"), {}),
+        markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), unit::deg),
+        markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), unit::mm),
+        markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), unit::mm),
+        markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), unit::mm),
+        field("designation", &M::designation,
+              folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
     return all;
 }
 

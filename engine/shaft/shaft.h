@@ -9,6 +9,7 @@
 
 #include "engine/core/fields.h"
 #include "engine/core/material.h"
+#include "engine/shaft/mark_kind.h"
 
 namespace lathelier {
 
@@ -77,7 +78,7 @@ struct ShaftBore {
 
 /// A feature that is not a body of revolution. `kind` determines which members are set.
 struct ShaftMark {
-    std::string kind;  ///< "thread", "knurl", "keyway", "flat", "cross_hole", "free_form"
+    MarkKind kind = MarkKind::Other;
     std::optional<double> z_start_mm = {}, z_end_mm = {};  ///< from the free end
     std::optional<double> angle_deg = {};                  ///< of its middle about the axis
     std::optional<double> width_mm = {};                   ///< keyway: width of the slot
@@ -94,8 +95,15 @@ struct ShaftMark {
     std::optional<double> depth_mm = {};                   ///< knurl: from crest to root
     std::optional<double> deviation_mm = {};               ///< free form: the largest from the plain body
     std::string designation = {};                          ///< "M16×2", "DIN 82 RGE 1.25"
+    std::string other_kind = {};                           ///< of MarkKind::Other: its key, as read; else empty
     friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
+
+/// Key of its kind, as files have it.
+std::string key(const ShaftMark& mark);
+
+/// Name of its kind for people: a Text, of MarkKind::Other the key.
+Value nameOf(const ShaftMark& mark);
 
 struct Shaft {
     std::string name;                    ///< display name of the part; may be empty

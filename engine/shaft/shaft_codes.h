@@ -40,6 +40,13 @@ inline constexpr ErrorCode shaftIncomplete{
 
 namespace notes {
 
+inline constexpr NoteCode shaftUnexplained{
+    "shaft_unexplained", Severity::Warning,
+    LT_TEXT("Engine",
+            "From z {z_start_mm:1} to {z_end_mm:1} mm the scan shows structure that the rows of the shaft do not "
+            "describe."),
+    NoteRole::NotModelled};
+
 inline constexpr NoteCode shaftRowShort{
     "shaft_row_short", Severity::Warning,
     LT_TEXT("Engine", "Row {row} of the {contour} is {length_mm} mm long, less than 0.05 mm.")};

@@ -191,9 +191,11 @@ void remarkMarks(const Shaft& shaft, Notes& notes)
             z += row.length_mm;
         }
         // A thread may begin on the chamfer before its row.
-        if (!inside && mark.kind != "thread" && mark.kind != "knurl" && mark.kind != "free_form")
+        const bool isOfOneRow = mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl &&
+                                mark.kind != MarkKind::FreeForm && mark.kind != MarkKind::Unexplained;
+        if (!inside && isOfOneRow)
             notes.push_back({notes::markOutsideRow,
-                             {{"kind", mark.kind}, {"z_start_mm", *mark.z_start_mm}, {"z_end_mm", *mark.z_end_mm}}});
+                             {{"kind", key(mark)}, {"z_start_mm", *mark.z_start_mm}, {"z_end_mm", *mark.z_end_mm}}});
     }
 }
 

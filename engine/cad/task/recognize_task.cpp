@@ -204,6 +204,9 @@ const task::Task& recognizeTask()
                                                   LT_TEXT("Engine", "Points or mesh of a turned part, in any pose"))};
         task::askFor<RecognizeQuestion>(made);
         made.exports = partExports();
+        // The measured drawing marks what is not explained.
+        for (task::Export& written : made.exports)
+            if (written.option == drawingExport) written.is_cut_by = false;
         const Text picture = LT_TEXT("Engine", "Picture (*.svg)");
         made.exports.push_back({meridianExport, "Write meridian and residuals as FILE.csv.",
                                 LT_TEXT("Engine", "Meridian and residuals (CSV)…"), LT_TEXT("Engine", "Table (*.csv)"),

@@ -70,7 +70,8 @@ const ShaftMark* markOn(const RecognizedRow& row, const std::vector<ShaftMark>& 
     constexpr double coveredShare = 0.5;
     if (row.kind != RowKind::Cylinder) return nullptr;
     for (const ShaftMark& mark : marks) {
-        if ((mark.kind != "thread" && mark.kind != "knurl") || !mark.z_start_mm || !mark.z_end_mm) continue;
+        if ((mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl) || !mark.z_start_mm || !mark.z_end_mm)
+            continue;
         const double common = std::min(row.z_end_mm, *mark.z_end_mm) - std::max(row.z_start_mm, *mark.z_start_mm);
         if (common > coveredShare * (row.z_end_mm - row.z_start_mm)) return &mark;
     }
@@ -87,7 +88,7 @@ Patterns fillRoles(std::vector<RecognizedRow>& rows, const RowChain& chain,
                    const std::vector<const ShaftMark*>& mark_of)
 {
     Patterns patterns;
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].role = mark_of[i] ? mark_of[i]->kind : "";
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].role = mark_of[i] ? key(*mark_of[i]) : "";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const auto undercut = undercutRowsAt(chain, i);
         if (!undercut || !rows[undercut->bottom].role.empty()) continue;
@@ -182,7 +183,7 @@ Patterns describe(std::vector<RecognizedRow>& rows, const RowChain& chain, const
     if (!suggest) return patterns;
     auto threads = mark_of;
     for (const ShaftMark*& mark : threads)
-        if (mark && mark->kind != "thread") mark = nullptr;
+        if (mark && mark->kind != MarkKind::Thread) mark = nullptr;
     auto suggestions = suggestionsFor(chain, patterns, threads);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].suggestions = std::move(suggestions[i]);
     return patterns;
@@ -207,7 +208,7 @@ void describeRows(Recognition& recognition)
         describe(rows, RowChain(recognition, bore), std::vector<const ShaftMark*>(rows.size(), nullptr), suggest);
     }
     for (ShaftMark& mark : recognition.marks) {
-        if (!suggest || mark.kind != "thread" || !mark.designation.empty() || !mark.pitch_mm || !mark.major_mm)
+        if (!suggest || mark.kind != MarkKind::Thread || !mark.designation.empty() || !mark.pitch_mm || !mark.major_mm)
             continue;
         double U_mm = 0;
         for (const RecognizedRow& row : recognition.segments)

@@ -51,6 +51,15 @@ Made outsideOf(const Recognition& recognition, const Flags& in_place, bool keep_
         made.source.push_back(row.source);
     }
     made.shaft.marks = recognition.marks;
+    if (recognition.parameters.unexplained == Unexplained::Damage) return made;
+    for (const UnexplainedStructure& one : recognition.unexplained) {
+        ShaftMark mark{MarkKind::Unexplained};
+        mark.z_start_mm = one.z_start_mm;
+        mark.z_end_mm = one.z_end_mm;
+        mark.angle_deg = one.angle_deg;
+        mark.deviation_mm = one.height_mm;
+        made.shaft.marks.push_back(mark);
+    }
     return made;
 }
 

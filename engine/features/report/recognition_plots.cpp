@@ -270,10 +270,19 @@ void plotStretches(report::Plot& plot, const Recognition& result)
                                                report::ColourRole::Limit));
         named = true;
     }
-    std::map<std::string, std::vector<Interval>> kinds;  // stretches of one kind that overlap are one
-    for (const ShaftMark& mark : result.marks)
-        if (mark.z_start_mm && mark.z_end_mm) kinds[mark.kind].push_back({*mark.z_start_mm, *mark.z_end_mm});
-    for (auto& [kind, stretches] : kinds) {
+    struct MarksOfKind {
+        report::Caption name;
+        std::vector<Interval> stretches;
+    };
+    std::map<std::string, MarksOfKind> kinds;  // stretches of one kind that overlap are one
+    for (const ShaftMark& mark : result.marks) {
+        if (!mark.z_start_mm || !mark.z_end_mm) continue;
+        MarksOfKind& own = kinds[key(mark)];
+        own.name = captionOf(nameOf(mark));
+        own.stretches.push_back({*mark.z_start_mm, *mark.z_end_mm});
+    }
+    for (auto& [kind, marks] : kinds) {
+        auto& [name, stretches] = marks;
         std::sort(stretches.begin(), stretches.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
         std::vector<Interval> whole;
         for (const Interval& one : stretches) {
@@ -283,8 +292,8 @@ void plotStretches(report::Plot& plot, const Recognition& result)
                 whole.push_back(one);
         }
         for (std::size_t i = 0; i < whole.size(); ++i)
-            plot.regions.push_back(report::stretch(i == 0 ? captionOf(roleName(kind)) : report::Caption(), whole[i],
-                                                   report::ColourRole::Mark));
+            plot.regions.push_back(
+                report::stretch(i == 0 ? name : report::Caption(), whole[i], report::ColourRole::Mark));
     }
 }
 

@@ -50,11 +50,7 @@ Value roleName(const std::string& role)
                         {"knurl", LT_TEXT("Engine", "knurl")},
                         {"taper", LT_TEXT("Engine", "tapered stretch")},
                         {"saddle", LT_TEXT("Engine", "saddle")},
-                        {"sphere", LT_TEXT("Engine", "sphere")},
-                        {"keyway", LT_TEXT("Engine", "keyway")},
-                        {"flat", LT_TEXT("Engine", "flat")},
-                        {"cross_hole", LT_TEXT("Engine", "cross hole")},
-                        {"free_form", LT_TEXT("Engine", "free form")}});
+                        {"sphere", LT_TEXT("Engine", "sphere")}});
 }
 
 Value endName(const std::string& closed_by)

@@ -97,7 +97,7 @@ report::Table marksTable(const Recognition& result, const Language& language)
                      (info.unit.empty() ? "" : ' ' + text(shownUnit(info.unit, language).unit, language));
         }
         const auto given = [](const std::optional<double>& value) { return value ? Value(*value) : Value(); };
-        table.rows.push_back({roleName(mark.kind), given(mark.z_start_mm), given(mark.z_end_mm), sizes});
+        table.rows.push_back({nameOf(mark), given(mark.z_start_mm), given(mark.z_end_mm), sizes});
     }
     return table;
 }

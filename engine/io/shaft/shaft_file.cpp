@@ -97,7 +97,12 @@ Shaft readShaft(const JsonCursor& object, Notes& notes)
 {
     checkSchema(object);
     // Length and volume follow from the rows; stating them in the file is accepted.
-    return readFields<Shaft>(object, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
+    auto shaft = readFields<Shaft>(object, notes, {"schema", "schema_version", "length_mm", "volume_mm3"});
+    for (const ShaftMark& mark : shaft.marks)
+        if (mark.kind == MarkKind::Unexplained)
+            notes.push_back({notes::shaftUnexplained,
+                             {{"z_start_mm", mark.z_start_mm.value_or(0)}, {"z_end_mm", mark.z_end_mm.value_or(0)}}});
+    return shaft;
 }
 
 Material readMaterial(const std::string& json, Notes& notes)

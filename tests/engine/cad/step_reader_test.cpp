@@ -139,7 +139,7 @@ TEST(StepReader, AFlatIsARemark)
     EXPECT_EQ(text(part.other_faces[0].kind), "plane");
     EXPECT_NEAR(part.other_faces[0].area_mm2, 40 * 2 * std::sqrt(19.0), 1e-6);
     ASSERT_EQ(part.shaft.marks.size(), 1U);
-    EXPECT_EQ(part.shaft.marks[0].kind, "free_form");
+    EXPECT_EQ(part.shaft.marks[0].kind, MarkKind::FreeForm);
     EXPECT_NEAR(*part.shaft.marks[0].z_end_mm, 40, 1e-9);
     const double angle = std::acos(0.9);
     EXPECT_NEAR(part.volume_mm3, 40 * (100 * std::numbers::pi - 100 * angle + 9 * std::sqrt(19.0)), 1e-6);

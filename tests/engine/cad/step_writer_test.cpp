@@ -109,7 +109,7 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     EXPECT_TRUE(cadNotes(taper()).empty());
     EXPECT_TRUE(contains(cadNotes(lemon()), notes::arcBeyondAxis));
     Shaft shaft = tableOne();
-    shaft.marks = {{"keyway"}, {"flat"}, {"keyway"}};
+    shaft.marks = {{MarkKind::Keyway}, {MarkKind::Flat}, {MarkKind::Keyway}};
     const Notes found = cadNotes(shaft);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, notes::marksLeftOut);

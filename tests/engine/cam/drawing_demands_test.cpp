@@ -256,7 +256,7 @@ TEST(Threads, AreFoundInRowsAndMarks)
     part.segments[0].thread = "M16×1,5-6g";
     part.segments[1].thread = "M24 LH";
     ShaftMark mark;
-    mark.kind = "thread";
+    mark.kind = MarkKind::Thread;
     mark.designation = "special";
     mark.z_start_mm = 45;
     mark.z_end_mm = 55;
@@ -303,7 +303,7 @@ TEST(Threads, DiametersHaveToFitTheRow)
     EXPECT_NE(noteOf(planned(job, "haas").notes, notes::threadNotPlanned), nullptr);
     job.shaft->segments[1].thread.clear();
     ShaftMark mark;
-    mark.kind = "thread";
+    mark.kind = MarkKind::Thread;
     mark.designation = "special";
     mark.z_start_mm = 2;
     mark.z_end_mm = 27;

@@ -28,12 +28,12 @@ Job keyedJob()
 {
     Job job = plainJob();
     ShaftMark keyway;
-    keyway.kind = "keyway";
+    keyway.kind = MarkKind::Keyway;
     keyway.z_start_mm = 10;
     keyway.z_end_mm = 30;
     job.shaft->marks.push_back(keyway);
     ShaftMark hole;
-    hole.kind = "cross_hole";
+    hole.kind = MarkKind::CrossHole;
     hole.diameter_mm = 6;
     hole.z_start_mm = hole.z_end_mm = 40;
     job.shaft->marks.push_back(hole);
@@ -61,7 +61,7 @@ TEST(NotMade, BoreOfTheSegmentsIsSaidEverywhere)
     expectSound(plan, "bore");
     EXPECT_EQ(plan.verdict, Verdict::Fail);
     ASSERT_EQ(plan.not_made.size(), 1U);
-    EXPECT_EQ(plan.not_made[0].kind, "bore");
+    EXPECT_EQ(plan.not_made[0].kind, MarkKind::Bore);
     EXPECT_EQ(plan.not_made[0].diameter_mm, 20);
     EXPECT_EQ(plan.not_made[0].z_start_mm, 0);
     EXPECT_EQ(plan.not_made[0].z_end_mm, 50);

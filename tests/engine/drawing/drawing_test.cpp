@@ -65,7 +65,7 @@ TEST(Drawing, NumbersAreShortAndTakeTheSeparator)
 TEST(Drawing, ThreadsAreNamed)
 {
     ShaftMark mark;
-    mark.kind = "thread";
+    mark.kind = MarkKind::Thread;
     EXPECT_EQ(threadDesignation(mark, "."), "");
     mark.major_mm = 20;
     mark.pitch_mm = 2;

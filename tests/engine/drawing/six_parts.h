@@ -79,7 +79,7 @@ inline Shaft keywayPart()
                       {25, 40, 40, 0, {}, ""},       {6, 46, 46, 0, {}, ""},         {34, 35.01, 35.01, 0, {}, ""},
                       {30, 35, 35, 0, {}, ""},       {1.5, 35, 32, 0, {}, "chamfer"}};
     ShaftMark mark;
-    mark.kind = "keyway";
+    mark.kind = MarkKind::Keyway;
     mark.angle_deg = 40;
     mark.width_mm = 8;
     mark.floor_mm = 11;
@@ -117,7 +117,7 @@ inline Shaft threadPart()
                       {4, 13.2, 13.2, 0, {}, "groove"}, {22, 18, 18, 0, {}, ""},
                       {30, 24, 24, 0, {}, "knurl"},     {1, 24, 22, 0, {}, "chamfer"}};
     ShaftMark mark;
-    mark.kind = "thread";
+    mark.kind = MarkKind::Thread;
     mark.z_start_mm = 0;
     mark.z_end_mm = 28;
     mark.pitch_mm = 2;
@@ -126,7 +126,7 @@ inline Shaft threadPart()
     mark.hand = 1;
     shaft.marks.push_back(mark);
     ShaftMark mark2;
-    mark2.kind = "knurl";
+    mark2.kind = MarkKind::Knurl;
     mark2.z_start_mm = 54;
     mark2.z_end_mm = 84;
     mark2.teeth = 60;

@@ -167,12 +167,12 @@ TEST(Roles, ThreadsAndKnurls)
     Recognition part = recognitionOf(cone(13, 15.96, 1.5) + cylinder(15.96, 26.5) + cylinder(13.2, 4) +
                                      cylinder(18, 22) + cylinder(24, 30) + cone(24, 22, 1));
     part.marks.resize(2);
-    part.marks[0].kind = "thread";
+    part.marks[0].kind = MarkKind::Thread;
     part.marks[0].z_start_mm = 0;
     part.marks[0].z_end_mm = 28;
     part.marks[0].pitch_mm = 2.0001;
     part.marks[0].major_mm = 15.96;
-    part.marks[1].kind = "knurl";
+    part.marks[1].kind = MarkKind::Knurl;
     part.marks[1].z_start_mm = 54;
     part.marks[1].z_end_mm = 84;
     describeRows(part);
@@ -185,7 +185,7 @@ TEST(Roles, AChamferGoesOnInAKnurl)
 {
     Recognition part = recognitionOf(cylinder(18, 20) + cylinder(24.02, 30) + cone(24.08, 22.08, 1));
     part.marks.resize(1);
-    part.marks[0].kind = "knurl";
+    part.marks[0].kind = MarkKind::Knurl;
     part.marks[0].z_start_mm = 20;
     part.marks[0].z_end_mm = 50;
     describeRows(part);

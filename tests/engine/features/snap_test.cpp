@@ -115,7 +115,7 @@ TEST(Snap, MeasuredIsUntouched)
     const Table measured = disturbed(taperPart(), 3);
     Recognition part = recognitionOf(measured);
     part.marks.resize(1);
-    part.marks[0].kind = "knurl";
+    part.marks[0].kind = MarkKind::Knurl;
     describeRows(part);
     const Shaft shaft = measuredShaft(part);
     expectTable(shaft, measured, 1e-12);

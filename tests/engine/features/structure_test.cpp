@@ -61,7 +61,7 @@ TEST_P(Splines, AreNoHollowShaft)
             return p.z_mm < 30 && turn - std::floor(turn) > share ? p.r_mm - 1.2 : p.r_mm;
         });
         EXPECT_TRUE(result.bores.empty()) << share;
-        for (const ShaftMark& mark : result.marks) EXPECT_NE(mark.kind, "knurl") << share;
+        for (const ShaftMark& mark : result.marks) EXPECT_NE(mark.kind, MarkKind::Knurl) << share;
         EXPECT_TRUE(structureAt(result, 15)) << share;
         EXPECT_TRUE(contains(result.notes, notes::unexplainedStructure)) << share;
         EXPECT_LT(errorOverU(result, 48, 40), 2) << share;

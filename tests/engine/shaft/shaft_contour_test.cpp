@@ -152,7 +152,7 @@ TEST(ShaftRules, Remarks)
     shaft.bores = {{ShaftEnd::Free, {{20, 29.99, 29.99, {}, ""}}}};
     EXPECT_EQ(codeOf(shaft), "shaft_wall_thin");
     shaft = tableOne();
-    shaft.marks = {{.kind = "keyway", .z_start_mm = 90, .z_end_mm = 104}};
+    shaft.marks = {{.kind = MarkKind::Keyway, .z_start_mm = 90, .z_end_mm = 104}};
     EXPECT_EQ(codeOf(shaft), "mark_outside_row");
 }
 

@@ -40,8 +40,26 @@ T upperMedianInPlace(std::vector<T>& values)
     return quantileInPlace(values, 0.5);
 }
 
-/// The median, the mean of the two middle values for an even count. NaN for no values.
+/// The median of `values`, which are put into another order: the mean of the two middle values for an even count. NaN
+/// for no values.
+template <class T>
+double medianInPlace(std::vector<T>& values)
+{
+    const auto upper = static_cast<double>(upperMedianInPlace(values));
+    if (values.size() % 2 == 1 || values.empty()) return upper;
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    return 0.5 * (upper + static_cast<double>(*std::max_element(values.begin(), middle)));
+}
+
+/// The same of values that keep their order.
 double median(std::vector<double> values);
+
+/// Tukey's biweight of a residual, `u` of the distance from which on it counts nothing: (1 − u²)² for |u| < 1, else 0.
+/// Source: Beaton and Tukey, Technometrics 16 (1974) 147-185.
+inline double tukeyWeight(double u)
+{
+    return u * u < 1 ? (1 - u * u) * (1 - u * u) : 0;
+}
 
 /// Quantile of Student's distribution at `probability` (0.975: two-sided 95 %). NaN without degrees of freedom.
 double studentQuantile(double probability, std::int64_t degrees_of_freedom);

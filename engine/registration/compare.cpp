@@ -6,14 +6,15 @@
 
 #include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
+#include "engine/registration/compare_plan.h"
 #include "engine/registration/default_reach.h"
 #include "engine/registration/drawn_reference.h"
 #include "engine/registration/general/general.h"
 #include "engine/registration/neighbours/cloud_figure.h"
 #include "engine/registration/point_checks.h"
+#include "engine/registration/point_tasks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_deviation.h"
-#include "engine/registration/revolution/revolution_refusal.h"
 #include "engine/registration/statistics.h"
 #include "engine/registration/surface/drawn_surface.h"
 #include "engine/registration/surface/facet_sagitta.h"
@@ -31,97 +32,39 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t meshSamples = 300000;
-constexpr double leastOverlap_percent = 50;  // percent of the copy's points near the reference
-constexpr double coarseSagittaShare = 2e-5;  // of the part's size: with a larger sagitta of the facets there is a note
+/// Samples, overlap and reach of a comparison (README, "Thresholds").
+struct CompareThresholds {
+    std::size_t mesh_samples = 300000;   ///< points on a mesh that its axis is fitted to
+    double least_overlap_percent = 50;   ///< of the copy's points near the reference
+    double coarse_sagitta_share = 2e-5;  ///< of the part's size: with a larger sagitta of the facets there is a note
+    int reach_rounds = 3;                ///< the reach of a general part is adapted to its scatter at most so often,
+    double least_growth = 1.05;          ///< and only where it grows by more than this factor
+};
+constexpr CompareThresholds compareThresholds{};
+
+constexpr std::size_t movedPerTask = 65536;
 
 /// Points of the surface: the cloud itself, or samples of the mesh.
-struct SurfacePoints {
-    const std::vector<Vector3d>* points = nullptr;
-    Scan samples;
+class SurfacePoints {
+public:
+    SurfacePoints(const Scan& scan, const char* role, const Progress& progress) : scan_(scan)
+    {
+        if (scan.isMesh()) samples_ = sampleSurface(scan, compareThresholds.mesh_samples, 0, progress);
+        checkPoints(points_mm(), role, progress);
+    }
+
+    const std::vector<Vector3d>& points_mm() const { return scan_.isMesh() ? samples_.points_mm : scan_.points_mm; }
+
+private:
+    const Scan& scan_;
+    Scan samples_;
 };
-
-SurfacePoints surfaceOf(const Scan& scan, const char* role, const Progress& progress)
-{
-    SurfacePoints surface;
-    surface.points = &scan.points_mm;
-    if (scan.isMesh()) {
-        surface.samples = sampleSurface(scan, meshSamples, 0, progress);
-        surface.points = &surface.samples.points_mm;
-    }
-    checkPoints(*surface.points, role, progress);
-    return surface;
-}
-
-/// Axis fits of the two parts and the method that follows.
-struct Plan {
-    CompareMethod method = CompareMethod::Plane;
-    TurnedPart reference;
-    TurnedPart copy;
-    bool reference_turned = false;  ///< the reference is a body of revolution
-};
-
-Note methodNote(const char* method, Text reason, const Plan& plan)
-{
-    Note note{notes::methodChosen, {{"method", std::string(method)}, {"reason", reason}}};
-    const auto add = [&](const char* name, const RevolutionFit& fit) {
-        if (fit.iterations > 0) note.values.emplace_back(name, 100 * fit.consistent_share);
-    };
-    add("reference_on_one_meridian_percent", plan.reference.fit);
-    add("copy_on_one_meridian_percent", plan.copy.fit);
-    return note;
-}
-
-/// Fits axes where needed and chooses the method. Error notABodyOfRevolution when the parameters require one.
-Plan makePlan(const std::vector<Vector3d>& reference, const std::vector<Vector3d>& copy, const CompareParameters& asked,
-              Notes& notes, const Progress& progress)
-{
-    Plan plan;
-    const bool is_auto = asked.method == CompareMethod::Auto;
-    const bool forced =
-        asked.method == CompareMethod::Revolution || (is_auto && asked.symmetry == Symmetry::Revolution);
-    if (!is_auto) plan.method = asked.method;
-    if (asked.symmetry == Symmetry::None && !forced) {
-        if (is_auto) notes.push_back(methodNote("plane", LT_TEXT("Engine", "symmetry is not to be used"), plan));
-        return plan;
-    }
-    // In parallel: each has serial sections. The copy's fit may turn out not to be needed.
-    const bool bothWanted = forced || is_auto;
-    parallelFor(bothWanted ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (i == 0)
-                plan.reference.fit =
-                    fitRevolution(reference, progress.part(0, 0.5, LT_TEXT("Engine", "Axis of the reference")));
-            else
-                plan.copy.fit = fitRevolution(copy, progress.part(0.5, 1, LT_TEXT("Engine", "Axis of the copy")));
-    });
-    plan.reference_turned = isBodyOfRevolution(plan.reference.fit);
-    remarkRevolution(plan.reference.fit, "reference", notes);
-    if (forced && !plan.reference_turned) refuseRevolution(plan.reference.fit, "reference");
-    if (plan.reference_turned) orientAxis(plan.reference.fit);
-    if (!forced && (!is_auto || !plan.reference_turned)) {
-        plan.copy = {};
-        if (is_auto)
-            notes.push_back(methodNote("plane", LT_TEXT("Engine", "the reference is not a body of revolution"), plan));
-        return plan;
-    }
-    const bool copy_turned = isBodyOfRevolution(plan.copy.fit);
-    remarkRevolution(plan.copy.fit, "copy", notes);
-    if (forced && !copy_turned) refuseRevolution(plan.copy.fit, "copy");
-    if (copy_turned) orientAxis(plan.copy.fit);  // the same data give the same frame: compared with itself, exactly
-    plan.method = copy_turned ? CompareMethod::Revolution : CompareMethod::Plane;
-    if (is_auto)
-        notes.push_back(copy_turned
-                            ? methodNote("revolution", LT_TEXT("Engine", "both parts are bodies of revolution"), plan)
-                            : methodNote("plane", LT_TEXT("Engine", "the copy is not a body of revolution"), plan));
-    return plan;
-}
 
 std::vector<Vector3d> movedPoints(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose,
                                   const Progress& progress)
 {
     std::vector<Vector3d> result(points.size());
-    parallelFor(points.size(), 65536, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.size(), movedPerTask, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) result[i] = pose * points[i];
     });
     return result;
@@ -129,7 +72,7 @@ std::vector<Vector3d> movedPoints(const std::vector<Vector3d>& points, const Eig
 
 /// Distance to the meridian of a turned cloud, to the triangles of a mesh, to the surface of any other cloud; of the
 /// last two also the direction in which it was measured.
-void measureDeviations(const Scan& reference, const GeneralReference* prepared, const Plan& plan,
+void measureDeviations(const Scan& reference, const GeneralReference* prepared, const ComparePlan& plan,
                        const MeridianLine* line, const std::vector<Vector3d>& moved_copy, double max_distance_mm,
                        CompareResult& result, std::vector<Eigen::Vector3f>& direction, const Progress& progress)
 {
@@ -163,7 +106,7 @@ void measureDrawn(const Contour& meridian, const std::vector<Vector3d>& moved_co
     result.has_sign = true;
     result.deviation_mm.assign(moved_copy.size(), std::numeric_limits<float>::quiet_NaN());
     direction.assign(moved_copy.size(), Eigen::Vector3f::Zero());
-    parallelFor(moved_copy.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(moved_copy.size(), taskPoints, progress, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const SurfacePlace place = placeOn(distance, moved_copy[i]);
             if (!place.found()) continue;
@@ -179,7 +122,7 @@ void noteCoarseFacets(const Scan& scan, const char* role, const RevolutionFit& f
 {
     if (!scan.isMesh()) return;
     const double sagitta = facetSagitta_mm(scan, fit.axis_T_scan, progress);
-    if (sagitta > coarseSagittaShare * size_mm)
+    if (sagitta > compareThresholds.coarse_sagitta_share * size_mm)
         notes.push_back({notes::facetsCoarse, {{"role", std::string(role)}, {"sagitta_mm", sagitta}}});
 }
 
@@ -216,143 +159,213 @@ struct LeftOut {
 };
 
 /// Statistics, verdict and histogram. Error partsDoNotMatch when too little of the copy lies near the reference.
-void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm, CompareDetail detail,
+void summariseDeviations(CompareResult& result, const LeftOut& left_out, double max_distance_mm, bool is_full,
                          const Progress& progress)
 {
     const std::vector<float> deviations = finiteOf(result.deviation_mm);
     const auto count = static_cast<double>(result.used.size());
     const auto in_question = count - static_cast<double>(left_out.zones);
     const double near_percent = in_question > 0 ? 100 * static_cast<double>(deviations.size()) / in_question : 0;
-    if (near_percent < leastOverlap_percent) throw Error(errors::partsDoNotMatch, {{"overlap_percent", near_percent}});
+    if (near_percent < compareThresholds.least_overlap_percent)
+        throw Error(errors::partsDoNotMatch, {{"overlap_percent", near_percent}});
     result.statistics = summarise(deviations, progress);
     result.statistics.points_excluded = static_cast<std::int64_t>(result.used.size() - deviations.size());
     result.statistics.overlap_percent = 100 * static_cast<double>(deviations.size()) / count;
-    if (detail == CompareDetail::Full) result.histogram = histogramOf(deviations, progress);
+    if (is_full) result.histogram = histogramOf(deviations, progress);
     if (left_out.far > 0)
         result.notes.push_back({notes::outliersExcluded, {{"count", left_out.far}, {"distance_mm", max_distance_mm}}});
     if (left_out.zones > 0) result.notes.push_back({notes::zonesExcluded, {{"count", left_out.zones}}});
     judge(result, result.parameters, progress);
 }
 
-/// `drawn`: the meridian of a reference that is drawn; the scan is its mesh then.
-CompareResult compareWith(const Scan& reference_scan, const Contour* drawn, const Scan& copy_scan,
+/// The stages of one comparison.
+class Comparison {
+public:
+    /// `drawn`: the meridian of a reference that is drawn; the scan is its mesh then.
+    Comparison(const Scan& reference, const Contour* drawn, const Scan& copy, const CompareParameters& parameters,
+               const Progress& progress, CompareDetail detail)
+        : reference_(reference),
+          drawn_(drawn),
+          copy_(copy),
+          referenceSurface_(reference, "reference", progress),
+          copySurface_(copy, "copy", progress),
+          isFull_(detail == CompareDetail::Full),
+          progress_(progress)
+    {
+        result_.parameters = parameters;
+    }
+
+    CompareResult run()
+    {
+        plan_ = makePlan(referenceSurface_.points_mm(), copySurface_.points_mm(), result_.parameters, result_.notes,
+                         progress_.part(0.02, 0.4));
+        result_.method_used = plan_.method;
+        align(progress_.part(0.4, 0.5, LT_TEXT("Engine", "Alignment")));
+        if (!plan_.reference_turned) refuseAlongAxis(result_.parameters);
+        const Progress measuring = progress_.part(0.5, 0.75, LT_TEXT("Engine", "Deviations"));
+        measure(measuring);
+        noteFacets(measuring);
+        leaveOut(measuring);
+        // In parallel: each has serial sections, and they are independent.
+        parallelFor(isFull_ ? 2 : 1, 1, progress_, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (i == 0)
+                    summariseSurface(measuring);
+                else
+                    measureClouds();
+        });
+        progress_.report(1);
+        return std::move(result_);
+    }
+
+private:
+    bool isByAxes() const { return plan_.method == CompareMethod::Revolution; }
+
+    void align(const Progress& aligning)
+    {
+        if (isByAxes())
+            alignByAxes(aligning);
+        else
+            alignByPlanes(aligning);
+        result_.notes.insert(result_.notes.end(), result_.alignment.notes.begin(), result_.alignment.notes.end());
+    }
+
+    /// Axis on axis, and a shift by the shoulders. Error notConverged.
+    void alignByAxes(const Progress& aligning)
+    {
+        ShoulderPair shoulders = findShoulders(referenceSurface_.points_mm(), plan_.reference.fit,
+                                               copySurface_.points_mm(), plan_.copy.fit, aligning);
+        plan_.reference.shoulders = std::move(shoulders.reference);
+        plan_.copy.shoulders = std::move(shoulders.copy);
+        plan_.reference.ends = std::move(shoulders.reference_ends);
+        plan_.copy.ends = std::move(shoulders.copy_ends);
+        result_.alignment = alignRevolution(plan_.reference, plan_.copy, result_.parameters.initial);
+        if (!result_.alignment.converged)
+            throw Error(errors::notConverged,
+                        {{"iterations", std::int64_t{result_.alignment.iterations}}, {"role", std::string("copy")}});
+    }
+
+    /// By the surface; a reference that is turned has its meridian all the same.
+    void alignByPlanes(const Progress& aligning)
+    {
+        prepared_ = drawn_ ? prepareReference(reference_, *drawn_, aligning.part(0, 0.4))
+                           : prepareReference(reference_, aligning.part(0, 0.4));
+        result_.alignment =
+            alignGeneral(*prepared_, copy_, plan_.method, result_.parameters.initial, aligning.part(0.4, 1));
+        if (!plan_.reference_turned) return;
+        const std::vector<Vector3d>& points = referenceSurface_.points_mm();
+        const RevolutionFit& fit = plan_.reference.fit;
+        plan_.reference.shoulders = findShoulders(points, fit, points, fit, aligning).reference;
+        result_.alignment.reference_axis = axisOf(fit);
+    }
+
+    /// The deviation of every point of the copy. The scatter of a general part is known only after the first
+    /// deviations; the reach is adapted to it.
+    void measure(const Progress& measuring)
+    {
+        const std::size_t notes_before = result_.notes.size();
+        movedCopy_mm_ = movedPoints(copy_.points_mm, result_.alignment.reference_T_copy, measuring);
+        if (plan_.reference_turned) line_.emplace(plan_.reference, referenceSurface_.points_mm(), measuring);
+        size_mm_ = robustSize_mm(referenceSurface_.points_mm());
+        const double noise_mm = isByAxes() ? std::max(plan_.reference.fit.sigma_mm, plan_.copy.fit.sigma_mm)
+                                           : prepared_->surface->scatter_mm();
+        const std::optional<double>& given_mm = result_.parameters.max_distance_mm;
+        reach_mm_ = given_mm.value_or(defaultReach_mm(size_mm_, noise_mm));
+        measureOnce(measuring.part(0, 0.8));
+        for (int i = 0; i < compareThresholds.reach_rounds && !isByAxes() && !given_mm; ++i) {
+            const double reach_mm = defaultReach_mm(size_mm_, noise_mm, scatterOf(finiteOf(result_.deviation_mm)));
+            if (reach_mm < compareThresholds.least_growth * reach_mm_) break;
+            reach_mm_ = reach_mm;
+            result_.notes.erase(result_.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result_.notes.end());
+            measureOnce(measuring.part(0.8, 1));
+        }
+    }
+
+    void measureOnce(const Progress& progress)
+    {
+        if (drawn_) return measureDrawn(*drawn_, movedCopy_mm_, reach_mm_, result_, direction_, progress);
+        measureDeviations(reference_, prepared_ ? &*prepared_ : nullptr, plan_, line_ ? &*line_ : nullptr,
+                          movedCopy_mm_, reach_mm_, result_, direction_, progress);
+    }
+
+    void noteFacets(const Progress& measuring)
+    {
+        const RevolutionFit& fit = plan_.reference.fit;
+        if (line_ && !drawn_ && reference_.isMesh())
+            facets_mm_ = largestSagitta_mm(reference_, fit.axis_T_scan, measuring);
+        if (plan_.reference_turned && !drawn_)
+            noteCoarseFacets(reference_, "reference", fit, size_mm_, result_.notes, measuring);
+        if (isByAxes()) noteCoarseFacets(copy_, "copy", plan_.copy.fit, size_mm_, result_.notes, measuring);
+    }
+
+    /// Points that are far from the reference or in an excluded zone do not count.
+    void leaveOut(const Progress& measuring)
+    {
+        result_.used.resize(movedCopy_mm_.size());
+        for (std::size_t i = 0; i < movedCopy_mm_.size(); ++i) {
+            result_.used[i] = std::isnan(result_.deviation_mm[i]) ? 0 : 1;
+            leftOut_.far += result_.used[i] ? 0 : 1;
+        }
+        if (line_) leftOut_.zones = excludeZones(plan_.reference, *line_, movedCopy_mm_, result_, measuring);
+    }
+
+    /// Local means, statistics and verdict; of a body of revolution meridian and map.
+    void summariseSurface(const Progress& measuring)
+    {
+        // A scan compared with itself: single points keep their deviation, local means are 0.
+        const bool is_same = reference_.points_mm == copy_.points_mm;
+        std::vector<float> own_noise;
+        if (is_same) {
+            result_.notes.push_back({notes::samePoints, {}});
+            own_noise = result_.deviation_mm;
+            for (float& deviation : result_.deviation_mm)
+                if (!std::isnan(deviation)) deviation = 0;
+        }
+        SurfaceWindows windows =
+            line_ ? revolutionWindows(plan_.reference, *line_, movedCopy_mm_, result_, facets_mm_, measuring)
+                  : generalWindows(movedCopy_mm_, direction_, result_, measuring);
+        if (line_ && isFull_) windows.automatic_zones_mm = automaticZones(plan_.reference, *line_);
+        result_.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
+        if (is_same) result_.deviation_mm = std::move(own_noise);
+        summariseDeviations(result_, leftOut_, reach_mm_, isFull_, measuring);
+        if (line_ && isFull_) describeRevolution(plan_.reference, *line_, movedCopy_mm_, result_, measuring);
+    }
+
+    void measureClouds()
+    {
+        const CloudFigure clouds =
+            compareClouds(referenceSurface_.points_mm(), movedCopy_mm_, result_.used, reach_mm_,
+                          progress_.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
+        result_.cloud_to_cloud_rmse_mm = clouds.rmse_mm;
+        result_.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
+        result_.sampling_floor_mm = clouds.sampling_floor_mm;
+    }
+
+    const Scan& reference_;
+    const Contour* drawn_;
+    const Scan& copy_;
+    SurfacePoints referenceSurface_, copySurface_;
+    bool isFull_;
+    Progress progress_;
+    CompareResult result_;
+    ComparePlan plan_;
+    std::optional<GeneralReference> prepared_;  ///< unless the parts are aligned by their axes
+    std::optional<MeridianLine> line_;          ///< of a reference that is a body of revolution
+    std::vector<Vector3d> movedCopy_mm_;        ///< in the reference's frame
+    std::vector<Eigen::Vector3f> direction_;    ///< in which each deviation is measured; empty along a meridian
+    double size_mm_ = 0;                        ///< of the reference
+    double reach_mm_ = 0;                       ///< points further away do not count
+    double facets_mm_ = 0;                      ///< sagitta of a mesh that is the reference of a body of revolution
+    LeftOut leftOut_;
+};
+
+/// Checks the parameters and compares.
+CompareResult compareWith(const Scan& reference, const Contour* drawn, const Scan& copy,
                           const CompareParameters& parameters, const Progress& progress, CompareDetail detail)
 {
     for (const Field<CompareParameters>& field : fields<CompareParameters>()) check(field.info, field.get(parameters));
     checkZones(parameters.zones);
-    const SurfacePoints reference_surface = surfaceOf(reference_scan, "reference", progress);
-    const SurfacePoints copy_surface = surfaceOf(copy_scan, "copy", progress);
-    const std::vector<Vector3d>& reference_points = *reference_surface.points;
-
-    CompareResult result;
-    result.parameters = parameters;
-    Plan plan = makePlan(reference_points, *copy_surface.points, parameters, result.notes, progress.part(0.02, 0.4));
-    result.method_used = plan.method;
-    const Progress aligning = progress.part(0.4, 0.5, LT_TEXT("Engine", "Alignment"));
-    std::optional<GeneralReference> prepared;
-    if (plan.method == CompareMethod::Revolution) {
-        ShoulderPair shoulders =
-            findShoulders(reference_points, plan.reference.fit, *copy_surface.points, plan.copy.fit, aligning);
-        plan.reference.shoulders = std::move(shoulders.reference);
-        plan.copy.shoulders = std::move(shoulders.copy);
-        plan.reference.ends = std::move(shoulders.reference_ends);
-        plan.copy.ends = std::move(shoulders.copy_ends);
-        result.alignment = alignRevolution(plan.reference, plan.copy, parameters.initial);
-        if (!result.alignment.converged)
-            throw Error(errors::notConverged,
-                        {{"iterations", std::int64_t{result.alignment.iterations}}, {"role", std::string("copy")}});
-    } else {
-        prepared = drawn ? prepareReference(reference_scan, *drawn, aligning.part(0, 0.4))
-                         : prepareReference(reference_scan, aligning.part(0, 0.4));
-        result.alignment = alignGeneral(*prepared, copy_scan, plan.method, parameters.initial, aligning.part(0.4, 1));
-        if (plan.reference_turned) {
-            plan.reference.shoulders =
-                findShoulders(reference_points, plan.reference.fit, reference_points, plan.reference.fit, aligning)
-                    .reference;
-            result.alignment.reference_axis = axisOf(plan.reference.fit);
-        }
-    }
-    result.notes.insert(result.notes.end(), result.alignment.notes.begin(), result.alignment.notes.end());
-    const std::size_t notes_before = result.notes.size();
-    if (!plan.reference_turned) refuseAlongAxis(parameters);
-
-    const Progress measuring = progress.part(0.5, 0.75, LT_TEXT("Engine", "Deviations"));
-    const std::vector<Vector3d> moved_copy =
-        movedPoints(copy_scan.points_mm, result.alignment.reference_T_copy, measuring);
-    std::optional<MeridianLine> line;
-    if (plan.reference_turned) line.emplace(plan.reference, reference_points, measuring);
-    const double size_mm = robustSize_mm(reference_points);
-    const double noise_mm = plan.method == CompareMethod::Revolution
-                                ? std::max(plan.reference.fit.sigma_mm, plan.copy.fit.sigma_mm)
-                                : prepared->surface->scatter_mm();
-    double reach_mm = parameters.max_distance_mm.value_or(defaultReach_mm(size_mm, noise_mm));
-    std::vector<Eigen::Vector3f> direction;
-    const auto remeasure = [&](const Progress& own) {
-        if (drawn) return measureDrawn(*drawn, moved_copy, reach_mm, result, direction, own);
-        measureDeviations(reference_scan, prepared ? &*prepared : nullptr, plan, line ? &*line : nullptr, moved_copy,
-                          reach_mm, result, direction, own);
-    };
-    remeasure(measuring.part(0, 0.8));
-    // The scatter of a general part is known only after the first deviations; the reach is adapted to it.
-    for (int i = 0; i < 3 && plan.method != CompareMethod::Revolution && !parameters.max_distance_mm; ++i) {
-        const double reach = defaultReach_mm(size_mm, noise_mm, scatterOf(finiteOf(result.deviation_mm)));
-        if (reach < 1.05 * reach_mm) break;
-        reach_mm = reach;
-        result.notes.erase(result.notes.begin() + static_cast<std::ptrdiff_t>(notes_before), result.notes.end());
-        remeasure(measuring.part(0.8, 1));
-    }
-    const double facets_mm = line && !drawn && reference_scan.isMesh()
-                                 ? largestSagitta_mm(reference_scan, plan.reference.fit.axis_T_scan, measuring)
-                                 : 0;
-    if (plan.reference_turned && !drawn)
-        noteCoarseFacets(reference_scan, "reference", plan.reference.fit, size_mm, result.notes, measuring);
-    if (plan.method == CompareMethod::Revolution)
-        noteCoarseFacets(copy_scan, "copy", plan.copy.fit, size_mm, result.notes, measuring);
-    LeftOut left_out;
-    result.used.resize(moved_copy.size());
-    for (std::size_t i = 0; i < moved_copy.size(); ++i) {
-        result.used[i] = std::isnan(result.deviation_mm[i]) ? 0 : 1;
-        left_out.far += result.used[i] ? 0 : 1;
-    }
-    if (line) left_out.zones = excludeZones(plan.reference, *line, moved_copy, result, measuring);
-    // A scan compared with itself: single points keep their deviation, local means are 0.
-    const bool is_same = reference_scan.points_mm == copy_scan.points_mm;
-    std::vector<float> own_noise;
-    if (is_same) {
-        result.notes.push_back({notes::samePoints, {}});
-        own_noise = result.deviation_mm;
-        for (float& deviation : result.deviation_mm)
-            if (!std::isnan(deviation)) deviation = 0;
-    }
-    const bool in_full = detail == CompareDetail::Full;
-    const auto judgeSurface = [&] {
-        SurfaceWindows windows =
-            line ? revolutionWindows(plan.reference, *line, moved_copy, result, facets_mm, measuring)
-                 : generalWindows(moved_copy, direction, result, measuring);
-        if (line && in_full) windows.automatic_zones_mm = automaticZones(plan.reference, *line);
-        result.windows = std::make_shared<const SurfaceWindows>(std::move(windows));
-        if (is_same) result.deviation_mm = std::move(own_noise);
-        summariseDeviations(result, left_out, reach_mm, detail, measuring);
-        if (line && in_full) describeRevolution(plan.reference, *line, moved_copy, result, measuring);
-    };
-    const auto measureClouds = [&] {
-        const CloudFigure clouds =
-            compareClouds(reference_points, moved_copy, result.used, reach_mm,
-                          progress.part(0.75, 1, LT_TEXT("Engine", "Distances from cloud to cloud")));
-        result.cloud_to_cloud_rmse_mm = clouds.rmse_mm;
-        result.cloud_to_cloud_rmse_error_mm = clouds.standard_error_mm;
-        result.sampling_floor_mm = clouds.sampling_floor_mm;
-    };
-    // In parallel: each has serial sections, and they are independent.
-    parallelFor(in_full ? 2 : 1, 1, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            if (i == 0)
-                judgeSurface();
-            else
-                measureClouds();
-    });
-    progress.report(1);
-    return result;
+    return Comparison(reference, drawn, copy, parameters, progress, detail).run();
 }
 
 }  // namespace

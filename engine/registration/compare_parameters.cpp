@@ -31,10 +31,13 @@ const std::vector<Field<ZoneLimits>>& fieldsOf(const ZoneLimits*)
     return all;
 }
 
-const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
+namespace {
+
+/// How the copy is aligned.
+std::vector<Field<CompareParameters>> alignmentFields()
 {
     using P = CompareParameters;
-    static const std::vector<Field<P>> all{
+    return {
         field("method", &P::method,
               {{"auto", LT_TEXT("Engine", "Automatic")},
                {"revolution", LT_TEXT("Engine", "Body of revolution")},
@@ -56,6 +59,14 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
                     LT_TEXT("Engine", "Automatic finds any pose; as scanned searches near the given one only."),
                     {},
                     true}),
+    };
+}
+
+/// Which limits hold, where, and which points count.
+std::vector<Field<CompareParameters>> verdictFields()
+{
+    using P = CompareParameters;
+    return {
         field("tolerance_mm", &P::tolerance_mm, Range{1e-6, 1000},
               Label{LT_TEXT("Engine", "Tolerance ±"), LT_TEXT("Engine", "Largest deviation allowed to either side."),
                     unit::mm}),
@@ -95,6 +106,18 @@ const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
                     LT_TEXT("Engine", "Clamping areas along the axis, counted from the reference's first data."),
                     unit::mm, true}),
     };
+}
+
+}  // namespace
+
+const std::vector<Field<CompareParameters>>& fieldsOf(const CompareParameters*)
+{
+    static const std::vector<Field<CompareParameters>> all = [] {
+        std::vector<Field<CompareParameters>> fields = alignmentFields();
+        const std::vector<Field<CompareParameters>> of_verdict = verdictFields();
+        fields.insert(fields.end(), of_verdict.begin(), of_verdict.end());
+        return fields;
+    }();
     return all;
 }
 

@@ -69,6 +69,22 @@ void addZones(report::Plot& plot, const CompareParameters& parameters)
     }
 }
 
+/// Radii that the magnified meridian shows. Single bins at shoulders may exceed the range: they would compress all
+/// other values.
+std::optional<Interval> meridianRange(const CompareResult& result, double factor)
+{
+    const Meridian& meridian = *result.meridian;
+    double ordinary_mm = 1.3 * quantileOfSize(meridian.deviation_mm, ordinaryShare);
+    if (const auto& tolerance_mm = result.parameters.tolerance_mm)  // shown unless it is much larger than the error
+        ordinary_mm = std::max(ordinary_mm, std::min(1.1 * *tolerance_mm, 4 * ordinary_mm));
+    Interval shown{HUGE_VAL, -HUGE_VAL};
+    for (const double radius : meridian.reference_radius_mm)
+        if (std::isfinite(radius)) shown = {std::min(shown.from, radius), std::max(shown.to, radius)};
+    const double air_mm = factor * ordinary_mm + 0.05 * (shown.to - shown.from);
+    if (!(shown.from <= shown.to)) return std::nullopt;
+    return Interval{shown.from - air_mm, shown.to + air_mm};
+}
+
 /// Histogram of the shares of each point's limits; the outermost bars hold what lies beyond.
 report::Plot shareHistogram(const CompareResult& result)
 {
@@ -300,15 +316,7 @@ report::Plot magnifiedMeridian(const CompareResult& result, const Language& lang
         plot.regions.push_back(report::stretch(plot.regions.empty() ? LT_TEXT("Engine", "left out") : Text{}, zone,
                                                report::ColourRole::Neutral));
 
-    // Single bins at shoulders may exceed the range: they would compress all other values.
-    double ordinary_mm = 1.3 * quantileOfSize(meridian.deviation_mm, ordinaryShare);
-    if (tolerance_mm)  // the band is shown unless it is much larger than the error
-        ordinary_mm = std::max(ordinary_mm, std::min(1.1 * *tolerance_mm, 4 * ordinary_mm));
-    Interval shown{HUGE_VAL, -HUGE_VAL};
-    for (const double radius : radius_mm)
-        if (std::isfinite(radius)) shown = {std::min(shown.from, radius), std::max(shown.to, radius)};
-    const double air_mm = factor * ordinary_mm + 0.05 * (shown.to - shown.from);
-    if (shown.from <= shown.to) plot.y.range = Interval{shown.from - air_mm, shown.to + air_mm};
+    plot.y.range = meridianRange(result, factor);
     return plot;
 }
 

@@ -1,51 +1,44 @@
 #include "engine/registration/revolution/meridian_bins.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 
 #include "engine/core/statistics.h"
-#include "engine/core/units.h"
-#include "engine/registration/revolution/quick_turn.h"
+#include "engine/registration/revolution/meridian_walls.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr double edgeScatterRatio =
-    2.5;  // ratio of a bin's scatter to the median of the bins: above it the bin contains an edge
-constexpr double roughScatterRatio = 1.7;  // ratio to the scatter of the quiet bins: above it the bin is rough
-constexpr double leastFacePointShare =
-    0.02;  // of all points: a face with fewer adds more systematic error than information about the axis
-
-struct MeridianPoint {
-    double z;
-    double r;
+/// How the meridian is divided into bins, and which of them count (README, "Thresholds").
+struct MeridianBinThresholds {
+    std::size_t sample_points = 30;    ///< of the sample for each bin along the part, on average
+    int least_bins = 5;                ///< along the part
+    double grid_margin = 1e-9;         ///< of a step: the last point lies within the last bin
+    double least_points = 4;           ///< of a bin, for a median and a scatter
+    double least_share = 0.15;         ///< of the median over a wall's bins: with fewer points a bin does not count
+    double least_sigma_share = 1e-5;   ///< of the extent: least scatter, for exact meshes
+    double slope_noise_sigmas = 4;     ///< standard errors of a median: smaller rises from bin to bin are noise
+    double slope_change_share = 0.5;   ///< largest relative change of the rise from one side of a bin to the other
+    double edge_scatter_ratio = 2.5;   ///< to the median scatter of the bins: above it a bin contains an edge
+    double rough_scatter_ratio = 1.7;  ///< to the scatter of the quiet bins: above it a bin is rough
+    double quiet_quantile = 0.2;       ///< of the scatters of the bins: that of quiet ones
+    double quiet_margin = 1.1;         ///< the quantile times this has to be a third below the median
+    double quiet_bin_points = 20;      ///< least number of points of a bin for that quantile
+    std::size_t quiet_bins = 15;       ///< least number of bins for it
+    double least_face_share = 0.02;    ///< of all points: a face with fewer adds more systematic error than information
+    std::ptrdiff_t long_face_bins = 8;  ///< a longer run beside quiet bins may be rough
+    double rough_face_share = 0.2;      ///< of the run's length: with a larger scatter along the axis it is rough
 };
+constexpr MeridianBinThresholds binThresholds{};
 
-/// The points of each bin: those of bin b are items[first[b]] … items[first[b + 1] - 1].
-struct BinOrder {
-    std::vector<std::size_t> first;
-    std::vector<std::size_t> items;
-};
-
-template <class Key>
-BinOrder sortInto(std::size_t bins, std::size_t count, Key key)
+/// Least number of points with which a bin of a wall counts.
+double leastPointsOf(const BinOrder& sorted)
 {
-    BinOrder sorted;
-    sorted.first.assign(bins + 1, 0);
-    std::vector<int> keys(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        keys[i] = key(i);
-        if (keys[i] >= 0) ++sorted.first[static_cast<std::size_t>(keys[i]) + 1];
-    }
-    for (std::size_t b = 0; b < bins; ++b) sorted.first[b + 1] += sorted.first[b];
-    sorted.items.resize(sorted.first.back());
-    std::vector<std::size_t> place(sorted.first.begin(), sorted.first.end() - 1);
-    for (std::size_t i = 0; i < count; ++i)
-        if (keys[i] >= 0) sorted.items[place[static_cast<std::size_t>(keys[i])]++] = i;
-    return sorted;
+    std::vector<double> filled;
+    for (std::size_t b = 0; b + 1 < sorted.first.size(); ++b)
+        if (sorted.first[b + 1] > sorted.first[b])
+            filled.push_back(static_cast<double>(sorted.first[b + 1] - sorted.first[b]));
+    return std::max(binThresholds.least_points, binThresholds.least_share * upperMedianInPlace(filled));
 }
 
 /// Slopes from both neighbours where they agree on one; 0 elsewhere (an edge, a lone bin, or flat within the noise).
@@ -60,8 +53,9 @@ void slopesOf(MeridianBin* bins, int count, double step)
         if (before && after) {
             const double rise1 = bin.value - bins[i - 1].value;
             const double rise2 = bins[i + 1].value - bin.value;
-            const double noise = 4 * bin.sigma / std::sqrt(std::max(1.0, bin.points));
-            if (std::abs(rise1 - rise2) < noise + 0.5 * std::abs(rise1 + rise2) / 2 && std::abs(rise1 + rise2) > noise)
+            const double both = std::abs(rise1 + rise2);
+            const double noise = binThresholds.slope_noise_sigmas * bin.sigma / std::sqrt(std::max(1.0, bin.points));
+            if (std::abs(rise1 - rise2) < noise + binThresholds.slope_change_share * both / 2 && both > noise)
                 bin.slope = (rise1 + rise2) / (2 * step);
         }
         bin.cosine = 1 / std::sqrt(1 + bin.slope * bin.slope);
@@ -86,13 +80,12 @@ double typical(const std::vector<Scatter>& scatters)
 /// thread or a knurl); else 0. Bins with few points are left out: their scatter is too uncertain.
 double quiet(const std::vector<Scatter>& scatters, double middle)
 {
-    constexpr double leastBinPoints = 20;
     std::vector<double> values;
     for (const Scatter& s : scatters)
-        if (s.points >= leastBinPoints) values.push_back(s.sigma);
-    if (values.size() < 15) return 0;
-    const double fifth = quantileInPlace(values, 0.2);
-    return 1.1 * fifth < middle * 2 / 3 ? fifth : 0;
+        if (s.points >= binThresholds.quiet_bin_points) values.push_back(s.sigma);
+    if (values.size() < binThresholds.quiet_bins) return 0;
+    const double fifth = quantileInPlace(values, binThresholds.quiet_quantile);
+    return binThresholds.quiet_margin * fifth < middle * 2 / 3 ? fifth : 0;
 }
 
 /// Median and scatter of each bin; bins without enough points stay inactive.
@@ -133,183 +126,169 @@ std::vector<Scatter> fillBins(MeridianBin* bins, int count, double start, double
     return measure();
 }
 
-/// A scan that shows a bore and the outside: radii of one bin in two walls.
-/// The radius between them, NaN where there is one wall. A mark (the floor of a keyway) is no wall: its points lie
-/// where those of the other wall are absent. A shoulder is none either: its bins are few, a bore runs on.
-std::vector<double> findSplits(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
-                               const std::vector<MeridianPoint>& points, const BinOrder& by_z, double largest)
-{
-    constexpr double wallGap_mm = 0.4;
-    constexpr double sharedSectorShare = 0.55;
-    constexpr std::size_t longestStretchCount =
-        120;  // walls are sought in stretches longer than a bin, since a bore has few points
-    const std::size_t bins = by_z.first.size() - 1;
-    const std::size_t merged = (bins + longestStretchCount - 1) / longestStretchCount;
-    const std::size_t count = (bins + merged - 1) / merged;
-    std::vector<double> splits(count, notANumber);
-    std::vector<double> radii;
-    const auto scatterOf = [&](std::size_t from, std::size_t to) {  // of sorted radii
-        std::vector<double> off;
-        const double middle = radii[(from + to) / 2];
-        for (std::size_t k = from; k < to; ++k) off.push_back(std::abs(radii[k] - middle));
-        return madToSigma * upperMedianInPlace(off);
-    };
-    for (std::size_t b = 0; b < count; ++b) {
-        const std::size_t from = by_z.first[b * merged];
-        const std::size_t to = by_z.first[std::min(bins, (b + 1) * merged)];
-        radii.clear();
-        for (std::size_t k = from; k < to; ++k) radii.push_back(points[by_z.items[k]].r);
-        const std::size_t least = std::max<std::size_t>(6, radii.size() * 8 / 100);
-        if (radii.size() < 2 * least) continue;
-        const double gap = std::min(wallGap_mm, 0.05 * largest);
-        const auto [smallest, greatest] = std::minmax_element(radii.begin(), radii.end());
-        if (*greatest - *smallest < gap) continue;
-        std::sort(radii.begin(), radii.end());
-        for (std::size_t place = least; place + least <= radii.size(); ++place) {  // the innermost gap
-            const double wide = radii[place] - radii[place - 1];
-            if (wide < gap || wide < 8 * scatterOf(0, place)) continue;
-            const double split = (radii[place - 1] + radii[place]) / 2;
-            std::uint32_t inner = 0, outer = 0;
-            for (std::size_t k = from; k < to; ++k) {
-                const std::size_t i = by_z.items[k];
-                const Eigen::Vector3d p = axis_T_scan * sample[i];
-                const double turn = quickTurn(p.y(), p.x()) + 0.5;
-                (points[i].r < split ? inner : outer) |= 1u << std::min(31, static_cast<int>(turn * 32));
-            }
-            if (std::popcount(inner & outer) >= sharedSectorShare * std::popcount(inner)) {
-                splits[b] = split;
-                break;
-            }
+/// Makes the bins of a sample: grid, walls, then faces.
+class BinMaker {
+public:
+    BinMaker(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count)
+        : places_(meridianSampleOf(sample, axis_T_scan))
+    {
+        layOut(count);
+        byZ_ = sortInto(sides_, places_.points.size(), [&](std::size_t i) { return sideOf(i); });
+        result_.split_mm = findSplits(sample, axis_T_scan, places_, byZ_);
+        bored_ = std::any_of(result_.split_mm.begin(), result_.split_mm.end(), [](double s) { return s == s; });
+        if (!bored_) result_.split_mm.clear();
+    }
+
+    MeridianBins make()
+    {
+        leaveOutRough(fillWalls());
+        const int faces = findFaces();
+        const std::size_t walls = result_.bins.size();
+        result_.bins.resize(walls + static_cast<std::size_t>(faces * result_.face_columns));
+        for (int f = 0; f < faces; ++f)
+            fillFace(f, result_.bins.data() + walls + static_cast<std::size_t>(f * result_.face_columns));
+        return std::move(result_);
+    }
+
+private:
+    int sideOf(std::size_t i) const
+    {
+        return std::min(result_.side_count - 1,
+                        static_cast<int>((places_.points[i].z - places_.low_mm) / result_.step_mm));
+    }
+    bool isInBore(std::size_t i) const
+    {
+        return bored_ && places_.points[i].r < result_.split_mm[static_cast<std::size_t>(sideOf(i))];
+    }
+    auto axialPlace() const
+    {
+        return [this](std::size_t i) { return places_.points[i].z; };
+    }
+    auto radius() const
+    {
+        return [this](std::size_t i) { return places_.points[i].r; };
+    }
+    std::size_t pointsOnSide(std::size_t bin) const { return byZ_.first[bin + 1] - byZ_.first[bin]; }
+
+    /// The grid of bins, for a wished number along the part.
+    void layOut(int count)
+    {
+        count = std::clamp(static_cast<int>(places_.points.size() / binThresholds.sample_points),
+                           binThresholds.least_bins, count);
+        const double length_mm = places_.high_mm - places_.low_mm;
+        const double extent_mm = std::max(length_mm, places_.largest_mm);
+        result_.step_mm = extent_mm / count * (1 + binThresholds.grid_margin);
+        result_.z_start_mm = places_.low_mm;
+        result_.size_mm = extent_mm / 2;
+        result_.largest_mm = places_.largest_mm;
+        result_.side_count = static_cast<int>(length_mm / result_.step_mm) + 1;
+        result_.face_columns = static_cast<int>(places_.largest_mm / result_.step_mm) + 1;
+        sides_ = static_cast<std::size_t>(result_.side_count);
+        leastSigma_mm_ = binThresholds.least_sigma_share * extent_mm;
+    }
+
+    /// The bins of the side and of the bore; gives their scatters.
+    std::vector<Scatter> fillWalls()
+    {
+        const auto wall = [&](MeridianBin* bins, const BinOrder& sorted, double least_points) {
+            return fillBins(bins, result_.side_count, places_.low_mm, result_.step_mm, sorted, axialPlace(), radius(),
+                            least_points);
+        };
+        const auto sorted = [&](bool of_bore) {
+            return sortInto(sides_, places_.points.size(),
+                            [&, of_bore](std::size_t i) { return isInBore(i) == of_bore ? sideOf(i) : -1; });
+        };
+        result_.wall_count = bored_ ? 2 * result_.side_count : result_.side_count;
+        result_.bins.resize(static_cast<std::size_t>(result_.wall_count));
+        if (bored_) byZ_ = sorted(false);
+        leastPoints_ = leastPointsOf(byZ_);
+        std::vector<Scatter> scatters = wall(result_.bins.data(), byZ_, leastPoints_);
+        if (bored_) {
+            const BinOrder bore = sorted(true);
+            const std::vector<Scatter> own = wall(result_.bins.data() + sides_, bore, leastPointsOf(bore));
+            scatters.insert(scatters.end(), own.begin(), own.end());
+        }
+        return scatters;
+    }
+
+    /// Bins of side and bore that scatter more than the others contain an edge or a face, or are rough.
+    void leaveOutRough(const std::vector<Scatter>& scatters)
+    {
+        const double middle = typical(scatters);
+        quiet_mm_ = quiet(scatters, middle);
+        result_.sigma_mm = std::max(leastSigma_mm_, quiet_mm_ > 0 ? quiet_mm_ : middle);
+        const double ratio = quiet_mm_ > 0 ? binThresholds.rough_scatter_ratio : binThresholds.edge_scatter_ratio;
+        const double most_scatter = ratio * result_.sigma_mm;
+        for (MeridianBin& bin : result_.bins) {
+            if (bin.active && bin.sigma > most_scatter) bin.active = false;
+            bin.sigma = result_.sigma_mm;
         }
     }
-    std::vector<double> kept(bins, notANumber);
-    for (std::size_t b = 0; b < count; ++b) {
-        if (std::isnan(splits[b])) continue;
-        int others = 0;
-        for (std::size_t k = b < 2 ? 0 : b - 2; k < std::min(count, b + 3); ++k)
-            if (k != b && !std::isnan(splits[k])) ++others;
-        if (others < 2) continue;
-        for (std::size_t k = b * merged; k < std::min(bins, (b + 1) * merged); ++k) kept[k] = splits[b];
+
+    /// Runs of side bins that do not count become faces where they have enough points. Gives the number of faces.
+    int findFaces()
+    {
+        result_.face_of.assign(sides_, -1);
+        std::vector<std::size_t> face_points;
+        for (std::size_t b = 0; b < sides_; ++b) {
+            if (result_.bins[b].active || static_cast<double>(pointsOnSide(b)) < leastPoints_ / 2) continue;
+            const bool goes_on = b > 0 && result_.face_of[b - 1] >= 0;
+            if (!goes_on) face_points.push_back(0);
+            result_.face_of[b] = static_cast<int>(face_points.size()) - 1;
+            face_points.back() += pointsOnSide(b);
+        }
+        std::vector<int> kept(face_points.size(), -1);
+        int faces = 0;
+        const double least_face = binThresholds.least_face_share * static_cast<double>(places_.points.size());
+        for (std::size_t f = 0; f < face_points.size(); ++f)
+            if (static_cast<double>(face_points[f]) > least_face) kept[f] = faces++;
+        for (int& face : result_.face_of)
+            if (face >= 0) face = kept[static_cast<std::size_t>(face)];
+        return faces;
     }
-    return kept;
-}
+
+    /// The bins of face `f`; none count where the run is rough: long, beside quiet bins, and with points anywhere along
+    /// it.
+    void fillFace(int f, MeridianBin* own)
+    {
+        const int columns = result_.face_columns;
+        const auto columnOf = [&](std::size_t i) {
+            const int column = static_cast<int>(places_.points[i].r / result_.step_mm);
+            const bool is_own =
+                !isInBore(i) && result_.face_of[static_cast<std::size_t>(sideOf(i))] == f && column < columns;
+            return is_own ? column : -1;
+        };
+        const BinOrder by_r = sortInto(static_cast<std::size_t>(columns), places_.points.size(), columnOf);
+        const double scatter =
+            std::max(leastSigma_mm_, typical(fillBins(own, columns, 0, result_.step_mm, by_r, radius(), axialPlace(),
+                                                      binThresholds.least_points)));
+        for (int c = 0; c < columns; ++c) {
+            if (own[c].sigma > binThresholds.edge_scatter_ratio * scatter) own[c].active = false;
+            own[c].sigma = scatter;
+        }
+        const auto length = std::count(result_.face_of.begin(), result_.face_of.end(), f);
+        if (quiet_mm_ > 0 && length > binThresholds.long_face_bins &&
+            scatter > binThresholds.rough_face_share * static_cast<double>(length) * result_.step_mm) {
+            for (int c = 0; c < columns; ++c) own[c].active = false;
+            std::replace(result_.face_of.begin(), result_.face_of.end(), f, -1);
+        }
+    }
+
+    MeridianSample places_;
+    MeridianBins result_;
+    BinOrder byZ_;  ///< points of the side
+    std::size_t sides_ = 0;
+    double leastPoints_ = 0;  ///< of a side bin that counts
+    double leastSigma_mm_ = 0;
+    double quiet_mm_ = 0;  ///< scatter of the quiet bins; 0: no rough zones
+    bool bored_ = false;
+};
 
 }  // namespace
 
 MeridianBins makeBins(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, int count)
 {
-    std::vector<MeridianPoint> points(sample.size());
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    std::vector<double> radii(sample.size());
-    for (std::size_t i = 0; i < sample.size(); ++i) {
-        const Eigen::Vector3d p = axis_T_scan * sample[i];
-        points[i] = {p.z(), p.head<2>().norm()};
-        radii[i] = points[i].r;
-        low = std::min(low, p.z());
-        high = std::max(high, p.z());
-    }
-    const double largest = quantileInPlace(radii, 0.99);
-
-    MeridianBins result;
-    count = std::clamp(static_cast<int>(sample.size() / 30), 5, count);
-    const double extent = std::max(high - low, largest);
-    result.step_mm = extent / count * (1 + 1e-9);
-    result.z_start_mm = low;
-    result.size_mm = extent / 2;
-    result.largest_mm = largest;
-    result.side_count = static_cast<int>((high - low) / result.step_mm) + 1;
-    result.face_columns = static_cast<int>(largest / result.step_mm) + 1;
-    const auto sides = static_cast<std::size_t>(result.side_count);
-    const auto sideOf = [&](std::size_t i) {
-        return std::min(result.side_count - 1, static_cast<int>((points[i].z - low) / result.step_mm));
-    };
-    BinOrder by_z = sortInto(sides, points.size(), sideOf);
-    result.split_mm = findSplits(sample, axis_T_scan, points, by_z, largest);
-    const bool bored = std::any_of(result.split_mm.begin(), result.split_mm.end(), [](double s) { return s == s; });
-    if (!bored) result.split_mm.clear();
-    const auto inBore = [&](std::size_t i) {
-        return bored && points[i].r < result.split_mm[static_cast<std::size_t>(sideOf(i))];
-    };
-    result.wall_count = bored ? 2 * result.side_count : result.side_count;
-    result.bins.resize(static_cast<std::size_t>(result.wall_count));
-    if (bored) by_z = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? -1 : sideOf(i); });
-    std::vector<double> filled;
-    for (std::size_t b = 0; b < sides; ++b)
-        if (by_z.first[b + 1] > by_z.first[b]) filled.push_back(static_cast<double>(by_z.first[b + 1] - by_z.first[b]));
-    const auto z_of = [&](std::size_t i) { return points[i].z; };
-    const auto r_of = [&](std::size_t i) { return points[i].r; };
-    const double least = std::max(4.0, 0.15 * upperMedianInPlace(filled));
-    const double floor = 1e-5 * extent;  // lower bound of the scatter, for exact meshes
-    std::vector<Scatter> scatters =
-        fillBins(result.bins.data(), result.side_count, low, result.step_mm, by_z, z_of, r_of, least);
-    if (bored) {
-        const BinOrder bore = sortInto(sides, points.size(), [&](std::size_t i) { return inBore(i) ? sideOf(i) : -1; });
-        std::vector<double> own_filled;
-        for (std::size_t b = 0; b < sides; ++b)
-            if (bore.first[b + 1] > bore.first[b])
-                own_filled.push_back(static_cast<double>(bore.first[b + 1] - bore.first[b]));
-        const double own_least = std::max(4.0, 0.15 * upperMedianInPlace(own_filled));
-        const std::vector<Scatter> own =
-            fillBins(result.bins.data() + sides, result.side_count, low, result.step_mm, bore, z_of, r_of, own_least);
-        scatters.insert(scatters.end(), own.begin(), own.end());
-    }
-    const double middle = typical(scatters);
-    const double calm = quiet(scatters, middle);
-    result.sigma_mm = std::max(floor, calm > 0 ? calm : middle);
-    const double most_scatter = (calm > 0 ? roughScatterRatio : edgeScatterRatio) * result.sigma_mm;
-    for (std::size_t b = sides; b < result.bins.size(); ++b) {
-        MeridianBin& bin = result.bins[b];
-        if (bin.active && bin.sigma > most_scatter) bin.active = false;
-        bin.sigma = result.sigma_mm;
-    }
-
-    // Bins with more scatter than the others contain an edge or a face; runs of them become faces.
-    result.face_of.assign(sides, -1);
-    std::vector<std::size_t> face_points;
-    for (std::size_t b = 0; b < sides; ++b) {
-        MeridianBin& bin = result.bins[b];
-        if (bin.active && bin.sigma > most_scatter) bin.active = false;
-        bin.sigma = result.sigma_mm;
-        if (bin.active || static_cast<double>(by_z.first[b + 1] - by_z.first[b]) < least / 2) continue;
-        const bool goes_on = b > 0 && result.face_of[b - 1] >= 0;
-        if (!goes_on) face_points.push_back(0);
-        result.face_of[b] = static_cast<int>(face_points.size()) - 1;
-        face_points.back() += by_z.first[b + 1] - by_z.first[b];
-    }
-    std::vector<int> kept(face_points.size(), -1);
-    int faces = 0;
-    for (std::size_t f = 0; f < face_points.size(); ++f)
-        if (static_cast<double>(face_points[f]) > leastFacePointShare * static_cast<double>(points.size()))
-            kept[f] = faces++;
-    for (int& face : result.face_of)
-        if (face >= 0) face = kept[static_cast<std::size_t>(face)];
-    const std::size_t walls = result.bins.size();
-    result.bins.resize(walls + static_cast<std::size_t>(faces * result.face_columns));
-    for (int f = 0; f < faces; ++f) {
-        MeridianBin* own = result.bins.data() + walls + static_cast<std::size_t>(f * result.face_columns);
-        const BinOrder by_r =
-            sortInto(static_cast<std::size_t>(result.face_columns), points.size(), [&](std::size_t i) {
-                const int column = static_cast<int>(points[i].r / result.step_mm);
-                return !inBore(i) && result.face_of[static_cast<std::size_t>(sideOf(i))] == f &&
-                               column < result.face_columns
-                           ? column
-                           : -1;
-            });
-        const double scatter =
-            std::max(floor, typical(fillBins(own, result.face_columns, 0, result.step_mm, by_r, r_of, z_of, 4)));
-        for (int c = 0; c < result.face_columns; ++c) {
-            if (own[c].sigma > edgeScatterRatio * scatter) own[c].active = false;
-            own[c].sigma = scatter;
-        }
-        // A long run beside quiet bins whose points lie anywhere along it is rough, not a face.
-        const auto length = std::count(result.face_of.begin(), result.face_of.end(), f);
-        if (calm > 0 && length > 8 && scatter > 0.2 * static_cast<double>(length) * result.step_mm) {
-            for (int c = 0; c < result.face_columns; ++c) own[c].active = false;
-            std::replace(result.face_of.begin(), result.face_of.end(), f, -1);
-        }
-    }
-    return result;
+    return BinMaker(sample, axis_T_scan, count).make();
 }
 
 void refineSlopes(MeridianBins& bins)

@@ -6,33 +6,55 @@
 #include <optional>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
 #include "engine/core/units.h"
+#include "engine/registration/point_tasks.h"
 
 namespace lathelier::registration {
 namespace {
 
 using Eigen::Vector2d;
 
-constexpr double lowestFace_mm = 1.5;  // the spot smears a lower face over its whole height
-constexpr double sameFace_mm = 0.001;  // tolerance for the place where the face was sought
-
-/// An end face seen in the scan: its place and the inner radius down to which it is seen.
-struct EndFace {
-    double z;
-    double inner_radius;
+/// Where the line has faces and gaps (README, "Thresholds").
+struct MeridianLineThresholds {
+    double lowest_face_mm = 1.5;       ///< the spot smears a lower face over its whole height
+    double same_face_mm = 0.001;       ///< tolerance for the place where a face was sought
+    std::size_t end_points = 20;       ///< least number of points of an end face
+    double end_inside_steps = 1.5;     ///< of the profile, before its last known bin: an end face is sought from there
+    double end_outside_steps = 6;      ///< and up to there behind it
+    double end_reach_sigmas = 4;       ///< the same in the scatter, where noise is wider than the bins
+    double end_below_sigmas = 8;       ///< points of an end face lie that much below the radius beside it
+    double end_inner_quantile = 0.05;  ///< of the radii of its points: down to there an end face is seen
+    std::size_t bore_clearance_bins = 3;  ///< beside a bin of the bore, in which the outside may be further away
+    double largest_place = 1e9;           ///< in bins: a point further away has no deviation
 };
+constexpr MeridianLineThresholds lineThresholds{};
 
-/// Points beyond the last known bin and clearly inside its radius lie on the end face.
-std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& axis_T_scan,
-                                   double z_end, double radius, double sigma, double step, double sign,
-                                   const Progress& progress)
+/// Radius at z by the straight line through a known bin.
+double radiusFrom(const RadiusProfile& profile, std::size_t bin, double z)
 {
-    using Found = std::vector<Vector2d>;
-    // The noise along the axis may be wider than the bins.
-    const double inside = std::max(1.5 * step, 4 * sigma);
-    const double outside = std::max(6 * step, 4 * sigma);
+    return profile.radius_mm[bin] + profile.slope[bin] * (z - profile.middle_mm(bin));
+}
+
+/// The end face that the scan shows: points beyond the last known bin and clearly inside its radius lie on it. Its
+/// place and the radii between which it is seen; nullopt with too few points. `facing`: 1 for the end at the larger z,
+/// -1 for the other.
+std::optional<FaceCandidate> findEndFace(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                                         const RadiusProfile& profile, std::size_t last_bin, int facing,
+                                         const Progress& progress)
+{
+    struct Found {
+        std::vector<double> z, r;
+    };
+    const Eigen::Isometry3d& axis_T_scan = fit.axis_T_scan;
+    const double sign = facing;
+    const double z_end = profile.middle_mm(last_bin) + sign * profile.step_mm / 2;
+    const double most_r = profile.radius_mm[last_bin] - lineThresholds.end_below_sigmas * fit.sigma_mm;
+    const double noise = lineThresholds.end_reach_sigmas * fit.sigma_mm;
+    const double inside = std::max(lineThresholds.end_inside_steps * profile.step_mm, noise);
+    const double outside = std::max(lineThresholds.end_outside_steps * profile.step_mm, noise);
     Found found = parallelReduce(
-        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found{},
+        points.size(), largeTaskPoints(points.size()), progress, Found{},
         [&](std::size_t begin, std::size_t end) {
             Found part;
             for (std::size_t i = begin; i < end; ++i) {
@@ -40,106 +62,125 @@ std::optional<EndFace> findEndFace(const std::vector<Eigen::Vector3d>& points, c
                 const double beyond = (z - z_end) * sign;
                 if (beyond < -inside || beyond > outside) continue;
                 const double r = (axis_T_scan * points[i]).head<2>().norm();
-                if (r < radius - 8 * sigma) part.emplace_back(z, r);
+                if (!(r < most_r)) continue;
+                part.z.push_back(z);
+                part.r.push_back(r);
             }
             return part;
         },
         [](Found all, const Found& part) {
-            all.insert(all.end(), part.begin(), part.end());
+            all.z.insert(all.z.end(), part.z.begin(), part.z.end());
+            all.r.insert(all.r.end(), part.r.begin(), part.r.end());
             return all;
         });
-    if (found.size() < 20) return std::nullopt;
-    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-    std::nth_element(found.begin(), middle, found.end(),
-                     [](const Vector2d& a, const Vector2d& b) { return a.x() < b.x(); });
-    const double z = middle->x();
-    const auto inner = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 20);
-    std::nth_element(found.begin(), inner, found.end(),
-                     [](const Vector2d& a, const Vector2d& b) { return a.y() < b.y(); });
-    return EndFace{z, inner->y()};
+    if (found.z.size() < lineThresholds.end_points) return std::nullopt;
+    const double z = upperMedianInPlace(found.z);
+    const double inner = quantileInPlace(found.r, lineThresholds.end_inner_quantile);
+    return FaceCandidate{z, inner, radiusFrom(profile, last_bin, z), facing};
+}
+
+/// Rough zones are left out of the axis fit, but are part of the reference surface.
+RadiusProfile withRoughZones(const RevolutionFit& fit)
+{
+    RadiusProfile profile = fit.profile;
+    for (std::size_t i = 0; i < std::min(profile.size(), fit.rough_mm.size()); ++i)
+        if (std::isnan(profile.radius_mm[i]) && !std::isnan(fit.rough_mm[i])) {
+            profile.radius_mm[i] = fit.rough_mm[i];
+            profile.slope[i] = 0;
+        }
+    return profile;
+}
+
+std::vector<std::size_t> knownBins(const RadiusProfile& profile)
+{
+    std::vector<std::size_t> known;
+    for (std::size_t i = 0; i < profile.size(); ++i)
+        if (!std::isnan(profile.radius_mm[i])) known.push_back(i);
+    return known;
 }
 
 }  // namespace
 
 MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points, const Progress& progress)
-    : profile_(part.fit.profile)
+    : profile_(withRoughZones(part.fit))
 {
-    // Rough zones are left out of the axis fit, but are part of the reference surface.
-    for (std::size_t i = 0; i < std::min(profile_.size(), part.fit.rough_mm.size()); ++i)
-        if (std::isnan(profile_.radius_mm[i]) && !std::isnan(part.fit.rough_mm[i])) {
-            profile_.radius_mm[i] = part.fit.rough_mm[i];
-            profile_.slope[i] = 0;
-        }
-    const double step = profile_.step_mm;
-    std::vector<std::size_t> known;
-    for (std::size_t i = 0; i < profile_.size(); ++i)
-        if (!std::isnan(profile_.radius_mm[i])) known.push_back(i);
+    const std::vector<std::size_t> known = knownBins(profile_);
     if (known.empty()) return;
+    const Ends ends = measureAllFaces(part, points, known, progress);
+    clearance_ = clearanceOf(known, layOutside(part, known, ends));
+    binStart_ = zFirst_ - profile_.step_mm;
+    binStep_ = profile_.step_mm;
+    outside_ = indexOf(0, segments_.size());
+    if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
+}
 
-    // Vertices: the middles of the bins, interrupted by shoulders (a segment across the axis) and by gaps (the line
-    // ends).
-    std::vector<Vector2d> line;
-    std::vector<double> corners;  // z of everything that is not smooth side
-    const auto vertex = [&](std::size_t bin) { return Vector2d(profile_.middle_mm(bin), profile_.radius_mm[bin]); };
-    const auto at = [&](std::size_t bin, double z) {
-        return profile_.radius_mm[bin] + profile_.slope[bin] * (z - profile_.middle_mm(bin));
-    };
-    const auto endFace = [&](std::size_t bin, double sign) {
-        return findEndFace(points, part.fit.axis_T_scan, profile_.middle_mm(bin) + sign * step / 2,
-                           profile_.radius_mm[bin], part.fit.sigma_mm, step, sign, progress);
-    };
-    const auto first_face = endFace(known.front(), -1);
-    const auto last_face = endFace(known.back(), 1);
+/// Measures all faces; gives the end faces as far as they are seen.
+MeridianLine::Ends MeridianLine::measureAllFaces(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points,
+                                                 const std::vector<std::size_t>& known, const Progress& progress)
+{
+    const Ends ends{findEndFace(points, part.fit, profile_, known.front(), -1, progress),
+                    findEndFace(points, part.fit, profile_, known.back(), 1, progress)};
     std::vector<FaceCandidate> sought;
-    const auto seek = [&](double z, double inner, double outer, int facing) {
-        if (outer - inner >= lowestFace_mm) sought.push_back({z, inner, outer, facing});
+    const auto seek = [&](const FaceCandidate& face) {
+        if (face.outer_mm - face.inner_mm >= lineThresholds.lowest_face_mm) sought.push_back(face);
     };
-    if (first_face) seek(first_face->z, first_face->inner_radius, at(known.front(), first_face->z), -1);
+    if (ends.first) seek(*ends.first);
     for (const Shoulder& s : part.shoulders)
-        seek(s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing());
-    if (last_face) seek(last_face->z, last_face->inner_radius, at(known.back(), last_face->z), 1);
+        seek({s.z_mm, std::min(s.before_mm, s.after_mm), std::max(s.before_mm, s.after_mm), s.facing()});
+    if (ends.last) seek(*ends.last);
     faces_ = measureFaces(points, part.fit.axis_T_scan, profile_, sought, progress);
-    if (const auto& face = first_face) {
-        addFace(line, face->z, face->inner_radius, at(known.front(), face->z));
-        zFirst_ = face->z;
-    } else {
-        zFirst_ = profile_.middle_mm(known.front()) - step / 2;
+    return ends;
+}
+
+/// The line of the outside. Vertices: the middles of the bins, interrupted by shoulders (a segment across the axis) and
+/// by gaps (the line ends). Gives z of everything that is not smooth side, in order.
+std::vector<double> MeridianLine::layOutside(const TurnedPart& part, const std::vector<std::size_t>& known,
+                                             const Ends& ends)
+{
+    const double step = profile_.step_mm;
+    const auto at = [&](std::size_t bin, double z) { return radiusFrom(profile_, bin, z); };
+    std::vector<Vector2d> line;
+    zFirst_ = ends.first ? ends.first->z_mm : profile_.middle_mm(known.front()) - step / 2;
+    if (ends.first)
+        addFace(line, zFirst_, ends.first->inner_mm, ends.first->outer_mm);
+    else
         line.emplace_back(zFirst_, at(known.front(), zFirst_));
-    }
-    corners.push_back(zFirst_);
+    std::vector<double> corners{zFirst_};
     auto shoulder = part.shoulders.begin();
     for (std::size_t k = 0; k < known.size(); ++k) {
-        line.push_back(vertex(known[k]));
-        if (k + 1 == known.size()) break;
         const double z1 = profile_.middle_mm(known[k]);
+        line.emplace_back(z1, profile_.radius_mm[known[k]]);
+        if (k + 1 == known.size()) break;
         const double z2 = profile_.middle_mm(known[k + 1]);
         while (shoulder != part.shoulders.end() && shoulder->z_mm < z1) ++shoulder;
         if (shoulder != part.shoulders.end() && shoulder->z_mm <= z2) {
             addFace(line, shoulder->z_mm, at(known[k], shoulder->z_mm), at(known[k + 1], shoulder->z_mm));
             corners.push_back(shoulder->z_mm);
-        } else if (known[k + 1] - known[k] > 10) {
+        } else if (known[k + 1] - known[k] > longestShoulder_bins) {
             line.emplace_back(z1 + step / 2, at(known[k], z1 + step / 2));
             addPiece(line);
-            corners.push_back(z1);
-            corners.push_back(z2);
+            corners.insert(corners.end(), {z1, z2});
             line = {Vector2d(z2 - step / 2, at(known[k + 1], z2 - step / 2))};
         } else if (known[k + 1] - known[k] > 1) {
-            corners.push_back(z1);
-            corners.push_back(z2);
+            corners.insert(corners.end(), {z1, z2});
         }
     }
-    if (const auto& face = last_face) {
-        addFace(line, face->z, at(known.back(), face->z), face->inner_radius);
-        zLast_ = face->z;
-    } else {
-        zLast_ = profile_.middle_mm(known.back()) + step / 2;
+    zLast_ = ends.last ? ends.last->z_mm : profile_.middle_mm(known.back()) + step / 2;
+    if (ends.last)
+        addFace(line, zLast_, ends.last->outer_mm, ends.last->inner_mm);
+    else
         line.emplace_back(zLast_, at(known.back(), zLast_));
-    }
     corners.push_back(zLast_);
     addPiece(line);
-
     std::sort(corners.begin(), corners.end());
-    clearance_.assign(profile_.size(), 0);
+    return corners;
+}
+
+/// How far each known bin is from the nearest corner, less a step.
+std::vector<double> MeridianLine::clearanceOf(const std::vector<std::size_t>& known,
+                                              const std::vector<double>& corners) const
+{
+    std::vector<double> clearance(profile_.size(), 0);
     for (const std::size_t i : known) {
         if (i == 0 || i + 1 == profile_.size()) continue;  // an end face may lie beyond it, an inner one does not
         const double z = profile_.middle_mm(i);
@@ -147,20 +188,17 @@ MeridianLine::MeridianLine(const TurnedPart& part, const std::vector<Eigen::Vect
         double nearest = std::numeric_limits<double>::infinity();
         if (next != corners.end()) nearest = *next - z;
         if (next != corners.begin()) nearest = std::min(nearest, z - *(next - 1));
-        clearance_[i] = nearest - step;
+        clearance[i] = nearest - profile_.step_mm;
     }
-
-    binStart_ = zFirst_ - step;
-    binStep_ = step;
-    outside_ = indexOf(0, segments_.size());
-    if (part.fit.bore.size() == profile_.size()) addBore(part.fit.bore);
+    return clearance;
 }
 
 /// The segment across the axis, through the rings of the face where it is measured.
 void MeridianLine::addFace(std::vector<Vector2d>& line, double z, double from_radius, double to_radius) const
 {
-    const auto face = std::find_if(faces_.begin(), faces_.end(),
-                                   [&](const MeasuredFace& f) { return std::abs(f.sought_mm - z) < sameFace_mm; });
+    const auto face = std::find_if(faces_.begin(), faces_.end(), [&](const MeasuredFace& f) {
+        return std::abs(f.sought_mm - z) < lineThresholds.same_face_mm;
+    });
     if (face == faces_.end()) {
         line.emplace_back(z, from_radius);
         line.emplace_back(z, to_radius);
@@ -202,7 +240,7 @@ void MeridianLine::addBore(const RadiusProfile& bore)
     for (std::size_t i = bore.size(); i-- > 0;) {
         if (std::isnan(bore.radius_mm[i])) continue;
         const Vector2d here(bore.middle_mm(i), bore.radius_mm[i]);
-        if (before < bore.size() && before - i > 10) {
+        if (before < bore.size() && before - i > longestShoulder_bins) {
             addPiece(line);
             line.clear();
         } else if (before < bore.size() && std::abs(bore.radius_mm[before] - here.y()) > bore.step_mm) {
@@ -215,7 +253,8 @@ void MeridianLine::addBore(const RadiusProfile& bore)
         // Nearer to the bore than to the outside: the quick interpolation does not apply.
         if (!std::isnan(profile_.radius_mm[i])) {
             const double half = (profile_.radius_mm[i] - here.y()) / 2;
-            for (std::size_t k = i < 3 ? 0 : i - 3; k < std::min(clearance_.size(), i + 4); ++k)
+            constexpr std::size_t reach = lineThresholds.bore_clearance_bins;
+            for (std::size_t k = i < reach ? 0 : i - reach; k < std::min(clearance_.size(), i + reach + 1); ++k)
                 clearance_[k] = std::min(clearance_[k], half);
         }
     }
@@ -272,7 +311,7 @@ double MeridianLine::search(double z, double r, double reach) const
     const auto bins = static_cast<std::ptrdiff_t>(outside_.first.size());
     if (bins == 0) return notANumber;
     const double place = std::floor((z - binStart_) / binStep_);
-    if (!(std::abs(place) < 1e9)) return notANumber;
+    if (!(std::abs(place) < lineThresholds.largest_place)) return notANumber;
     const auto centre = std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(place), 0, bins - 1);
     double nearest = reach * reach;
     double signed_distance = notANumber;

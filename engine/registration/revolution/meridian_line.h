@@ -1,6 +1,7 @@
 // The meridian of a body of revolution as a polyline in the half plane (z, r), and signed distances to it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "engine/registration/revolution/measured_faces.h"
@@ -37,6 +38,14 @@ private:
     struct Index {
         std::vector<std::size_t> first, last;
     };
+    /// The end faces that the scan shows.
+    struct Ends {
+        std::optional<FaceCandidate> first, last;
+    };
+    Ends measureAllFaces(const TurnedPart& part, const std::vector<Eigen::Vector3d>& points,
+                         const std::vector<std::size_t>& known, const Progress& progress);
+    std::vector<double> layOutside(const TurnedPart& part, const std::vector<std::size_t>& known, const Ends& ends);
+    std::vector<double> clearanceOf(const std::vector<std::size_t>& known, const std::vector<double>& corners) const;
     void addPiece(const std::vector<Eigen::Vector2d>& line);
     void addBore(const RadiusProfile& bore);
     void addFace(std::vector<Eigen::Vector2d>& line, double z, double from_radius, double to_radius) const;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <cstddef>
+
+#include "engine/core/units.h"
 
 namespace lathelier::registration {
 
@@ -20,10 +22,17 @@ inline double quickTurn(double y, double x)
                       s * (-0.1420889944 +
                            s * (0.1065626393 +
                                 s * (-0.0752896400 + s * (0.0429096138 + s * (-0.0161657367 + s * 0.0028662257)))))));
-    double turn = q * series / (2 * std::numbers::pi);
+    double turn = q * series / turn_rad;
     if (b > a) turn = 0.25 - turn;
     if (x < 0) turn = 0.5 - turn;
     return y < 0 ? -turn : turn;
+}
+
+/// Which of `count` equal sectors about z the direction lies in; the first begins at half a turn from x.
+inline std::size_t sectorAbout(double y, double x, std::size_t count)
+{
+    const double turn = quickTurn(y, x) + 0.5;
+    return std::min(count - 1, static_cast<std::size_t>(turn * static_cast<double>(count)));
 }
 
 }  // namespace lathelier::registration

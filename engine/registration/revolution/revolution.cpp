@@ -17,14 +17,22 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double capShare = 0.02;              // of the largest radius: a larger difference of the radii counts as this
-constexpr double capSigmas = 6;                // the same in standard deviations of the scatter, where that is more
-constexpr double asGoodShare = 0.005;          // of the cap: alignments whose costs differ by less are equally good
-constexpr double possibleShare = 0.1;          // of the cap: of two whose costs differ by more, the dearer is wrong
-constexpr double differenceSigmas = 3;         // of the mean differences of two alignments, when not by chance
-constexpr double sameOverlap = 0.01;           // difference of two overlaps that is none
-constexpr double nearShare = 0.1;              // of the length: the reach of a search near the pose as scanned
-constexpr double leastOverlapAsScanned = 0.5;  // without a determined shift, for the pose as scanned to be kept
+/// When two alignments are equally good, and when the shift has settled (README, "Thresholds").
+struct AlignmentThresholds {
+    double cap_share = 0.02;         ///< of the largest radius: a larger difference of the radii counts as this;
+    double cap_sigmas = 6;           ///< the same in standard deviations of the scatter, where that is more
+    double as_good_share = 0.005;    ///< of the cap: alignments whose costs differ by less are equally good
+    double possible_share = 0.1;     ///< of the cap: of two whose costs differ by more, the costlier is wrong
+    double difference_sigmas = 3;    ///< of the mean differences of two alignments: by chance in 0.3 %
+    double same_overlap = 0.01;      ///< difference of two overlaps that is none
+    double near_share = 0.1;         ///< of the length: the reach of a search near the pose as scanned
+    double kept_overlap = 0.5;       ///< for the pose as scanned to be kept, without a determined shift
+    int most_iterations = 10;        ///< of the shift
+    double last_step_sigmas = 1e-6;  ///< standard uncertainties of the shift: a smaller step is the last,
+    double last_step_share = 1e-12;  ///< and so is one below this share of the length
+    double settled_sigmas = 0.01;    ///< a shift whose last step is smaller has settled
+};
+constexpr AlignmentThresholds alignmentThresholds{};
 
 /// The part with z reversed.
 TurnedPart reversedPart(const TurnedPart& part)
@@ -59,26 +67,27 @@ struct Settled {
 };
 
 Settled settle(const TurnedPart& reference, const TurnedPart& copy, const ShiftSearch& search, const ShiftMatch& start,
-               double home, double as_good_mm)
+               double initial_shift, double as_good_mm)
 {
-    constexpr int mostIterations = 10;
     Settled result;
     result.match = start;
-    for (bool done = false; !done && result.iterations < mostIterations;) {
+    for (bool done = false; !done && result.iterations < alignmentThresholds.most_iterations;) {
         ++result.iterations;
         const auto found = estimateAxialShift(reference, copy, result.match.shift);
         if (!found) {
             // Where the parts agree as they were scanned they stay there.
             result = {start, 0, false, true, result.iterations};
-            const ShiftMatch as_scanned = search.at(home);
-            if (as_scanned.overlap >= leastOverlapAsScanned &&
+            const ShiftMatch as_scanned = search.at(initial_shift);
+            if (as_scanned.overlap >= alignmentThresholds.kept_overlap &&
                 as_scanned.difference_mm < start.difference_mm + as_good_mm)
                 result.match = as_scanned;
             return result;
         }
         const double change = std::abs(found->shift - result.match.shift);
-        done = change < 1e-6 * std::sqrt(found->variance) || change < 1e-12 * lengthOf(reference.fit.profile);
-        result.is_settled = done || change < 0.01 * std::sqrt(found->variance);
+        const double sigma = std::sqrt(found->variance);
+        done = change < alignmentThresholds.last_step_sigmas * sigma ||
+               change < alignmentThresholds.last_step_share * lengthOf(reference.fit.profile);
+        result.is_settled = done || change < alignmentThresholds.settled_sigmas * sigma;
         result.match.shift = found->shift;
         result.variance = found->variance;
         result.is_determined = true;
@@ -87,84 +96,93 @@ Settled settle(const TurnedPart& reference, const TurnedPart& copy, const ShiftS
     return result;
 }
 
-/// A direction of the copy's axis with the best alignment in it.
-struct Way {
+/// An alignment of the copy in one direction of its axis.
+struct AlignmentCandidate {
     TurnedPart copy;
     double angle = 0;  ///< by which the copy is turned from its initial pose, rad
-    double off_home = 0;
+    double off_initial = 0;
     Settled settled;
 };
 
 /// Whether the radii of one alignment agree better than those of another, where the costs leave both possible.
 bool isSurelyBetter(const ShiftMatch& a, const ShiftMatch& b)
 {
-    const double noise_mm = differenceSigmas * std::hypot(a.difference_sigma_mm, b.difference_sigma_mm);
+    const double noise_mm =
+        alignmentThresholds.difference_sigmas * std::hypot(a.difference_sigma_mm, b.difference_sigma_mm);
     return a.difference_mm < b.difference_mm - noise_mm;
 }
 
 /// Where the cost leaves both possible, because one of them has a little more in common, the one whose radii agree
 /// better is right. A part that is symmetric end for end keeps the smaller rotation, one that fits at several shifts
 /// the smaller shift.
-bool isBetter(const Way& way, const Way& other, double cap_mm)
+bool isBetter(const AlignmentCandidate& candidate, const AlignmentCandidate& other, double cap_mm)
 {
-    const ShiftMatch& a = way.settled.match;
+    const ShiftMatch& a = candidate.settled.match;
     const ShiftMatch& b = other.settled.match;
-    const double dearer_mm = std::abs(a.cost - b.cost);
-    if (dearer_mm < possibleShare * cap_mm && (isSurelyBetter(a, b) || isSurelyBetter(b, a)))
+    const double cost_difference_mm = std::abs(a.cost - b.cost);
+    if (cost_difference_mm < alignmentThresholds.possible_share * cap_mm &&
+        (isSurelyBetter(a, b) || isSurelyBetter(b, a)))
         return isSurelyBetter(a, b);
-    if (dearer_mm >= asGoodShare * cap_mm) return a.cost < b.cost;
-    return way.angle != other.angle ? way.angle < other.angle : way.off_home < other.off_home;
+    if (cost_difference_mm >= alignmentThresholds.as_good_share * cap_mm) return a.cost < b.cost;
+    return candidate.angle != other.angle ? candidate.angle < other.angle : candidate.off_initial < other.off_initial;
 }
 
 /// Turned end for end the two fit as well, but other parts of them lie on each other: scans of a symmetric part that
-/// lost its ends. Which way is right, and so where along the axis, cannot be known.
-bool isAmbiguous(const Way& best, const Way& other, double cap_mm)
+/// lost its ends. Which direction is right, and so where along the axis, cannot be known.
+bool isAmbiguous(const AlignmentCandidate& best, const AlignmentCandidate& other, double cap_mm)
 {
     const ShiftMatch& a = best.settled.match;
     const ShiftMatch& b = other.settled.match;
-    return best.angle != other.angle && std::abs(a.cost - b.cost) < possibleShare * cap_mm && !isSurelyBetter(a, b) &&
-           std::abs(a.overlap - b.overlap) > sameOverlap;
+    return best.angle != other.angle && std::abs(a.cost - b.cost) < alignmentThresholds.possible_share * cap_mm &&
+           !isSurelyBetter(a, b) && std::abs(a.overlap - b.overlap) > alignmentThresholds.same_overlap;
+}
+
+/// The alignments of one direction from all starts that are worth while. `candidate`: the copy in that direction, with
+/// its angle.
+void addCandidates(const TurnedPart& reference, AlignmentCandidate candidate, InitialPose initial, double cap_mm,
+                   std::vector<AlignmentCandidate>& candidates)
+{
+    const RadiusProfile& ref = reference.fit.profile;
+    const RadiusProfile& own = candidate.copy.fit.profile;
+    // Where the copy's middle lies along the reference's axis in the initial pose.
+    const Vector3d middle = candidate.copy.fit.axis_T_scan.inverse() * Vector3d(0, 0, middleOf(own));
+    const double initial_shift = (reference.fit.axis_T_scan * middle).z() - middleOf(own);
+    const ShiftSearch search(reference, candidate.copy, cap_mm);
+    const auto starts =
+        initial == InitialPose::Identity
+            ? search.starts(initial_shift, alignmentThresholds.near_share * lengthOf(own), initial_shift)
+            : search.starts(middleOf(ref) - middleOf(own), (lengthOf(ref) + lengthOf(own)) / 2, initial_shift);
+    for (const ShiftMatch& start : starts) {
+        candidate.settled =
+            settle(reference, candidate.copy, search, start, initial_shift, alignmentThresholds.as_good_share * cap_mm);
+        candidate.off_initial = std::abs(candidate.settled.match.shift - initial_shift);
+        if (std::isfinite(candidate.settled.match.cost)) candidates.push_back(candidate);
+    }
 }
 
 /// The alignment with the least difference, of all starts in both directions.
-std::optional<Way> findBestWay(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial)
+std::optional<AlignmentCandidate> findBestCandidate(const TurnedPart& reference, const TurnedPart& copy,
+                                                    InitialPose initial)
 {
-    const RadiusProfile& ref = reference.fit.profile;
-    double largest = 0;
-    for (const double r : ref.radius_mm)
-        if (!std::isnan(r)) largest = std::max(largest, r);
-    const double cap_mm =
-        std::max(capShare * largest, capSigmas * std::hypot(reference.fit.sigma_mm, copy.fit.sigma_mm));
-    const double as_good_mm = asGoodShare * cap_mm;
-    std::vector<Way> ways;
+    const double noise_mm = std::hypot(reference.fit.sigma_mm, copy.fit.sigma_mm);
+    const double cap_mm = std::max(alignmentThresholds.cap_share * reference.fit.profile.largestRadius_mm(),
+                                   alignmentThresholds.cap_sigmas * noise_mm);
+    std::vector<AlignmentCandidate> candidates;
     for (const bool is_turned : {false, true}) {
-        Way way;
-        way.copy = is_turned ? reversedPart(copy) : copy;
-        const Isometry3d& frame = way.copy.fit.axis_T_scan;
-        const double cosine = (reference.fit.axis_T_scan.linear() * frame.linear().transpose())(2, 2);
+        AlignmentCandidate candidate;
+        candidate.copy = is_turned ? reversedPart(copy) : copy;
+        const double cosine =
+            (reference.fit.axis_T_scan.linear() * candidate.copy.fit.axis_T_scan.linear().transpose())(2, 2);
         if (initial == InitialPose::Identity && cosine < 0) continue;
-        way.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
-        // Where the copy's middle lies along the reference's axis in the initial pose.
-        const RadiusProfile& own = way.copy.fit.profile;
-        const Vector3d middle = frame.inverse() * Vector3d(0, 0, middleOf(own));
-        const double home = (reference.fit.axis_T_scan * middle).z() - middleOf(own);
-        const ShiftSearch search(reference, way.copy, cap_mm);
-        const bool is_near = initial == InitialPose::Identity;
-        const auto starts =
-            is_near ? search.starts(home, nearShare * lengthOf(own), home)
-                    : search.starts(middleOf(ref) - middleOf(own), (lengthOf(ref) + lengthOf(own)) / 2, home);
-        for (const ShiftMatch& start : starts) {
-            way.settled = settle(reference, way.copy, search, start, home, as_good_mm);
-            way.off_home = std::abs(way.settled.match.shift - home);
-            if (!std::isfinite(way.settled.match.cost)) continue;
-            ways.push_back(way);
-        }
+        candidate.angle = std::acos(std::clamp(cosine, -1.0, 1.0));
+        addCandidates(reference, std::move(candidate), initial, cap_mm, candidates);
     }
-    if (ways.empty()) return std::nullopt;
-    Way best = ways.front();
-    for (const Way& other : ways)
+    if (candidates.empty()) return std::nullopt;
+    AlignmentCandidate best = candidates.front();
+    for (const AlignmentCandidate& other : candidates)
         if (isBetter(other, best, cap_mm)) best = other;
-    if (std::any_of(ways.begin(), ways.end(), [&](const Way& other) { return isAmbiguous(best, other, cap_mm); }))
+    if (std::any_of(candidates.begin(), candidates.end(),
+                    [&](const AlignmentCandidate& other) { return isAmbiguous(best, other, cap_mm); }))
         best.settled.is_determined = false;
     return best;
 }
@@ -184,7 +202,7 @@ Axis axisOf(const RevolutionFit& fit)
 
 Alignment alignRevolution(const TurnedPart& reference, const TurnedPart& copy, InitialPose initial)
 {
-    const std::optional<Way> best = findBestWay(reference, copy, initial);
+    const std::optional<AlignmentCandidate> best = findBestCandidate(reference, copy, initial);
     if (!best) throw Error(errors::partsDoNotMatch, {{"overlap_percent", 0.0}});
 
     Alignment result;

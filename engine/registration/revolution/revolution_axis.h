@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "engine/core/progress.h"
@@ -20,7 +22,18 @@ struct RadiusProfile {
 
     double middle_mm(std::size_t bin) const { return z_start_mm + (static_cast<double>(bin) + 0.5) * step_mm; }
     std::size_t size() const { return radius_mm.size(); }
+    /// 0 without a known radius.
+    double largestRadius_mm() const
+    {
+        double largest = 0;
+        for (const double radius : radius_mm)
+            if (!std::isnan(radius)) largest = std::max(largest, radius);
+        return largest;
+    }
 };
+
+/// Known bins up to this far apart may have a shoulder between them; further apart there are no data between them.
+inline constexpr std::size_t longestShoulder_bins = 10;
 
 /// Why points are not those of a body of revolution.
 enum class NotTurned {

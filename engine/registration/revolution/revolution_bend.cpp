@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/core/statistics.h"
 
@@ -12,8 +13,26 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t bendSections = 24;
-constexpr std::size_t leastSectionPoints = 12;
+/// How the centres of the sections are found (README, "Thresholds").
+struct BendFitThresholds {
+    std::size_t sections = 24;         ///< over the length of the sides
+    std::size_t least_sections = 6;    ///< with a centre
+    double least_span = 1;             ///< from the first to the last of them, in halves of the length
+    int least_side_bins = 3;           ///< from the first to the last side bin
+    double rough_bin_points = 4;       ///< least number of points of a bin that a bend widens
+    double rough_scatter_share = 0.1;  ///< of the radius: largest scatter of such a bin
+    double steepest_slope = 0.3;       ///< dR/dz of a bin: beside an edge the fitted centre is biased
+    double reach_share = 0.15;         ///< of the radius: points with a larger residual are spurious, and so is a bow
+    std::size_t section_points = 12;   ///< least number for a circle
+    double tukey_sigmas = 6;           ///< where the weights reach 0; efficiency 99 %
+    int circle_rounds = 8;             ///< at most
+    int parabola_rounds = 10;
+    double settled_share = 0.01;      ///< of the standard error, and of the scatter: a smaller change has settled
+    double least_scale_share = 1e-9;  ///< of the reach: least scatter, for exact meshes
+};
+constexpr BendFitThresholds bendFit{};
+
+constexpr double rayleighMedian = 1.177;  // √(2 ln 2), in standard deviations of each coordinate
 
 struct SectionResidual {
     double cosine, sine, off;
@@ -29,12 +48,13 @@ struct Centre {
 /// Robust circle about the section's own centre: off = c + x cos + y sin.
 bool centreOf(const std::vector<SectionResidual>& section, double reach_mm, Centre& centre)
 {
-    if (section.size() < leastSectionPoints) return false;
+    if (section.size() < bendFit.section_points) return false;
+    constexpr double tukeySigmas = bendFit.tukey_sigmas;
     Vector3d value = Vector3d::Zero();
     double scale = reach_mm;
     Eigen::Matrix3d normal;
     std::vector<double> sizes;
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < bendFit.circle_rounds; ++round) {
         normal.setZero();
         Vector3d right = Vector3d::Zero();
         sizes.clear();
@@ -42,9 +62,8 @@ bool centreOf(const std::vector<SectionResidual>& section, double reach_mm, Cent
             const Vector3d j(1, r.cosine, r.sine);
             const double e = r.off - j.dot(value);
             sizes.push_back(std::abs(e));
-            const double u = e / scale;
-            if (!(u * u < 1)) continue;
-            const double w = (1 - u * u) * (1 - u * u);
+            const double w = tukeyWeight(e / scale);
+            if (w == 0) continue;
             normal += w * j * j.transpose();
             right += w * e * j;
         }
@@ -53,16 +72,115 @@ bool centreOf(const std::vector<SectionResidual>& section, double reach_mm, Cent
         value += change;
         const double middle = upperMedianInPlace(sizes);
         const double before = scale;
-        scale = std::clamp(6 * 1.4826 * middle, 1e-9 * reach_mm, reach_mm);
-        // Converged: another iteration would change less than a hundredth of the standard error.
-        const double error = scale / 6 / std::sqrt(static_cast<double>(section.size()));
-        if (change.norm() < 0.01 * error && std::abs(scale - before) < 0.01 * scale) break;
+        scale = std::clamp(tukeySigmas * madToSigma * middle, bendFit.least_scale_share * reach_mm, reach_mm);
+        const double error = scale / tukeySigmas / std::sqrt(static_cast<double>(section.size()));
+        if (change.norm() < bendFit.settled_share * error && std::abs(scale - before) < bendFit.settled_share * scale)
+            break;
     }
-    const Eigen::Matrix3d covariance = normal.inverse() * (scale * scale / 36);
+    const Eigen::Matrix3d covariance = normal.inverse() * (scale * scale / (tukeySigmas * tukeySigmas));
     centre.place = value.tail<2>();
-    centre.scatter = scale / 6;
+    centre.scatter = scale / tukeySigmas;
     centre.variance = (covariance(1, 1) + covariance(2, 2)) / 2;
     return std::isfinite(centre.variance) && centre.variance > 0 && centre.variance < reach_mm * reach_mm;
+}
+
+/// A strong bend spreads the radii of a bin, which therefore has weight 0 in the axis fit; it is used here.
+bool isSide(const MeridianBins& bins, std::size_t bin)
+{
+    const MeridianBin& b = bins.bins[bin];
+    return b.active || (b.points >= bendFit.rough_bin_points && bins.face_of[bin] < 0 &&
+                        b.own_mm < bendFit.rough_scatter_share * bins.largest_mm);
+}
+
+/// The sides from the first bin to the last.
+struct SideExtent {
+    double start_mm = 0;
+    double length_mm = 0;
+};
+
+/// nullopt: too short for a bend.
+std::optional<SideExtent> sideExtentOf(const MeridianBins& bins)
+{
+    int from = -1;
+    int to = 0;
+    for (int i = 0; i < bins.side_count; ++i) {
+        if (!isSide(bins, static_cast<std::size_t>(i))) continue;
+        if (from < 0) from = i;
+        to = i + 1;
+    }
+    if (to - from < bendFit.least_side_bins) return std::nullopt;
+    return SideExtent{bins.z_start_mm + from * bins.step_mm, (to - from) * bins.step_mm};
+}
+
+/// The residuals of the sides by section.
+std::vector<std::vector<SectionResidual>> sectionsOf(const std::vector<Vector3d>& sample,
+                                                     const Eigen::Isometry3d& axis_T_scan, const MeridianBins& bins,
+                                                     const SideExtent& extent, double reach_mm)
+{
+    const auto count = static_cast<double>(bendFit.sections);
+    std::vector<std::vector<SectionResidual>> sections(bendFit.sections);
+    for (const Vector3d& point : sample) {
+        const Vector3d p = axis_T_scan * point;
+        const double place = (p.z() - extent.start_mm) / extent.length_mm * count;
+        const double r = p.head<2>().norm();
+        if (!(place >= 0) || place >= count || r == 0) continue;
+        const auto side = static_cast<std::size_t>((p.z() - bins.z_start_mm) / bins.step_mm);
+        if (side >= static_cast<std::size_t>(bins.side_count)) continue;
+        const MeridianBin& bin = bins.bins[side];
+        if (!isSide(bins, side) || std::abs(bin.slope) > bendFit.steepest_slope) continue;
+        const double off = r - bin.value - bin.slope * (p.z() - bin.middle);
+        if (std::abs(off) < reach_mm) sections[static_cast<std::size_t>(place)].push_back({p.x() / r, p.y() / r, off});
+    }
+    return sections;
+}
+
+/// The centres that are found, by z from -1 to 1 over the extent.
+std::vector<Centre> centresOf(const std::vector<std::vector<SectionResidual>>& sections, double reach_mm)
+{
+    std::vector<Centre> centres;
+    const auto count = static_cast<double>(sections.size());
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        Centre centre{(2 * (static_cast<double>(k) + 0.5) / count - 1), Vector2d::Zero(), 1, 0};
+        if (centreOf(sections[k], reach_mm, centre)) centres.push_back(centre);
+    }
+    return centres;
+}
+
+/// Parabola through the centres: rows of `value` for 1, z and z², columns for x and y.
+struct CentreLine {
+    Eigen::Matrix<double, 3, 2> value = Eigen::Matrix<double, 3, 2>::Zero();
+    Eigen::Matrix3d normal;
+    double scatter = 1;  ///< of the centres, in their standard uncertainties; at least 1
+};
+
+/// Robust over the sections: an eccentric collar is no bend. nullopt: not determined.
+std::optional<CentreLine> centreLineOf(const std::vector<Centre>& centres)
+{
+    CentreLine line;
+    std::vector<double> weights(centres.size(), 1);
+    for (int round = 0; round < bendFit.parabola_rounds; ++round) {
+        line.normal.setZero();
+        Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
+        for (std::size_t k = 0; k < centres.size(); ++k) {
+            const Centre& c = centres[k];
+            const Vector3d j(1, c.z, c.z * c.z);
+            const double w = weights[k] / c.variance;
+            line.normal += w * j * j.transpose();
+            right += w * j * c.place.transpose();
+        }
+        line.value = line.normal.ldlt().solve(right);
+        if (!line.value.allFinite()) return std::nullopt;
+        std::vector<double> sizes;
+        for (const Centre& c : centres) {
+            const Vector2d off = c.place - line.value.transpose() * Vector3d(1, c.z, c.z * c.z);
+            sizes.push_back(off.norm() / std::sqrt(c.variance));
+        }
+        std::vector<double> sorted = sizes;
+        line.scatter = std::max(1.0, upperMedianInPlace(sorted) / rayleighMedian);
+        for (std::size_t k = 0; k < centres.size(); ++k)
+            weights[k] = tukeyWeight(sizes[k] / (bendFit.tukey_sigmas * line.scatter));
+    }
+    return line;
 }
 
 }  // namespace
@@ -79,88 +197,25 @@ Bend Bend::sum(const Bend& first, const Bend& rest)
 Bend findBend(const std::vector<Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan, const MeridianBins& bins)
 {
     Bend bend;
-    // A strong bend spreads the radii of a bin, which therefore has weight 0 in the axis fit; it is used here.
-    const auto isSide = [&](int i) {
-        const auto b = static_cast<std::size_t>(i);
-        return bins.bins[b].active ||
-               (bins.bins[b].points >= 4 && bins.face_of[b] < 0 && bins.bins[b].own_mm < 0.1 * bins.largest_mm);
-    };
-    int from = -1;
-    int to = 0;
-    for (int i = 0; i < bins.side_count; ++i) {
-        if (!isSide(i)) continue;
-        if (from < 0) from = i;
-        to = i + 1;
-    }
-    if (to - from < 3) return bend;
-    const double start = bins.z_start_mm + from * bins.step_mm;
-    const double length = (to - from) * bins.step_mm;
-    const double reach = 0.15 * bins.largest_mm;  // a larger bow is rejected as an outlier
-    std::vector<std::vector<SectionResidual>> sections(bendSections);
-    for (const Vector3d& point : sample) {
-        const Vector3d p = axis_T_scan * point;
-        const double place = (p.z() - start) / length * static_cast<double>(bendSections);
-        const double r = p.head<2>().norm();
-        if (!(place >= 0) || place >= static_cast<double>(bendSections) || r == 0) continue;
-        const auto side = static_cast<std::size_t>((p.z() - bins.z_start_mm) / bins.step_mm);
-        if (side >= static_cast<std::size_t>(bins.side_count)) continue;
-        const MeridianBin& bin = bins.bins[side];
-        if (!isSide(static_cast<int>(side)) || std::abs(bin.slope) > 0.3)
-            continue;  // beside an edge the fitted centre is biased
-        const double off = r - bin.value - bin.slope * (p.z() - bin.middle);
-        if (std::abs(off) < reach) sections[static_cast<std::size_t>(place)].push_back({p.x() / r, p.y() / r, off});
-    }
-    std::vector<Centre> centres;
-    for (std::size_t k = 0; k < bendSections; ++k) {
-        Centre centre{(2 * (static_cast<double>(k) + 0.5) / static_cast<double>(bendSections) - 1), Vector2d::Zero(), 1,
-                      0};
-        if (centreOf(sections[k], reach, centre)) centres.push_back(centre);
-    }
-    if (centres.size() < 6 || centres.back().z - centres.front().z < 1) return bend;
-
+    const std::optional<SideExtent> extent = sideExtentOf(bins);
+    if (!extent) return bend;
+    const double reach_mm = bendFit.reach_share * bins.largest_mm;
+    const std::vector<Centre> centres = centresOf(sectionsOf(sample, axis_T_scan, bins, *extent, reach_mm), reach_mm);
+    if (centres.size() < bendFit.least_sections || centres.back().z - centres.front().z < bendFit.least_span)
+        return bend;
     std::vector<double> scatters;
     scatters.reserve(centres.size());
     for (const Centre& centre : centres) scatters.push_back(centre.scatter);
-    const double usual = upperMedianInPlace(scatters);
-    bend.scatter_mm = usual;
-
-    // Robust over the sections: an eccentric collar is no bend.
-    Eigen::Matrix3d normal;
-    Eigen::Matrix<double, 3, 2> value = Eigen::Matrix<double, 3, 2>::Zero();
-    std::vector<double> weights(centres.size(), 1);
-    double scatter = 1;
-    for (int round = 0; round < 10; ++round) {
-        normal.setZero();
-        Eigen::Matrix<double, 3, 2> right = Eigen::Matrix<double, 3, 2>::Zero();
-        for (std::size_t k = 0; k < centres.size(); ++k) {
-            const Centre& c = centres[k];
-            const Vector3d j(1, c.z, c.z * c.z);
-            const double w = weights[k] / c.variance;
-            normal += w * j * j.transpose();
-            right += w * j * c.place.transpose();
-        }
-        value = normal.ldlt().solve(right);
-        if (!value.allFinite()) return bend;
-        std::vector<double> sizes;
-        for (const Centre& c : centres) {
-            const Vector2d off = c.place - value.transpose() * Vector3d(1, c.z, c.z * c.z);
-            sizes.push_back(off.norm() / std::sqrt(c.variance));
-        }
-        std::vector<double> sorted = sizes;
-        const double middle = upperMedianInPlace(sorted);
-        scatter = std::max(1.0, middle / 1.177);  // the median of a Rayleigh distribution
-        for (std::size_t k = 0; k < centres.size(); ++k) {
-            const double u = sizes[k] / (6 * scatter);
-            weights[k] = u < 1 ? (1 - u * u) * (1 - u * u) : 0;
-        }
-    }
-    const Eigen::Matrix3d covariance = normal.inverse();
-    const Vector3d in_frame(value(2, 0), value(2, 1), 0);
+    bend.scatter_mm = upperMedianInPlace(scatters);
+    const std::optional<CentreLine> line = centreLineOf(centres);
+    if (!line) return bend;
+    const Eigen::Matrix3d covariance = line->normal.inverse();
+    const Vector3d in_frame(line->value(2, 0), line->value(2, 1), 0);
     bend.along = axis_T_scan.linear().row(2);
-    bend.half_mm = length / 2;
-    bend.middle_mm = start + length / 2 - axis_T_scan.translation().z();
+    bend.half_mm = extent->length_mm / 2;
+    bend.middle_mm = extent->start_mm + extent->length_mm / 2 - axis_T_scan.translation().z();
     bend.bow_mm = axis_T_scan.linear().transpose() * in_frame;
-    bend.sigma_mm = scatter * std::sqrt(std::max(0.0, covariance(2, 2)));
+    bend.sigma_mm = line->scatter * std::sqrt(std::max(0.0, covariance(2, 2)));
     return bend;
 }
 

@@ -8,6 +8,15 @@
 
 namespace lathelier::registration {
 
+/// When a bend is seen, and when a part is no body of revolution any more (README, "Thresholds").
+struct BendThresholds {
+    double seen_sigmas = 3;     ///< standard uncertainties: a smaller bow may be noise
+    double seen_mm = 0.02;      ///< a smaller bow is not subtracted
+    double largest_mm = 1;      ///< a larger bow is a bent part
+    double largest_part = 200;  ///< the same for a bow above this part (1 / n) of the length
+};
+inline constexpr BendThresholds bendThresholds{};
+
 /// The curve of the section centres, a parabola over the length; its least-squares line is the axis.
 struct Bend {
     Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
@@ -20,9 +29,16 @@ struct Bend {
     double size_mm() const { return bow_mm.norm(); }
     double length_mm() const { return 2 * half_mm; }
     /// More than its uncertainty (3 sigma) and 20 µm.
-    bool isSeen() const { return size_mm() > 3 * sigma_mm && size_mm() > 0.02; }
+    bool isSeen() const
+    {
+        return size_mm() > bendThresholds.seen_sigmas * sigma_mm && size_mm() > bendThresholds.seen_mm;
+    }
     /// More than 1 mm or a 200th of the length: no body of revolution any more.
-    bool isLarge() const { return isSeen() && (size_mm() > 1 || size_mm() > length_mm() / 200); }
+    bool isLarge() const
+    {
+        return isSeen() &&
+               (size_mm() > bendThresholds.largest_mm || size_mm() > length_mm() / bendThresholds.largest_part);
+    }
 
     Eigen::Vector3d straightened(const Eigen::Vector3d& point) const
     {

@@ -5,10 +5,26 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/units.h"
+#include "engine/registration/point_tasks.h"
 #include "engine/registration/revolution/quick_turn.h"
 
 namespace lathelier::registration {
 namespace {
+
+/// Size of the unrolled map (README, "Thresholds").
+struct MapThresholds {
+    std::size_t many_points = 100000;  ///< scans with more have the finer map
+    int columns = 48;                  ///< of the map, around the axis
+    int fine_columns = 120;
+    double rows_per_column = 2;  ///< cells are so many times as long around the axis as along it
+    int least_rows = 10;
+    int most_rows = 400;
+};
+constexpr MapThresholds mapThresholds{};
+
+constexpr std::size_t pointsPerZoneTask = 65536;
+constexpr std::size_t pointsPerMapTask = 32768;  // at least, and an eighth of all points: the sums of a task are large
+constexpr std::size_t mostMapTasks = 8;
 
 struct Moments {
     double n = 0;
@@ -34,6 +50,29 @@ struct Moments {
     }
 };
 
+/// The sums of the deviations by bin of the profile and by cell of the map.
+struct MapSums {
+    std::vector<Moments> bins, cells;
+
+    void add(const MapSums& other)
+    {
+        for (std::size_t i = 0; i < bins.size(); ++i) bins[i].add(other.bins[i]);
+        for (std::size_t i = 0; i < cells.size(); ++i) cells[i].add(other.cells[i]);
+    }
+};
+
+/// An empty map of a part of this length and largest radius.
+UnrolledMap mapFor(std::size_t points, double length_mm, double radius_mm)
+{
+    UnrolledMap map;
+    map.angle_count = points > mapThresholds.many_points ? mapThresholds.fine_columns : mapThresholds.columns;
+    const double cell_mm = turn_rad * radius_mm / map.angle_count;
+    map.z_count = std::clamp(static_cast<int>(length_mm / cell_mm * mapThresholds.rows_per_column),
+                             mapThresholds.least_rows, mapThresholds.most_rows);
+    map.z_step_mm = length_mm / map.z_count;
+    return map;
+}
+
 /// Zones, meridian and map are those of the outside.
 bool isOnBore(const RevolutionFit& fit, std::size_t bin, double r)
 {
@@ -42,76 +81,17 @@ bool isOnBore(const RevolutionFit& fit, std::size_t bin, double r)
     return !std::isnan(bore) && !(r > (bore + fit.profile.radius_mm[bin]) / 2);
 }
 
-}  // namespace
-
-std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
-                                     const std::vector<Eigen::Vector3d>& points, double max_distance_mm,
-                                     const Progress& progress)
-{
-    std::vector<float> deviations(points.size());
-    parallelFor(points.size(), 16384, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
-            const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
-            deviations[i] = static_cast<float>(line.deviation_mm(p.z(), r, max_distance_mm));
-        }
-    });
-    return deviations;
-}
-
-std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
-                          const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
-{
-    std::vector<Interval> zones = result.parameters.exclude_z_mm;
-    if (zones.empty()) return 0;
-    for (Interval& zone :
-         zones) {  // a zone that begins or ends with the part includes points that noise places beyond it
-        if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
-        if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
-    }
-    return parallelReduce(
-        points.size(), 65536, progress, std::int64_t{0},
-        [&](std::size_t begin, std::size_t end) {
-            std::int64_t count = 0;
-            for (std::size_t i = begin; i < end; ++i) {
-                const double z = (reference.fit.axis_T_scan * points[i]).z() - line.zFirst_mm();
-                const bool inside = std::any_of(zones.begin(), zones.end(),
-                                                [&](const Interval& zone) { return z >= zone.from && z <= zone.to; });
-                if (!inside || !result.used[i]) continue;
-                result.used[i] = 0;
-                result.deviation_mm[i] = std::numeric_limits<float>::quiet_NaN();
-                ++count;
-            }
-            return count;
-        },
-        [](std::int64_t all, std::int64_t part) { return all + part; });
-}
-
-void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
-                        const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+/// Sums of the deviations of the used points on the outside.
+MapSums mapSumsOf(const TurnedPart& reference, const MeridianLine& line, const std::vector<Eigen::Vector3d>& points,
+                  const CompareResult& result, const UnrolledMap& map, const Progress& progress)
 {
     const RadiusProfile& profile = reference.fit.profile;
-    double radius = 0;
-    for (const double r : profile.radius_mm) radius = std::isnan(r) ? radius : std::max(radius, r);
-    const double length = line.zLast_mm() - line.zFirst_mm();
-
-    UnrolledMap map;
-    map.angle_count = points.size() > 100000 ? 120 : 48;
-    const double cell = turn_rad * radius / map.angle_count;
-    map.z_count = std::clamp(static_cast<int>(length / cell * 2), 10, 400);
-    map.z_step_mm = length / map.z_count;
-
-    struct Part {
-        std::vector<Moments> bins, cells;
-    };
-    const auto sized = [&] {
-        return Part{std::vector<Moments>(profile.size()),
-                    std::vector<Moments>(static_cast<std::size_t>(map.z_count * map.angle_count))};
-    };
-    const Part sums = parallelReduce(
-        points.size(), std::max<std::size_t>(32768, points.size() / 8), progress, sized(),
+    const MapSums empty{std::vector<Moments>(profile.size()),
+                        std::vector<Moments>(static_cast<std::size_t>(map.z_count * map.angle_count))};
+    return parallelReduce(
+        points.size(), std::max(pointsPerMapTask, points.size() / mostMapTasks), progress, empty,
         [&](std::size_t begin, std::size_t end) {
-            Part part = sized();
+            MapSums part = empty;
             for (std::size_t i = begin; i < end; ++i) {
                 if (!result.used[i]) continue;
                 const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
@@ -132,15 +112,63 @@ void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
             }
             return part;
         },
-        [](Part all, const Part& part) {
-            const auto add = [](std::vector<Moments>& to, const std::vector<Moments>& from) {
-                for (std::size_t i = 0; i < to.size(); ++i) to[i].add(from[i]);
-            };
-            add(all.bins, part.bins);
-            add(all.cells, part.cells);
+        [](MapSums all, const MapSums& part) {
+            all.add(part);
             return all;
         });
+}
 
+}  // namespace
+
+std::vector<float> meridianDeviation(const TurnedPart& reference, const MeridianLine& line,
+                                     const std::vector<Eigen::Vector3d>& points, double max_distance_mm,
+                                     const Progress& progress)
+{
+    std::vector<float> deviations(points.size());
+    parallelFor(points.size(), taskPoints, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Eigen::Vector3d p = reference.fit.axis_T_scan * points[i];
+            const double r = std::sqrt(p.x() * p.x() + p.y() * p.y());
+            deviations[i] = static_cast<float>(line.deviation_mm(p.z(), r, max_distance_mm));
+        }
+    });
+    return deviations;
+}
+
+std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
+                          const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+{
+    std::vector<Interval> zones = result.parameters.exclude_z_mm;
+    if (zones.empty()) return 0;
+    for (Interval& zone :
+         zones) {  // a zone that begins or ends with the part includes points that noise places beyond it
+        if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
+        if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
+    }
+    return parallelReduce(
+        points.size(), pointsPerZoneTask, progress, std::int64_t{0},
+        [&](std::size_t begin, std::size_t end) {
+            std::int64_t count = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                const double z = (reference.fit.axis_T_scan * points[i]).z() - line.zFirst_mm();
+                const bool inside = std::any_of(zones.begin(), zones.end(),
+                                                [&](const Interval& zone) { return z >= zone.from && z <= zone.to; });
+                if (!inside || !result.used[i]) continue;
+                result.used[i] = 0;
+                result.deviation_mm[i] = std::numeric_limits<float>::quiet_NaN();
+                ++count;
+            }
+            return count;
+        },
+        [](std::int64_t all, std::int64_t part) { return all + part; });
+}
+
+void describeRevolution(const TurnedPart& reference, const MeridianLine& line,
+                        const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
+{
+    const RadiusProfile& profile = reference.fit.profile;
+    UnrolledMap map = mapFor(points.size(), line.zLast_mm() - line.zFirst_mm(), profile.largestRadius_mm());
+    const MapSums sums = mapSumsOf(reference, line, points, result, map, progress);
     result.axis_T_reference = Eigen::Translation3d(0, 0, -line.zFirst_mm()) * reference.fit.axis_T_scan;
     Meridian meridian;
     for (std::size_t i = 0; i < profile.size(); ++i) {

@@ -17,8 +17,26 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr std::size_t normalSamples = 800;
-constexpr std::size_t planeNeighbours = 14;
+/// Normals, robust refinement and choice of the starts (README, "Thresholds").
+struct AxisGuessThresholds {
+    std::size_t normals = 800;          ///< places with a normal
+    std::size_t plane_neighbours = 14;  ///< points of the plane through each of them
+    double least_eigenvalue = 3e-3;     ///< of the normals' scatter, over the largest: below it the moment is free
+    double placing_weight = 1e-9;       ///< holds the start along what the normals do not determine
+    double first_slip = 0.6;            ///< sine of the angle at which a normal counts nothing, in the first round;
+    double slip_shrinkage = 0.75;       ///< in each further round times this (annealing),
+    double last_slip = 0.12;            ///< down to this
+    int refining_rounds = 12;
+    double least_lever = 0.05;    ///< of the size: nearer to the axis the angle of a normal is not defined
+    double good_slip = 0.1;       ///< sine of the angle up to which a normal agrees with an axis,
+    double best_slip = 0.03;      ///< and up to which it counts half as much again
+    double same_cosine = 0.9999;  ///< between two axes that are one,
+    double same_distance = 0.01;  ///< of the size, likewise
+};
+constexpr AxisGuessThresholds guessThresholds{};
+
+constexpr double planeFreedoms = 3;         // of a plane through points
+constexpr std::size_t normalsPerTask = 16;  // places of one task
 
 struct OrientedPoint {
     Vector3d point;
@@ -29,11 +47,11 @@ struct OrientedPoint {
 /// Normals of a few points from planes through their nearest neighbours.
 std::vector<OrientedPoint> estimateNormals(const std::vector<Vector3d>& points, const Progress& progress)
 {
-    const std::size_t count = std::min(normalSamples, points.size());
-    const std::size_t neighbours = std::min(planeNeighbours, points.size());
+    const std::size_t count = std::min(guessThresholds.normals, points.size());
+    const std::size_t neighbours = std::min(guessThresholds.plane_neighbours, points.size());
     const Neighbours index(points, progress);
     std::vector<OrientedPoint> result(count);
-    parallelFor(count, 16, progress, [&](std::size_t begin, std::size_t end) {
+    parallelFor(count, normalsPerTask, progress, [&](std::size_t begin, std::size_t end) {
         std::vector<Neighbours::Found> nearest;
         for (std::size_t i = begin; i < end; ++i) {
             index.nearest(points[i * points.size() / count], neighbours, std::numeric_limits<double>::infinity(),
@@ -47,7 +65,7 @@ std::vector<OrientedPoint> estimateNormals(const std::vector<Vector3d>& points, 
                 scatter += off * off.transpose();
             }
             const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(scatter);
-            const double freedom = std::max(1.0, static_cast<double>(neighbours) - 3);
+            const double freedom = std::max(1.0, static_cast<double>(neighbours) - planeFreedoms);
             result[i] = {mean, eigen.eigenvectors().col(0), std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / freedom)};
         }
     });
@@ -82,7 +100,7 @@ Line solveComplex(const std::vector<OrientedPoint>& points, const std::vector<do
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(mm);
     Matrix3d inverse = Matrix3d::Zero();
     for (int k = 0; k < 3; ++k)
-        if (eigen.eigenvalues()[k] > 3e-3 * eigen.eigenvalues()[2])
+        if (eigen.eigenvalues()[k] > guessThresholds.least_eigenvalue * eigen.eigenvalues()[2])
             inverse += eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose() / eigen.eigenvalues()[k];
     const Matrix3d left = dd - dm * inverse * dm.transpose();
     const Vector3d direction =
@@ -94,7 +112,7 @@ Line solveComplex(const std::vector<OrientedPoint>& points, const std::vector<do
 /// The same for a given direction: the position of the axis alone.
 Line placeAxis(const std::vector<OrientedPoint>& points, const Line& start)
 {
-    Matrix3d sum = Matrix3d::Identity() * 1e-9;
+    Matrix3d sum = Matrix3d::Identity() * guessThresholds.placing_weight;
     Vector3d right = Vector3d::Zero();
     for (const OrientedPoint& p : points) {
         const Vector3d lever = p.normal.cross(start.direction);
@@ -115,28 +133,34 @@ double share(const std::vector<OrientedPoint>& points, const Line& line, double 
 
 Line refineAxis(const std::vector<OrientedPoint>& points, Line line, double size)
 {
+    const double least_lever = guessThresholds.least_lever * size;
     std::vector<double> weights(points.size());
-    double limit = 0.6;  // annealed inlier threshold
-    for (int i = 0; i < 12; ++i, limit = std::max(0.12, limit * 0.75)) {
+    double limit = guessThresholds.first_slip;
+    for (int i = 0; i < guessThresholds.refining_rounds; ++i) {
         for (std::size_t k = 0; k < points.size(); ++k) {
-            const double s = slip(points[k], line, 0.05 * size) / limit;
+            const double weight = tukeyWeight(slip(points[k], line, least_lever) / limit);
             const double lever =
-                std::max(line.direction.cross(points[k].point - line.point).norm(), 0.05 * size) / size;
-            weights[k] = std::abs(s) < 1 ? (1 - s * s) * (1 - s * s) / (lever * lever) : 0;
+                std::max(line.direction.cross(points[k].point - line.point).norm(), least_lever) / size;
+            weights[k] = weight / (lever * lever);
         }
         const Line next = solveComplex(points, weights, line, size);
         if (!next.direction.allFinite() || !next.point.allFinite()) return line;
         line = next;
+        limit = std::max(guessThresholds.last_slip, limit * guessThresholds.slip_shrinkage);
     }
     return line;
 }
 
-}  // namespace
+/// Middle, size and principal axes of the points.
+struct CloudExtent {
+    Vector3d centre;     ///< coordinate-wise median, robust to spurious points
+    double size;         ///< root mean square distance from it
+    Matrix3d principal;  ///< unit vectors in the columns, by growing extent
+};
 
-AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Progress& progress)
+CloudExtent cloudExtentOf(const std::vector<Vector3d>& points)
 {
-    const std::vector<OrientedPoint> oriented = estimateNormals(points, progress);
-    Vector3d centre;  // coordinate-wise median, robust to spurious points
+    Vector3d centre;
     for (int k = 0; k < 3; ++k) {
         std::vector<double> values(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) values[i] = points[i][k];
@@ -145,39 +169,60 @@ AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Pro
     Matrix3d scatter = Matrix3d::Zero();
     for (const Vector3d& p : points) scatter += (p - centre) * (p - centre).transpose();
     scatter /= static_cast<double>(points.size());
-    const double size = std::sqrt(scatter.trace());
-    const Matrix3d principal = Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors();
+    return {centre, std::sqrt(scatter.trace()), Eigen::SelfAdjointEigenSolver<Matrix3d>(scatter).eigenvectors()};
+}
 
-    // Starts: the linear complex of all normals, then each principal axis; each with and without robust refinement.
+/// Starts, best first: the linear complex of all normals, then each principal axis; each with and without robust
+/// refinement.
+std::vector<Line> startsOf(const std::vector<OrientedPoint>& oriented, const CloudExtent& extent)
+{
+    const double size = extent.size;
     std::vector<Line> lines;
     const std::vector<double> equal(oriented.size(), 1.0);
-    lines.push_back(refineAxis(oriented, solveComplex(oriented, equal, {centre, Vector3d::UnitZ()}, size), size));
+    const Line of_all = solveComplex(oriented, equal, {extent.centre, Vector3d::UnitZ()}, size);
+    lines.push_back(refineAxis(oriented, of_all, size));
     for (int k = 2; k >= 0; --k) {
-        const Line placed = placeAxis(oriented, {centre, principal.col(k)});
+        const Line placed = placeAxis(oriented, {extent.centre, extent.principal.col(k)});
         lines.push_back(refineAxis(oriented, placed, size));
         lines.push_back(placed);
     }
+    const double least_lever = guessThresholds.least_lever * size;
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const double score =
-            share(oriented, lines[i], 0.05 * size, 0.1) + 0.5 * share(oriented, lines[i], 0.05 * size, 0.03);
-        order.emplace_back(-score, i);
-    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        order.emplace_back(-(share(oriented, lines[i], least_lever, guessThresholds.good_slip) +
+                             0.5 * share(oriented, lines[i], least_lever, guessThresholds.best_slip)),
+                           i);
     std::stable_sort(order.begin(), order.end());
-    AxisCandidates result;
+    std::vector<Line> sorted;
+    for (const auto& [score, i] : order) sorted.push_back(lines[i]);
+    return sorted;
+}
+
+/// Scatter of neighbouring points about a plane: the median.
+double noiseOf(const std::vector<OrientedPoint>& oriented)
+{
     std::vector<double> scatters;
     scatters.reserve(oriented.size());
     for (const OrientedPoint& p : oriented) scatters.push_back(p.scatter_mm);
-    const double middle = upperMedianInPlace(scatters);
-    result.noise_mm = middle;
-    for (const auto& [score, i] : order) {
-        const Vector3d direction = lines[i].direction.normalized();
-        const Vector3d foot = lines[i].point + direction * direction.dot(centre - lines[i].point);
+    return upperMedianInPlace(scatters);
+}
+
+}  // namespace
+
+AxisCandidates findAxisCandidates(const std::vector<Vector3d>& points, const Progress& progress)
+{
+    const std::vector<OrientedPoint> oriented = estimateNormals(points, progress);
+    const CloudExtent extent = cloudExtentOf(points);
+    AxisCandidates result;
+    result.noise_mm = noiseOf(oriented);
+    for (const Line& line : startsOf(oriented, extent)) {
+        const Vector3d direction = line.direction.normalized();
+        const Vector3d foot = line.point + direction * direction.dot(extent.centre - line.point);
         const bool known =
             std::any_of(result.axis_T_scan.begin(), result.axis_T_scan.end(), [&](const Eigen::Isometry3d& other) {
                 const Vector3d in_other = other * foot;
-                return std::abs((other.linear() * direction).z()) > 0.9999 &&
-                       std::hypot(in_other.x(), in_other.y()) < 0.01 * size;
+                return std::abs((other.linear() * direction).z()) > guessThresholds.same_cosine &&
+                       std::hypot(in_other.x(), in_other.y()) < guessThresholds.same_distance * extent.size;
             });
         if (known || !foot.allFinite()) continue;
         Eigen::Isometry3d axis_T_scan = Eigen::Isometry3d::Identity();

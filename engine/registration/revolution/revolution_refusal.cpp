@@ -6,6 +6,8 @@
 namespace lathelier::registration {
 namespace {
 
+constexpr double notedCoverage_deg = 180;  // below half the circle one side of the part is not seen
+
 /// Value of `reason`, for scripts.
 const char* reasonKey(NotTurned reason)
 {
@@ -63,7 +65,7 @@ void remarkRevolution(const RevolutionFit& fit, const char* role, Notes& notes)
                          {{"role", std::string(role)},
                           {"bow_mm", fit.bend.size_mm()},
                           {"bow_uncertainty_mm", 2 * fit.bend.sigma_mm}}});
-    if (fit.not_turned == NotTurned::No && fit.coverage_deg < 180)
+    if (fit.not_turned == NotTurned::No && fit.coverage_deg < notedCoverage_deg)
         notes.push_back({notes::coverageBelowHalf, {{"role", std::string(role)}, {"coverage_deg", fit.coverage_deg}}});
 }
 

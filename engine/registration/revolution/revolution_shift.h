@@ -21,11 +21,11 @@ std::optional<RadiusReading> readRadius(const RadiusProfile& profile, double z_m
 /// What the two parts have in common at one shift.
 struct ShiftMatch {
     double shift = 0;  ///< reference z = copy z + shift, mm
-    double cost =
-        std::numeric_limits<double>::infinity();  ///< difference, and half the cap for what does not overlap; mm
-    double difference_mm = 0;                     ///< mean difference of the radii, each capped
-    double difference_sigma_mm = 0;               ///< standard error of that mean, from its scatter over the bins
-    double overlap = 0;                           ///< length in common over that of the shorter part, 0…1
+    /// Difference, and half the cap for what does not overlap; mm.
+    double cost = std::numeric_limits<double>::infinity();
+    double difference_mm = 0;        ///< mean difference of the radii, each capped
+    double difference_sigma_mm = 0;  ///< standard error of that mean, from its scatter over the bins
+    double overlap = 0;              ///< length in common over that of the shorter part, 0…1
 };
 
 /// Mean difference of the radii of two parts as a function of the shift between them. The radius on a shoulder, where
@@ -36,12 +36,12 @@ public:
     /// A difference of the radii above `cap_mm` counts as `cap_mm`.
     ShiftSearch(const TurnedPart& reference, const TurnedPart& copy, double cap_mm);
 
-    /// The cost is infinite where they overlap by less than a quarter.
+    /// The cost is infinite where they overlap by too little.
     ShiftMatch at(double shift) const { return at(shift, 1); }
 
     /// The shifts within `reach` of `centre` (mm) from which an alignment is worth while, the best first: a coarse
-    /// scan, then finer ones around its least costs. Among equally good shifts the nearest to `home` is taken.
-    std::vector<ShiftMatch> starts(double centre, double reach, double home) const;
+    /// scan, then finer ones around its least costs. Among equally good shifts the nearest to `initial_shift` is taken.
+    std::vector<ShiftMatch> starts(double centre, double reach, double initial_shift) const;
 
 private:
     struct Part {
@@ -54,7 +54,7 @@ private:
     static Part partOf(const TurnedPart& part);
     ShiftMatch at(double shift, std::size_t stride) const;
     std::vector<ShiftMatch> scan(double from, double to, double step, std::size_t stride) const;
-    ShiftMatch best(const std::vector<ShiftMatch>& matches, double home) const;
+    ShiftMatch best(const std::vector<ShiftMatch>& matches, double initial_shift) const;
 
     Part reference_, copy_;
     double cap_mm_;

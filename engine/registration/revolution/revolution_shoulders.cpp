@@ -14,18 +14,37 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double besideEnd_mm = 1;    // the radius of a part at its end is that of this stretch
-constexpr double squarelySeen = 0.5;  // density of the points on a face over that on the sides, from which it is seen
-                                      // as well as these
-constexpr double marginSigmas = 4;  // beside the edges of such a face, within the noise of the sides, in their scatter
+/// The spot of the scanner, its fit, and the ends of the part (README, "Thresholds").
+struct ShoulderThresholds {
+    double spurious_probability = 0.003;  ///< that a spurious point is a hit or a miss anywhere
+    double other_shape_factor = 1.2;      ///< of the variance of a place, when the spot is of neither shape (a disc)
+    double finest_width_steps = 1e-3;     ///< of the profiles: finest width of a spot
+    double width_factor = 3;              ///< within which of the estimate widths are tried, to both sides
+    int grid_steps = 5;                   ///< of the geometric grid of widths, to each side
+    int averaged_widths = 17;             ///< over the likely range
+    double likely_difference = 8;       ///< of the negative log-likelihood: wider than that has a weight below e⁻⁸
+    double shared_spot_difference = 6;  ///< by which two spots have to be more likely than one for both scans
+    int place_steps = 16;               ///< of the scan for a place, over a width to each side
+    int zoom_steps = 6;                 ///< of each finer scan to each side
+    double zoom = 5;                    ///< by which a scan is finer than the one before
+    int coarse_zooms = 1;               ///< enough to compare widths and shapes
+    int fine_zooms = 3;                 ///< for the place
+    double row_gap_share = 0.25;        ///< of the widest gap between rays: a wider one is a step between rows
+    int few_rows = 2;                   ///< steps between rows within a ramp: no more do not separate place and width
+    double beside_end_mm = 1;           ///< the radius of a part at its end is that of this stretch
+    double squarely_seen = 0.5;         ///< density of a face over that of the sides, from which it is seen as well
+    double face_margin_sigmas = 4;      ///< beside the edges of such a face: noise of the sides
+};
+constexpr ShoulderThresholds shoulderThresholds{};
+
+constexpr double rampPerMisplacement = 6;  // the mean misplacement in a ramp is a sixth of its width
+constexpr double leastProduct = 1e-200;    // of probabilities: below it its logarithm is taken, before it underflows
 
 /// Distribution of the places within a spot that the range is taken from: all of its width alike, or falling off from
 /// its middle, as that of a round spot or of one with a soft edge.
 enum class SpotShape { Uniform, Triangle };
 constexpr double triangleShare = std::numbers::sqrt2;  // base of a triangle over the width of the uniform distribution
                                                        // of the same variance
-
-constexpr double otherShapeFactor = 1.2;  // of the variance of a place, when the spot is of neither shape (a disc)
 
 /// The width of a spot is that of the uniform distribution of the same variance.
 struct Spot {
@@ -34,9 +53,9 @@ struct Spot {
 };
 
 /// The likelihood of one edge for trial places and spot widths.
-class Smear {
+class EdgeLikelihood {
 public:
-    Smear(EdgeRays edge, double start) : edge_(std::move(edge)), start_(start)
+    EdgeLikelihood(EdgeRays edge, double start) : edge_(std::move(edge)), start_(start)
     {
         hitsBefore_.push_back(0);
         double count = 0, sum = 0;
@@ -46,7 +65,7 @@ public:
             count += 1;
             sum += std::abs(ray.height - start);
         }
-        guess_ = count > 0 ? 6 * sum / count : 0;  // the mean misplacement in a ramp is a sixth of its width
+        guess_ = count > 0 ? rampPerMisplacement * sum / count : 0;
         density_ = static_cast<double>(edge_.rays.size()) / (edge_.edge.to_mm - edge_.edge.from_mm);
     }
 
@@ -64,10 +83,10 @@ public:
     Place findPlace(const Spot& spot, int zooms) const
     {
         Place best{start_, negativeLogLikelihood(start_, spot)};
-        double step = spot.width_mm / 16;
-        for (int zoom = 0; zoom <= zooms; ++zoom, step /= 5) {
+        double step = spot.width_mm / shoulderThresholds.place_steps;
+        for (int zoom = 0; zoom <= zooms; ++zoom, step /= shoulderThresholds.zoom) {
             const double centre = best.height;
-            const int reach = zoom == 0 ? 16 : 6;
+            const int reach = zoom == 0 ? shoulderThresholds.place_steps : shoulderThresholds.zoom_steps;
             for (int k = -reach; k <= reach; ++k) {
                 const Place trial{centre + k * step, negativeLogLikelihood(centre + k * step, spot)};
                 if (trial.neg_log_likelihood < best.neg_log_likelihood) best = trial;
@@ -91,14 +110,14 @@ public:
         for (auto ray = from; ray != to && ray + 1 != to; ++ray) gap = std::max(gap, (ray + 1)->height - ray->height);
         int wide = 0;  // steps between rows, those to the rows beside the ramp among them
         for (auto ray = from; ray != to && ray + 1 != to; ++ray)
-            wide += (ray + 1)->height - ray->height > gap / 4 ? 1 : 0;
-        return wide <= 2 ? gap * gap / 12 : 0;
+            wide += (ray + 1)->height - ray->height > shoulderThresholds.row_gap_share * gap ? 1 : 0;
+        return wide <= shoulderThresholds.few_rows ? gap * gap / 12 : 0;  // of a uniform distribution
     }
 
 private:
     double negativeLogLikelihood(double place, const Spot& spot) const
     {
-        constexpr double spuriousProbability = 0.003;  // probability that a spurious point is a hit or a miss anywhere
+        constexpr double spuriousProbability = shoulderThresholds.spurious_probability;
         static const double stray = -std::log(spuriousProbability);
         static const double regular = -std::log(1 - spuriousProbability);
         const auto below = [](const Ray& ray, double height) { return ray.height < height; };
@@ -121,7 +140,7 @@ private:
             const double rest = 1 - std::abs(u);
             const double tail = std::max(0.5 * (is_triangle ? rest * rest : rest), spuriousProbability);
             product *= ray->hit == (u > 0) ? 1 - tail : tail;
-            if (product < 1e-200) {
+            if (product < leastProduct) {
                 total -= std::log(product);
                 product = 1;
             }
@@ -136,19 +155,16 @@ private:
     double density_ = 0;
 };
 
-std::vector<Smear> smearsOf(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
-                            const Progress& progress)
+std::vector<EdgeLikelihood> likelihoodsOf(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
+                                          const Progress& progress)
 {
-    std::vector<Smear> smears;
+    std::vector<EdgeLikelihood> edges;
     for (EdgeRays& edge : findEdgeRays(points, fit, progress))
-        if (const auto start = balance(edge.rays)) smears.emplace_back(std::move(edge), *start);
-    return smears;
+        if (const auto start = balance(edge.rays)) edges.emplace_back(std::move(edge), *start);
+    return edges;
 }
 
-using Group = std::vector<const Smear*>;
-
-constexpr int coarseZooms = 1;  // of the search for the place: enough to compare widths and shapes
-constexpr int fineZooms = 3;
+using Group = std::vector<const EdgeLikelihood*>;
 
 /// One trial spot for all shoulders of a group.
 struct WidthTrial {
@@ -160,12 +176,12 @@ struct WidthTrial {
 
 WidthTrial tryWidth(const Group& group, SpotShape shape, double log_width, int zooms, const Progress& progress)
 {
-    std::vector<Smear::Place> places(group.size());
+    std::vector<EdgeLikelihood::Place> places(group.size());
     parallelFor(group.size(), 1, progress, [&](std::size_t i, std::size_t) {
         places[i] = group[i]->findPlace({shape, std::exp(log_width)}, zooms);
     });
     WidthTrial trial{shape, log_width, 0, {}};
-    for (const Smear::Place& place : places) {
+    for (const EdgeLikelihood::Place& place : places) {
         trial.neg_log_likelihood += place.neg_log_likelihood;
         trial.heights.push_back(place.height);
     }
@@ -194,66 +210,76 @@ double leastNegativeLogLikelihood(const std::vector<WidthTrial>& trials)
     return least;
 }
 
-/// Trial widths within a factor of 3 of the estimate from the misplaced points, on one geometric grid for all groups,
+/// Trial widths about the estimate from the misplaced points, on one geometric grid for all groups,
 /// so that their likelihoods are comparable; of the shape that is more likely.
 std::vector<WidthTrial> coarseTrials(const Group& group, double finest, const Progress& progress)
 {
     std::vector<double> guesses;
-    for (const Smear* smear : group) guesses.push_back(smear->widthGuess());
+    for (const EdgeLikelihood* edge : group) guesses.push_back(edge->widthGuess());
     const double middle = upperMedianInPlace(guesses);
-    const double rung = std::log(3.0) / 5;
-    const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / rung) * rung + std::log(finest);
+    constexpr int grid_steps = shoulderThresholds.grid_steps;
+    const double log_step = std::log(shoulderThresholds.width_factor) / grid_steps;
+    const double guess = std::round(std::log(std::max(middle / finest, 1.0)) / log_step) * log_step + std::log(finest);
     const auto trials = [&](SpotShape shape, double from, double to, int count) {
-        return tryWidths(group, shape, from, to, count, coarseZooms, progress);
+        return tryWidths(group, shape, from, to, count, shoulderThresholds.coarse_zooms, progress);
     };
-    const double from = guess - 5 * rung, to = guess + 5 * rung;
-    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform, from, to, 11);
+    const double from = guess - grid_steps * log_step, to = guess + grid_steps * log_step;
+    std::vector<WidthTrial> uniform = trials(SpotShape::Uniform, from, to, 2 * grid_steps + 1);
     const double best = std::min_element(uniform.begin(), uniform.end(), isMoreLikely)->log_width;
-    if (leastNegativeLogLikelihood(trials(SpotShape::Triangle, best - rung, best + rung, 3)) >=
+    if (leastNegativeLogLikelihood(trials(SpotShape::Triangle, best - log_step, best + log_step, 3)) >=
         leastNegativeLogLikelihood(uniform))
         return uniform;
-    return trials(SpotShape::Triangle, from, to, 11);
+    return trials(SpotShape::Triangle, from, to, 2 * grid_steps + 1);
 }
 
-/// The shoulders of a group, averaged over the trial widths with weights by likelihood.
-std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<WidthTrial>& coarse,
-                                        const Progress& progress)
+/// Trials of the widths that are likely by the coarse ones.
+std::vector<WidthTrial> fineTrials(const Group& group, const std::vector<WidthTrial>& coarse, const Progress& progress)
 {
     const double least = leastNegativeLogLikelihood(coarse);
     std::size_t first = coarse.size(), last = 0;
     for (std::size_t k = 0; k < coarse.size(); ++k)
-        if (coarse[k].neg_log_likelihood < least + 8) {
+        if (coarse[k].neg_log_likelihood < least + shoulderThresholds.likely_difference) {
             first = std::min(first, k);
             last = std::max(last, k);
         }
     first = first > 0 ? first - 1 : 0;
     last = std::min(coarse.size() - 1, last + 1);
-    const std::vector<WidthTrial> fine = tryWidths(group, coarse.front().shape, coarse[first].log_width,
-                                                   coarse[last].log_width, 17, fineZooms, progress);
-    const double best = leastNegativeLogLikelihood(fine);
-    std::vector<Shoulder> shoulders;
-    for (std::size_t i = 0; i < group.size(); ++i) {
-        double weight = 0, sum = 0, squares = 0, width = 0;
-        for (const WidthTrial& trial : fine) {
-            const double w = std::exp(best - trial.neg_log_likelihood);
-            const double off = trial.heights[i] - fine.front().heights[i];
-            weight += w;
-            sum += w * off;
-            squares += w * off * off;
-            width += w * std::exp(trial.log_width);
-        }
-        const double mean = sum / weight;
-        width /= weight;
-        const Edge& edge = group[i]->edge();
-        const double density = group[i]->density();
-        const double open = std::max(0.0, squares / weight - mean * mean);  // variance from the unknown width
-        const double own =
-            otherShapeFactor * width * width / (6 * std::max(1.0, width * density)) + 1 / (density * density);
-        const double height = fine.front().heights[i] + mean;
-        const double rows = group[i]->rowVariance(height, width);
-        shoulders.push_back({height * edge.sign, std::hypot(std::sqrt(own + open + rows), group[i]->leanSigma()),
-                             edge.before_mm, edge.after_mm});
+    return tryWidths(group, coarse.front().shape, coarse[first].log_width, coarse[last].log_width,
+                     shoulderThresholds.averaged_widths, shoulderThresholds.fine_zooms, progress);
+}
+
+/// The shoulder number `i` of a group, averaged over the trial widths with weights by likelihood.
+Shoulder averageShoulder(const EdgeLikelihood& likelihood, const std::vector<WidthTrial>& trials, std::size_t i)
+{
+    const double best = leastNegativeLogLikelihood(trials);
+    double weight = 0, sum = 0, squares = 0, width = 0;
+    for (const WidthTrial& trial : trials) {
+        const double w = std::exp(best - trial.neg_log_likelihood);
+        const double off = trial.heights[i] - trials.front().heights[i];
+        weight += w;
+        sum += w * off;
+        squares += w * off * off;
+        width += w * std::exp(trial.log_width);
     }
+    const double mean = sum / weight;
+    width /= weight;
+    const Edge& edge = likelihood.edge();
+    const double density = likelihood.density();
+    const double open = std::max(0.0, squares / weight - mean * mean);  // variance from the unknown width
+    const double own = shoulderThresholds.other_shape_factor * width * width / (6 * std::max(1.0, width * density)) +
+                       1 / (density * density);
+    const double height = trials.front().heights[i] + mean;
+    const double rows = likelihood.rowVariance(height, width);
+    return {height * edge.sign, std::hypot(std::sqrt(own + open + rows), likelihood.leanSigma()), edge.before_mm,
+            edge.after_mm};
+}
+
+std::vector<Shoulder> averageOverWidths(const Group& group, const std::vector<WidthTrial>& coarse,
+                                        const Progress& progress)
+{
+    const std::vector<WidthTrial> fine = fineTrials(group, coarse, progress);
+    std::vector<Shoulder> shoulders;
+    for (std::size_t i = 0; i < group.size(); ++i) shoulders.push_back(averageShoulder(*group[i], fine, i));
     return shoulders;
 }
 
@@ -267,7 +293,8 @@ std::optional<Shoulder> endOf(const RevolutionFit& fit, bool is_first)
     while (end < count && std::isnan(profile.radius_mm[bin(end)])) ++end;
     if (end == count) return std::nullopt;
     double radius = 0;  // noise along the axis leaves smaller radii beside the face
-    for (std::size_t k = end; k < count && static_cast<double>(k - end) * profile.step_mm <= besideEnd_mm; ++k)
+    for (std::size_t k = end;
+         k < count && static_cast<double>(k - end) * profile.step_mm <= shoulderThresholds.beside_end_mm; ++k)
         if (const double r = profile.radius_mm[bin(k)]; r > radius) radius = r;
     const double z = profile.middle_mm(bin(end)) + (is_first ? -0.5 : 0.5) * profile.step_mm;
     return Shoulder{z, std::numeric_limits<double>::infinity(), is_first ? 0 : radius, is_first ? radius : 0};
@@ -296,9 +323,10 @@ void placeByFaces(std::vector<Shoulder>& shoulders, std::vector<Shoulder>& ends,
         return measureFaces(points, fit.axis_T_scan, fit.profile, sought, progress);
     };
     // A face that is seen as well as the sides is so up to its edges; of one seen in passing the spot smears them.
-    std::vector<MeasuredFace> faces = seek(std::min(smearedEdge_mm, marginSigmas * fit.sigma_mm));
+    std::vector<MeasuredFace> faces =
+        seek(std::min(smearedEdge_mm, shoulderThresholds.face_margin_sigmas * fit.sigma_mm));
     if (std::any_of(faces.begin(), faces.end(),
-                    [](const MeasuredFace& face) { return face.density_ratio < squarelySeen; }))
+                    [](const MeasuredFace& face) { return face.density_ratio < shoulderThresholds.squarely_seen; }))
         faces = seek(smearedEdge_mm);
     for (const MeasuredFace& face : faces)
         for (Shoulder* s : places)
@@ -310,37 +338,47 @@ void placeByFaces(std::vector<Shoulder>& shoulders, std::vector<Shoulder>& ends,
     std::erase_if(ends, [](const Shoulder& end) { return !std::isfinite(end.sigma_mm); });
 }
 
+Group groupOf(const std::vector<EdgeLikelihood>& edges)
+{
+    Group group;
+    for (const EdgeLikelihood& edge : edges) group.push_back(&edge);
+    return group;
+}
+
+/// The shoulders of both parts from the rays beside them, with one spot for both scans or one for each.
+void placeByRays(const Group& reference, const Group& copy, double finest_mm, ShoulderPair& result,
+                 const Progress& progress)
+{
+    Group both = reference;
+    both.insert(both.end(), copy.begin(), copy.end());
+    const std::vector<WidthTrial> own1 = coarseTrials(reference, finest_mm, progress);
+    const std::vector<WidthTrial> own2 = coarseTrials(copy, finest_mm, progress);
+    const std::vector<WidthTrial> shared = coarseTrials(both, finest_mm, progress);
+    if (leastNegativeLogLikelihood(shared) < leastNegativeLogLikelihood(own1) + leastNegativeLogLikelihood(own2) +
+                                                 shoulderThresholds.shared_spot_difference) {
+        const std::vector<Shoulder> all = averageOverWidths(both, shared, progress);
+        const auto split = all.begin() + static_cast<std::ptrdiff_t>(reference.size());
+        result.reference.assign(all.begin(), split);
+        result.copy.assign(split, all.end());
+    } else {
+        result.reference = averageOverWidths(reference, own1, progress);
+        result.copy = averageOverWidths(copy, own2, progress);
+    }
+}
+
 }  // namespace
 
 ShoulderPair findShoulders(const std::vector<Eigen::Vector3d>& reference_points, const RevolutionFit& reference,
                            const std::vector<Eigen::Vector3d>& copy_points, const RevolutionFit& copy,
                            const Progress& progress)
 {
-    const std::vector<Smear> reference_smears = smearsOf(reference_points, reference, progress);
-    const std::vector<Smear> copy_smears = smearsOf(copy_points, copy, progress);
-    const double finest = 1e-3 * std::min(reference.profile.step_mm, copy.profile.step_mm);
-    Group first, second, both;
-    for (const Smear& smear : reference_smears) first.push_back(&smear);
-    for (const Smear& smear : copy_smears) second.push_back(&smear);
-    both = first;
-    both.insert(both.end(), second.begin(), second.end());
-
+    const std::vector<EdgeLikelihood> reference_edges = likelihoodsOf(reference_points, reference, progress);
+    const std::vector<EdgeLikelihood> copy_edges = likelihoodsOf(copy_points, copy, progress);
+    const double finest_mm =
+        shoulderThresholds.finest_width_steps * std::min(reference.profile.step_mm, copy.profile.step_mm);
     ShoulderPair result;
-    if (!first.empty() && !second.empty()) {
-        const std::vector<WidthTrial> own1 = coarseTrials(first, finest, progress);
-        const std::vector<WidthTrial> own2 = coarseTrials(second, finest, progress);
-        const std::vector<WidthTrial> shared = coarseTrials(both, finest, progress);
-        if (leastNegativeLogLikelihood(shared) <
-            leastNegativeLogLikelihood(own1) + leastNegativeLogLikelihood(own2) + 6) {
-            const std::vector<Shoulder> all = averageOverWidths(both, shared, progress);
-            const auto split = all.begin() + static_cast<std::ptrdiff_t>(first.size());
-            result.reference.assign(all.begin(), split);
-            result.copy.assign(split, all.end());
-        } else {
-            result.reference = averageOverWidths(first, own1, progress);
-            result.copy = averageOverWidths(second, own2, progress);
-        }
-    }
+    if (!reference_edges.empty() && !copy_edges.empty())
+        placeByRays(groupOf(reference_edges), groupOf(copy_edges), finest_mm, result, progress);
     placeByFaces(result.reference, result.reference_ends, reference_points, reference, progress);
     placeByFaces(result.copy, result.copy_ends, copy_points, copy, progress);
     return result;

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "engine/core/parallel.h"
+#include "engine/core/statistics.h"
+#include "engine/registration/point_tasks.h"
 
 namespace lathelier::registration {
 namespace {
@@ -15,8 +17,14 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
 
-constexpr std::size_t pointsPerStepTask = 16384;
-constexpr double tukeyLimit_sigmas = 6;  // in standard deviations; efficiency 99 % for normal residuals
+/// Weights, condition and clusters of one step (README, "Thresholds").
+struct AxisStepThresholds {
+    double tukey_sigmas = 6;          ///< where the weights reach 0; efficiency 99 % for normal residuals
+    double steep_cosine = 0.3;        ///< of a side bin's normal with the radius: steeper bins tell little of the side
+    double least_eigenvalue = 1e-13;  ///< of the normal equations, over the largest: below it they are singular
+    int patch_stretches = 96;         ///< clusters of the covariance, along the axis
+};
+constexpr AxisStepThresholds stepThresholds{};
 
 /// Contribution of one point in the frame of the axis: residual along the normal, weight and Jacobian with respect to
 /// the axis.
@@ -43,11 +51,11 @@ struct PointRow {
     const double across = row.side ? r : p.z();
     row.error = bin.cosine * (across - bin.value - bin.slope * (along - bin.middle));
     const double per_sigma = 1 / bin.sigma;
-    row.u = row.error * (per_sigma / tukeyLimit_sigmas);
+    row.u = row.error * (per_sigma / stepThresholds.tukey_sigmas);
     if (!(row.u * row.u < 1)) return row;
     row.key = key;
     row.cosine = bin.cosine;
-    row.share = (1 - row.u * row.u) * (1 - row.u * row.u);
+    row.share = tukeyWeight(row.u);
     row.weight = row.share * (per_sigma * per_sigma);
     const double per_r = 1 / r;
     const double c = p.x() * per_r;
@@ -81,7 +89,7 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
         }
         sums.squares += row.share * row.u * row.u;
         sums.weights += row.share;
-        if (row.side && row.cosine > 0.3) sums.side_weights += row.share;
+        if (row.side && row.cosine > stepThresholds.steep_cosine) sums.side_weights += row.share;
         Sums::Bin& own = sums.bins[static_cast<std::size_t>(row.key)];
         own.weight += row.weight;
         own.error += we;
@@ -98,7 +106,7 @@ void accumulate(const std::vector<Vector3d>& points, std::size_t begin, std::siz
     }
 }
 
-constexpr int patchSectors = 16;
+constexpr int patchSectors = 16;  // of the turn: what sectorOf() tells apart
 
 std::size_t patchAt(int stretch, int sector)
 {
@@ -108,7 +116,7 @@ std::size_t patchAt(int stretch, int sector)
 /// Which sixteenth of the turn, in any order.
 int sectorOf(double x, double y)
 {
-    constexpr double tan22 = std::numbers::sqrt2 - 1;  // of 22.5°
+    constexpr double tan22 = std::numbers::sqrt2 - 1;  // tangent of 22.5°
     const double a = std::abs(x);
     const double b = std::abs(y);
     const int within = b < a ? (b < tan22 * a ? 0 : 1) : (a < tan22 * b ? 2 : 3);
@@ -129,13 +137,25 @@ Matrix4d noLess(const Matrix4d& least, const Matrix4d& other)
     return turned * eigen.eigenvalues().cwiseMax(1.0).asDiagonal() * turned.transpose();
 }
 
+/// The motion of the frame whose axis changes by a shift (x, y) at the origin and two slopes.
+Eigen::Isometry3d motionOf(const Vector4d& change)
+{
+    const Vector3d direction = Vector3d(change[2], change[3], 1).normalized();
+    Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
+    // Rows that are orthonormal to the last bit; a quaternion of nearly equal vectors is so to 1e-8 only.
+    const Vector3d across = (Vector3d::UnitX() - direction * direction.x()).normalized();
+    move.linear() << across.transpose(), direction.cross(across).transpose(), direction.transpose();
+    move.translation() = -(move.linear() * Vector3d(change[0], change[1], 0));
+    return move;
+}
+
 }  // namespace
 
 Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, MeridianBins& bins, const Progress& progress)
 {
     Step step;
     step.sums = parallelReduce(
-        points.size(), std::max(pointsPerStepTask, points.size() / 24), progress, Sums{},
+        points.size(), largeTaskPoints(points.size()), progress, Sums{},
         [&](std::size_t begin, std::size_t end) {
             Sums part;
             accumulate(points, begin, end, pose, bins, part);
@@ -157,7 +177,8 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
     const Vector4d unit(1, 1, 1 / arm, 1 / arm);
     const Matrix4d scaled = unit.asDiagonal() * step.hessian * unit.asDiagonal();
     const Eigen::SelfAdjointEigenSolver<Matrix4d> eigen(scaled);
-    step.determined = eigen.eigenvalues()[0] > 1e-13 * eigen.eigenvalues()[3] && eigen.eigenvalues()[3] > 0;
+    step.determined =
+        eigen.eigenvalues()[0] > stepThresholds.least_eigenvalue * eigen.eigenvalues()[3] && eigen.eigenvalues()[3] > 0;
     if (!step.determined) return step;
     step.change = -(unit.asDiagonal() * scaled.ldlt().solve(unit.asDiagonal() * gradient));
     step.determined = step.change.allFinite();
@@ -168,24 +189,18 @@ Step improve(const std::vector<Vector3d>& points, Eigen::Isometry3d& pose, Merid
         if (bin.weight > 0)
             bins.bins[i].value += (bin.error + bin.jacobian.dot(step.change)) / bin.weight / bins.bins[i].cosine;
     }
-    const Vector3d direction = Vector3d(step.change[2], step.change[3], 1).normalized();
-    Eigen::Isometry3d move = Eigen::Isometry3d::Identity();
-    // Rows that are orthonormal to the last bit; a quaternion of nearly equal vectors is so to 1e-8 only.
-    const Vector3d across = (Vector3d::UnitX() - direction * direction.x()).normalized();
-    move.linear() << across.transpose(), direction.cross(across).transpose(), direction.transpose();
-    move.translation() = -(move.linear() * Vector3d(step.change[0], step.change[1], 0));
-    pose = move * pose;
+    pose = motionOf(step.change) * pose;
     return step;
 }
 
 Matrix4d covarianceOf(const std::vector<Vector3d>& points, const Eigen::Isometry3d& pose, const MeridianBins& bins,
                       const Step& step, const Progress& progress)
 {
-    constexpr int patchStretches = 96;
+    constexpr int patchStretches = stepThresholds.patch_stretches;
     using Patches = std::vector<Vector4d>;
     const double length = bins.step_mm * bins.side_count;
     const Patches patches = parallelReduce(
-        points.size(), std::max(pointsPerStepTask, points.size() / 24), progress,
+        points.size(), largeTaskPoints(points.size()), progress,
         Patches(static_cast<std::size_t>(patchSectors * patchStretches), Vector4d::Zero()),
         [&](std::size_t begin, std::size_t end) {
             Patches part(static_cast<std::size_t>(patchSectors * patchStretches), Vector4d::Zero());

@@ -17,11 +17,47 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Degrees of the circle with points on the profile; a sector with only a few, spurious ones, does not count.
-double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample, std::vector<double>& errors)
+/// What a body of revolution is, and why others are none (README, "Thresholds").
+struct RevolutionThresholds {
+    double least_consistent_share = 0.8;  ///< of the points, on one surface of revolution
+    double least_side_share = 0.03;       ///< of the points, where the profile determines the axis across
+    double largest_tilt = 0.01;           ///< standard uncertainty of the axis' direction, rad
+    double noisy_sigmas = 3;              ///< a scatter whose multiple is above the next share is tested for its tails
+    double noisy_share = 0.02;            ///< of the largest radius
+    double tail_sigmas = 1.3;             ///< 19 % of normal values lie beyond,
+    double least_tail_share = 0.1;        ///< and at least this share of the points has to, for noise
+    double line_sigmas = 5;               ///< of the scatter: a cylinder of a smaller radius is a line of noise,
+    double line_share = 0.1;              ///< when its second extent is below this share of the first
+    double flat_noises = 3;               ///< of the noise between neighbours: a smaller extent is none,
+    double flat_share = 0.005;            ///< nor is one below this share of the second extent
+    double flat_line_share = 0.02;        ///< of the first extent: a flat part whose second is smaller is a line
+    double sphere_extent_share = 0.3;     ///< of the first extent: the third one of a sphere
+    double sphere_sigmas = 2;             ///< of scatter or noise: the points of a sphere lie that near to it,
+    double sphere_share = 0.01;           ///< or within this share of the first extent
+    std::size_t piece_part = 7;           ///< a group with more than this part (1 / n) of the points is a piece
+    double cells_across = 40;             ///< by which pieces are told apart
+    double on_profile_sigmas = 6;         ///< within that of the profile a point covers its sector
+    std::size_t sector_points = 10;       ///< of the sample in each sector, on average
+    std::size_t least_sectors = 12;
+    std::size_t most_sectors = 144;
+    double full_quantile = 0.98;   ///< of the points of the sectors: that of a full one
+    double seen_share = 0.1;       ///< of a full sector: with fewer points they are spurious
+    std::size_t bridged_deg = 10;  ///< gaps up to this are angular steps of the scanner, not occlusions
+};
+constexpr RevolutionThresholds revolutionThresholds{};
+
+/// Points of the sample in each sector of the turn, and their distances from the profile; points far from it are left
+/// out.
+struct CoveredSectors {
+    std::vector<double> counts;
+    std::vector<double> errors_mm;
+};
+
+CoveredSectors coveredSectorsOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample)
 {
-    const std::size_t sectors = std::clamp<std::size_t>(sample.size() / 10, 12, 144);
-    std::vector<double> counts(sectors, 0);
+    const std::size_t sectors = std::clamp(sample.size() / revolutionThresholds.sector_points,
+                                           revolutionThresholds.least_sectors, revolutionThresholds.most_sectors);
+    CoveredSectors covered{std::vector<double>(sectors, 0), {}};
     for (const Vector3d& point : sample) {
         const Vector3d p = fit.axis_T_scan * point;
         const double place = (p.z() - fit.profile.z_start_mm) / fit.profile.step_mm;
@@ -30,18 +66,22 @@ double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample,
         const double r = p.head<2>().norm();
         const double error =
             r - fit.profile.radius_mm[bin] - fit.profile.slope[bin] * (p.z() - fit.profile.middle_mm(bin));
-        if (!(std::abs(error) < 6 * fit.sigma_mm)) continue;
-        errors.push_back(std::abs(error));
-        const double turn = quickTurn(p.y(), p.x()) + 0.5;
-        counts[std::min(sectors - 1, static_cast<std::size_t>(turn * static_cast<double>(sectors)))] += 1;
+        if (!(std::abs(error) < revolutionThresholds.on_profile_sigmas * fit.sigma_mm)) continue;
+        covered.errors_mm.push_back(std::abs(error));
+        covered.counts[sectorAbout(p.y(), p.x(), sectors)] += 1;
     }
+    return covered;
+}
+
+/// Degrees of the circle with points on the profile; a sector with only a few, spurious ones, does not count.
+double coverageOf(const std::vector<double>& counts)
+{
+    const std::size_t sectors = counts.size();
     std::vector<double> sorted = counts;
-    std::sort(sorted.begin(), sorted.end());
-    const double most = sorted[sorted.size() * 49 / 50];
-    // Gaps of up to 10° are angular steps of the scanner, not occlusions.
-    const std::size_t bridge = sectors * 10 / 360;
+    const double full = quantileInPlace(sorted, revolutionThresholds.full_quantile);
+    const std::size_t bridge = sectors * revolutionThresholds.bridged_deg / 360;
     std::vector<bool> seen(sectors);
-    for (std::size_t k = 0; k < sectors; ++k) seen[k] = counts[k] > 0.1 * most;
+    for (std::size_t k = 0; k < sectors; ++k) seen[k] = counts[k] > revolutionThresholds.seen_share * full;
     std::vector<bool> closed = seen;
     for (std::size_t k = 0; k < sectors; ++k) {
         if (!seen[k]) continue;
@@ -57,7 +97,7 @@ double coverageOf(const RevolutionFit& fit, const std::vector<Vector3d>& sample,
 /// A sphere through the points: all of them on it, and spread over it in all directions.
 bool isSphere(const std::vector<Vector3d>& sample, const Vector3d& middle, const Vector3d& extents, double limit_mm)
 {
-    if (extents[0] < 0.3 * extents[2]) return false;
+    if (extents[0] < revolutionThresholds.sphere_extent_share * extents[2]) return false;
     Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
     for (const Vector3d& point : sample) {  // |q|² = 2 c·q + (R² - c²)
@@ -73,7 +113,7 @@ bool isSphere(const std::vector<Vector3d>& sample, const Vector3d& middle, const
     off.reserve(sample.size());
     for (const Vector3d& point : sample)
         off.push_back(std::abs((point - middle - solved.head<3>()).norm() - std::sqrt(square)));
-    return off.empty() || 1.4826 * upperMedianInPlace(off) < limit_mm;
+    return off.empty() || madToSigma * upperMedianInPlace(off) < limit_mm;
 }
 
 /// Two or more groups, each with at least a seventh of the points, that no chain of neighbouring cells connects.
@@ -84,7 +124,7 @@ bool isInPieces(const std::vector<Vector3d>& sample)
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
-    const double cell = (high - low).maxCoeff() / 40;
+    const double cell = (high - low).maxCoeff() / revolutionThresholds.cells_across;
     if (!(cell > 0)) return false;
     using Key = std::array<int, 3>;
     std::map<Key, std::size_t> cells;
@@ -109,54 +149,88 @@ bool isInPieces(const std::vector<Vector3d>& sample)
                             cells.erase(found);
                         }
         }
-        if (points > sample.size() / 7) ++large;
+        if (points > sample.size() / revolutionThresholds.piece_part) ++large;
     }
     return large >= 2;
+}
+
+/// Middle of the points, and their standard deviations along the principal axes in rising order.
+struct PrincipalExtents {
+    Vector3d middle = Vector3d::Zero();
+    Vector3d extents = Vector3d::Zero();
+};
+
+PrincipalExtents principalExtentsOf(const std::vector<Vector3d>& sample)
+{
+    const auto count = static_cast<double>(sample.size());
+    PrincipalExtents found;
+    for (const Vector3d& p : sample) found.middle += p / count;
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for (const Vector3d& p : sample) scatter += (p - found.middle) * (p - found.middle).transpose();
+    found.extents =
+        (Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues().cwiseMax(0.0) / count).cwiseSqrt();
+    return found;
+}
+
+/// A line of noise is a perfect cylinder of a radius little larger than its scatter; a box, whose radii scatter as much
+/// about any axis, is no line.
+bool isLineOfNoise(const RevolutionFit& fit, const Vector3d& extents)
+{
+    if (!(extents[1] < revolutionThresholds.line_share * extents[2])) return false;
+    std::vector<double> radii;
+    for (const double r : fit.profile.radius_mm)
+        if (!std::isnan(r)) radii.push_back(r);
+    return !radii.empty() && upperMedianInPlace(radii) < revolutionThresholds.line_sigmas * fit.sigma_mm;
+}
+
+/// Whether axis and scatter are those of a body of revolution. `errors_mm`: distances of the points from the profile.
+bool isTurned(const RevolutionFit& fit, const std::vector<double>& errors_mm)
+{
+    const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));
+    if (!fit.converged || !(fit.consistent_share >= revolutionThresholds.least_consistent_share) ||
+        !(fit.side_share >= revolutionThresholds.least_side_share) || !(tilt < revolutionThresholds.largest_tilt))
+        return false;
+    if (!(revolutionThresholds.noisy_sigmas * fit.sigma_mm >
+          revolutionThresholds.noisy_share * fit.profile.largestRadius_mm()))
+        return true;
+    // A larger scatter is accepted as noise only with the tails of a normal distribution.
+    const auto far = std::count_if(errors_mm.begin(), errors_mm.end(),
+                                   [&](double e) { return e > revolutionThresholds.tail_sigmas * fit.sigma_mm; });
+    return static_cast<double>(far) > revolutionThresholds.least_tail_share * static_cast<double>(errors_mm.size());
+}
+
+/// What points that are no body of revolution are.
+NotTurned otherShapeOf(const std::vector<Vector3d>& sample, const PrincipalExtents& principal, double noise_mm)
+{
+    const Vector3d& extents = principal.extents;
+    if (extents[0] <
+        std::max(revolutionThresholds.flat_noises * noise_mm, revolutionThresholds.flat_share * extents[1]))
+        return extents[1] < revolutionThresholds.flat_line_share * extents[2] ? NotTurned::Line : NotTurned::Flat;
+    if (isInPieces(sample)) return NotTurned::SeveralParts;
+    const double limit_mm =
+        std::max(revolutionThresholds.sphere_sigmas * noise_mm, revolutionThresholds.sphere_share * extents[2]);
+    return isSphere(sample, principal.middle, extents, limit_mm) ? NotTurned::NoSingleAxis : NotTurned::NotRound;
 }
 
 }  // namespace
 
 NotTurned judgeRevolution(RevolutionFit& fit, const std::vector<Vector3d>& sample, double noise_mm)
 {
-    Vector3d middle = Vector3d::Zero();
-    for (const Vector3d& p : sample) middle += p / static_cast<double>(sample.size());
-    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
-    for (const Vector3d& p : sample) scatter += (p - middle) * (p - middle).transpose();
-    const Vector3d extents = (Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(scatter).eigenvalues().cwiseMax(0.0) /
-                              static_cast<double>(sample.size()))
-                                 .cwiseSqrt();
-    double largest = 0;
-    std::vector<double> radii;
-    for (const double r : fit.profile.radius_mm)
-        if (!std::isnan(r)) {
-            largest = std::max(largest, r);
-            radii.push_back(r);
-        }
-    std::vector<double> errors;
-    if (!radii.empty()) fit.coverage_deg = coverageOf(fit, sample, errors);
-
-    // A line of noise is a perfect cylinder of a radius little larger than its scatter; a box, whose radii scatter as
-    // much about any axis, is no line.
-    const bool is_long = extents[1] < 0.1 * extents[2];
-    if (is_long && !radii.empty() && upperMedianInPlace(radii) < 5 * fit.sigma_mm) return NotTurned::Line;
-    const double tilt = std::sqrt(fit.covariance(2, 2) + fit.covariance(3, 3));
-    bool turned = fit.converged && fit.consistent_share >= 0.8 && fit.side_share >= 0.03 && tilt < 0.01;
-    if (turned && 3 * fit.sigma_mm > 0.02 * largest) {
-        // A larger scatter is accepted as noise only with the tails of a normal distribution: 19 % beyond 1.3 sigma.
-        const auto far = std::count_if(errors.begin(), errors.end(), [&](double e) { return e > 1.3 * fit.sigma_mm; });
-        turned = static_cast<double>(far) > 0.1 * static_cast<double>(errors.size());
+    const PrincipalExtents principal = principalExtentsOf(sample);
+    const auto& radii = fit.profile.radius_mm;
+    CoveredSectors covered;
+    if (std::any_of(radii.begin(), radii.end(), [](double r) { return !std::isnan(r); })) {
+        covered = coveredSectorsOf(fit, sample);
+        fit.coverage_deg = coverageOf(covered.counts);
     }
-    if (turned && isSphere(sample, middle, extents, 2 * fit.sigma_mm)) return NotTurned::NoSingleAxis;
+    if (isLineOfNoise(fit, principal.extents)) return NotTurned::Line;
+    const bool turned = isTurned(fit, covered.errors_mm);
+    if (turned &&
+        isSphere(sample, principal.middle, principal.extents, revolutionThresholds.sphere_sigmas * fit.sigma_mm))
+        return NotTurned::NoSingleAxis;
     if (turned && fit.coverage_deg < leastCoverage_deg) return NotTurned::SmallCoverage;
     if (fit.bend.isLarge()) return NotTurned::Bent;
-    if (turned) return NotTurned::No;
-
-    if (extents[0] < std::max(3 * noise_mm, 0.005 * extents[1])) {
-        return extents[1] < 0.02 * extents[2] ? NotTurned::Line : NotTurned::Flat;
-    }
-    if (isInPieces(sample)) return NotTurned::SeveralParts;
-    if (isSphere(sample, middle, extents, std::max(2 * noise_mm, 0.01 * extents[2]))) return NotTurned::NoSingleAxis;
-    return NotTurned::NotRound;
+    return turned ? NotTurned::No : otherShapeOf(sample, principal, noise_mm);
 }
 
 }  // namespace lathelier::registration

@@ -6,13 +6,38 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/units.h"
+#include "engine/registration/point_tasks.h"
 #include "engine/registration/revolution/quick_turn.h"
 #include "engine/registration/revolution/scanner_axis.h"
 
 namespace lathelier::registration {
 namespace {
 
-constexpr int edgeSectors = 24;
+/// Edges, the rays beside them, and their lean (README, "Thresholds").
+struct EdgeThresholds {
+    double least_height_sigmas = 8;    ///< of the scatter: lower jumps are no edges,
+    double least_height_steps = 0.02;  ///< nor are those below this share of a bin, on exact meshes
+    double least_steepness = 1.5;      ///< height over the width between the known bins; less is a resolved slope
+    double slope_ratio = 2;            ///< to the rise beside it, for a jump that is no part of a slope
+    int line_bins = 8;                 ///< known bins beside an edge that a straight line is laid through,
+    int line_reach = 20;               ///< and bins among which they are sought: noise leaves gaps in a slope
+    double least_line_bins = 4;        ///< for a line; the mean of fewer
+    std::ptrdiff_t slope_reach = 5;    ///< bins among which the next one of a slope is sought
+    double ray_steps = 3;              ///< bins beside an edge whose rays belong to it
+    std::size_t places_per_bin = 8;    ///< of the table of edges
+    double radius_sigmas = 6;          ///< points further outside the two radii are spurious
+    std::size_t least_hits = 3;        ///< of the rays of an edge, and as many misses
+    std::size_t sectors = 24;          ///< of the turn, in which shadows are sought
+    double first_lean = 0.002;         ///< search for the lean: from here,
+    double lean_factor = 1.3;          ///< in these steps,
+    double last_lean = 0.4;            ///< up to here,
+    int lean_directions = 24;          ///< in so many directions;
+    double first_refining = 0.2;       ///< of the lean: first step of the refinement,
+    double last_refining = 1e-6;       ///< and the last
+    double least_gain = 1e-12;         ///< of the misfit: a smaller improvement is rounding
+    double significance = 12;          ///< mean squares by which two more parameters have to lower the misfit
+};
+constexpr EdgeThresholds edgeThresholds{};
 
 /// A point near a shoulder.
 struct EdgePoint {
@@ -39,16 +64,12 @@ double leanOf(const ScannerAxis& scanner)
     return std::hypot(scanner.direction.x(), scanner.direction.y()) / scanner.direction.z();
 }
 
-constexpr int linePoints = 8;             // known bins beside an edge that a straight line is laid through
-constexpr std::ptrdiff_t slopeReach = 5;  // bins among which the next one of a slope is sought
-constexpr int lineReach = 20;             // bins among which they are sought: noise leaves gaps in a slope
-
 /// Straight line through the nearest known bins from `bin` in direction `step`, up to the next jump, at `z`.
 double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t step, double jump, double z)
 {
     double n = 0, sz = 0, sr = 0, szz = 0, szr = 0;
     double last = profile.radius_mm[static_cast<std::size_t>(bin)];
-    for (int k = 0; k < lineReach && n < linePoints; ++k, bin += step) {
+    for (int k = 0; k < edgeThresholds.line_reach && n < edgeThresholds.line_bins; ++k, bin += step) {
         if (bin < 0 || bin >= static_cast<std::ptrdiff_t>(profile.size())) break;
         const double r = profile.radius_mm[static_cast<std::size_t>(bin)];
         if (std::isnan(r)) continue;
@@ -62,49 +83,58 @@ double extrapolate(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdif
         szr += dz * r;
     }
     const double spread = n * szz - sz * sz;
-    return n < 4 || spread <= 0 ? sr / n : (szz * sr - sz * szr) / spread;
+    return n < edgeThresholds.least_line_bins || spread <= 0 ? sr / n : (szz * sr - sz * szr) / spread;
+}
+
+/// How much the radius rises (times `sign`) for each bin, up to the known bin next to `bin` in direction `away`.
+double riseFrom(const RadiusProfile& profile, std::ptrdiff_t bin, std::ptrdiff_t away, double sign)
+{
+    const auto radiusAt = [&](std::ptrdiff_t at) { return profile.radius_mm[static_cast<std::size_t>(at)]; };
+    for (std::ptrdiff_t k = 1; k <= edgeThresholds.slope_reach; ++k) {
+        const std::ptrdiff_t next = bin + k * away;
+        if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size())) break;
+        if (std::isnan(radiusAt(next))) continue;
+        return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away) / static_cast<double>(k);
+    }
+    return 0.0;
+}
+
+/// The edge between two known bins; nullopt: none. `least`: lowest edge.
+std::optional<Edge> edgeBetween(const RadiusProfile& profile, std::ptrdiff_t before, std::ptrdiff_t after, double least)
+{
+    const auto first = static_cast<std::size_t>(before), last = static_cast<std::size_t>(after);
+    const double z1 = profile.middle_mm(first);
+    const double z2 = profile.middle_mm(last);
+    Edge edge;
+    edge.z_mm = (z1 + z2) / 2;
+    edge.before_mm = extrapolate(profile, before, -1, least, edge.z_mm);
+    edge.after_mm = extrapolate(profile, after, 1, least, edge.z_mm);
+    const double rise = edge.after_mm - edge.before_mm;
+    const double height = std::abs(rise);
+    edge.sign = rise > 0 ? 1 : -1;
+    edge.from_mm = z1 - edgeThresholds.ray_steps * profile.step_mm;
+    edge.to_mm = z2 + edgeThresholds.ray_steps * profile.step_mm;
+    // A steep but resolved slope is no shoulder: the bins beside it rise at the same rate.
+    const double a_bin = 1 / static_cast<double>(after - before);
+    const double beside = std::max(riseFrom(profile, before, -1, edge.sign), riseFrom(profile, after, 1, edge.sign));
+    const bool goes_on =
+        std::abs(profile.radius_mm[last] - profile.radius_mm[first]) * a_bin < edgeThresholds.slope_ratio * beside;
+    if (!(height > least) || !(height > edgeThresholds.least_steepness * (z2 - z1) * a_bin) || goes_on)
+        return std::nullopt;
+    return edge;
 }
 
 std::vector<Edge> findEdges(const RevolutionFit& fit)
 {
     const RadiusProfile& profile = fit.profile;
-    const double least = std::max(8 * fit.sigma_mm, 0.02 * profile.step_mm);
-    const auto radiusAt = [&](std::ptrdiff_t bin) { return profile.radius_mm[static_cast<std::size_t>(bin)]; };
-    // How much the radius rises (times `sign`) for each bin, up to the known bin next to `bin` that lies away from the
-    // edge.
-    const auto riseFrom = [&](std::ptrdiff_t bin, std::ptrdiff_t away, double sign) {
-        for (std::ptrdiff_t k = 1; k <= slopeReach; ++k) {
-            const std::ptrdiff_t next = bin + k * away;
-            if (next < 0 || next >= static_cast<std::ptrdiff_t>(profile.size())) break;
-            if (std::isnan(radiusAt(next))) continue;
-            return (radiusAt(next) - radiusAt(bin)) * sign * static_cast<double>(away) / static_cast<double>(k);
-        }
-        return 0.0;
-    };
+    const double least = std::max(edgeThresholds.least_height_sigmas * fit.sigma_mm,
+                                  edgeThresholds.least_height_steps * profile.step_mm);
     std::vector<Edge> edges;
     std::ptrdiff_t before = -1;
     for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(profile.size()); ++i) {
         if (std::isnan(profile.radius_mm[static_cast<std::size_t>(i)])) continue;
-        const std::ptrdiff_t gap = i - before;
-        if (before >= 0 && gap <= 10) {
-            const double z1 = profile.middle_mm(static_cast<std::size_t>(before));
-            const double z2 = profile.middle_mm(static_cast<std::size_t>(i));
-            const double middle = (z1 + z2) / 2;
-            Edge edge;
-            edge.before_mm = extrapolate(profile, before, -1, least, middle);
-            edge.after_mm = extrapolate(profile, i, 1, least, middle);
-            edge.z_mm = middle;
-            const double rise = edge.after_mm - edge.before_mm;
-            const double height = std::abs(rise);
-            edge.sign = rise > 0 ? 1 : -1;
-            edge.from_mm = z1 - 3 * profile.step_mm;
-            edge.to_mm = z2 + 3 * profile.step_mm;
-            // A steep but resolved slope is no shoulder: the bins beside it rise at the same rate.
-            const double a_bin = 1 / static_cast<double>(gap);
-            const bool goes_on = std::abs(radiusAt(i) - radiusAt(before)) * a_bin <
-                                 2 * std::max(riseFrom(before, -1, edge.sign), riseFrom(i, 1, edge.sign));
-            if (height > least && height > 1.5 * (z2 - z1) * a_bin && !goes_on) edges.push_back(edge);
-        }
+        if (before >= 0 && i - before <= static_cast<std::ptrdiff_t>(longestShoulder_bins))
+            if (const auto edge = edgeBetween(profile, before, i, least)) edges.push_back(*edge);
         before = i;
     }
     for (std::size_t k = 1; k < edges.size(); ++k)
@@ -138,65 +168,86 @@ double rayHeight(const Eigen::Vector3d& p, const ScannerAxis& scanner, const Edg
     return heightAt(p, outward, toward_face ? high - missShare * heightOf(edge) : high) * edge.sign;
 }
 
+/// Which edge a place along z belongs to, by bins finer than the profile's; -1: none.
+class EdgeTable {
+public:
+    EdgeTable(const RadiusProfile& profile, const std::vector<Edge>& edges, const std::optional<ScannerAxis>& scanner)
+        : start_mm_(profile.z_start_mm),
+          fine_mm_(profile.step_mm / static_cast<double>(edgeThresholds.places_per_bin)),
+          edgeAt_(profile.size() * edgeThresholds.places_per_bin, -1)
+    {
+        const double slope = scanner ? leanOf(*scanner) : 0;
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            // An inclined ray is displaced along the axis between the larger radius and the smaller one, where it may
+            // end; points beyond the middle between two edges belong to the other edge.
+            const double lean = slope * heightOf(edges[e]);
+            double from = edges[e].from_mm - lean;
+            double to = edges[e].to_mm + lean;
+            if (e > 0) from = std::max(from, (edges[e - 1].z_mm + edges[e].z_mm) / 2);
+            if (e + 1 < edges.size()) to = std::min(to, (edges[e].z_mm + edges[e + 1].z_mm) / 2);
+            const auto index = [&](double z) { return std::lround((z - start_mm_) / fine_mm_); };
+            const long last = std::min(index(to), static_cast<long>(edgeAt_.size()));
+            for (long k = std::max(0L, index(from)); k < last; ++k)
+                edgeAt_[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(e);
+        }
+    }
+
+    int find(double z) const
+    {
+        const double place = (z - start_mm_) / fine_mm_;
+        if (!(place >= 0) || place >= static_cast<double>(edgeAt_.size())) return -1;
+        return edgeAt_[static_cast<std::size_t>(place)];
+    }
+
+private:
+    double start_mm_, fine_mm_;
+    std::vector<std::int16_t> edgeAt_;
+};
+
+/// A point of the axis frame as a point of an edge, from its height along the axis or that of its ray; nullopt where
+/// that does not belong to the edge. `reach`: noise of the radii.
+std::optional<EdgePoint> edgePointOf(const Eigen::Vector3d& p, double z, const Edge& edge,
+                                     const std::optional<ScannerAxis>& scanner, double reach)
+{
+    const double r = p.head<2>().norm();
+    const double high = std::max(edge.before_mm, edge.after_mm);
+    const double height = heightOf(edge);
+    if (r > high + edge.above_mm + reach || r < high - height - reach || r == 0) return std::nullopt;
+    double own = z * edge.sign;
+    if (scanner) {
+        own = rayHeight(p, *scanner, edge);
+        if (own < std::min(edge.from_mm * edge.sign, edge.to_mm * edge.sign) ||
+            own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
+            return std::nullopt;
+    }
+    return EdgePoint{own, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
+                     static_cast<float>(p.y() / r),
+                     static_cast<std::uint8_t>(sectorAbout(p.y(), p.x(), edgeThresholds.sectors))};
+}
+
+/// The points of each edge.
 std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                             const std::vector<Edge>& edges, const std::optional<ScannerAxis>& scanner,
                                             const Progress& progress)
 {
-    // Which edge a place along z belongs to, by bins as fine as the profile's.
-    const RadiusProfile& profile = fit.profile;
-    const double fine = profile.step_mm / 8;
-    std::vector<std::int16_t> edge_at(profile.size() * 8, -1);
-    const double slope = scanner ? leanOf(*scanner) : 0;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        // An inclined ray is displaced along the axis between the larger radius and the smaller one, where it may end;
-        // points beyond the middle between two edges belong to the other edge.
-        const double lean = slope * heightOf(edges[e]);
-        const double from = std::max(edges[e].from_mm - lean,
-                                     e > 0 ? (edges[e - 1].z_mm + edges[e].z_mm) / 2 : edges[e].from_mm - lean);
-        const double to = std::min(edges[e].to_mm + lean, e + 1 < edges.size() ? (edges[e].z_mm + edges[e + 1].z_mm) / 2
-                                                                               : edges[e].to_mm + lean);
-        const auto index = [&](double z) { return std::lround((z - profile.z_start_mm) / fine); };
-        const long last = std::min(index(to), static_cast<long>(edge_at.size()));
-        for (long k = std::max(0L, index(from)); k < last; ++k)
-            edge_at[static_cast<std::size_t>(k)] = static_cast<std::int16_t>(e);
-    }
+    const EdgeTable table(fit.profile, edges, scanner);
     using Found = std::vector<std::vector<EdgePoint>>;
-    const double reach = 6 * fit.sigma_mm;
+    const double reach = edgeThresholds.radius_sigmas * fit.sigma_mm;
     return parallelReduce(
-        points.size(), std::max<std::size_t>(16384, points.size() / 24), progress, Found(edges.size()),
+        points.size(), largeTaskPoints(points.size()), progress, Found(edges.size()),
         [&](std::size_t begin, std::size_t end) {
             Found part(edges.size());
             for (std::size_t i = begin; i < end; ++i) {
                 const double z = fit.axis_T_scan.linear().row(2).dot(points[i]) + fit.axis_T_scan.translation().z();
-                const double place = (z - profile.z_start_mm) / fine;
-                if (!(place >= 0) || place >= static_cast<double>(edge_at.size())) continue;
-                const int e = edge_at[static_cast<std::size_t>(place)];
+                const int e = table.find(z);
                 if (e < 0) continue;
-                const Edge& edge = edges[static_cast<std::size_t>(e)];
-                const Eigen::Vector3d p = fit.onAxis(points[i]);
-                const double r = p.head<2>().norm();
-                const double high = std::max(edge.before_mm, edge.after_mm);
-                const double height = heightOf(edge);
-                if (r > high + edge.above_mm + reach || r < high - height - reach || r == 0) continue;
-                const double turn = quickTurn(p.y(), p.x()) + 0.5;
-                double own = z * edge.sign;
-                if (scanner) {
-                    own = rayHeight(p, *scanner, edge);
-                    if (own < std::min(edge.from_mm * edge.sign, edge.to_mm * edge.sign) ||
-                        own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
-                        continue;
-                }
-                part[static_cast<std::size_t>(e)].push_back(
-                    {own, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
-                     static_cast<float>(p.y() / r),
-                     static_cast<std::uint8_t>(std::min(edgeSectors - 1.0, turn * edgeSectors))});
+                const auto edge = static_cast<std::size_t>(e);
+                if (const auto point = edgePointOf(fit.onAxis(points[i]), z, edges[edge], scanner, reach))
+                    part[edge].push_back(*point);
             }
             return part;
         },
-        [](Found all, const Found& part) {
-            for (std::size_t e = 0; e < all.size(); ++e) all[e].insert(all[e].end(), part[e].begin(), part[e].end());
-            return all;
-        });
+        joinedLists<EdgePoint>);
 }
 
 /// How far the smaller radius lies displaced in the shadow.
@@ -232,22 +283,25 @@ Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pla
     const double without = shadowMisfit(edges, places, {});
     Lean best;
     double least = without;
-    for (double slope = 0.002; slope < 0.4; slope *= 1.3)
-        for (int k = 0; k < 24; ++k) {
-            const Lean lean{slope * std::cos(turn_rad * k / 24), slope * std::sin(turn_rad * k / 24)};
+    for (double slope = edgeThresholds.first_lean; slope < edgeThresholds.last_lean;
+         slope *= edgeThresholds.lean_factor)
+        for (int k = 0; k < edgeThresholds.lean_directions; ++k) {
+            const double direction = turn_rad * k / edgeThresholds.lean_directions;
+            const Lean lean{slope * std::cos(direction), slope * std::sin(direction)};
             const double value = shadowMisfit(edges, places, lean);
             if (value < least) {
                 least = value;
                 best = lean;
             }
         }
-    for (double step = 0.2 * std::hypot(best.a, best.b); step > 1e-6; step /= 2)
+    for (double step = edgeThresholds.first_refining * std::hypot(best.a, best.b); step > edgeThresholds.last_refining;
+         step /= 2)
         for (bool better = true; better;) {
             better = false;
             for (const auto& [da, db] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
                 const Lean lean{best.a + step * da, best.b + step * db};
                 const double value = shadowMisfit(edges, places, lean);
-                if (value < least * (1 - 1e-12)) {
+                if (value < least * (1 - edgeThresholds.least_gain)) {
                     least = value;
                     best = lean;
                     better = true;
@@ -256,7 +310,7 @@ Lean fitLean(const std::vector<Edge>& edges, const std::vector<SectorPlace>& pla
         }
     // Two more parameters must lower the sum by significantly more than by chance.
     const double freedom = std::max(1.0, static_cast<double>(places.size()) - static_cast<double>(edges.size()) - 2);
-    return without - least > 12 * least / freedom ? best : Lean{};
+    return without - least > edgeThresholds.significance * least / freedom ? best : Lean{};
 }
 
 /// Lean from the shadows: the balance of each sector of each edge.
@@ -264,12 +318,13 @@ Lean leanOfShadows(const std::vector<Edge>& edges, const std::vector<std::vector
 {
     std::vector<SectorPlace> places;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-        std::vector<std::vector<Ray>> sectors(edgeSectors);
+        std::vector<std::vector<Ray>> sectors(edgeThresholds.sectors);
         for (const EdgePoint& p : points[e]) sectors[p.sector].push_back({p.height, p.depth < missShare});
-        for (int s = 0; s < edgeSectors; ++s) {
-            std::vector<Ray>& rays = sectors[static_cast<std::size_t>(s)];
+        for (std::size_t s = 0; s < sectors.size(); ++s) {
+            std::vector<Ray>& rays = sectors[s];
             std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
-            const double angle = turn_rad * ((s + 0.5) / edgeSectors - 0.5);
+            const double angle =
+                turn_rad * ((static_cast<double>(s) + 0.5) / static_cast<double>(sectors.size()) - 0.5);
             if (const auto z = balance(rays)) places.push_back({e, std::cos(angle), std::sin(angle), *z});
         }
     }
@@ -282,7 +337,7 @@ std::optional<double> balance(const std::vector<Ray>& rays)
 {
     const auto misses =
         static_cast<std::size_t>(std::count_if(rays.begin(), rays.end(), [](const Ray& r) { return !r.hit; }));
-    if (misses < 3 || rays.size() < misses + 3) return std::nullopt;
+    if (misses < edgeThresholds.least_hits || rays.size() < misses + edgeThresholds.least_hits) return std::nullopt;
     return (rays[misses - 1].height + rays[misses].height) / 2;
 }
 
@@ -296,11 +351,9 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
                                    const std::vector<Edge>& edges, const Progress& progress)
 {
     if (edges.empty()) return {};
-    double largest = 0;
-    for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
-    const std::optional<ScannerAxis> scanner = findScannerAxis(points, fit.axis_T_scan, largest);
+    const std::optional<ScannerAxis> scanner = findScannerAxis(points, fit.axis_T_scan, fit.profile.largestRadius_mm());
     const std::vector<std::vector<EdgePoint>> found = collect(points, fit, edges, scanner, progress);
-    const Lean shade = scanner ? Lean{} : leanOfShadows(edges, found);
+    const Lean lean = scanner ? Lean{} : leanOfShadows(edges, found);
 
     std::vector<EdgeRays> result(edges.size());
     parallelFor(edges.size(), 1, progress, [&](std::size_t e, std::size_t) {
@@ -309,15 +362,15 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
         rays.reserve(found[e].size());
         for (const EdgePoint& p : found[e])
             rays.push_back(
-                {p.height - (scanner ? 0 : p.depth * shadow(edge, shade, p.cosine, p.sine)), p.depth < missShare});
+                {p.height - (scanner ? 0 : p.depth * shadow(edge, lean, p.cosine, p.sine)), p.depth < missShare});
         std::sort(rays.begin(), rays.end(), [](const Ray& a, const Ray& b) { return a.height < b.height; });
         result[e].edge = edge;
         // A ray that passes the part's axis at a distance e reaches the radius r turned by e / r, which on the mean
         // over the turn moves half the rays, the misses, by e / (2 r) of the lean.
         const double inner = std::max(std::min(edge.before_mm, edge.after_mm), heightOf(edge));
         result[e].lean_sigma_mm =
-            scanner ? heightOf(edge) * leanOf(*scanner) * std::min(0.15, scanner->sigma_mm / inner) / 4
-                    : heightOf(edge) * std::hypot(shade.a, shade.b) * 0.15 / 4;
+            scanner ? heightOf(edge) * leanOf(*scanner) * std::min(axisOffsetShare, scanner->sigma_mm / inner) / 4
+                    : heightOf(edge) * std::hypot(lean.a, lean.b) * axisOffsetShare / 4;
     });
     return result;
 }

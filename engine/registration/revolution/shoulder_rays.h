@@ -25,10 +25,9 @@ struct Ray {
 };
 
 struct EdgeRays {
-    Edge edge;              ///< where the radius jumps
-    std::vector<Ray> rays;  ///< in order of height
-    double lean_sigma_mm =
-        0;  ///< common standard uncertainty of the heights, from the uncertainty of the ray direction
+    Edge edge;                 ///< where the radius jumps
+    std::vector<Ray> rays;     ///< in order of height
+    double lean_sigma_mm = 0;  ///< common standard uncertainty of the heights, from that of the rays' direction
 };
 
 /// The height with as many rays below it as there are misses in total; nullopt with too few hits or misses.
@@ -36,8 +35,8 @@ std::optional<double> balance(const std::vector<Ray>& rays);
 
 /// All edges higher than 8 times the scatter with their rays.
 /// The rays are those of the scanner's axis when the points come row by row (scanner_axis.h); else their lean is found
-/// from the shadow that leaning rays leave beside a shoulder on the side
-/// turned away, which displaces the balance there by half the shadow.
+/// from the shadow that leaning rays leave beside a shoulder on the side turned away, which displaces the balance there
+/// by half the shadow.
 std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, const RevolutionFit& fit,
                                    const Progress& progress = {});
 

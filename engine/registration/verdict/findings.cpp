@@ -15,23 +15,33 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t mostFindings = 8;
-constexpr std::size_t mostBumps = 3;
-constexpr double significanceSigmas = 4;  // significance limit of a step, a taper, a barrel, in standard uncertainties
-constexpr double smallestFinding_mm = 0.002;   // upper bound of the systematic errors of the method
-constexpr double leastShareOfTolerance = 0.1;  // of the half-width of the limits: smaller differences are not reported
-constexpr double longestBumpShare = 0.3;       // largest length of a bump as a share of its stretch
-constexpr double bumpHeightCoverage =
-    2.5;  // coverage factor of the height of a bump without limits, selected among a few windows
-constexpr double shortestMissing_mm = 1;    // least length of rings without points
-constexpr double missingPointShare = 0.02;  // of the median number of points of a ring: fewer count as none
+/// Which differences are reported (registration/README.md, "Thresholds").
+struct FindingThresholds {
+    std::size_t most_findings = 8;
+    std::size_t most_bumps = 3;
+    double significance_sigmas = 4;     ///< of a step, a taper, a barrel
+    double smallest_mm = 0.002;         ///< upper bound of the systematic errors of the method
+    double least_limit_share = 0.1;     ///< of the half-width of the limits: smaller differences are not reported
+    std::size_t taper_rings = 4;        ///< least number of rings for a taper,
+    std::size_t barrel_rings = 8;       ///< and for a barrel
+    double ring_window_mm = 10;         ///< size whose variance inflation is that of a ring
+    double bump_allowance = 0.5;        ///< added to the factor of the extreme: a false bump is worse than a missed one
+    double longest_bump_share = 0.3;    ///< of its stretch
+    double bump_height_coverage = 2.5;  ///< of the height without limits: that is selected among a few windows
+    double bump_distance = 1.5;         ///< of the sum of two windows' sizes: nearer ones belong to one bump
+    double least_bump_part = 10;        ///< 1 / n of the excess of the most significant: lesser ones are left out
+    double shortest_missing_mm = 1;     ///< least length of rings without points
+    double missing_point_share = 0.02;  ///< of the usual number of points of a ring: fewer count as none
+    double least_variance_mm2 = 1e-18;  ///< of the mean of a ring, for exact data
+    double limited_first = 1000;        ///< in the order: differences with limits come before those without
+};
+constexpr FindingThresholds findingThresholds{};
 
 /// The form of one stretch: ends (mean of both), half the change from end to end, middle above the mean of the ends.
 struct Form {
     std::size_t stretch = 0;
     double start_mm = 0, end_mm = 0;
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();
-    Eigen::Vector3d sigma = Eigen::Vector3d::Zero();
+    Eigen::Vector3d value = Eigen::Vector3d::Zero(), sigma = Eigen::Vector3d::Zero();
 
     double at(double z) const
     {
@@ -57,7 +67,7 @@ void fit(const SurfaceWindows& all, const std::vector<const SurfaceRow*>& rings,
         const double extent = stretch.isFace() ? stretch.extent_mm() : ring.z_end_mm - ring.z_start_mm;
         const double bins = std::max(1.0, extent / stretch.reference_step_mm);
         return ring_alike * all.scatter_mm * all.scatter_mm / ring.points +
-               stretch.reference_sigma_mm * stretch.reference_sigma_mm / bins + 1e-18;
+               stretch.reference_sigma_mm * stretch.reference_sigma_mm / bins + findingThresholds.least_variance_mm2;
     };
     for (const SurfaceRow* ring : rings) {
         const Eigen::Vector3d j = row(*ring);
@@ -94,33 +104,42 @@ double inflationFor(const SurfaceWindows& all, double size_mm)
 
 bool isSignificant(double value, double sigma, const std::optional<DeviationLimits>& limits)
 {
-    const double least =
-        limits ? std::max(smallestFinding_mm, leastShareOfTolerance * limits->half_mm()) : smallestFinding_mm;
-    return std::abs(value) > significanceSigmas * sigma && std::abs(value) > least;
+    const double of_limits = limits ? findingThresholds.least_limit_share * limits->half_mm() : 0;
+    const double least = std::max(findingThresholds.smallest_mm, of_limits);
+    return std::abs(value) > findingThresholds.significance_sigmas * sigma && std::abs(value) > least;
+}
+
+/// The rings of a stretch that have points, of a face its mean.
+std::vector<const SurfaceRow*> ringsWithPoints(const SurfaceWindows& all, std::size_t stretch)
+{
+    const auto number = static_cast<std::int32_t>(stretch);
+    std::vector<const SurfaceRow*> rings;
+    double most = 0;
+    for (const SurfaceRow& face : all.faces)
+        if (face.stretch == number) rings.push_back(&face);
+    for (const SurfaceRow& ring : all.rows)
+        if (ring.stretch == number) most = std::max(most, ring.points);
+    for (const SurfaceRow& ring : all.rows)
+        if (ring.stretch == number && ring.points > findingThresholds.missing_point_share * most)
+            rings.push_back(&ring);
+    return rings;
 }
 
 /// Forms of all stretches with enough rings, without the terms that are not significant.
 std::vector<Form> formsOf(const SurfaceWindows& all, const LimitsAlong& limits)
 {
     std::vector<Form> forms;
+    const double variance_inflation = inflationFor(all, findingThresholds.ring_window_mm);
     for (std::size_t s = 0; s < all.stretches.size(); ++s) {
-        std::vector<const SurfaceRow*> rings;
-        double most = 0;
-        for (const SurfaceRow& face : all.faces)
-            if (face.stretch == static_cast<std::int32_t>(s)) rings.push_back(&face);
-        for (const SurfaceRow& ring : all.rows)
-            if (ring.stretch == static_cast<std::int32_t>(s)) most = std::max(most, ring.points);
-        for (const SurfaceRow& ring : all.rows)
-            if (ring.stretch == static_cast<std::int32_t>(s) && ring.points > missingPointShare * most)
-                rings.push_back(&ring);
+        const std::vector<const SurfaceRow*> rings = ringsWithPoints(all, s);
         if (rings.empty()) continue;
         Form form;
         form.stretch = s;
         form.start_mm = rings.front()->z_start_mm;
         form.end_mm = rings.back()->z_end_mm;
         const auto here = limits.between(form.start_mm, form.end_mm);
-        const double variance_inflation = inflationFor(all, 10);
-        std::array<bool, 3> wanted{true, rings.size() >= 4, rings.size() >= 8};
+        std::array<bool, 3> wanted{true, rings.size() >= findingThresholds.taper_rings,
+                                   rings.size() >= findingThresholds.barrel_rings};
         fit(all, rings, variance_inflation, wanted, form);
         if (wanted[2] && !isSignificant(form.value[2], form.sigma[2], here)) {
             wanted[2] = false;
@@ -174,21 +193,19 @@ void describeForm(const SurfaceWindows& all, const Form& form, const LimitsAlong
     add(Finding::Kind::Barrel, form.value[2], form.sigma[2]);
 }
 
-/// Windows that differ significantly from the form of their stretch, in order of falling significance, not overlapping.
-void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits, DecisionRule rule,
-               double factor, std::vector<Finding>& findings)
+/// A window that differs significantly from the form of its stretch.
+struct Bump {
+    double excess = 0;  ///< of the difference over its allowance
+    double beyond = 0;  ///< the difference
+    const SurfaceWindow* window = nullptr;
+};
+
+std::vector<Bump> bumpsOf(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits)
 {
-    if (!all.has_sign && all.axis_T_reference) return;
-    const double allowance = all.factor + 0.5;  // stricter than the verdict: a false bump is worse than a missed one
-    const double coverage = limits.any() ? factor : bumpHeightCoverage;
-    struct Bump {
-        double excess = 0;
-        double beyond = 0;
-        const SurfaceWindow* window = nullptr;
-    };
-    std::vector<Bump> bumps;
+    const double allowance = all.factor + findingThresholds.bump_allowance;
     std::vector<const Form*> by_stretch(all.stretches.size(), nullptr);
     for (const Form& form : forms) by_stretch[form.stretch] = &form;
+    std::vector<Bump> bumps;
     for (const SurfaceWindow& w : all.windows) {
         const auto start = static_cast<double>(w.z_start_mm);
         const auto end = static_cast<double>(w.z_end_mm);
@@ -196,50 +213,72 @@ void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const 
         if (w.stretch >= 0) {
             const Form* form = by_stretch[static_cast<std::size_t>(w.stretch)];
             if (!form) continue;
-            if (static_cast<double>(w.size_mm) > longestBumpShare * all.stretches[form->stretch].extent_mm()) continue;
+            const double extent_mm = all.stretches[form->stretch].extent_mm();
+            if (static_cast<double>(w.size_mm) > findingThresholds.longest_bump_share * extent_mm) continue;
             usual = form->at((start + end) / 2);
         }
         const double rest = std::abs(judgedMean_mm(all, w) - usual) - (usual > 0 ? all.facets_mm : 0);
         const double excess = rest - allowance * static_cast<double>(w.sigma_mm);
-        if (excess <= smallestFinding_mm) continue;
+        if (excess <= findingThresholds.smallest_mm) continue;
         const auto here = limits.between(start, end);
-        if (here && rest < leastShareOfTolerance * here->half_mm()) continue;
+        if (here && rest < findingThresholds.least_limit_share * here->half_mm()) continue;
         bumps.push_back({excess, rest, &w});
     }
+    return bumps;
+}
+
+/// The most significant window may extend beyond the bump: its height is that of a window no larger that contains its
+/// middle.
+Bump topOf(const std::vector<Bump>& bumps, const Bump& best, double coverage)
+{
+    const auto heightOf = [coverage](const Bump& b) {
+        return b.beyond - coverage * static_cast<double>(b.window->sigma_mm);
+    };
+    Bump top = best;
+    for (const Bump& b : bumps)
+        if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
+            b.window->size_mm <= best.window->size_mm && heightOf(b) > heightOf(top))
+            top = b;
+    return top;
+}
+
+/// The most significant bumps that do not overlap, in order of falling significance.
+std::vector<Bump> separateBumps(std::vector<Bump> bumps, double coverage)
+{
     std::vector<Bump> kept;
-    while (kept.size() < mostBumps && !bumps.empty()) {
+    while (kept.size() < findingThresholds.most_bumps && !bumps.empty()) {
         const Bump best = *std::max_element(bumps.begin(), bumps.end(),
                                             [](const Bump& a, const Bump& b) { return a.excess < b.excess; });
-        // The most significant window may extend beyond the bump: its height is that of a window no larger that
-        // contains its middle.
-        Bump top = best;
-        const auto heightOf = [coverage](const Bump& b) {
-            return b.beyond - coverage * static_cast<double>(b.window->sigma_mm);
-        };
-        for (const Bump& b : bumps)
-            if ((b.window->place_mm - best.window->place_mm).norm() < best.window->size_mm / 2 &&
-                b.window->size_mm <= best.window->size_mm && heightOf(b) > heightOf(top))
-                top = b;
-        kept.push_back(top);
+        kept.push_back(topOf(bumps, best, coverage));
         std::erase_if(bumps, [&](const Bump& b) {
             const auto reach = static_cast<double>(b.window->size_mm + best.window->size_mm);
-            return static_cast<double>((b.window->place_mm - best.window->place_mm).norm()) < 1.5 * reach ||
-                   b.excess < best.excess / 10;
+            return static_cast<double>((b.window->place_mm - best.window->place_mm).norm()) <
+                       findingThresholds.bump_distance * reach ||
+                   b.excess < best.excess / findingThresholds.least_bump_part;
         });
     }
-    for (const Bump& bump : kept) {
+    return kept;
+}
+
+void findBumps(const SurfaceWindows& all, const std::vector<Form>& forms, const LimitsAlong& limits, DecisionRule rule,
+               double factor, std::vector<Finding>& findings)
+{
+    if (!all.has_sign && all.axis_T_reference) return;
+    const double coverage = limits.any() ? factor : findingThresholds.bump_height_coverage;
+    for (const Bump& bump : separateBumps(bumpsOf(all, forms, limits), coverage)) {
         const SurfaceWindow& w = *bump.window;
+        const auto start = static_cast<double>(w.z_start_mm);
+        const auto end = static_cast<double>(w.z_end_mm);
         Finding finding;
         finding.kind = Finding::Kind::Bump;
         finding.point_mm = w.place_mm.cast<double>();
         if (all.axis_T_reference) {
-            finding.z_start_mm = static_cast<double>(w.z_start_mm);
-            finding.z_end_mm = static_cast<double>(w.z_end_mm);
+            finding.z_start_mm = start;
+            finding.z_end_mm = end;
         }
         finding.value_mm = judgedMean_mm(all, w);
         finding.uncertainty_mm = coverage * static_cast<double>(w.sigma_mm);
-        if (const auto here = limits.between(static_cast<double>(w.z_start_mm), static_cast<double>(w.z_end_mm)))
-            judgeFinding(all, finding, *here, rule);
+        if (const auto here = limits.between(start, end)) judgeFinding(all, finding, *here, rule);
         findings.push_back(finding);
     }
 }
@@ -250,7 +289,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     std::vector<double> counts;
     for (const SurfaceRow& ring : all.rows) counts.push_back(ring.points / (ring.z_end_mm - ring.z_start_mm));
     if (counts.empty()) return;
-    const double least = missingPointShare * upperMedianInPlace(counts);
+    const double least = findingThresholds.missing_point_share * upperMedianInPlace(counts);
     const auto isThere = [&](const SurfaceRow& ring) {
         return ring.points > least * (ring.z_end_mm - ring.z_start_mm);
     };
@@ -264,7 +303,7 @@ void findMissing(const SurfaceWindows& all, std::vector<Finding>& findings)
     const SurfaceRow* begin = nullptr;
     const SurfaceRow* end = nullptr;
     const auto finish = [&] {
-        if (begin && end->z_end_mm - begin->z_start_mm >= shortestMissing_mm) {
+        if (begin && end->z_end_mm - begin->z_start_mm >= findingThresholds.shortest_missing_mm) {
             Finding finding;
             finding.kind = Finding::Kind::Missing;
             finding.z_start_mm = begin->z_start_mm;
@@ -293,7 +332,8 @@ double strengthOf(const Finding& finding)
 {
     if (finding.kind == Finding::Kind::Missing) return 0;
     const double size = std::abs(finding.value_mm);
-    return finding.limit_mm && *finding.limit_mm > 0 ? 1000 * size / *finding.limit_mm : size;
+    return finding.limit_mm && *finding.limit_mm > 0 ? findingThresholds.limited_first * size / *finding.limit_mm
+                                                     : size;
 }
 
 }  // namespace
@@ -353,7 +393,7 @@ std::vector<Finding> findDifferences(const SurfaceWindows& all, const LimitsAlon
     findMissing(all, findings);
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& a, const Finding& b) { return strengthOf(a) > strengthOf(b); });
-    if (findings.size() > mostFindings) findings.resize(mostFindings);
+    if (findings.size() > findingThresholds.most_findings) findings.resize(findingThresholds.most_findings);
     return findings;
 }
 

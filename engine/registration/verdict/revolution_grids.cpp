@@ -1,11 +1,23 @@
 #include "engine/registration/verdict/revolution_grids.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "engine/core/units.h"
 #include "engine/registration/scanner_spot.h"
 
 namespace lathelier::registration {
+namespace {
+
+/// What a stretch and a face of the meridian need (registration/README.md, "Thresholds").
+struct StretchThresholds {
+    double face_reach_mm = 2;         ///< largest distance of a copy's face from the reference's
+    std::size_t least_bore_bins = 3;  ///< of a run of the bore
+    double least_known_bins = 2;      ///< of a stretch, with a radius
+};
+constexpr StretchThresholds stretchThresholds{};
+
+}  // namespace
+
 Stretches::Stretches(const TurnedPart& part, const MeridianLine& line, bool with_faces) : part_(part), line_(line)
 {
     const RadiusProfile& profile = part.fit.profile;
@@ -18,12 +30,11 @@ Stretches::Stretches(const TurnedPart& part, const MeridianLine& line, bool with
 
 void Stretches::addFaces()
 {
-    constexpr double faceReach_mm = 2;  // largest distance of a copy's face from the reference's
     const std::vector<MeasuredFace>& faces = line_.faces();
     for (std::size_t f = 0; f < faces.size(); ++f) {
         const MeasuredFace& face = faces[f];
         if (stretches_.size() >= noStretch || face.outer_mm - face.inner_mm < smearedEdge_mm) continue;
-        double reach = faceReach_mm;
+        double reach = stretchThresholds.face_reach_mm;
         if (f > 0) reach = std::min(reach, (face.z_mm - faces[f - 1].z_mm) / 2);
         if (f + 1 < faces.size()) reach = std::min(reach, (faces[f + 1].z_mm - face.z_mm) / 2);
         const double middle = (face.inner_mm + face.outer_mm) / 2;
@@ -50,7 +61,7 @@ void Stretches::add(const SmoothRun& run, const RadiusProfile& profile, bool is_
         variance += profile.sigma_mm[i] * profile.sigma_mm[i];
         known += 1;
     }
-    if (known < 2) return;
+    if (known < stretchThresholds.least_known_bins) return;
     const double rise = profile.radius_mm[run.last - 1] - profile.radius_mm[run.first];
     grids_.push_back(grid);
     stretches_.push_back({start - line_.zFirst_mm(), end - line_.zFirst_mm(), is_bore,
@@ -63,7 +74,7 @@ void Stretches::addBore(const RadiusProfile& bore)
 {
     std::size_t from = 0;
     const auto finish = [&](std::size_t to) {
-        if (to >= from + 3)
+        if (to >= from + stretchThresholds.least_bore_bins)
             add({from, to, bore.middle_mm(from) - bore.step_mm / 2, bore.middle_mm(to) - bore.step_mm / 2}, bore, true);
     };
     for (std::size_t i = 0; i < bore.size(); ++i) {
@@ -101,9 +112,9 @@ std::size_t layOut(std::vector<Grid>& grids, double size_mm)
     };
     for (Grid& grid : grids) {
         grid.rows = parts(grid.end_mm - grid.start_mm);
-        grid.columns = parts(2 * std::numbers::pi * grid.radius_mm);
+        grid.columns = parts(turn_rad * grid.radius_mm);
         grid.first = count;
-        count += grid.rows * grid.columns;
+        count += grid.cellCount();
     }
     return count;
 }

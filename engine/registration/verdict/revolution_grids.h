@@ -35,6 +35,7 @@ struct Grid {
     }
     /// In mm².
     double cellArea() const { return rowHeight_mm() * 2 * std::numbers::pi * radius_mm / static_cast<double>(columns); }
+    std::size_t cellCount() const { return rows * columns; }
 };
 
 /// The smooth stretches of a meridian between its edges, its faces, and which of them a point belongs to.
@@ -119,7 +120,7 @@ inline std::size_t cellOf(const Grid& grid, double along, double turn)
     return grid.first + std::min(row, grid.rows - 1) * grid.columns + std::min(column, grid.columns - 1);
 }
 
-/// Number of cells of the round windows about a cell.
+/// Number of cells of the round windows about a cell: those whose middles lie within √2, √5, 3 and √10 cells.
 inline constexpr std::array<std::size_t, 4> windowCells = {9, 21, 29, 37};
 
 /// Calls use(place, number of the smallest of windowCells that holds it) for the cells of the largest window about a
@@ -129,9 +130,10 @@ void forWindow(const Grid& grid, std::size_t row, std::size_t column, Use use)
 {
     const auto rows = static_cast<std::ptrdiff_t>(grid.rows);
     const auto columns = static_cast<std::ptrdiff_t>(grid.columns);
-    const std::ptrdiff_t left = std::max<std::ptrdiff_t>(-3, -((columns - 1) / 2));
-    const std::ptrdiff_t right = std::min<std::ptrdiff_t>(3, columns / 2);
-    for (std::ptrdiff_t r = -3; r <= 3; ++r) {
+    constexpr std::ptrdiff_t reach = 3;
+    const std::ptrdiff_t left = std::max(-reach, -((columns - 1) / 2));
+    const std::ptrdiff_t right = std::min(reach, columns / 2);
+    for (std::ptrdiff_t r = -reach; r <= reach; ++r) {
         const std::ptrdiff_t y = static_cast<std::ptrdiff_t>(row) + r;
         if (y < 0 || y >= rows) continue;
         for (std::ptrdiff_t c = left; c <= right; ++c) {

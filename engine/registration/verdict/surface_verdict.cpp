@@ -11,11 +11,19 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr double toleratedShare = 0.002;  // largest share of the surface that may be unresolved (rims, small corners)
-constexpr double sureHalfWidthShare =
-    0.5;  // of the half-width of the limits: with an expanded uncertainty up to it a window represents its place
-constexpr double leastResolution = 2;  // standard uncertainties within the half-width: noisier windows say nothing
-constexpr std::size_t windowsOfOnePlace = 3;  // the windows that may be out lie about few places and overlap
+/// What a verdict needs to be sure (registration/README.md, "Thresholds").
+struct SurfaceVerdictThresholds {
+    /// Largest share of the surface that may be unresolved: rims, small corners. A disc of 4 mm on a place with 11
+    /// points in place of 26 passed once in 200 with a larger one (tests: small_defect_test.cpp).
+    double tolerated_share = 0.002;
+    double sure_half_width_share = 0.5;  ///< an expanded uncertainty up to this represents its place
+    double least_resolution = 2;  ///< standard uncertainties within the half-width: noisier windows are not judged
+    std::size_t windows_of_one_place = 3;  ///< the windows that may be out lie about few places and overlap
+    double selected_factors = 1.2;     ///< of the factor of the extreme: up to this noise may select the worst place,
+    double clear_range_factors = 0.8;  ///< from this much beyond on it is clear
+    double least_family = 16;          ///< added to the number of windows, whose double logarithm has to be defined
+};
+constexpr SurfaceVerdictThresholds verdictThresholds{};
 
 /// Number of the zone that holds the stretch, or none.
 std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
@@ -31,7 +39,9 @@ std::size_t zoneOf(const std::vector<Zone>& zones, double start, double end)
 double chosenFactor(const SurfaceWindows& all, const SurfaceWindow& window)
 {
     const double out = std::abs(static_cast<double>(window.mean_mm)) / static_cast<double>(window.sigma_mm);
-    const double clear = std::clamp((out - 1.2 * all.factor) / (0.8 * all.factor), 0.0, 1.0);
+    const double clear = std::clamp(
+        (out - verdictThresholds.selected_factors * all.factor) / (verdictThresholds.clear_range_factors * all.factor),
+        0.0, 1.0);
     return std::isfinite(out) ? all.factor + clear * (2 - all.factor) : 2;
 }
 
@@ -97,7 +107,7 @@ WindowPlace chooseWindow(const SurfaceWindows& all, const LimitsAlong& limits, c
                     place.window = w;
                 }
             }
-            if (U_mm <= sureHalfWidthShare * here->half_mm()) break;
+            if (U_mm <= verdictThresholds.sure_half_width_share * here->half_mm()) break;
         } else if (!place.window) {
             place.is_at_border = true;
         }
@@ -149,11 +159,101 @@ std::optional<WorstPlace> mostSignificant(const SurfaceWindows& all)
         const double U_mm = all.factor * static_cast<double>(window.sigma_mm);
         const double beyond_mm = std::abs(judgedMean_mm(all, window)) - U_mm;
         any.take(beyond_mm, window);
-        if (U_mm <= sureHalfWidthShare * all.scatter_mm) sure.take(beyond_mm, window);
+        if (U_mm <= verdictThresholds.sure_half_width_share * all.scatter_mm) sure.take(beyond_mm, window);
     }
     const SurfaceWindow* window = sure.window ? sure.window : any.window;
     if (!window) return std::nullopt;
     return worstPlaceOf(all, *window, std::min(all.factor, chosenFactor(all, *window)));
+}
+
+/// The verdicts of all windows and of each zone, while they are formed.
+class VerdictsByZone {
+public:
+    VerdictsByZone(const std::vector<Zone>& zones, SurfaceVerdict& result) : zones_(zones), result_(result)
+    {
+        result.zones.resize(zones.size());
+    }
+
+    /// Calls change(verdict) for that of all windows and for that of the zone that holds the stretch.
+    template <class Change>
+    void at(double z_start_mm, double z_end_mm, const Change& change)
+    {
+        change(result_.all);
+        const std::size_t zone = zoneOf(zones_, z_start_mm, z_end_mm);
+        if (zone < zones_.size()) change(result_.zones[zone]);
+    }
+
+private:
+    const std::vector<Zone>& zones_;
+    SurfaceVerdict& result_;
+};
+
+/// The most extreme windows of the verdict: those that fail, exceed their limit without being surely out, or are
+/// ambiguous by the guarded rule; and the nearest to its limit, of those that surely represent their place and of all.
+struct Extremes {
+    Extreme failing, exceeding, ambiguous, inside, judged;
+};
+
+/// The windows that may be beyond their limits. Those surely within are left out (Hansen, section 3.1).
+std::vector<Beyond> mayBeOut(const SurfaceWindows& all, const LimitsAlong& limits, Extremes& extremes)
+{
+    const double clearly_within =
+        std::sqrt(2 * std::log(std::log(static_cast<double>(all.windows.size()) + verdictThresholds.least_family)));
+    std::vector<Beyond> may_be_out;
+    for (const SurfaceWindow& window : all.windows) {
+        const auto sigma = static_cast<double>(window.sigma_mm);
+        const auto here = limits.between(static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
+        if (!here || verdictThresholds.least_resolution * sigma > here->half_mm()) continue;
+        const double beyond = excess_mm(all, judgedMean_mm(all, window), 0, *here);
+        extremes.judged.take(beyond - all.factor * sigma, window);
+        if (all.factor * sigma <= verdictThresholds.sure_half_width_share * here->half_mm())
+            extremes.inside.take(beyond - all.factor * sigma, window);
+        if (beyond + clearly_within * sigma > 0) may_be_out.push_back({beyond, here->half_mm(), &window});
+    }
+    return may_be_out;
+}
+
+/// The verdicts of means beyond their limits. `factor`: SurfaceVerdict::factor.
+void judgeBeyond(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule,
+                 const std::vector<Beyond>& may_be_out, double factor, VerdictsByZone& verdicts, Extremes& extremes)
+{
+    for (const Beyond& one : may_be_out) {
+        if (one.by_mm <= 0) continue;
+        const auto sigma = static_cast<double>(one.window->sigma_mm);
+        const bool surely = one.by_mm > factor * sigma;
+        if (!surely && isNoise(all, limits, *one.window)) continue;
+        const bool fails = surely || (rule == DecisionRule::Simple && all.factor * sigma <= one.half_mm);
+        (fails ? extremes.failing : extremes.exceeding).take(one.by_mm - factor * sigma, *one.window);
+        verdicts.at(static_cast<double>(one.window->z_start_mm), static_cast<double>(one.window->z_end_mm),
+                    [&](WindowsVerdict& verdict) { (fails ? verdict.fails : verdict.unsure) = true; });
+    }
+}
+
+/// How large a defect is seen at each place; by the guarded rule also whether the place is surely within its limits.
+void judgePlaces(const SurfaceWindows& all, const LimitsAlong& limits, DecisionRule rule, VerdictsByZone& verdicts,
+                 Extremes& extremes)
+{
+    forEachSmallest(all, [&](const SurfaceWindow& window) {
+        const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
+        if (!limits.at(middle)) return;
+        const WindowPlace place = chooseWindow(all, limits, window);
+        if (place.is_at_border) return;
+        bool unsure = false;
+        if (place.window && rule == DecisionRule::Guarded) {
+            const double U_mm = all.factor * static_cast<double>(place.window->sigma_mm);
+            const double mean_mm = judgedMean_mm(all, *place.window);
+            unsure = judgeMean(all, mean_mm, U_mm, *place.limits, rule) != Verdict::Pass;
+            if (unsure) extremes.ambiguous.take(excess_mm(all, mean_mm, -U_mm, *place.limits), *place.window);
+        }
+        verdicts.at(middle, middle, [&](WindowsVerdict& verdict) {
+            verdict.resolved_mm.push_back(static_cast<float>(place.resolved_mm));
+            verdict.unsure = verdict.unsure || unsure;
+            if (!place.window && place.needed_mm > verdict.needed_mm) {
+                verdict.needed_mm = place.needed_mm;
+                verdict.cell_mm = place.cell_mm;
+            }
+        });
+    });
 }
 
 }  // namespace
@@ -232,7 +332,7 @@ Verdict judgeMean(const SurfaceWindows& all, double mean_mm, double expanded_unc
 double WindowsVerdict::defect_mm() const
 {
     std::vector<float> sizes = resolved_mm;
-    return sizes.empty() ? 0 : static_cast<double>(lowerQuantileInPlace(sizes, 1 - toleratedShare));
+    return sizes.empty() ? 0 : static_cast<double>(lowerQuantileInPlace(sizes, 1 - verdictThresholds.tolerated_share));
 }
 
 std::optional<Verdict> WindowsVerdict::verdict(DecisionRule rule) const
@@ -247,70 +347,20 @@ SurfaceVerdict judgeWindows(const SurfaceWindows& all, const LimitsAlong& limits
                             const std::vector<Zone>& zones)
 {
     SurfaceVerdict result;
-    result.zones.resize(zones.size());
+    VerdictsByZone verdicts(zones, result);
     if (!limits.any()) {
         result.worst = mostSignificant(all);
         result.factor = all.factor;
         return result;
     }
-    const auto forZonesOf = [&](double z_start_mm, double z_end_mm, const auto& change) {
-        change(result.all);
-        const std::size_t zone = zoneOf(zones, z_start_mm, z_end_mm);
-        if (zone < zones.size()) change(result.zones[zone]);
-    };
-
-    // Inequalities that hold by more than this are left out of the family (Hansen, section 3.1).
-    const double clearly_within = std::sqrt(2 * std::log(std::log(static_cast<double>(all.windows.size()) + 16)));
-    Extreme inside;  // of the windows that surely represent their place
-    Extreme judged;
-    std::vector<Beyond> may_be_out;
-    for (const SurfaceWindow& window : all.windows) {
-        const auto sigma = static_cast<double>(window.sigma_mm);
-        const auto here = limits.between(static_cast<double>(window.z_start_mm), static_cast<double>(window.z_end_mm));
-        if (!here || leastResolution * sigma > here->half_mm()) continue;
-        const double beyond = excess_mm(all, judgedMean_mm(all, window), 0, *here);
-        judged.take(beyond - all.factor * sigma, window);
-        if (all.factor * sigma <= sureHalfWidthShare * here->half_mm())
-            inside.take(beyond - all.factor * sigma, window);
-        if (beyond + clearly_within * sigma > 0) may_be_out.push_back({beyond, here->half_mm(), &window});
-    }
+    Extremes extremes;
+    const std::vector<Beyond> may_be_out = mayBeOut(all, limits, extremes);
     // One-sided: the other limit is at least three standard uncertainties further away.
-    result.factor = std::min(all.factor, coverageFactorOfWorst(may_be_out.size(), windowsOfOnePlace * all.about, 1));
-    Extreme failing;
-    Extreme exceeding;
-    for (const Beyond& one : may_be_out) {
-        if (one.by_mm <= 0) continue;
-        const auto sigma = static_cast<double>(one.window->sigma_mm);
-        const bool surely = one.by_mm > result.factor * sigma;
-        if (!surely && isNoise(all, limits, *one.window)) continue;
-        const bool fails = surely || (rule == DecisionRule::Simple && all.factor * sigma <= one.half_mm);
-        (fails ? failing : exceeding).take(one.by_mm - result.factor * sigma, *one.window);
-        forZonesOf(static_cast<double>(one.window->z_start_mm), static_cast<double>(one.window->z_end_mm),
-                   [&](WindowsVerdict& verdict) { (fails ? verdict.fails : verdict.unsure) = true; });
-    }
-
-    Extreme ambiguous;
-    forEachSmallest(all, [&](const SurfaceWindow& window) {
-        const auto middle = (static_cast<double>(window.z_start_mm) + static_cast<double>(window.z_end_mm)) / 2;
-        if (!limits.at(middle)) return;
-        const WindowPlace place = chooseWindow(all, limits, window);
-        if (place.is_at_border) return;
-        bool unsure = false;
-        if (place.window && rule == DecisionRule::Guarded) {
-            const double U_mm = all.factor * static_cast<double>(place.window->sigma_mm);
-            const double mean_mm = judgedMean_mm(all, *place.window);
-            unsure = judgeMean(all, mean_mm, U_mm, *place.limits, rule) != Verdict::Pass;
-            if (unsure) ambiguous.take(excess_mm(all, mean_mm, -U_mm, *place.limits), *place.window);
-        }
-        forZonesOf(middle, middle, [&](WindowsVerdict& verdict) {
-            verdict.resolved_mm.push_back(static_cast<float>(place.resolved_mm));
-            verdict.unsure = verdict.unsure || unsure;
-            if (!place.window && place.needed_mm > verdict.needed_mm) {
-                verdict.needed_mm = place.needed_mm;
-                verdict.cell_mm = place.cell_mm;
-            }
-        });
-    });
+    result.factor = std::min(
+        all.factor, coverageFactorOfWorst(may_be_out.size(), verdictThresholds.windows_of_one_place * all.about, 1));
+    judgeBeyond(all, limits, rule, may_be_out, result.factor, verdicts, extremes);
+    judgePlaces(all, limits, rule, verdicts, extremes);
+    const auto& [failing, exceeding, ambiguous, inside, judged] = extremes;
     for (const Extreme* worst : {&failing, &exceeding, &ambiguous, &inside, &judged})
         if (worst->window && !result.worst)
             result.worst = worstPlaceOf(all, *worst->window,

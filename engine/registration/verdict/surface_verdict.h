@@ -72,7 +72,7 @@ struct WindowsVerdict {
 /// The verdict of all windows, of each given zone (by its z), and the worst place.
 ///
 /// A window's expanded uncertainty U is its standard uncertainty times a coverage factor for the extreme of many: that
-/// of all windows; for means beyond their limits that of the windows that may be out of them. A window says nothing
+/// of all windows; for means beyond their limits that of the windows that may be out of them. A window is not judged
 /// when its standard uncertainty is more than half the half-width of its limits. Of the others
 /// - one with mean - U beyond the limit fails by every rule;
 /// - one with its mean beyond the limit by less is undecided; by the simple rule it fails where U is within the

@@ -15,7 +15,11 @@ namespace lathelier::registration {
 namespace {
 
 constexpr std::size_t judgedPerTask = 65536;
-constexpr double clearlyAbove = 1.1;
+constexpr double clearlyAbove = 1.1;      // of the scanner's accuracy, which is known to about 10 %
+constexpr double zoneCoverage = 2;        // factor of an expanded uncertainty, 95 %
+constexpr double discPerSquare = 1.1284;  // 2/√π: diameter of the disc of a square's area, over its side
+constexpr double shownSizesPerMm = 10;    // the size of a defect is rounded up to 0.1 mm
+constexpr double leastLimit_mm = 1e-9;    // that a needed uncertainty is compared with
 
 /// Points that have limits, and those within them.
 struct Share {
@@ -50,14 +54,12 @@ struct ZoneSums {
     std::vector<std::array<double, 3>> of;
 };
 
-std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
+/// The zones that are given, in order of z, else the automatic ones; without their means.
+std::vector<Zone> emptyZones(std::vector<ZoneLimits> given, const std::vector<Interval>& automatic)
 {
-    std::vector<Zone> zones;
-    if (!result.windows || result.windows->z_mm.empty()) return zones;
-    const SurfaceWindows& all = *result.windows;
-    std::vector<ZoneLimits> given = result.parameters.zones;
     std::sort(given.begin(), given.end(),
               [](const ZoneLimits& a, const ZoneLimits& b) { return a.z_start_mm < b.z_start_mm; });
+    std::vector<Zone> zones;
     for (const ZoneLimits& zone : given) {
         zones.emplace_back();
         zones.back().z_start_mm = zone.z_start_mm;
@@ -67,15 +69,20 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
         zones.back().upper_mm = zone.upper_mm;
     }
     if (given.empty())
-        for (const Interval& zone : all.automatic_zones_mm) {
+        for (const Interval& zone : automatic) {
             zones.emplace_back();
             zones.back().z_start_mm = zone.from;
             zones.back().z_end_mm = zone.to;
         }
-    if (zones.empty()) return zones;
+    return zones;
+}
 
+ZoneSums zoneSumsOf(const CompareResult& result, const std::vector<Zone>& zones, const Progress& progress)
+{
+    const SurfaceWindows& all = *result.windows;
+    const ZoneSums empty{std::vector<std::array<double, 3>>(zones.size())};
     const auto sumsOf = [&](std::size_t begin, std::size_t end) {
-        ZoneSums sums{std::vector<std::array<double, 3>>(zones.size())};
+        ZoneSums sums = empty;
         for (std::size_t i = begin; i < end; ++i) {
             if (all.counted[i] != 1) continue;  // faces lie across the axis and are no part of a zone's mean
             const auto z = static_cast<double>(all.z_mm[i]);
@@ -90,13 +97,22 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
         }
         return sums;
     };
-    const ZoneSums sums = parallelReduce(all.counted.size(), judgedPerTask, progress,
-                                         ZoneSums{std::vector<std::array<double, 3>>(zones.size())}, sumsOf,
-                                         [](ZoneSums to, const ZoneSums& from) {
-                                             for (std::size_t k = 0; k < to.of.size(); ++k)
-                                                 for (std::size_t j = 0; j < 3; ++j) to.of[k][j] += from.of[k][j];
-                                             return to;
-                                         });
+    return parallelReduce(all.counted.size(), judgedPerTask, progress, empty, sumsOf,
+                          [](ZoneSums to, const ZoneSums& from) {
+                              for (std::size_t k = 0; k < to.of.size(); ++k)
+                                  for (std::size_t j = 0; j < 3; ++j) to.of[k][j] += from.of[k][j];
+                              return to;
+                          });
+}
+
+/// The zones with their means; automatic ones only where there are points.
+std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
+{
+    if (!result.windows || result.windows->z_mm.empty()) return {};
+    const SurfaceWindows& all = *result.windows;
+    std::vector<Zone> zones = emptyZones(result.parameters.zones, all.automatic_zones_mm);
+    if (zones.empty()) return zones;
+    const ZoneSums sums = zoneSumsOf(result, zones, progress);
     for (std::size_t k = 0; k < zones.size(); ++k) {
         const auto& [count, sum, squares] = sums.of[k];
         Zone& zone = zones[k];
@@ -104,17 +120,16 @@ std::vector<Zone> zonesOf(const CompareResult& result, const Progress& progress)
         zone.mean_mm = count > 0 ? sum / count : notANumber;
         zone.std_mm = count > 1 ? std::sqrt(std::max(0.0, (squares - sum * sum / count) / (count - 1))) : notANumber;
         if (count > 0)
-            zone.uncertainty_mm = 2 * meanSigma_mm(all, zone.z_start_mm, zone.z_end_mm, count,
-                                                   meanNormal(all, zone.z_start_mm, zone.z_end_mm));
+            zone.uncertainty_mm = zoneCoverage * meanSigma_mm(all, zone.z_start_mm, zone.z_end_mm, count,
+                                                              meanNormal(all, zone.z_start_mm, zone.z_end_mm));
     }
-    if (given.empty()) std::erase_if(zones, [](const Zone& zone) { return zone.points == 0; });
+    if (result.parameters.zones.empty()) std::erase_if(zones, [](const Zone& zone) { return zone.points == 0; });
     return zones;
 }
 
-/// What the scan is too poor for.
+/// Notes that small defects may be hidden, or that the uncertainty is too large for the limits.
 void noteResolution(CompareResult& result, const WindowsVerdict& whole)
 {
-    constexpr double diameterOfSquare = 1.1284;  // 2/√π: of the disc of the same area
     const double smallest_mm = whole.defect_mm();
     if (smallest_mm <= leastDefect_mm) return;
     double limit = std::numeric_limits<double>::infinity();
@@ -122,11 +137,11 @@ void noteResolution(CompareResult& result, const WindowsVerdict& whole)
     for (const ZoneLimits& zone : result.parameters.zones)
         if (zone.lower_mm) limit = std::min(limit, (*zone.upper_mm - *zone.lower_mm) / 2);
     if (smallest_mm <= largestDefect_mm) {
-        const double across_mm = std::ceil(10 * diameterOfSquare * smallest_mm) / 10;
+        const double across_mm = std::ceil(shownSizesPerMm * discPerSquare * smallest_mm) / shownSizesPerMm;
         result.notes.push_back({notes::smallDefectsHidden, {{"size_mm", across_mm}, {"limit_mm", limit}}});
         return;
     }
-    const double ratio = whole.needed_mm / std::max(limit, 1e-9);
+    const double ratio = whole.needed_mm / std::max(limit, leastLimit_mm);
     result.notes.push_back({notes::scanTooPoor,
                             {{"limit_mm", limit},
                              {"cell_mm", whole.cell_mm},

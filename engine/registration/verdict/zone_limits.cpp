@@ -8,7 +8,7 @@
 namespace lathelier::registration {
 namespace {
 
-constexpr std::size_t mostZones = 1000;
+constexpr std::size_t mostZones = 1000;  // as the field `zones` says (compare_parameters.cpp)
 
 /// The fault of a zone and the key concerned; empty key: no fault.
 struct Fault {

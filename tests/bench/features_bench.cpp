@@ -53,6 +53,21 @@ void drawnReference(benchmark::State& state)
 }
 BENCHMARK(drawnReference)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->UseRealTime();
 
+/// A drawing with a cone of 30 m that the part has not: the work follows the rows of the drawing, not its size.
+void drawnHugeCone(benchmark::State& state)
+{
+    Shaft shaft;
+    shaft.segments = {{98, 30, 30000, 0, {}, {}}, {10, 37, 37, 0, {}, {}}};
+    const registration::DrawnReference drawn{features::shaftMesh(shaft).scan, closedContour(shaft)};
+    registration::CompareParameters parameters;
+    parameters.method = registration::CompareMethod::Plane;
+    for ([[maybe_unused]] auto _ : state) try {
+            benchmark::DoNotOptimize(registration::compare(drawn, scan(), parameters));
+        } catch (const Error&) {  // the parts do not match: that is the answer
+        }
+}
+BENCHMARK(drawnHugeCone)->Unit(benchmark::kMillisecond)->UseRealTime();
+
 void stepOut(benchmark::State& state)
 {
     const Shaft shaft = features::recognize(scan(), {}).shaft;

@@ -119,6 +119,7 @@ Eigen::MatrixXd byResidues(const LinearTerms& terms, Index each)
 
 Eigen::MatrixXd solvedScaled(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right, double damping)
 {
+    if (right.size() == 0) return right;  // without modes, or without terms
     const Eigen::VectorXd inverse = matrix.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
     Eigen::MatrixXd scaled = inverse.asDiagonal() * matrix * inverse.asDiagonal();
     scaled.diagonal().array() += damping;

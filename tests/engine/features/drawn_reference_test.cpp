@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 #include <vector>
 
 #include "engine/core/random.h"
@@ -107,7 +106,7 @@ TEST(DrawnReference, SurfaceIsThatOfItsMesh)
     EXPECT_LT(both, queries.size());
 }
 
-/// The work for a cone follows its rows and not its size: with triangles this took minutes.
+/// The work for a cone follows its rows and not its size (tests/bench): with triangles this took minutes.
 TEST(DrawnReference, HugeConeIsAligned)
 {
     Shaft shaft;
@@ -115,14 +114,12 @@ TEST(DrawnReference, HugeConeIsAligned)
     const Scan copy = sample::scanShaft(sample::nominalShaft(), askew(6));
     registration::CompareParameters parameters;
     parameters.method = registration::CompareMethod::Plane;
-    const auto begin = std::clock();
     try {
         registration::compare(registration::DrawnReference{shaftMesh(shaft).scan, closedContour(shaft)}, copy,
                               parameters);
     } catch (const Error& error) {
         EXPECT_STREQ(error.code().key, "parts_do_not_match");
     }
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 30);
 }
 
 }  // namespace

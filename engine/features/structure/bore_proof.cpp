@@ -7,9 +7,8 @@
 namespace lathelier::features {
 namespace {
 
-constexpr BoreThresholds limits = boreThresholds;
-using FineSectors = std::bitset<static_cast<std::size_t>(limits.sectors)>;
-using AroundSectors = std::bitset<static_cast<std::size_t>(limits.around_sectors)>;
+using FineSectors = std::bitset<static_cast<std::size_t>(boreThresholds.sectors)>;
+using AroundSectors = std::bitset<static_cast<std::size_t>(boreThresholds.around_sectors)>;
 
 /// Sectors where a wall is seen, by cell along z.
 struct SeenSectors {
@@ -22,8 +21,8 @@ struct SeenSectors {
             return std::min(static_cast<std::size_t>(count) - 1,
                             static_cast<std::size_t>(turn * static_cast<float>(count)));
         };
-        by_z[row].set(in(limits.sectors));
-        around.set(in(limits.around_sectors));
+        by_z[row].set(in(boreThresholds.sectors));
+        around.set(in(boreThresholds.around_sectors));
     }
 };
 
@@ -37,8 +36,8 @@ double radiusOf_mm(const Chain& chain, double z_mm)
 /// Is the chain seen where the outside is, and around?
 bool isBore(const MeridianCloud& cloud, const SurfaceTable& outside, double sigma_mm, const Chain& chain)
 {
-    const double first = chain.zFirst_mm(), near = limits.near_sigmas * sigma_mm + mapThresholds.far_mm;
-    const auto rows = static_cast<std::size_t>((chain.zLast_mm() - first) / limits.cell_mm) + 1;
+    const double first = chain.zFirst_mm(), near = boreThresholds.near_sigmas * sigma_mm + mapThresholds.far_mm;
+    const auto rows = static_cast<std::size_t>((chain.zLast_mm() - first) / boreThresholds.cell_mm) + 1;
     SeenSectors inner{std::vector<FineSectors>(rows), {}}, outer{std::vector<FineSectors>(rows), {}};
     AroundSectors around;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
@@ -48,20 +47,20 @@ bool isBore(const MeridianCloud& cloud, const SurfaceTable& outside, double sigm
         if (on_outside)
             around.set(std::min(around.size() - 1,
                                 static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(around.size()))));
-        const double row = (z - first) / limits.cell_mm;
+        const double row = (z - first) / boreThresholds.cell_mm;
         if (row < 0 || row >= static_cast<double>(rows)) continue;
         if (on_outside) outer.add(static_cast<std::size_t>(row), cloud.turn[i]);
         if (std::abs(r - radiusOf_mm(chain, z)) < near) inner.add(static_cast<std::size_t>(row), cloud.turn[i]);
     }
-    if (static_cast<double>(inner.around.count()) < limits.least_around * static_cast<double>(around.count()))
+    if (static_cast<double>(inner.around.count()) < boreThresholds.least_around * static_cast<double>(around.count()))
         return false;
     double shared = 0, expected = 0;
     for (std::size_t row = 0; row < rows; ++row) {
         shared += static_cast<double>((inner.by_z[row] & outer.by_z[row]).count());
         expected += static_cast<double>(inner.by_z[row].count()) * static_cast<double>(outer.by_z[row].count()) /
-                    limits.sectors;
+                    boreThresholds.sectors;
     }
-    return shared >= limits.least_shared * expected;
+    return shared >= boreThresholds.least_shared * expected;
 }
 
 }  // namespace

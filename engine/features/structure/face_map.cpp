@@ -11,8 +11,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr FaceThresholds limits = faceThresholds;
-
 /// A plane of the model with the ring that it shows.
 struct Face {
     double z_mm = 0, inner_mm = 0, outer_mm = 0;
@@ -23,7 +21,7 @@ std::vector<Face> facesOf(const Outline& outside, const Outline* bore)
     const Model& model = outside.model;
     std::vector<Face> faces;
     const auto add = [&](double z, double a, double b) {
-        const Face face{z, std::min(a, b) + limits.rim_mm, std::max(a, b) - limits.rim_mm};
+        const Face face{z, std::min(a, b) + faceThresholds.rim_mm, std::max(a, b) - faceThresholds.rim_mm};
         if (face.outer_mm > face.inner_mm) faces.push_back(face);
     };
     const Run &first = model.runs.front(), &last = model.runs.back();
@@ -49,8 +47,9 @@ std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const
     const double area = turn_rad / 2 * (face.outer_mm * face.outer_mm - face.inner_mm * face.inner_mm);
     const double density = static_cast<double>(places.size()) / area;
     FaceGrid grid;
-    grid.cell_mm = std::max(limits.least_cell_mm, std::sqrt(limits.cell_points / std::max(1e-9, density)));
-    if (grid.cell_mm > limits.most_cell_mm) return std::nullopt;
+    grid.cell_mm =
+        std::max(faceThresholds.least_cell_mm, std::sqrt(faceThresholds.cell_points / std::max(1e-9, density)));
+    if (grid.cell_mm > faceThresholds.most_cell_mm) return std::nullopt;
     grid.side = static_cast<std::size_t>(std::ceil(2 * face.outer_mm / grid.cell_mm));
     grid.points.assign(grid.side * grid.side, 0);
     const auto index = [&](double x) {
@@ -71,7 +70,7 @@ std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const
         seen += grid.points[c] > 0 ? 1 : 0;
         sum += static_cast<double>(grid.points[c]);
     }
-    if (seen < limits.seen_share * cells || seen == 0) return std::nullopt;
+    if (seen < faceThresholds.seen_share * cells || seen == 0) return std::nullopt;
     grid.mean = sum / seen;
     return grid;
 }
@@ -83,7 +82,7 @@ std::optional<UnexplainedStructure> holesOf(const FaceGrid& grid, const Face& fa
     for (std::size_t c = 0; c < empty.size(); ++c) {
         if (grid.points[c] < 0) continue;
         cells += 1;
-        empty[c] = static_cast<double>(grid.points[c]) <= limits.empty_share * grid.mean ? 1 : 0;
+        empty[c] = static_cast<double>(grid.points[c]) <= faceThresholds.empty_share * grid.mean ? 1 : 0;
     }
     UnexplainedStructure found;
     found.kind = StructureKind::NoPoints;
@@ -93,15 +92,15 @@ std::optional<UnexplainedStructure> holesOf(const FaceGrid& grid, const Face& fa
     for (const std::vector<std::size_t>& region : connectedRegions(empty, grid.side, false)) {
         const RegionBox box = boxOf(region, grid.side, false);
         const double area = static_cast<double>(region.size()) * cell_mm2;
-        if (area >= limits.least_hole_mm2 &&
-            isRound(region, box, grid.cell_mm, grid.cell_mm, limits.most_aspect, limits.most_fill)) {
+        if (area >= faceThresholds.least_hole_mm2 &&
+            isRound(region, box, grid.cell_mm, grid.cell_mm, faceThresholds.most_aspect, faceThresholds.most_fill)) {
             ++found.places;
             found.area_mm2 += area;
         } else {
             others += static_cast<double>(region.size());
         }
     }
-    if (found.places == 0 || others > limits.most_missing * cells) return std::nullopt;
+    if (found.places == 0 || others > faceThresholds.most_missing * cells) return std::nullopt;
     return found;
 }
 
@@ -112,7 +111,7 @@ std::vector<UnexplainedStructure> holesInFaces(const MeridianCloud& cloud, const
 {
     std::vector<UnexplainedStructure> all;
     if (!outside.surface_scan) return all;
-    const double near = limits.near_sigmas * outside.model.sigma_mm + limits.near_mm;
+    const double near = faceThresholds.near_sigmas * outside.model.sigma_mm + faceThresholds.near_mm;
     for (const Face& face : facesOf(outside, bore)) {
         progress.check();
         std::vector<Eigen::Vector2d> places;

@@ -9,9 +9,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr LobeThresholds limits = lobeThresholds;
-constexpr std::size_t sectors = ResidualMap::sectors;
-
 /// Sums over the cells of a stretch by sector.
 struct Profile {
     std::vector<double> sum_mm, points;
@@ -19,12 +16,12 @@ struct Profile {
 
 Profile profileOf(const ResidualMap& map, const SurfaceTable& surface, double from_mm, double to_mm)
 {
-    Profile profile{std::vector<double>(sectors, 0), std::vector<double>(sectors, 0)};
+    Profile profile{std::vector<double>(mapSectors, 0), std::vector<double>(mapSectors, 0)};
     const double half = map.cell_mm / 2;
     for (std::size_t row = 0; row < map.rows; ++row) {
         const double z = map.middle_mm(row);
         if (z - half < from_mm || z + half > to_mm || surface.at(z).run < 0) continue;
-        for (std::size_t s = 0; s < sectors; ++s) {
+        for (std::size_t s = 0; s < mapSectors; ++s) {
             const MapCell& cell = map.at(row, s);
             if (cell.far > cell.on) continue;
             profile.sum_mm[s] += static_cast<double>(cell.sum_mm);
@@ -50,13 +47,13 @@ double angleOf(std::size_t sector)
 
 Harmonics harmonicsOf(const Profile& profile)
 {
-    const Eigen::Index count = 1 + 2 * limits.most_lobes;
+    const Eigen::Index count = 1 + 2 * lobeThresholds.most_lobes;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
     Eigen::VectorXd right = Eigen::VectorXd::Zero(count), row(count);
-    for (std::size_t s = 0; s < sectors; ++s) {
+    for (std::size_t s = 0; s < mapSectors; ++s) {
         if (profile.points[s] == 0) continue;
         row[0] = 1;
-        for (int k = 1; k <= limits.most_lobes; ++k) {
+        for (int k = 1; k <= lobeThresholds.most_lobes; ++k) {
             row[2 * k - 1] = std::cos(k * angleOf(s));
             row[2 * k] = std::sin(k * angleOf(s));
         }
@@ -73,7 +70,7 @@ Harmonics harmonicsOf(const Profile& profile)
 double varianceOf(const Profile& profile, double sigma_mm)
 {
     double points = 0, sum = 0, squares = 0, noise = 0;
-    for (std::size_t s = 0; s < sectors; ++s) {
+    for (std::size_t s = 0; s < mapSectors; ++s) {
         const double n = profile.points[s];
         if (n == 0) continue;
         points += n;
@@ -91,20 +88,21 @@ LobeFit lobesOf(const ResidualMap& map, const SurfaceTable& surface, const Run& 
 {
     LobeFit found;
     const double from = run.nodes_mm[element], to = run.nodes_mm[element + 1];
-    if (to - from < limits.least_length_mm) return found;
+    if (to - from < lobeThresholds.least_length_mm) return found;
     const Profile profile = profileOf(map, surface, from, to);
     const auto seen = std::count_if(profile.points.begin(), profile.points.end(), [](double n) { return n > 0; });
-    if (static_cast<double>(seen) < limits.least_cover * mapThresholds.sectors) return found;
+    if (static_cast<double>(seen) < lobeThresholds.least_cover * mapThresholds.sectors) return found;
     const Harmonics harmonics = harmonicsOf(profile);
     const double least = 2 * least_share * varianceOf(profile, map.sigma_mm);
-    for (int k = 1; k <= limits.most_lobes; ++k) {
+    for (int k = 1; k <= lobeThresholds.most_lobes; ++k) {
         const double amplitude = harmonics.amplitude_mm(k);
         const double u = scale * map.sigma_mm * std::sqrt(harmonics.cofactorOf(k));
-        if (!(amplitude > std::max(limits.sigmas * u, 1e-3 * limits.least_um)) || amplitude * amplitude < least)
+        if (!(amplitude > std::max(lobeThresholds.sigmas * u, 1e-3 * lobeThresholds.least_um)) ||
+            amplitude * amplitude < least)
             continue;
         const double cosine = harmonics.fit[2 * k - 1], sine = harmonics.fit[2 * k];
-        found.curve_mm.resize(sectors, 0);
-        for (std::size_t s = 0; s < sectors; ++s)
+        found.curve_mm.resize(mapSectors, 0);
+        for (std::size_t s = 0; s < mapSectors; ++s)
             found.curve_mm[s] += cosine * std::cos(k * angleOf(s)) + sine * std::sin(k * angleOf(s));
         if (k == 1) {
             found.lobes.offset_mm = amplitude;
@@ -125,8 +123,8 @@ void removeLobes(ResidualMap& map, const SurfaceTable& surface, std::size_t run,
         const SurfaceTable::Place& place = surface.at(map.middle_mm(row));
         if (place.run != static_cast<std::int32_t>(run) || place.element != static_cast<std::int32_t>(element))
             continue;
-        for (std::size_t s = 0; s < sectors; ++s) {
-            MapCell& cell = map.cells[row * sectors + s];
+        for (std::size_t s = 0; s < mapSectors; ++s) {
+            MapCell& cell = map.cells[row * mapSectors + s];
             cell.sum_mm -= static_cast<float>(static_cast<double>(cell.on) * curve_mm[s]);
         }
     }

@@ -6,8 +6,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr ProofThresholds limits = proofThresholds;
-
 /// Share of the slices along one direction whose mean is off the plane.
 template <class Place>
 double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Place& place)
@@ -15,18 +13,19 @@ double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Pl
     const auto less = [&](const FloorPoint& a, const FloorPoint& b) { return place(a) < place(b); };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
     const double first = place(*low);
-    const auto count = static_cast<std::size_t>((place(*high) - first) / limits.slice_mm) + 1;
+    const auto count = static_cast<std::size_t>((place(*high) - first) / proofThresholds.slice_mm) + 1;
     std::vector<double> sums(count, 0), numbers(count, 0);
     for (const FloorPoint& point : points) {
-        const auto slice = static_cast<std::size_t>((place(point) - first) / limits.slice_mm);
+        const auto slice = static_cast<std::size_t>((place(point) - first) / proofThresholds.slice_mm);
         sums[slice] += point.off_mm;
         numbers[slice] += 1;
     }
     double judged = 0, off = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (numbers[i] < limits.slice_points) continue;
+        if (numbers[i] < proofThresholds.slice_points) continue;
         judged += 1;
-        const double limit = limits.slice_sigmas * sigma_mm / std::sqrt(numbers[i]) + limits.slice_mm_off;
+        const double limit =
+            proofThresholds.slice_sigmas * sigma_mm / std::sqrt(numbers[i]) + proofThresholds.slice_mm_off;
         if (std::abs(sums[i] / numbers[i]) > limit) off += 1;
     }
     return judged > 0 ? off / judged : 0;
@@ -37,8 +36,9 @@ double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Pl
 bool isPlane(const std::vector<FloorPoint>& points, double sigma_mm)
 {
     if (points.empty()) return false;
-    return shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.z_mm; }) <= limits.most_slices_off &&
-           shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.across_mm; }) <= limits.most_slices_off;
+    return shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.z_mm; }) <= proofThresholds.most_slices_off &&
+           shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.across_mm; }) <=
+               proofThresholds.most_slices_off;
 }
 
 FloorShape floorShape(double radius_mm, double floor_mm, double width_mm, double limit_mm)
@@ -46,8 +46,9 @@ FloorShape floorShape(double radius_mm, double floor_mm, double width_mm, double
     const double seen_mm = radius_mm - limit_mm;
     if (!(seen_mm > floor_mm)) return FloorShape::Neither;
     const double chord = 2 * std::sqrt(seen_mm * seen_mm - floor_mm * floor_mm);
-    if (std::abs(width_mm - chord) <= limits.chord_share * chord + limits.chord_mm) return FloorShape::Flat;
-    return width_mm < limits.keyway_share * chord ? FloorShape::Keyway : FloorShape::Neither;
+    if (std::abs(width_mm - chord) <= proofThresholds.chord_share * chord + proofThresholds.chord_mm)
+        return FloorShape::Flat;
+    return width_mm < proofThresholds.keyway_share * chord ? FloorShape::Keyway : FloorShape::Neither;
 }
 
 }  // namespace lathelier::features

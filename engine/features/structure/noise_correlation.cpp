@@ -9,38 +9,54 @@
 namespace lathelier::features {
 namespace {
 
-constexpr CorrelationThresholds limits = correlationThresholds;
-constexpr std::size_t sectors = ResidualMap::sectors;
 constexpr double medianOfChiSquare = 0.4549;  ///< with one degree of freedom
 
 struct Patch {
     double sum_mm = 0, points = 0;
 };
 
-/// Patches of one element.
-std::vector<Patch> patchesOf(const ResidualMap& map, const SurfaceTable& surface, const Run& run, std::size_t element)
+/// Patches of one element, by stretches along z: what is the same all around is form of the meridian.
+std::vector<std::vector<Patch>> patchesOf(const ResidualMap& map, const SurfaceTable& surface, const Run& run,
+                                          std::size_t element)
 {
     const double from = run.nodes_mm[element], to = run.nodes_mm[element + 1];
     const double radius = run.elements[element].radiusAt_mm((from + to) / 2);
-    const auto along = std::max<std::size_t>(1, static_cast<std::size_t>((to - from) / limits.patch_mm));
-    const auto around = static_cast<std::size_t>(turn_rad * radius / limits.patch_mm);
-    if (around < 3) return {};
-    std::vector<Patch> patches(along * around);
+    const auto along = std::max<std::size_t>(1, static_cast<std::size_t>((to - from) / correlationThresholds.patch_mm));
+    const auto around = static_cast<std::size_t>(turn_rad * radius / correlationThresholds.patch_mm);
+    if (around < correlationThresholds.least_ring) return {};
+    std::vector<std::vector<Patch>> patches(along, std::vector<Patch>(around));
     for (std::size_t row = 0; row < map.rows; ++row) {
         const double z = map.middle_mm(row);
         if (z < from || z > to || surface.at(z).run < 0) continue;
         const auto a =
             std::min(along - 1, static_cast<std::size_t>((z - from) / (to - from) * static_cast<double>(along)));
-        for (std::size_t s = 0; s < sectors; ++s) {
+        for (std::size_t s = 0; s < mapSectors; ++s) {
             const MapCell& cell = map.at(row, s);
             if (cell.far > cell.on) continue;
-            Patch& patch = patches[a * around + s * around / sectors];
+            Patch& patch = patches[a][s * around / mapSectors];
             patch.sum_mm += static_cast<double>(cell.sum_mm);
             patch.points += static_cast<double>(cell.on);
         }
     }
-    std::erase_if(patches, [](const Patch& patch) { return patch.points < limits.least_points; });
+    for (std::vector<Patch>& ring : patches)
+        std::erase_if(ring, [](const Patch& patch) { return patch.points < correlationThresholds.least_points; });
     return patches;
+}
+
+/// Squares of the means of patches about that of their ring, over their variance if points were independent.
+void addSquares(const std::vector<Patch>& ring, double sigma_mm, std::vector<double>& squares)
+{
+    if (ring.size() < correlationThresholds.least_ring) return;
+    double sum = 0, points = 0;
+    for (const Patch& patch : ring) {
+        sum += patch.sum_mm;
+        points += patch.points;
+    }
+    const double freedom = static_cast<double>(ring.size() - 1) / static_cast<double>(ring.size());
+    for (const Patch& patch : ring) {
+        const double off = patch.sum_mm / patch.points - sum / points;
+        squares.push_back(patch.points * off * off / (sigma_mm * sigma_mm * freedom));
+    }
 }
 
 }  // namespace
@@ -52,25 +68,15 @@ double varianceRatio(const ResidualMap& map, const SurfaceTable& surface, const 
     for (const Run& run : outside.runs)
         for (std::size_t k = 0; k < run.elements.size(); ++k) {
             if (run.elements[k].rough) continue;
-            const std::vector<Patch> patches = patchesOf(map, surface, run, k);
-            if (patches.size() < 4) continue;
-            double sum = 0, points = 0;
-            for (const Patch& patch : patches) {
-                sum += patch.sum_mm;
-                points += patch.points;
-            }
-            const double freedom = static_cast<double>(patches.size() - 1) / static_cast<double>(patches.size());
-            for (const Patch& patch : patches) {
-                const double off = patch.sum_mm / patch.points - sum / points;
-                squares.push_back(patch.points * off * off / (sigma * sigma * freedom));
-            }
+            for (const std::vector<Patch>& ring : patchesOf(map, surface, run, k)) addSquares(ring, sigma, squares);
         }
-    if (squares.size() < limits.least_patches) return 1;
+    if (squares.size() < correlationThresholds.least_patches) return 1;
     const double count = static_cast<double>(squares.size());
     const double ratio = median(std::move(squares)) / medianOfChiSquare;
     // Standard deviation of the median of χ² with one degree of freedom: ½ over its density there and √n.
     constexpr double densityAtMedian = 0.4714;
-    const double sure = 1 + limits.sure_sigmas * 0.5 / (densityAtMedian * medianOfChiSquare * std::sqrt(count));
+    const double sure =
+        1 + correlationThresholds.sure_sigmas * 0.5 / (densityAtMedian * medianOfChiSquare * std::sqrt(count));
     return ratio > sure ? ratio : 1;
 }
 
@@ -97,9 +103,9 @@ double differenceOfPasses_um(const Outline& outside)
             has_before = true;
         }
     }
-    if (ratios.size() < limits.least_bins) return 0;
+    if (ratios.size() < correlationThresholds.least_bins) return 0;
     const double ratio = median(std::move(ratios)) / medianOfChiSquare;
-    if (ratio < limits.least_bin_ratio) return 0;
+    if (ratio < correlationThresholds.least_bin_ratio) return 0;
     return 1e3 * std::sqrt((ratio - 1) * median(std::move(noise)));
 }
 

@@ -15,6 +15,7 @@ namespace lathelier::features {
 struct CorrelationThresholds {
     double patch_mm = 8;             ///< side of a patch: beyond the waves of 5-9 mm of photogrammetry
     double least_points = 50;        ///< of a patch
+    std::size_t least_ring = 3;      ///< patches around the axis
     std::size_t least_patches = 24;  ///< fewer give no variance
     double sure_sigmas = 4;          ///< by which the ratio exceeds 1 before it counts; white noise stays as it is
     double least_bin_ratio = 2;      ///< of the variance of neighbouring bins over that of noise, before passes differ

@@ -64,7 +64,7 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
     map.cell_mm = surface.cell_mm();
     map.sigma_mm = outside.sigma_mm;
     map.rows = static_cast<std::size_t>((surface.last_mm() - map.first_mm) / map.cell_mm) + 1;
-    map.cells.resize(map.rows * ResidualMap::sectors);
+    map.cells.resize(map.rows * mapSectors);
     const auto limit = static_cast<float>(mapThresholds.far_sigmas * map.sigma_mm + mapThresholds.far_mm);
     const std::vector<float> bore_mm = boreRadii(bore, surface);
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
@@ -76,8 +76,8 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
             const auto b = static_cast<std::size_t>((z - map.first_mm) / (map.cell_mm / 2));
             if (cloud.r_mm[i] < (place.radius_mm + bore_mm[std::min(b, bore_mm.size() - 1)]) / 2) continue;
         }
-        const auto sector = static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(ResidualMap::sectors));
-        MapCell& cell = map.cells[map.rowOf(z) * ResidualMap::sectors + std::min(sector, ResidualMap::sectors - 1)];
+        const auto sector = static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(mapSectors));
+        MapCell& cell = map.cells[map.rowOf(z) * mapSectors + std::min(sector, mapSectors - 1)];
         const float off = cloud.r_mm[i] - place.radius_mm;
         if (std::abs(off) > limit) {
             ++cell.far;

@@ -21,6 +21,7 @@ struct MapThresholds {
     double far_mm = 0.1;       ///< likewise: waviness and steps of the walls of ordinary scans
 };
 inline constexpr MapThresholds mapThresholds{};
+inline constexpr auto mapSectors = static_cast<std::size_t>(mapThresholds.sectors);
 
 /// Radius of an outline by z, tabulated; nothing in gaps, in rough zones and beside planes.
 class SurfaceTable {
@@ -65,8 +66,7 @@ struct ResidualMap {
     std::vector<MapCell> cells;  ///< by row, then sector
     double sigma_mm = 0;         ///< noise of single points
 
-    static constexpr auto sectors = static_cast<std::size_t>(mapThresholds.sectors);
-    const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * sectors + sector]; }
+    const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * mapSectors + sector]; }
     std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm); }
     double middle_mm(std::size_t row) const { return first_mm + (static_cast<double>(row) + 0.5) * cell_mm; }
 };

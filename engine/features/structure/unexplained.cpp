@@ -11,9 +11,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr StructureThresholds limits = structureThresholds;
-constexpr std::size_t sectors = ResidualMap::sectors;
-
 /// Means of the cells about the median of their ring; NaN where too few points are.
 struct CellMeans {
     std::vector<float> mean_mm;
@@ -27,14 +24,14 @@ CellMeans cellMeans(const ResidualMap& map)
     std::vector<float> ring, weighted;
     for (std::size_t row = 0; row < map.rows; ++row) {
         ring.clear();
-        for (std::size_t s = 0; s < sectors; ++s) {
+        for (std::size_t s = 0; s < mapSectors; ++s) {
             const MapCell& cell = map.at(row, s);
-            if (cell.on < limits.least_points) continue;
-            ring.push_back(means.mean_mm[row * sectors + s] = cell.sum_mm / static_cast<float>(cell.on));
+            if (cell.on < structureThresholds.least_points) continue;
+            ring.push_back(means.mean_mm[row * mapSectors + s] = cell.sum_mm / static_cast<float>(cell.on));
         }
         const float middle = upperMedianInPlace(ring);
-        for (std::size_t s = 0; s < sectors; ++s) {
-            float& mean = means.mean_mm[row * sectors + s];
+        for (std::size_t s = 0; s < mapSectors; ++s) {
+            float& mean = means.mean_mm[row * mapSectors + s];
             if (std::isnan(mean)) continue;
             mean -= middle;
             weighted.push_back(std::abs(mean) * std::sqrt(static_cast<float>(map.at(row, s).on)));
@@ -52,30 +49,30 @@ std::vector<std::uint8_t> offCells(const ResidualMap& map, const CellMeans& mean
     std::vector<std::uint8_t> off(map.cells.size(), 0);
     for (std::size_t c = 0; c < off.size(); ++c) {
         const MapCell& cell = map.cells[c];
-        const bool is_far = cell.far >= limits.least_far && cell.far > cell.on;
+        const bool is_far = cell.far >= structureThresholds.least_far && cell.far > cell.on;
         const double mean = std::abs(static_cast<double>(means.mean_mm[c]));
         const double noise = means.scatter * map.sigma_mm / std::sqrt(std::max(1.0, static_cast<double>(cell.on)));
-        off[c] = is_far || (mean > form_mm && mean > limits.sigmas * noise) ? 1 : 0;  // false for NaN
+        off[c] = is_far || (mean > form_mm && mean > structureThresholds.sigmas * noise) ? 1 : 0;  // false for NaN
     }
     return off;
 }
 
-/// Cells that hold hardly any points where their ring does; a window of three sectors bridges the pitch of the rays.
+/// Cells that hold hardly any points where their ring does; a window of three mapSectors bridges the pitch of the rays.
 std::vector<std::uint8_t> emptyCells(const ResidualMap& map)
 {
     std::vector<std::uint8_t> empty(map.cells.size(), 0);
-    std::vector<float> window(sectors), sorted;
+    std::vector<float> window(mapSectors), sorted;
     for (std::size_t row = 0; row < map.rows; ++row) {
         const auto points = [&](std::size_t s) {
-            const MapCell& cell = map.at(row, s % sectors);
+            const MapCell& cell = map.at(row, s % mapSectors);
             return static_cast<float>(cell.on + cell.far);
         };
-        for (std::size_t s = 0; s < sectors; ++s) window[s] = points(s + sectors - 1) + points(s) + points(s + 1);
+        for (std::size_t s = 0; s < mapSectors; ++s) window[s] = points(s + mapSectors - 1) + points(s) + points(s + 1);
         sorted = window;
         const float usual = upperMedianInPlace(sorted);
-        if (usual < limits.least_usual) continue;
-        for (std::size_t s = 0; s < sectors; ++s)
-            empty[row * sectors + s] = window[s] <= limits.empty_share * usual ? 1 : 0;
+        if (usual < structureThresholds.least_usual) continue;
+        for (std::size_t s = 0; s < mapSectors; ++s)
+            empty[row * mapSectors + s] = window[s] <= structureThresholds.empty_share * usual ? 1 : 0;
     }
     return empty;
 }
@@ -85,7 +82,7 @@ bool isNamed(const std::vector<ShaftMark>& marks, double z_mm, double turn, doub
 {
     return std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
         if (!mark.z_start_mm || !mark.z_end_mm) return false;
-        const double rim = limits.beside_mark_mm;
+        const double rim = structureThresholds.beside_mark_mm;
         if (z_mm < *mark.z_start_mm - rim || z_mm > *mark.z_end_mm + rim) return false;
         if (!mark.angle_deg || !mark.width_mm) return true;
         const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * radius_mm))) + rim / radius_mm;
@@ -102,7 +99,7 @@ double columnWidth_mm(const SurfaceTable& surface, double z_mm)
 UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& surface,
                                  const std::vector<std::size_t>& region)
 {
-    const RegionBox box = boxOf(region, sectors, true);
+    const RegionBox box = boxOf(region, mapSectors, true);
     UnexplainedStructure found;
     found.z_start_mm = map.first_mm + map.cell_mm * static_cast<double>(box.first_row);
     found.z_end_mm = map.first_mm + map.cell_mm * static_cast<double>(box.last_row + 1);
@@ -113,7 +110,7 @@ UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& sur
     std::uint32_t points = 0;
     for (const std::size_t c : region) {
         const MapCell& cell = map.cells[c];
-        found.area_mm2 += map.cell_mm * columnWidth_mm(surface, map.middle_mm(c / sectors));
+        found.area_mm2 += map.cell_mm * columnWidth_mm(surface, map.middle_mm(c / mapSectors));
         points += cell.on + cell.far;
         const bool is_far = cell.far > cell.on;
         const auto count = static_cast<float>(is_far ? cell.far : cell.on);
@@ -131,7 +128,7 @@ bool isNamed(const std::vector<ShaftMark>& marks, const ResidualMap& map, const 
 {
     std::size_t named = 0;
     for (const std::size_t c : region) {
-        const double z = map.middle_mm(c / sectors), turn = (static_cast<double>(c % sectors) + 0.5) / sectors;
+        const double z = map.middle_mm(c / mapSectors), turn = (static_cast<double>(c % mapSectors) + 0.5) / mapSectors;
         if (isNamed(marks, z, turn, std::max(1e-3, static_cast<double>(surface.at(z).radius_mm)))) ++named;
     }
     return 2 * named > region.size();
@@ -143,17 +140,18 @@ std::vector<std::vector<std::size_t>> holesOf(const ResidualMap& map, const Surf
     const std::vector<std::uint8_t> empty = emptyCells(map);
     std::vector<std::vector<std::size_t>> round;
     std::size_t others = 0;
-    for (std::vector<std::size_t>& region : connectedRegions(empty, sectors, true)) {
-        const RegionBox box = boxOf(region, sectors, true);
+    for (std::vector<std::size_t>& region : connectedRegions(empty, mapSectors, true)) {
+        const RegionBox box = boxOf(region, mapSectors, true);
         const double width = columnWidth_mm(surface, map.middle_mm((box.first_row + box.last_row) / 2));
         const double area = static_cast<double>(region.size()) * map.cell_mm * width;
-        if (area >= limits.least_hole_mm2 &&
-            isRound(region, box, map.cell_mm, width, limits.most_aspect, limits.most_fill))
+        if (area >= structureThresholds.least_hole_mm2 &&
+            isRound(region, box, map.cell_mm, width, structureThresholds.most_aspect, structureThresholds.most_fill))
             round.push_back(std::move(region));
         else
             others += region.size();
     }
-    if (static_cast<double>(others) > limits.most_missing * static_cast<double>(map.cells.size())) round.clear();
+    if (static_cast<double>(others) > structureThresholds.most_missing * static_cast<double>(map.cells.size()))
+        round.clear();
     return round;
 }
 
@@ -165,7 +163,7 @@ void joinAround(std::vector<UnexplainedStructure>& all)
         const auto same = std::find_if(joined.begin(), joined.end(), [&](const UnexplainedStructure& other) {
             const double shared = std::min(one.z_end_mm, other.z_end_mm) - std::max(one.z_start_mm, other.z_start_mm);
             const double longer = std::max(one.z_end_mm - one.z_start_mm, other.z_end_mm - other.z_start_mm);
-            return one.kind == other.kind && shared >= limits.same_z_share * longer;
+            return one.kind == other.kind && shared >= structureThresholds.same_z_share * longer;
         });
         if (same == joined.end()) {
             joined.push_back(one);
@@ -214,9 +212,9 @@ std::vector<UnexplainedStructure> unexplainedOutside(const ResidualMap& map, con
 {
     std::vector<UnexplainedStructure> all;
     const std::vector<std::uint8_t> off = offCells(map, cellMeans(map), form_mm);
-    for (const std::vector<std::size_t>& region : connectedRegions(off, sectors, true)) {
+    for (const std::vector<std::size_t>& region : connectedRegions(off, mapSectors, true)) {
         progress.check();
-        if (region.size() < limits.least_cells || isNamed(marks, map, surface, region)) continue;
+        if (region.size() < structureThresholds.least_cells || isNamed(marks, map, surface, region)) continue;
         all.push_back(structureOf(map, surface, region));
     }
     for (const std::vector<std::size_t>& region : holesOf(map, surface)) {

@@ -107,8 +107,8 @@ inline constexpr NoteCode noiseCorrelated{
 inline constexpr NoteCode passesDiffer{
     "passes_differ", Severity::Warning,
     LT_TEXT("Engine",
-            "Neighbouring bins differ by {scatter_um:1} µm beyond the noise (χ² {chi2:1}), as passes of a scanner that "
-            "do not agree: every diameter may be off by that much.")};
+            "Passes of the scanner differ by {difference_um:1} µm on the radius (χ² {chi2:1} per bin): every diameter "
+            "may be off by twice that.")};
 
 inline constexpr NoteCode edgeNotPlaced{
     "edge_not_placed", Severity::Warning,

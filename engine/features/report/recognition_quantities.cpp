@@ -100,7 +100,7 @@ const std::vector<QuantityOf<Recognition>>& quantitiesOf(const Recognition*)
         quantity<R>("variance_ratio", &R::variance_ratio,
                     {LT_TEXT("Engine", "Variance of a row's mean over that of independent points"), {}, 1}),
         quantity<R>("passes_differ_um", &R::passes_differ_um,
-                    {LT_TEXT("Engine", "Scatter of neighbouring bins beyond the noise"), unit::um, 1}),
+                    {LT_TEXT("Engine", "Half of the difference between passes, on the radius"), unit::um, 1}),
         quantity<R>("volume_mm3", &R::volume_mm3, {LT_TEXT("Engine", "Volume"), unit::mm3, 1}),
         quantity<R>("points_used", &R::points_used, {LT_TEXT("Engine", "Points"), {}, 0}));
     return all;

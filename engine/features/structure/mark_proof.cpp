@@ -6,9 +6,9 @@
 namespace lathelier::features {
 namespace {
 
-/// Share of the slices along one direction whose mean is off the plane.
+/// Do enough slices along one direction have their mean in the plane?
 template <class Place>
-double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Place& place)
+bool isStraight(const std::vector<FloorPoint>& points, double sigma_mm, const Place& place)
 {
     const auto less = [&](const FloorPoint& a, const FloorPoint& b) { return place(a) < place(b); };
     const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
@@ -28,7 +28,7 @@ double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Pl
             proofThresholds.slice_sigmas * sigma_mm / std::sqrt(numbers[i]) + proofThresholds.slice_mm_off;
         if (std::abs(sums[i] / numbers[i]) > limit) off += 1;
     }
-    return judged > 0 ? off / judged : 0;
+    return judged >= proofThresholds.least_slices && off <= proofThresholds.most_slices_off * judged;
 }
 
 }  // namespace
@@ -36,9 +36,8 @@ double shareOff(const std::vector<FloorPoint>& points, double sigma_mm, const Pl
 bool isPlane(const std::vector<FloorPoint>& points, double sigma_mm)
 {
     if (points.empty()) return false;
-    return shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.z_mm; }) <= proofThresholds.most_slices_off &&
-           shareOff(points, sigma_mm, [](const FloorPoint& p) { return p.across_mm; }) <=
-               proofThresholds.most_slices_off;
+    return isStraight(points, sigma_mm, [](const FloorPoint& p) { return p.z_mm; }) &&
+           isStraight(points, sigma_mm, [](const FloorPoint& p) { return p.across_mm; });
 }
 
 FloorShape floorShape(double radius_mm, double floor_mm, double width_mm, double limit_mm)

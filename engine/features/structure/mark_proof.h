@@ -10,6 +10,7 @@ namespace lathelier::features {
 /// Thresholds of the proofs.
 struct ProofThresholds {
     double slice_mm = 1;           ///< width of the slices along z and across
+    double least_slices = 3;       ///< judged: fewer do not tell a plane from the bottom of a pit
     double slice_points = 8;       ///< of a slice that is judged
     double slice_sigmas = 4;       ///< by which the mean of a slice may be off
     double slice_mm_off = 0.01;    ///< besides: waviness of a milled floor

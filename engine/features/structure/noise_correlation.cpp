@@ -1,6 +1,7 @@
 #include "engine/features/structure/noise_correlation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/core/statistics.h"
@@ -104,9 +105,44 @@ double differenceOfPasses_um(const Outline& outside)
         }
     }
     if (ratios.size() < correlationThresholds.least_bins) return 0;
-    const double ratio = median(std::move(ratios)) / medianOfChiSquare;
+    // Bins of one pass stand beside bins of another, and beside some that hold both.
+    constexpr double quantileOfChiSquare = 2.7055;  // 0.9, one degree of freedom
+    const double ratio = quantileInPlace(ratios, 0.9) / quantileOfChiSquare;
     if (ratio < correlationThresholds.least_bin_ratio) return 0;
     return 1e3 * std::sqrt((ratio - 1) * median(std::move(noise)));
+}
+
+double differenceOfOrder_um(const ResidualMap& map, double variance_ratio)
+{
+    std::array<double, filePasses> offsets{}, points{};
+    double mixed = 0, seen = 0;
+    for (std::size_t c = 0; c < map.cells.size(); ++c) {
+        const MapCell& cell = map.cells[c];
+        const CellOrder& order = map.order[c];
+        if (cell.on < correlationThresholds.least_cell || cell.far > cell.on) continue;
+        ++seen;
+        const auto parts = std::count_if(order.on.begin(), order.on.end(), [](std::uint32_t n) { return n > 0; });
+        if (parts < 2) continue;
+        ++mixed;
+        const double mean = order.total_mm() / static_cast<double>(cell.on);
+        for (std::size_t q = 0; q < filePasses; ++q) {
+            const auto n = static_cast<double>(order.on[q]);
+            offsets[q] += static_cast<double>(order.sum_mm[q]) - n * mean;
+            points[q] += n;
+        }
+    }
+    if (seen == 0 || mixed < correlationThresholds.least_mixed * seen) return 0;
+    double low = HUGE_VAL, high = -HUGE_VAL, u = 0;
+    for (std::size_t q = 0; q < filePasses; ++q) {
+        if (points[q] == 0) continue;
+        low = std::min(low, offsets[q] / points[q]);
+        high = std::max(high, offsets[q] / points[q]);
+        u = std::max(u, map.sigma_mm * std::sqrt(2 * variance_ratio / points[q]));
+    }
+    const double half = (high - low) / 2;
+    return half > correlationThresholds.order_sigmas * u && 1e3 * half > correlationThresholds.least_order_um
+               ? 1e3 * half
+               : 0;
 }
 
 }  // namespace lathelier::features

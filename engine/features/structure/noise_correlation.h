@@ -19,7 +19,11 @@ struct CorrelationThresholds {
     std::size_t least_patches = 24;  ///< fewer give no variance
     double sure_sigmas = 4;          ///< by which the ratio exceeds 1 before it counts; white noise stays as it is
     double least_bin_ratio = 2;      ///< of the variance of neighbouring bins over that of noise, before passes differ
-    std::size_t least_bins = 40;     ///< fewer give no variance
+    double least_cell = 4;           ///< points of a cell whose parts of the file are compared
+    double least_mixed = 0.3;   ///< share of the cells that hold points of several parts: passes cover all of the part
+    double order_sigmas = 5;    ///< of the difference of parts of the file
+    double least_order_um = 2;  ///< half of their difference
+    std::size_t least_bins = 40;  ///< fewer give no variance
 };
 inline constexpr CorrelationThresholds correlationThresholds{};
 
@@ -29,5 +33,9 @@ double varianceRatio(const ResidualMap& map, const SurfaceTable& surface, const 
 /// Standard deviation of the bins beyond the noise, from differences of neighbours, in µm on the radius; 0 where it is
 /// not sure.
 double differenceOfPasses_um(const Outline& outside);
+
+/// Half of the largest difference between quarters of the file, in the order of its points, where the same places hold
+/// points of several: passes one after the other. In µm on the radius; 0 where it is not sure.
+double differenceOfOrder_um(const ResidualMap& map, double variance_ratio);
 
 }  // namespace lathelier::features

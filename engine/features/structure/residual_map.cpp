@@ -65,6 +65,7 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
     map.sigma_mm = outside.sigma_mm;
     map.rows = static_cast<std::size_t>((surface.last_mm() - map.first_mm) / map.cell_mm) + 1;
     map.cells.resize(map.rows * mapSectors);
+    map.order.resize(map.cells.size());
     const auto limit = static_cast<float>(mapThresholds.far_sigmas * map.sigma_mm + mapThresholds.far_mm);
     const std::vector<float> bore_mm = boreRadii(bore, surface);
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
@@ -77,7 +78,8 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
             if (cloud.r_mm[i] < (place.radius_mm + bore_mm[std::min(b, bore_mm.size() - 1)]) / 2) continue;
         }
         const auto sector = static_cast<std::size_t>(cloud.turn[i] * static_cast<float>(mapSectors));
-        MapCell& cell = map.cells[map.rowOf(z) * mapSectors + std::min(sector, mapSectors - 1)];
+        const std::size_t index = map.rowOf(z) * mapSectors + std::min(sector, mapSectors - 1);
+        MapCell& cell = map.cells[index];
         const float off = cloud.r_mm[i] - place.radius_mm;
         if (std::abs(off) > limit) {
             ++cell.far;
@@ -85,6 +87,10 @@ ResidualMap residualMap(const MeridianCloud& cloud, const SurfaceTable& surface,
         } else {
             ++cell.on;
             cell.sum_mm += off * place.cosine;
+            CellOrder& order = map.order[index];
+            const std::size_t part = i * filePasses / cloud.z_mm.size();
+            ++order.on[part];
+            order.sum_mm[part] += off * place.cosine;
         }
     }
     return map;

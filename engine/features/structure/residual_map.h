@@ -2,6 +2,7 @@
 // leaves, place by place.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -59,12 +60,28 @@ struct MapCell {
     float far_sum_mm = 0;   ///< sum of the residuals of the others, along the radius
 };
 
+inline constexpr std::size_t filePasses = 4;  ///< parts of the file, in the order of its points
+
+/// Points of one cell on the wall by parts of the file.
+struct CellOrder {
+    std::array<std::uint32_t, filePasses> on{};
+    std::array<float, filePasses> sum_mm{};
+
+    double total_mm() const
+    {
+        double sum = 0;
+        for (const float one : sum_mm) sum += static_cast<double>(one);
+        return sum;
+    }
+};
+
 struct ResidualMap {
-    double first_mm = 0;         ///< z of the first row of cells, in the frame of the outline
-    double cell_mm = 1;          ///< length of a cell along z
-    std::size_t rows = 0;        ///< number of rows of cells
-    std::vector<MapCell> cells;  ///< by row, then sector
-    double sigma_mm = 0;         ///< noise of single points
+    double first_mm = 0;           ///< z of the first row of cells, in the frame of the outline
+    double cell_mm = 1;            ///< length of a cell along z
+    std::size_t rows = 0;          ///< number of rows of cells
+    std::vector<MapCell> cells;    ///< by row, then sector
+    std::vector<CellOrder> order;  ///< of the same cells
+    double sigma_mm = 0;           ///< noise of single points
 
     const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * mapSectors + sector]; }
     std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm); }

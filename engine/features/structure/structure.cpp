@@ -96,7 +96,7 @@ void noteNoise(const PartStructure& structure, const JointFit& fit, Recognition&
     else if (structure.variance_ratio > 1)
         result.notes.push_back({notes::noiseCorrelated, {{"factor", std::sqrt(structure.variance_ratio)}}});
     if (structure.passes_um > 0)
-        result.notes.push_back({notes::passesDiffer, {{"scatter_um", structure.passes_um}, {"chi2", chi2}}});
+        result.notes.push_back({notes::passesDiffer, {{"difference_um", 2 * structure.passes_um}, {"chi2", chi2}}});
 }
 
 }  // namespace
@@ -116,6 +116,7 @@ PartStructure structureOf(const StructureInput& input, const Progress& progress)
         removeLobes(rest, input.surface, r, k, fit.curve_mm);
     });
     found.variance_ratio = varianceRatio(rest, input.surface, model);
+    found.passes_um = std::max(found.passes_um, differenceOfOrder_um(found.map, found.variance_ratio));
     const double chi2 = chiSquarePerBin(input.outside.fit);
     if (chi2 > largestChiSquare && chi2 > found.variance_ratio && found.passes_um == 0) {
         found.variance_ratio = chi2;

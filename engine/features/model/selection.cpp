@@ -51,7 +51,7 @@ double priorOf(const Model& model, std::size_t r, std::size_t k)
     return rises_into_foot ? selectionLimits.unusual_cone_price : 0;
 }
 
-bool isSound(const Run& run)
+bool isConsistent(const Run& run)
 {
     return !(run.violation > selectionLimits.largest_violation);
 }
@@ -71,7 +71,7 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
         model.runs[r].elements[k] = element;
         releaseNeighbourTies(model.runs[r], k);
         const double value = criterion(model, scope, selectionLimits.kind_iterations) + priorOf(model, r, k);
-        if (!(value < best.value - selectionLimits.kind_gain) || !isSound(model.runs[r])) return;
+        if (!(value < best.value - selectionLimits.kind_gain) || !isConsistent(model.runs[r])) return;
         best = {model.runs[r], value};
         changed = true;
     };
@@ -134,7 +134,7 @@ bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<El
         const std::size_t end = std::min(last + 1, run.elements.size() - 1);
         const double value = fitWindow(model, {r, first, end}, from, to, selectionLimits.insert_iterations) +
                              price(model, slotsOf(model, r, first, end).size());
-        if (!(value < best.value) || !isSound(run)) continue;
+        if (!(value < best.value) || !isConsistent(run)) continue;
         best = {run, value};
         found = true;
     }

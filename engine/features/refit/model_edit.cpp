@@ -40,20 +40,6 @@ ElementPlace elementPlaceOf(const Model& model, const RowChange& change)
     throw Error(errors::rowNotThere, {{"row", change.row}, {"rows", static_cast<std::int64_t>(countRows(model))}});
 }
 
-/// Removes ties without a partner.
-void releaseLostTies(Run& run)
-{
-    for (std::size_t i = 0; i < run.elements.size(); ++i) {
-        Element& e = run.elements[i];
-        if (!e.arc) continue;
-        const bool first = i == 0, last = i + 1 == run.elements.size();
-        if (e.start == Tie::Tangent && (first || run.elements[i - 1].arc)) e.start = Tie::Free;
-        if (e.end == Tie::Tangent && (last || run.elements[i + 1].arc)) e.end = Tie::Free;
-        if (e.start == Tie::Plane && !first) e.start = Tie::Free;
-        if (e.end == Tie::Plane && !last) e.end = Tie::Free;
-    }
-}
-
 /// A plane behind element k: the run becomes two.
 void putPlane(Model& model, std::size_t r, std::size_t k, double z_mm, double sigma_mm)
 {
@@ -222,11 +208,7 @@ void fitArc(Model& model, const ElementPlace& place, bool convex)
     const double z0 = run.nodes_mm[k], z1 = run.nodes_mm[k + 1];
     const double r0 = run.elements[k].radiusAt_mm(z0), r1 = run.elements[k].radiusAt_mm(z1);
     const double chord = std::hypot(z1 - z0, r1 - r0);
-    std::vector<Tie> starts{Tie::Free}, ends{Tie::Free};
-    if (k > 0 && !run.elements[k - 1].arc) starts.push_back(Tie::Tangent);
-    if (k < last && !run.elements[k + 1].arc) ends.push_back(Tie::Tangent);
-    if (k == 0 && !model.planes[run.left].data_end) starts.push_back(Tie::Plane);
-    if (k == last && !model.planes[run.right].data_end) ends.push_back(Tie::Plane);
+    const std::vector<Tie> starts = possibleTies(model, run, k, true), ends = possibleTies(model, run, k, false);
     const Window window{place.run, k > 0 ? k - 1 : k, std::min(k + 1, last)};
     const double price =
         selectionLimits.parameter_price * std::log(static_cast<double>(std::max<std::size_t>(2, run.walls.size())));

@@ -15661,135 +15661,135 @@
     </message>
     <message>
         <source>NOT EXPLAINED, z {from}-{to}</source>
-        <translation type="unfinished"></translation>
+        <translation>NIEWYJAŚNIONE, z {from}-{to}</translation>
     </message>
     <message>
         <source>Unexplained structure ({structure}) from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², up to {height_mm:3} mm, at {places} places around the axis: no row and no mark describes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niewyjaśniona struktura ({structure}) od z {z_start_mm:1} do {z_end_mm:1} mm, {area_mm2:1} mm², do {height_mm:3} mm, w {places} miejscach wokół osi: nie opisuje jej żaden wiersz ani znak.</translation>
     </message>
     <message>
         <source>No points from z {z_start_mm:1} to {z_end_mm:1} mm, {area_mm2:1} mm², at {places} round places of a surface that is seen: no row and no mark explains it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brak punktów od z {z_start_mm:1} do {z_end_mm:1} mm, {area_mm2:1} mm², w {places} okrągłych miejscach widocznej powierzchni: nie wyjaśnia tego żaden wiersz ani znak.</translation>
     </message>
     <message>
         <source>Structure that no row explains was stated to be damage of the part: {count} stretches.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strukturę, której nie wyjaśnia żaden wiersz, podano jako uszkodzenie części: odcinków {count}.</translation>
     </message>
     <message>
         <source>The noise of neighbouring points is correlated: the uncertainties are {factor:1} times those of independent points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Szum sąsiednich punktów jest skorelowany: niepewności są {factor:1} razy większe niż dla punktów niezależnych.</translation>
     </message>
     <message>
         <source>Passes of the scanner differ by {difference_um:1} µm on the radius (χ² {chi2:1} per bin): every diameter may be off by twice that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przejścia skanera różnią się o {difference_um:1} µm na promieniu (χ² {chi2:1} na przedział): każda średnica może być błędna o dwa razy tyle.</translation>
     </message>
     <message>
         <source>At the shoulder near z {z_mm:2} mm rays hit and miss over all of half a millimetre: its place is that of the walls beside it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przy odsadzeniu koło z {z_mm:2} mm promienie trafiają i chybiają na całej szerokości pół milimetra: jego położenie wynika z sąsiednich ścianek.</translation>
     </message>
     <message>
         <source>The bins scatter more than their noise explains (χ² {chi2:1} per bin): the uncertainties are multiplied by its root.</source>
-        <translation type="unfinished"></translation>
+        <translation>Przedziały są rozrzucone bardziej, niż wyjaśnia to szum (χ² {chi2:1} na przedział): niepewności pomnożono przez pierwiastek.</translation>
     </message>
     <message>
         <source>Row {row}: the data do not determine its {size} (U {uncertainty_mm:1} mm); it is given without an uncertainty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersz {row}: dane nie wyznaczają wielkości „{size}” (U {uncertainty_mm:1} mm); podano ją bez niepewności.</translation>
     </message>
     <message>
         <source>Rows that are not round: {count}; row {row} has {lobes} lobes of {height_um:1} µm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiersze nieokrągłe: {count}; wiersz {row} ma {lobes} łuki o wysokości {height_um:1} µm.</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished"></translation>
+        <translation>początek</translation>
     </message>
     <message>
         <source>end</source>
-        <translation type="unfinished"></translation>
+        <translation>koniec</translation>
     </message>
     <message>
         <source>start diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>średnica początkowa</translation>
     </message>
     <message>
         <source>end diameter</source>
-        <translation type="unfinished"></translation>
+        <translation>średnica końcowa</translation>
     </message>
     <message>
         <source>no CAD, no program</source>
-        <translation type="unfinished"></translation>
+        <translation>bez CAD i programu</translation>
     </message>
     <message>
         <source>damage of the part</source>
-        <translation type="unfinished"></translation>
+        <translation>uszkodzenie części</translation>
     </message>
     <message>
         <source>Unexplained structure</source>
-        <translation type="unfinished"></translation>
+        <translation>Niewyjaśniona struktura</translation>
     </message>
     <message>
         <source>What no row and no mark explains. Damage: a person says that the part was made without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>To, czego nie wyjaśnia żaden wiersz ani znak. Uszkodzenie: człowiek stwierdza, że część wykonano bez tego.</translation>
     </message>
     <message>
         <source>unexplained</source>
-        <translation type="unfinished"></translation>
+        <translation>niewyjaśnione</translation>
     </message>
     <message>
         <source>raised</source>
-        <translation type="unfinished"></translation>
+        <translation>wypukłe</translation>
     </message>
     <message>
         <source>sunken</source>
-        <translation type="unfinished"></translation>
+        <translation>wklęsłe</translation>
     </message>
     <message>
         <source>without points</source>
-        <translation type="unfinished"></translation>
+        <translation>bez punktów</translation>
     </message>
     <message>
         <source>Variance of a row&apos;s mean over that of independent points</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Scatter of neighbouring bins beyond the noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Wariancja średniej wiersza względem punktów niezależnych</translation>
     </message>
     <message>
         <source>Structure that no row and no mark explains</source>
-        <translation type="unfinished"></translation>
+        <translation>Struktura, której nie wyjaśnia żaden wiersz ani znak</translation>
     </message>
     <message>
         <source>Places</source>
-        <translation type="unfinished"></translation>
+        <translation>Miejsca</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Kierunek</translation>
     </message>
     <message>
         <source>Area</source>
-        <translation type="unfinished"></translation>
+        <translation>Pole</translation>
     </message>
     <message>
         <source>mm²</source>
-        <translation type="unfinished"></translation>
+        <translation>mm²</translation>
     </message>
     <message>
         <source>Unexplained: {structure} · z {from_mm:1}-{to_mm:1} mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Niewyjaśnione: {structure} · z {from_mm:1}-{to_mm:1} mm</translation>
     </message>
     <message>
         <source>Off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Poza osią</translation>
     </message>
     <message>
         <source>Height of the lobes</source>
-        <translation type="unfinished"></translation>
+        <translation>Wysokość łuków</translation>
     </message>
     <message>
         <source>From z {z_start_mm:1} to {z_end_mm:1} mm the scan shows structure that the rows of the shaft do not describe.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od z {z_start_mm:1} do {z_end_mm:1} mm skan pokazuje strukturę, której wiersze wału nie opisują.</translation>
+    </message>
+    <message>
+        <source>Half of the difference between passes, on the radius</source>
+        <translation>Połowa różnicy między przejściami, na promieniu</translation>
     </message>
 </context>
 <context>

@@ -3,14 +3,23 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lathelier::features {
 namespace {
 
-constexpr double chamferDrop_mm = 0.15;
-constexpr std::size_t leastStepSections = 3;
-constexpr std::size_t leastSectionPoints = 8;
-constexpr double mostSections = 1e6;
+/// Limits of the published method; those of its sections are parameters (RecognitionParameters).
+struct PaperLimits {
+    double chamfer_drop_mm = 0.15;         ///< below the step's radius, as published
+    std::size_t least_step_sections = 3;   ///< as published
+    double least_chamfer_sections = 2.5;   ///< one or two sections are a chamfer or a shoulder within them
+    std::size_t least_section_points = 8;  ///< of a circle
+    double most_sections = 1e6;            ///< bounds the memory
+    std::size_t check_sections = 64;       ///< Progress::check() after so many
+    double least_row_mm = 1e-6;
+};
+
+constexpr PaperLimits paperLimits;
 
 struct Section {
     double z_mm, x_mm, y_mm, radius_mm;
@@ -19,7 +28,7 @@ struct Section {
 /// x² + y² = Ax + By + C by least squares.
 std::optional<Section> sectionThrough(const std::vector<Eigen::Vector2d>& points, double z_mm)
 {
-    if (points.size() < leastSectionPoints) return std::nullopt;
+    if (points.size() < paperLimits.least_section_points) return std::nullopt;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -53,42 +62,51 @@ Eigen::Vector3d centreLineThrough(const std::vector<Section>& sections)
     return Eigen::Vector3d(slope.x(), slope.y(), 1).normalized();
 }
 
-}  // namespace
+/// The coordinate along which the sections lie, and the two across it.
+struct SectionFrame {
+    Eigen::Index along = 0, across = 1, up = 2;
+    double sense = 1;  ///< of z along the coordinate
 
-PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction,
-                       const RecognitionParameters& parameters, const Progress& progress)
-{
-    PaperResult result;
-    Eigen::Index along = 0;
-    direction.cwiseAbs().maxCoeff(&along);
-    const Eigen::Index across = (along + 1) % 3, up = (along + 2) % 3;
-    const double sense = direction[along] < 0 ? -1 : 1;
-    double first = 1e300, last = -1e300;
-    for (const Eigen::Vector3d& p : points) {
-        first = std::min(first, sense * p[along]);
-        last = std::max(last, sense * p[along]);
+    explicit SectionFrame(const Eigen::Vector3d& direction)
+    {
+        direction.cwiseAbs().maxCoeff(&along);
+        across = (along + 1) % 3;
+        up = (along + 2) % 3;
+        sense = direction[along] < 0 ? -1 : 1;
     }
-    const double width = parameters.band_width_mm, pitch = width * 100 / parameters.coverage_percent;
-    if (points.empty() || (last - first) / pitch > mostSections) return result;
+};
+
+/// Circles in sections of the width of a band; z from the first point. None: no points, or too many sections.
+std::optional<std::vector<Section>> sectionsOf(const std::vector<Eigen::Vector3d>& points, const SectionFrame& frame,
+                                               double width, double pitch, const Progress& progress)
+{
+    double first = std::numeric_limits<double>::infinity(), last = -first;
+    for (const Eigen::Vector3d& p : points) {
+        first = std::min(first, frame.sense * p[frame.along]);
+        last = std::max(last, frame.sense * p[frame.along]);
+    }
+    if (points.empty() || (last - first) / pitch > paperLimits.most_sections) return std::nullopt;
     const auto count = static_cast<std::size_t>((last - first) / pitch) + 1;
     std::vector<std::vector<Eigen::Vector2d>> bands(count);
     for (const Eigen::Vector3d& p : points) {
-        const double place = (sense * p[along] - first) / pitch;
+        const double place = (frame.sense * p[frame.along] - first) / pitch;
         const auto band = std::min(count - 1, static_cast<std::size_t>(place));
-        if ((place - static_cast<double>(band)) * pitch < width) bands[band].emplace_back(p[across], p[up]);
+        if ((place - static_cast<double>(band)) * pitch < width) bands[band].emplace_back(p[frame.across], p[frame.up]);
     }
     std::vector<Section> sections;
     for (std::size_t i = 0; i < count; ++i) {
-        if (i % 64 == 0) progress.check();
+        if (i % paperLimits.check_sections == 0) progress.check();
         if (const auto section = sectionThrough(bands[i], (static_cast<double>(i)) * pitch + width / 2))
             sections.push_back(*section);
     }
-    const Eigen::Vector3d axis = centreLineThrough(sections);
-    result.axis = Eigen::Vector3d::Zero();
-    result.axis[across] = axis.x();
-    result.axis[up] = axis.y();
-    result.axis[along] = sense * axis.z();
-    const double zero = sections.empty() ? 0 : sections.front().z_mm - width / 2;
+    return sections;
+}
+
+/// Sections of like radius as steps.
+std::vector<ShaftStep> stepsOf(const std::vector<Section>& sections, double zero, double width,
+                               const RecognitionParameters& parameters)
+{
+    std::vector<ShaftStep> steps;
     for (std::size_t i = 0; i < sections.size();) {
         std::size_t end = i + 1;
         while (end < sections.size()) {
@@ -97,7 +115,7 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
             if (std::abs(sections[end].radius_mm - other) > parameters.radial_tolerance_mm) break;
             ++end;
         }
-        if (end - i >= leastStepSections) {
+        if (end - i >= paperLimits.least_step_sections) {
             ShaftStep step;
             for (std::size_t k = i; k < end; ++k) {
                 const double n = static_cast<double>(end - i);
@@ -108,28 +126,54 @@ PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::
             step.sections = static_cast<std::int64_t>(end - i);
             step.z_start_mm = sections[i].z_mm - width / 2 - zero;
             step.z_end_mm = sections[end - 1].z_mm + width / 2 - zero;
-            result.steps.push_back(step);
+            steps.push_back(step);
         }
         i = end;
     }
-    // Dropped sections beside a step and below its radius form its chamfer.
-    for (std::size_t s = 0; s < result.steps.size(); ++s) {
-        ShaftStep& step = result.steps[s];
-        const double before = s > 0 ? result.steps[s - 1].z_end_mm : -1,
-                     after = s + 1 < result.steps.size() ? result.steps[s + 1].z_start_mm : 1e300;
+    return steps;
+}
+
+/// Dropped sections beside a step and below its radius form its chamfer.
+void addChamfers(std::vector<ShaftStep>& steps, const std::vector<Section>& sections, double zero, double width,
+                 double pitch)
+{
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+        ShaftStep& step = steps[s];
+        const double before = s > 0 ? steps[s - 1].z_end_mm : -1,
+                     after = s + 1 < steps.size() ? steps[s + 1].z_start_mm : std::numeric_limits<double>::infinity();
         const double start = step.z_start_mm, end = step.z_end_mm;
         for (const Section& section : sections) {
             const double z = section.z_mm - zero;
-            if (step.radius_mm - section.radius_mm < chamferDrop_mm) continue;
+            if (step.radius_mm - section.radius_mm < paperLimits.chamfer_drop_mm) continue;
             if (z > before && z < start) step.z_start_mm = std::min(step.z_start_mm, z - width / 2);
             if (z > end && z < after) step.z_end_mm = std::max(step.z_end_mm, z + width / 2);
         }
         step.chamfer_start_mm = start - step.z_start_mm;
         step.chamfer_end_mm = step.z_end_mm - end;
-        // With one or two sections a chamfer cannot be distinguished from a shoulder within them.
-        if (step.chamfer_start_mm < 2.5 * pitch) step.chamfer_start_mm = 0;
-        if (step.chamfer_end_mm < 2.5 * pitch) step.chamfer_end_mm = 0;
+        const double least = paperLimits.least_chamfer_sections * pitch;
+        if (step.chamfer_start_mm < least) step.chamfer_start_mm = 0;
+        if (step.chamfer_end_mm < least) step.chamfer_end_mm = 0;
     }
+}
+
+}  // namespace
+
+PaperResult paperSteps(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& direction,
+                       const RecognitionParameters& parameters, const Progress& progress)
+{
+    const double width = parameters.band_width_mm, pitch = width * 100 / parameters.coverage_percent;
+    const SectionFrame frame(direction);
+    const auto sections = sectionsOf(points, frame, width, pitch, progress);
+    PaperResult result;
+    if (!sections) return result;
+    const Eigen::Vector3d axis = centreLineThrough(*sections);
+    result.axis = Eigen::Vector3d::Zero();
+    result.axis[frame.across] = axis.x();
+    result.axis[frame.up] = axis.y();
+    result.axis[frame.along] = frame.sense * axis.z();
+    const double zero = sections->empty() ? 0 : sections->front().z_mm - width / 2;
+    result.steps = stepsOf(*sections, zero, width, parameters);
+    addChamfers(result.steps, *sections, zero, width, pitch);
     return result;
 }
 
@@ -141,7 +185,7 @@ Shaft shaftOf(const std::vector<ShaftStep>& steps)
         const ShaftStep& step = steps[i];
         const double end = i + 1 < steps.size() ? (step.z_end_mm + steps[i + 1].z_start_mm) / 2 : step.z_end_mm;
         const auto add = [&](double length, double d0, double d1, const char* role) {
-            if (length > 1e-6) shaft.segments.push_back({length, d0, d1, 0, {}, role});
+            if (length > paperLimits.least_row_mm) shaft.segments.push_back({length, d0, d1, 0, {}, role});
         };
         const double d = 2 * step.radius_mm, a = std::min(step.chamfer_start_mm, end - z),
                      b = std::min(step.chamfer_end_mm, end - z - a);

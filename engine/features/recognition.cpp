@@ -14,6 +14,7 @@
 #include "engine/features/paper_method.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
+#include "engine/features/recognition_limits.h"
 #include "engine/features/scene/scene_support.h"
 #include "engine/features/structure/bore_proof.h"
 #include "engine/features/structure/structure.h"
@@ -29,10 +30,6 @@ namespace {
 
 using Eigen::Vector3d;
 using registration::RevolutionFit;
-
-constexpr std::size_t meshSamples = 400000;
-constexpr double fineBin_mm = 0.1;
-constexpr double leastPointsPerBin = 25;
 
 RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, Notes& notes, const Progress& progress)
 {
@@ -64,9 +61,8 @@ double largestRadius(const RevolutionFit& fit)
 void roundFacets(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
                  std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
 {
-    constexpr int rounds = 2;  // the axis of the flat facets differs from that of their vertices
     double sagitta_mm = 0;
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < recognitionLimits.facet_rounds; ++round) {
         const RevolutionFit fit = registration::fitRevolution(points, progress);
         if (!registration::isBodyOfRevolution(fit)) break;
         RoundedPoints rounded = roundedPoints(mesh, samples, fit, progress);
@@ -128,19 +124,14 @@ std::vector<RecognizedRow> fromMouth(std::vector<RecognizedRow> rows, ShaftEnd m
     return rows;
 }
 
-/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its narrowest
-/// row only where that is hidden; else it is a through bore.
-void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
-                  const AddedUncertainty& added, Recognition& result)
+/// A cylinder that continues behind a stretch without points is one row.
+void joinCylinders(std::vector<RecognizedRow>& rows)
 {
-    constexpr double near_mm = 1;
-    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
-    // A cylinder that continues behind a stretch without points is one row.
     for (std::size_t i = 0; i + 1 < rows.size();) {
         RecognizedRow &a = rows[i], &b = rows[i + 1];
         const bool same = a.kind == RowKind::Cylinder && b.kind == RowKind::Cylinder &&
-                          std::abs(a.end_diameter_mm - b.start_diameter_mm) < 0.05;
-        if (!same || b.z_start_mm - a.z_end_mm < 0.05) {
+                          std::abs(a.end_diameter_mm - b.start_diameter_mm) < recognitionLimits.same_diameter_mm;
+        if (!same || b.z_start_mm - a.z_end_mm < recognitionLimits.unseen_mm) {
             ++i;
             continue;
         }
@@ -151,136 +142,153 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
         a.points += b.points;
         rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
+}
+
+/// Bores: stretches of the inner outline that reach an end of the part. One that reaches both is cut at its last
+/// hidden stretch; without one it is a through bore.
+void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
+                  const AddedUncertainty& added, Recognition& result)
+{
+    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    joinCylinders(rows);
+    std::size_t gap = rows.size();  // first row behind the last hidden stretch
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) {
+        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > recognitionLimits.unseen_mm) {
             result.notes.push_back(
                 {notes::boreNotSeen, {{"z_start_mm", rows[i].z_end_mm}, {"z_end_mm", rows[i + 1].z_start_mm}}});
             result.complete = false;
+            gap = i + 1;
         }
+    const bool free = rows.front().z_start_mm < recognitionLimits.end_reach_mm,
+               chuck = length_mm - recognitionLimits.end_reach_mm < rows.back().z_end_mm;
     std::vector<RecognizedRow> from_free, from_chuck;
-    std::size_t gap = rows.size();
-    for (std::size_t i = 0; i + 1 < rows.size(); ++i)
-        if (rows[i + 1].z_start_mm - rows[i].z_end_mm > 0.05) gap = i + 1;
-    const bool free = rows.front().z_start_mm<near_mm, chuck = rows.back().z_end_mm> length_mm - near_mm;
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (free && (i < gap || !chuck))
             from_free.push_back(rows[i]);
         else if (chuck)
             from_chuck.push_back(rows[i]);
-    if (free && chuck && gap == rows.size()) from_chuck.clear();
     if (!from_free.empty()) from_free.front().z_start_mm = 0;
     if (!from_chuck.empty()) from_chuck.back().z_end_mm = length_mm;
     if (free && chuck && gap == rows.size()) from_free.back().z_end_mm = length_mm;
-    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)}) {
-        if (list->empty()) continue;
-        result.bores.push_back(fromMouth(*list, mouth));
-    }
+    for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)})
+        if (!list->empty()) result.bores.push_back(fromMouth(*list, mouth));
     addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
-/// Recognises all points, or those that `parameters` keep.
-Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+/// Points of the scan, or drawn on its mesh; those of the scene are left out.
+struct PartPoints {
+    const Scan& scan;
+    std::vector<registration::SurfaceSample> samples;  ///< of a mesh
+    std::vector<Vector3d> own;                         ///< unless the points of the scan are used as they are
+    bool is_cut = false;
+
+    const std::vector<Vector3d>& all() const { return is_cut || scan.isMesh() ? own : scan.points_mm; }
+};
+
+PartPoints pointsOf(const Scan& scan, const Progress& progress)
 {
-    for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
-        check(field.info, field.get(parameters));
-    std::vector<registration::SurfaceSample> samples;
-    std::vector<Vector3d> own;  // unless the points of the scan are used as they are
+    PartPoints points{scan, {}, {}};
     if (scan.isMesh()) {
-        samples = registration::drawSamples(scan, meshSamples, 0, progress);
-        own = flatPoints(scan, samples, progress);
+        points.samples = registration::drawSamples(scan, recognitionLimits.mesh_samples, 0, progress);
+        points.own = flatPoints(scan, points.samples, progress);
     }
-    const std::vector<Vector3d>& all = scan.isMesh() ? own : scan.points_mm;
-    registration::checkPoints(all, "scan", progress);
+    registration::checkPoints(points.all(), "scan", progress);
+    return points;
+}
 
-    Recognition result;
-    result.parameters = parameters;
-    const Scene scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
-    const bool is_cut = !scene.groups.empty();
-    if (is_cut) {
-        noteSceneCut(scene, result);
-        if (!scan.isMesh()) own = scan.points_mm;
-        keepOnly(scene.kept, own);
-        if (scan.isMesh()) keepOnly(scene.kept, samples);
-    }
-    const std::vector<Vector3d>& points = is_cut || scan.isMesh() ? own : scan.points_mm;
-    result.method_used = "robust";
-    if (scan.isMesh()) roundFacets(scan, samples, own, result, progress.part(0.1, 0.2));
-    const RevolutionFit fit =
-        fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
-    const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
-    const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);
-    double bin = std::max(fineBin_mm, leastPointsPerBin / std::max(1.0, cloud.points_per_mm));
-    Walls coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
-    const std::optional<registration::ScannerAxis> scanner =
-        scan.isMesh() ? std::nullopt : registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
-    if (!scanner && bin < 2 * coarse.sigma_mm) {
-        bin = 2 * coarse.sigma_mm;
-        coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
-    }
-    Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
-    result.noise_mm = coarse.sigma_mm;
-    result.points_used = static_cast<std::int64_t>(points.size());
+/// Leaves out what is not the part.
+void cutScene(const Scene& scene, PartPoints& points, Recognition& result)
+{
+    if (scene.groups.empty()) return;
+    noteSceneCut(scene, result);
+    points.is_cut = true;
+    if (!points.scan.isMesh()) points.own = points.scan.points_mm;
+    keepOnly(scene.kept, points.own);
+    if (points.scan.isMesh()) keepOnly(scene.kept, points.samples);
+}
 
-    const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false};
-    std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
-    if (!outside)
-        throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
-                                           {"points", static_cast<std::int64_t>(points.size())},
-                                           {"minimum", std::int64_t{50}}});
-    if (scene.support) placeEndOnSupport(*scene.support, fit, *outside, result);
-    const double zero = outside->model.planes.front().z_mm;
-    const SurfaceTable surface(outside->model);
-    keepProvenBores(cloud, surface, coarse.sigma_mm, coarse, fine, fitting);
-    input.bore = true;
-    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
-    const StructureInput seen{cloud, *outside, inner ? &*inner : nullptr, surface, parameters.form_tolerance_mm};
-    const PartStructure structure = structureOf(seen, fitting);
+/// The meridian in bins.
+struct Meridian {
+    MeridianCloud cloud;
+    Walls coarse, fine;
+    std::optional<registration::ScannerAxis> scanner;
+};
+
+Meridian meridianOf(const PartPoints& part, const RevolutionFit& fit, const Progress& progress)
+{
+    const std::vector<Vector3d>& points = part.all();
+    Meridian meridian;
+    meridian.cloud = meridianCloud(onAxis(points, fit, progress), progress);
+    double bin = std::max(recognitionLimits.bin_mm,
+                          recognitionLimits.points_per_bin / std::max(1.0, meridian.cloud.points_per_mm));
+    meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);
+    if (!part.scan.isMesh())
+        meridian.scanner = registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
+    if (!meridian.scanner && bin < recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm) {
+        bin = recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm;
+        meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);
+    }
+    meridian.fine = findWalls(meridian.cloud, bin / 2, fit.sigma_mm, progress);
+    return meridian;
+}
+
+AddedUncertainty addedUncertainty(double coverage_deg, Recognition& result)
+{
     AddedUncertainty added;
-    added.variance_ratio = structure.variance_ratio;
-    added.passes_um = structure.passes_um;
-    result.variance_ratio = structure.variance_ratio;
-    if (parameters.scanner_accuracy_mm)
-        added.scanner_um = 1e3 * *parameters.scanner_accuracy_mm;
+    if (result.parameters.scanner_accuracy_mm)
+        added.scanner_um = 1e3 * *result.parameters.scanner_accuracy_mm;
     else
         result.notes.push_back({notes::uncertaintyNoiseOnly, {}});
-    if (fit.coverage_deg < 300) {
-        added.ovality_um = ovalityFactor(fit.coverage_deg) * std::max(5.0, added.scanner_um);
-        if (fit.coverage_deg >= 180)
-            result.notes.push_back(
-                {notes::coveragePartial, {{"coverage_deg", fit.coverage_deg}, {"added_um", added.ovality_um}}});
-    }
+    if (!(coverage_deg < recognitionLimits.full_coverage_deg)) return added;
+    added.ovality_um = ovalityFactor(coverage_deg) * std::max(recognitionLimits.least_ovality_um, added.scanner_um);
+    if (coverage_deg >= recognitionLimits.half_coverage_deg)
+        result.notes.push_back(
+            {notes::coveragePartial, {{"coverage_deg", coverage_deg}, {"added_um", added.ovality_um}}});
+    return added;
+}
+
+/// Frame, rows, meridian and gaps of the outside.
+void takeOutside(const Outline& outside, const RevolutionFit& fit, const AddedUncertainty& added, Recognition& result)
+{
+    const double zero = outside.model.planes.front().z_mm;
     const Eigen::Isometry3d along(Eigen::Translation3d(0, 0, -zero));
     result.part_T_scan = along * fit.axis_T_scan;
     const Eigen::Isometry3d scan_T_part = result.part_T_scan.inverse();
     result.axis_point_mm = scan_T_part.translation();
     result.axis_direction = scan_T_part.linear().col(2);
-    result.spot_mm = outside->model.spot_mm;
-    result.segments = rowsOf(*outside, zero, fit.coverage_deg, added);
-    result.merged = outside->merged;
+    result.spot_mm = outside.model.spot_mm;
+    result.segments = rowsOf(outside, zero, fit.coverage_deg, added);
+    result.merged = outside.merged;
     for (MergedJunction& junction : result.merged) junction.z_mm -= zero;
     if (!result.merged.empty())
         result.notes.push_back({notes::rowsMerged, {{"count", static_cast<std::int64_t>(result.merged.size())}}});
-    addMeridian(*outside, zero, false, 0, result.meridian);
-    for (const Gap& gap : outside->gaps) {
+    addMeridian(outside, zero, false, 0, result.meridian);
+    for (const Gap& gap : outside.gaps) {
         result.gaps.push_back({gap.z_start_mm - zero, gap.z_end_mm - zero});
         result.notes.push_back(
             {notes::gapInData,
              {{"z_start_mm", result.gaps.back().z_start_mm}, {"z_end_mm", result.gaps.back().z_end_mm}}});
         result.complete = false;
     }
-    describeEnds(*outside, result);
-    if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
-    result.marks = findMarks(cloud, *outside, inner ? &*inner : nullptr, fitting);
+    describeEnds(outside, result);
+}
+
+void takeMarks(std::vector<ShaftMark> marks, double zero_mm, Recognition& result)
+{
+    result.marks = std::move(marks);
     for (ShaftMark& mark : result.marks) {
-        *mark.z_start_mm -= zero;
-        *mark.z_end_mm -= zero;
+        *mark.z_start_mm -= zero_mm;
+        *mark.z_end_mm -= zero_mm;
     }
     nameRoughRows(result);
     if (!result.marks.empty())
         result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
-    for (const RoughZone& zone : outside->rough) {
+}
+
+void noteRoughZones(const Outline& outside, Recognition& result)
+{
+    const double zero = outside.model.planes.front().z_mm;
+    for (const RoughZone& zone : outside.rough) {
         const double from = zone.z_start_mm - zero, to = zone.z_end_mm - zero;
         std::int64_t row = 1;
         for (std::size_t i = 0; i < result.segments.size(); ++i)
@@ -292,25 +300,76 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
         else
             result.notes.push_back({notes::roughZone, {{"z_start_mm", from}, {"z_end_mm", to}}});
     }
+}
+
+/// The steps and the shaft of the published method in place of the rows'.
+void addPublishedMethod(const std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
+{
+    const PaperResult published = paperSteps(points, result.axis_direction, result.parameters, progress);
+    result.method_used = "paper";
+    result.paper_steps = published.steps;
+    const double cosine = std::min(1.0, std::abs(published.axis.dot(result.axis_direction)));
+    result.paper_axis_off_deg = std::acos(cosine) * 180 / std::numbers::pi;
+    result.notes.push_back({notes::paperMethod, {}});
+    result.shaft = shaftOf(published.steps);
+}
+
+/// Recognises all points, or those that `parameters` keep.
+Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+{
+    for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
+        check(field.info, field.get(parameters));
+    PartPoints part = pointsOf(scan, progress);
+    Recognition result;
+    result.parameters = parameters;
+    result.method_used = "robust";
+    const Scene scene =
+        findScene(part.all(), parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
+    cutScene(scene, part, result);
+    if (scan.isMesh()) roundFacets(scan, part.samples, part.own, result, progress.part(0.1, 0.2));
+    const std::vector<Vector3d>& points = part.all();
+    const RevolutionFit fit =
+        fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    Meridian meridian = meridianOf(part, fit, progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian")));
+    result.noise_mm = meridian.coarse.sigma_mm;
+    result.points_used = static_cast<std::int64_t>(points.size());
+
+    const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
+    OutlineInput input{
+        points, fit, meridian.cloud, meridian.coarse, meridian.fine, meridian.scanner, parameters.form_tolerance_mm,
+        false};
+    std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
+    if (!outside)
+        throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
+                                           {"points", static_cast<std::int64_t>(points.size())},
+                                           {"minimum", recognitionLimits.least_points}});
+    if (scene.support) placeEndOnSupport(*scene.support, fit, *outside, result);
+    const SurfaceTable surface(outside->model);
+    keepProvenBores(meridian.cloud, surface, meridian.coarse.sigma_mm, meridian.coarse, meridian.fine, fitting);
+    input.bore = true;
+    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
+    const double zero = input.part_ends.front().z_mm;
+    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
+    const StructureInput seen{meridian.cloud, *outside, inner ? &*inner : nullptr, surface,
+                              parameters.form_tolerance_mm};
+    const PartStructure structure = structureOf(seen, fitting);
+    result.variance_ratio = structure.variance_ratio;
+    AddedUncertainty added = addedUncertainty(fit.coverage_deg, result);
+    added.variance_ratio = structure.variance_ratio;
+    added.passes_um = structure.passes_um;
+    takeOutside(*outside, fit, added, result);
+    if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
+    takeMarks(findMarks(meridian.cloud, *outside, seen.bore, fitting), zero, result);
+    noteRoughZones(*outside, result);
     describeStructure(seen, structure, zero, result, fitting);
     finishRows(*outside, result);
     result.basis =
         std::make_shared<const RecognitionBasis>(RecognitionBasis{*outside, fit.axis_T_scan, fit.coverage_deg, added});
-    if (parameters.method == RecognitionMethod::Paper) {
-        const PaperResult published = paperSteps(points, result.axis_direction, parameters, fitting);
-        result.method_used = "paper";
-        result.paper_steps = published.steps;
-        const double cosine = std::min(1.0, std::abs(published.axis.dot(result.axis_direction)));
-        result.paper_axis_off_deg = std::acos(cosine) * 180 / std::numbers::pi;
-        result.notes.push_back({notes::paperMethod, {}});
-        result.shaft = shaftOf(published.steps);
-    }
+    if (parameters.method == RecognitionMethod::Paper) addPublishedMethod(points, result, fitting);
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);
     return result;
 }
-
-constexpr double mostFlying = 0.05;  ///< largest share of the points that counts as flying about the part
 
 /// True when nothing was cut off but a few points that belong to no object of the scene.
 bool onlyFlyingPointsCut(const Recognition& result)
@@ -322,7 +381,7 @@ bool onlyFlyingPointsCut(const Recognition& result)
         if (group.kind != "clutter") return false;
         cut += static_cast<double>(group.points);
     }
-    return cut > 0 && cut <= mostFlying * all;
+    return cut > 0 && cut <= recognitionLimits.flying_share * all;
 }
 
 /// The same without flying points; none when there are none, or the rest is no part either.

@@ -6,18 +6,18 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/nominal/roles.h"
 #include "engine/features/nominal/snap.h"
+#include "engine/features/recognition_limits.h"
 
 namespace lathelier::features {
 namespace {
 
 /// Kind of closure of an end of the outside (RecognizedEnd::closed_by).
-std::string closedBy(const std::vector<RecognizedRow>& rows, bool start, bool data)
+std::string closedBy(const std::vector<RecognizedRow>& rows, bool start)
 {
-    if (data) return "data";
     const RecognizedRow& row = start ? rows.front() : rows.back();
     const double toward_end = start ? row.half_angle_deg : -row.half_angle_deg;
     if (row.kind == RowKind::Arc) return *row.arc_radius_mm > 0 ? "round" : "edge";
-    return row.kind == RowKind::Cone && toward_end > 10 ? "chamfer" : "edge";
+    return row.kind == RowKind::Cone && toward_end > recognitionLimits.chamfer_half_angle_deg ? "chamfer" : "edge";
 }
 
 /// Is the end of the data an end of the part? Unknown counts as no, unless it follows a chamfer or a round.
@@ -26,7 +26,8 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
     if (outline.face_seen[start ? 0 : 1]) return true;
     const auto& end = outline.ends[start ? 0 : 1];
     if (!end) return closed_by != "edge";
-    if (end->tilt_share_sigma < 0.25) return end->tilt_share < 0.5;
+    if (end->tilt_share_sigma < recognitionLimits.tilt_share_sigma)
+        return end->tilt_share < recognitionLimits.tilt_share;
     return closed_by != "edge";
 }
 
@@ -65,7 +66,7 @@ void describeEnds(const Outline& outline, Recognition& result)
         RecognizedEnd end;
         end.z_mm = plane.z_mm - zero;
         end.uncertainty_mm = 2 * scale * plane.sigma_mm;
-        end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start, false);
+        end.closed_by = outline.face_seen[start ? 0 : 1] ? "face" : closedBy(result.segments, start);
         seen[start ? 0 : 1] = isPartEnd(outline, start, end.closed_by);
         if (!seen[start ? 0 : 1]) end.closed_by = "data";
         result.ends.push_back(end);

@@ -4,18 +4,17 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/features/comparison/comparison_limits.h"
+
 namespace lathelier::features {
 namespace {
-
-constexpr std::size_t longestRowRun = 16;
-constexpr double runDiameterTolerance_mm = 0.5;  // largest distance of the diameters of a run's rows from the drawing's
-constexpr double extraRowPrice_mm = 1e-3;
-constexpr double otherKindPrice_mm = 0.3;
 
 /// Cost of an unassigned row.
 double priceOf(const RowOnAxis& row)
 {
-    return 0.2 + 0.25 * std::min(row.z_end_mm - row.z_start_mm, 20.0);
+    return matchingLimits.unassigned_price_mm +
+           matchingLimits.unassigned_price_share *
+               std::min(row.z_end_mm - row.z_start_mm, matchingLimits.longest_priced_row_mm);
 }
 
 /// Diameter of the drawing's row at this z, along its chord.
@@ -46,19 +45,18 @@ double costOf(const RowOnAxis& nominal, const std::vector<RowOnAxis>& measured, 
     for (std::size_t i = run.first; i < run.first + run.count; ++i) {
         const RowOnAxis& row = measured[i];
         const Off one = offOf(nominal, row, run.count == 1);
-        if (run.count > 1 && (row.arc_radius_mm || nominal.arc_radius_mm) &&
-            one.largest_mm > runDiameterTolerance_mm / 5)
-            return std::numeric_limits<double>::infinity();
-        if (run.count > 1 && one.largest_mm > runDiameterTolerance_mm) return std::numeric_limits<double>::infinity();
-        const double weight = std::max(row.z_end_mm - row.z_start_mm, 1e-6);
+        const bool has_arc = row.arc_radius_mm || nominal.arc_radius_mm;
+        const double allowed = matchingLimits.run_diameter_mm / (has_arc ? matchingLimits.run_arc_part : 1);
+        if (run.count > 1 && one.largest_mm > allowed) return std::numeric_limits<double>::infinity();
+        const double weight = std::max(row.z_end_mm - row.z_start_mm, matchingLimits.least_row_mm);
         off += weight * one.mean_mm;
         length += weight;
     }
     const double ends =
         (std::abs(first.z_start_mm - nominal.z_start_mm) + std::abs(last.z_end_mm - nominal.z_end_mm)) / 2;
     const bool other = first.arc_radius_mm.has_value() != nominal.arc_radius_mm.has_value();
-    return ends + off / length + extraRowPrice_mm * static_cast<double>(run.count - 1) +
-           (other ? otherKindPrice_mm : 0);
+    return ends + off / length + matchingLimits.extra_row_price_mm * static_cast<double>(run.count - 1) +
+           (other ? matchingLimits.other_kind_price_mm : 0);
 }
 
 }  // namespace
@@ -81,7 +79,7 @@ RowMatch matchRows(const std::vector<RowOnAxis>& nominal, const std::vector<RowO
             if (i < rows) reach(i + 1, j, here + priceOf(nominal[i]), 1, 0);
             if (j < found) reach(i, j + 1, here + priceOf(measured[j]), 0, 1);
             if (i == rows) continue;
-            for (std::size_t count = 1; count <= std::min(longestRowRun, found - j); ++count)
+            for (std::size_t count = 1; count <= std::min(matchingLimits.longest_run, found - j); ++count)
                 reach(i + 1, j + count, here + costOf(nominal[i], measured, {j, count}), 1, count);
         }
     RowMatch match{std::vector<RowRun>(rows), best[rows][found].cost};

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
+#include "engine/features/comparison/comparison_limits.h"
 #include "engine/shaft/shaft_bores.h"
 
 namespace lathelier::features {
 namespace {
-
-constexpr double joiningGap_mm = 0.05;  // rows no further apart join
 
 /// Rows turned end for end.
 RowOnAxis turnedRow(RowOnAxis row)
@@ -61,7 +60,7 @@ RowsOnAxis placed(const std::vector<RecognizedRow>& rows, const Placing& placing
     std::stable_sort(result.begin(), result.end(), before);
     if (result.empty()) return result;
     for (std::size_t i = 0; i + 1 < result.size(); ++i)
-        if (result[i + 1].z_start_mm - result[i].z_end_mm > joiningGap_mm)
+        if (result[i + 1].z_start_mm - result[i].z_end_mm > matchingLimits.joining_gap_mm)
             result[i].end_seen = result[i + 1].start_seen = false;
     if (placing.turned) std::swap(outer_seen[0], outer_seen[1]);
     result.front().start_seen = outer_seen[0];
@@ -88,7 +87,8 @@ RowsOnAxis placedBores(const Recognition& measured, const Placing& placing)
         last_mm = std::max(last_mm, row.z_end_mm);
     }
     const std::array<bool, 2> ends = endsSeen(measured);
-    return placed(rows, placing, {ends[0] && first_mm < joiningGap_mm, ends[1] && last_mm > length_mm - joiningGap_mm});
+    constexpr double gap_mm = matchingLimits.joining_gap_mm;
+    return placed(rows, placing, {ends[0] && first_mm < gap_mm, ends[1] && last_mm > length_mm - gap_mm});
 }
 
 std::vector<ShaftBore> drawnBores(const Shaft& nominal)

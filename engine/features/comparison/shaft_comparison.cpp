@@ -52,20 +52,20 @@ Value verdictText(const std::optional<Verdict>& verdict)
 
 report::Finding findingOf(const ShaftComparison& result, const ComparedRow& row)
 {
-    report::Finding said;
-    said.place.z_mm = placeOf(result, row);
-    said.verdict = row.verdict;
-    said.values = {{"row", row.row}, {"quantity", quantityName(row)}};
-    if (row.bore) said.values.emplace_back("bore", *row.bore);
+    report::Finding finding;
+    finding.place.z_mm = placeOf(result, row);
+    finding.verdict = row.verdict;
+    finding.values = {{"row", row.row}, {"quantity", quantityName(row)}};
+    if (row.bore) finding.values.emplace_back("bore", *row.bore);
     if (!row.deviation_mm) {
-        said.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity}: not measured")
-                                : LT_TEXT("Engine", "Row {row}, {quantity}: not measured");
-        return said;
+        finding.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity}: not measured")
+                                   : LT_TEXT("Engine", "Row {row}, {quantity}: not measured");
+        return finding;
     }
-    said.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity} {deviation_mm:+3} mm")
-                            : LT_TEXT("Engine", "Row {row}, {quantity} {deviation_mm:+3} mm");
-    said.values.emplace_back("deviation_mm", *row.deviation_mm);
-    return said;
+    finding.pattern = row.bore ? LT_TEXT("Engine", "Bore {bore}, row {row}, {quantity} {deviation_mm:+3} mm")
+                               : LT_TEXT("Engine", "Row {row}, {quantity} {deviation_mm:+3} mm");
+    finding.values.emplace_back("deviation_mm", *row.deviation_mm);
+    return finding;
 }
 
 /// How far a size is beyond its limits.
@@ -163,16 +163,16 @@ void judgeSurface(ShaftComparison& result, const registration::CompareParameters
 
 report::Answer answer(const ShaftComparison& result, const Language& language)
 {
-    report::Answer said = registration::answer(result.surface, language);
-    addSizes(result, said);
-    return said;
+    report::Answer answer = registration::answer(result.surface, language);
+    addSizes(result, answer);
+    return answer;
 }
 
 ShaftComparison compareWithShaft(const Shaft& nominal, const Scan& copy,
                                  const registration::CompareParameters& parameters, const Progress& progress,
                                  registration::CompareDetail detail)
 {
-    ShaftMesh mesh = shaftMesh(nominal, finestSagitta_mm, progress.part(0, 0.05));
+    ShaftMesh mesh = shaftMesh(nominal, meshingLimits.finest_sagitta_mm, progress.part(0, 0.05));
     const registration::DrawnReference reference{std::move(mesh.scan), closedContour(nominal)};
     ShaftComparison result;
     result.nominal = nominal;

@@ -12,11 +12,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double noRadius_mm = 1e-9;  // smaller radii are on the axis
-constexpr int leastSides = 12;
-constexpr int leastChords = 3;  // of an arc: with two, the point between them would exceed the sagitta
-constexpr double coarseningFactor = 1.5;
-
 /// Radius for the inner points of an arc's chords, so that they enclose its area; the ends stay where they are.
 double innerRadius_mm(double radius_mm, double step, int chords)
 {
@@ -42,7 +37,7 @@ std::vector<Vector2d> polygonOf(const Contour& contour, double sagitta_mm)
         const Vector2d centre = piece.centre_mm();
         const auto [start, end] = piece.arcAngles();
         const double radius = std::abs(piece.arc_radius_mm);
-        const int chords = std::max(leastChords, chordsOf(end - start, radius, sagitta_mm));
+        const int chords = std::max(meshingLimits.least_chords, chordsOf(end - start, radius, sagitta_mm));
         const double inner = innerRadius_mm(radius, std::abs(end - start) / chords, chords);
         for (int i = 1; i < chords; ++i) {
             const double angle = start + (end - start) * i / chords;
@@ -56,7 +51,8 @@ int sidesFor(const std::vector<Vector2d>& polygon, double sagitta_mm)
 {
     double largest = 0;
     for (const Vector2d& point : polygon) largest = std::max(largest, point.y());
-    return largest > 0 ? std::max(leastSides, chordsOf(2 * std::numbers::pi, largest, sagitta_mm)) : leastSides;
+    return largest > 0 ? std::max(meshingLimits.least_sides, chordsOf(2 * std::numbers::pi, largest, sagitta_mm))
+                       : meshingLimits.least_sides;
 }
 
 /// The vertices of one point of the meridian: a ring, or a single one on the axis.
@@ -78,8 +74,9 @@ ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm, const Progress& progr
     const Contour contour = closedContour(shaft);
     std::vector<Vector2d> polygon = polygonOf(contour, sagitta_mm);
     int sides = sidesFor(polygon, sagitta_mm);
-    while (2 * polygon.size() * static_cast<std::size_t>(sides) > mostTriangles && sides > leastSides) {
-        made.sagitta_mm *= coarseningFactor;
+    while (2 * polygon.size() * static_cast<std::size_t>(sides) > meshingLimits.most_triangles &&
+           sides > meshingLimits.least_sides) {
+        made.sagitta_mm *= meshingLimits.coarsening;
         polygon = polygonOf(contour, made.sagitta_mm);
         sides = sidesFor(polygon, made.sagitta_mm);
     }
@@ -89,7 +86,7 @@ ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm, const Progress& progr
     auto& points = made.scan.points_mm;
     for (const Vector2d& point : polygon) {
         progress.check();
-        Ring ring{static_cast<std::uint32_t>(points.size()), point.y() <= noRadius_mm};
+        Ring ring{static_cast<std::uint32_t>(points.size()), point.y() <= meshingLimits.no_radius_mm};
         const double radius = ring.on_axis ? 0 : point.y() * outward;
         for (int side = 0; side < (ring.on_axis ? 1 : sides); ++side)
             points.emplace_back(radius * std::cos(turn * side), radius * std::sin(turn * side), point.x());

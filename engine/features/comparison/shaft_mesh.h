@@ -11,20 +11,19 @@
 
 #include "engine/core/progress.h"
 #include "engine/core/scan.h"
+#include "engine/features/comparison/comparison_limits.h"
 #include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 
-constexpr double finestSagitta_mm = 2e-4;
-constexpr std::size_t mostTriangles = 2000000;
-
 struct ShaftMesh {
-    Scan scan;  ///< closed, its vertices shared; z along the axis from the free end; no normals
-    double sagitta_mm =
-        0;  ///< chords of circles and of arcs stay below; more than requested where mostTriangles limits the mesh
+    Scan scan;              ///< closed, its vertices shared; z along the axis from the free end; no normals
+    double sagitta_mm = 0;  ///< chords of circles and of arcs stay below; more than requested where the number of
+                            ///< triangles limits the mesh
 };
 
 /// Marks are left out. Preconditions: the shaft passes checkShaft(), sagitta_mm > 0. Throws Cancelled.
-ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm = finestSagitta_mm, const Progress& progress = {});
+ShaftMesh shaftMesh(const Shaft& shaft, double sagitta_mm = meshingLimits.finest_sagitta_mm,
+                    const Progress& progress = {});
 
 }  // namespace lathelier::features

@@ -120,14 +120,13 @@ private:
         return orders;
     }
 
-    double frequencyStep_per_mm() const { return 1 / (periodicLimits.padding * (to_mm_ - from_mm_)); }
+    double frequencyStep() const { return 1 / (periodicLimits.padding * (to_mm_ - from_mm_)); }
 
     /// Along z, f from 0 upward for both signs of m.
     SurfaceWave strongestWave(const Orders& orders, const Progress& progress) const
     {
-        const double f_step = frequencyStep_per_mm(),
-                     f_most = std::min(periodicLimits.most_frequency_per_mm,
-                                       periodicLimits.most_frequency_per_row / step_mm_);
+        const double f_step = frequencyStep(), f_most = std::min(periodicLimits.most_frequency_per_mm,
+                                                                 periodicLimits.most_frequency_per_row / step_mm_);
         SurfaceWave best;
         for (int m = -periodicLimits.most_teeth; m <= periodicLimits.most_teeth; ++m) {
             progress.check();
@@ -167,7 +166,7 @@ private:
         };
         double centre = wave.frequency_per_mm;
         wave.power = powerAt(centre);
-        for (double width = frequencyStep_per_mm(); width > periodicLimits.frequency_resolution_per_mm;
+        for (double width = frequencyStep(); width > periodicLimits.frequency_resolution_per_mm;
              width /= periodicLimits.refinement) {
             progress.check();
             for (const double f : {centre - width, centre + width})

@@ -170,6 +170,19 @@ void resolve(const Model& model, Run& run)
     }
 }
 
+void releaseLostTies(Run& run)
+{
+    for (std::size_t i = 0; i < run.elements.size(); ++i) {
+        Element& e = run.elements[i];
+        if (!e.arc) continue;
+        const bool first = i == 0, last = i + 1 == run.elements.size();
+        if (e.start == Tie::Tangent && (first || run.elements[i - 1].arc)) e.start = Tie::Free;
+        if (e.end == Tie::Tangent && (last || run.elements[i + 1].arc)) e.end = Tie::Free;
+        if (e.start == Tie::Plane && !first) e.start = Tie::Free;
+        if (e.end == Tie::Plane && !last) e.end = Tie::Free;
+    }
+}
+
 double radiusAt_mm(const Run& run, double z_mm)
 {
     return run.elements[elementAt(run, z_mm)].radiusAt_mm(z_mm);

@@ -64,6 +64,9 @@ struct Model {
 /// Computes centres of tied arcs and all nodes of the run. Penalties go into `violation`.
 void resolve(const Model& model, Run& run);
 
+/// Frees ties of arcs that have no partner: no line, or no plane beside them.
+void releaseLostTies(Run& run);
+
 /// Radius of the run at z, of the element that holds there.
 double radiusAt_mm(const Run& run, double z_mm);
 

@@ -16,28 +16,6 @@ struct Trial {
     double value = 0;
 };
 
-std::vector<Tie> tiesAt(const Model& model, const Run& run, std::size_t k, bool start)
-{
-    const bool at_plane = start ? k == 0 : k + 1 == run.elements.size();
-    if (at_plane) {
-        const Plane& plane = model.planes[start ? run.left : run.right];
-        if (plane.data_end) return {Tie::Free};
-        return {Tie::Free, Tie::Plane};
-    }
-    if (run.elements[start ? k - 1 : k + 1].arc) return {Tie::Free};
-    return {Tie::Free, Tie::Tangent};
-}
-
-/// Removes ties of neighbouring arcs that element k no longer supports.
-void releaseNeighbourTies(Run& run, std::size_t k)
-{
-    if (!run.elements[k].arc) return;
-    if (k > 0 && run.elements[k - 1].arc && run.elements[k - 1].end == Tie::Tangent)
-        run.elements[k - 1].end = Tie::Free;
-    if (k + 1 < run.elements.size() && run.elements[k + 1].arc && run.elements[k + 1].start == Tie::Tangent)
-        run.elements[k + 1].start = Tie::Free;
-}
-
 /// Price of a slope that rises into the foot of a shoulder: it is more often a fillet than a cone.
 double priorOf(const Model& model, std::size_t r, std::size_t k)
 {
@@ -51,7 +29,7 @@ double priorOf(const Model& model, std::size_t r, std::size_t k)
     return rises_into_foot ? selectionLimits.unusual_cone_price : 0;
 }
 
-bool isSound(const Run& run)
+bool isConsistent(const Run& run)
 {
     return !(run.violation > selectionLimits.largest_violation);
 }
@@ -69,9 +47,9 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     const auto attempt = [&](const Element& element) {
         model.runs[r] = before;
         model.runs[r].elements[k] = element;
-        releaseNeighbourTies(model.runs[r], k);
+        releaseLostTies(model.runs[r]);
         const double value = criterion(model, scope, selectionLimits.kind_iterations) + priorOf(model, r, k);
-        if (!(value < best.value - selectionLimits.kind_gain) || !isSound(model.runs[r])) return;
+        if (!(value < best.value - selectionLimits.kind_gain) || !isConsistent(model.runs[r])) return;
         best = {model.runs[r], value};
         changed = true;
     };
@@ -85,8 +63,8 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     if (before.elements[k].arc) attempt(line);
     const double chord = std::hypot(length, r1 - r0);
     for (const bool convex : {false, true})
-        for (const Tie start : tiesAt(model, before, k, true))
-            for (const Tie end : tiesAt(model, before, k, false)) {
+        for (const Tie start : possibleTies(model, before, k, true))
+            for (const Tie end : possibleTies(model, before, k, false)) {
                 if (start == Tie::Plane && end == Tie::Plane) continue;
                 const bool both_tied = start != Tie::Free && end != Tie::Free;
                 for (const double chords : {selectionLimits.small_arc_chords, selectionLimits.large_arc_chords}) {
@@ -134,7 +112,7 @@ bool tryInsert(Model& model, std::size_t r, std::size_t at, const std::vector<El
         const std::size_t end = std::min(last + 1, run.elements.size() - 1);
         const double value = fitWindow(model, {r, first, end}, from, to, selectionLimits.insert_iterations) +
                              price(model, slotsOf(model, r, first, end).size());
-        if (!(value < best.value) || !isSound(run)) continue;
+        if (!(value < best.value) || !isConsistent(run)) continue;
         best = {run, value};
         found = true;
     }
@@ -158,13 +136,7 @@ bool isDropCheap(Model& model, std::size_t r, std::size_t k)
     const Run kept = run;
     run.elements.erase(run.elements.begin() + static_cast<std::ptrdiff_t>(k));
     run.nodes_mm.erase(run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(k == 0 ? 1 : k));
-    const auto untie = [&](std::size_t i) {
-        Element& e = run.elements[i];
-        if (!e.arc) return;
-        if (e.start == Tie::Tangent && (i == 0 || run.elements[i - 1].arc)) e.start = Tie::Free;
-        if (e.end == Tie::Tangent && (i + 1 == run.elements.size() || run.elements[i + 1].arc)) e.end = Tie::Free;
-    };
-    for (std::size_t i = 0; i < run.elements.size(); ++i) untie(i);
+    releaseLostTies(run);
     const std::size_t end = std::min(last > 0 ? last - 1 : 0, run.elements.size() - 1);
     const std::size_t begin = std::min(first, end);
     resolve(model, run);
@@ -277,6 +249,18 @@ bool tryPlaneCorner(Model& model, std::size_t r, bool start)
 }
 
 }  // namespace
+
+std::vector<Tie> possibleTies(const Model& model, const Run& run, std::size_t k, bool start)
+{
+    const bool at_plane = start ? k == 0 : k + 1 == run.elements.size();
+    if (at_plane) {
+        const Plane& plane = model.planes[start ? run.left : run.right];
+        if (plane.data_end) return {Tie::Free};
+        return {Tie::Free, Tie::Plane};
+    }
+    if (run.elements[start ? k - 1 : k + 1].arc) return {Tie::Free};
+    return {Tie::Free, Tie::Tangent};
+}
 
 Element arcOverChord(double z0, double r0, double z1, double r1, double radius_mm, bool convex)
 {

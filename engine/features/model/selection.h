@@ -16,6 +16,9 @@ std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<cons
 /// An arc over the chord from (z0, r0) to (z1, r1), without ties.
 Element arcOverChord(double z0, double r0, double z1, double r1, double radius_mm, bool convex);
 
+/// Ties that an arc in place of element k may have at one of its ends.
+std::vector<Tie> possibleTies(const Model& model, const Run& run, std::size_t k, bool start);
+
 /// For every arc and every cone shorter than 4 mm: the best of cylinder, cone, arcs with all ties that are possible;
 /// misfit plus 2.5 ln n for each parameter. One sweep over all runs. Returns the number of changed elements.
 int selectKinds(Model& model, const Progress& progress = {});

@@ -11,13 +11,13 @@ std::vector<AcceptedSize> acceptedSizes(std::string_view text)
     std::vector<AcceptedSize> accepted;
     while (!text.empty()) {
         const std::size_t comma = std::min(text.find(','), text.size());
-        const std::string_view word = text.substr(0, comma);
+        const std::string_view entry = text.substr(0, comma);
         text.remove_prefix(std::min(comma + 1, text.size()));
         AcceptedSize size;
-        const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), size.row);
-        const auto colon = static_cast<std::size_t>(rest - word.data());
-        if (error != std::errc() || colon + 1 >= word.size() || word[colon] != ':') continue;
-        size.quantity = std::string(word.substr(colon + 1));
+        const auto [rest, error] = std::from_chars(entry.data(), entry.data() + entry.size(), size.row);
+        const auto colon = static_cast<std::size_t>(rest - entry.data());
+        if (error != std::errc() || colon + 1 >= entry.size() || entry[colon] != ':') continue;
+        size.quantity = std::string(entry.substr(colon + 1));
         accepted.push_back(std::move(size));
     }
     return accepted;

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/features/nominal/nominal_limits.h"
+
 namespace lathelier::features {
 namespace {
 
@@ -103,8 +105,7 @@ std::optional<Limits> limitsOf(std::string_view iso_class, double nominal_mm)
 
 std::vector<std::string> fitsOf(double measured_mm, double U_mm, double nominal_mm, Surface surface)
 {
-    constexpr double rounding_um = 1e-6;
-    constexpr std::size_t mostFits = 3;
+    constexpr double rounding_um = nominalLimits.fit_rounding_um;
     const auto range = sizeRangeOf(nominal_mm);
     std::vector<std::string> fits;
     if (!range) return fits;
@@ -113,7 +114,7 @@ std::vector<std::string> fitsOf(double measured_mm, double U_mm, double nominal_
     for (int grade = firstGrade; grade <= lastGradeOfFits; ++grade)
         for (const Deviation& letter : fundamentalDeviations) {
             const std::string_view name = hole ? letter.hole : letter.shaft;
-            if (name.empty() || fits.size() == mostFits) continue;
+            if (name.empty() || fits.size() == nominalLimits.most_fits) continue;
             const Limits zone = limitsIn(letter, hole, grade, *range);
             if (zone.lower_um <= low_um + rounding_um && high_um <= zone.upper_um + rounding_um)
                 fits.push_back(std::string(name) + std::to_string(grade));

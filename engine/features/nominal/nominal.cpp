@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "engine/core/units.h"
+#include "engine/features/nominal/nominal_limits.h"
 
 namespace lathelier::features {
 namespace {
-
-constexpr double roundingMargin = 1e-9;  // a size on the border of its window is within
 
 /// Multiples of whole/parts mm: exact decimals, unlike multiples of 0.1.
 struct Grid {
@@ -26,12 +25,12 @@ std::optional<Suggestion> onGrid(double measured_mm, double U_mm, HalfTolerance 
 {
     if (!std::isfinite(measured_mm) || !(U_mm >= 0)) return {};
     for (const Grid& grid : sizeGrids) {
-        const double nominal = grid.nearest_mm(measured_mm), share = grid.size_mm() / 20;
-        if (!(nominal > 0) || nominal < grid.least_mm || U_mm > share + roundingMargin) continue;
+        const double nominal = grid.nearest_mm(measured_mm), share = grid.size_mm() / nominalLimits.grid_share;
+        if (!(nominal > 0) || nominal < grid.least_mm || U_mm > share + nominalLimits.rounding_mm) continue;
         const std::optional<double> tolerance = halfTolerance_mm(nominal);
         if (!tolerance) continue;
         const double window = std::min(U_mm + *tolerance, share);
-        if (std::abs(measured_mm - nominal) > window + roundingMargin) continue;
+        if (std::abs(measured_mm - nominal) > window + nominalLimits.rounding_mm) continue;
         Suggestion found;
         found.measured_mm = measured_mm;
         found.nominal_mm = nominal;
@@ -52,7 +51,7 @@ std::optional<Suggestion> inSeries(double measured, std::span<const double> seri
     for (std::size_t i = 1; i < series.size(); ++i)
         if (std::abs(series[i] - measured) < std::abs(series[best] - measured)) best = i;
     const double w = window(series[best]);
-    if (!(std::abs(measured - series[best]) <= w + roundingMargin)) return {};
+    if (!(std::abs(measured - series[best]) <= w + nominalLimits.rounding_mm)) return {};
     const std::size_t before = best > 0 ? best - 1 : best, after = std::min(best + 1, series.size() - 1);
     const double spacing = (series[after] - series[before]) / static_cast<double>(after - before);
     Suggestion found;
@@ -66,7 +65,8 @@ std::optional<Suggestion> inSeries(double measured, std::span<const double> seri
 bool isWithin(Measured measured, double nominal_mm, double lower_mm, double upper_mm)
 {
     const double off = measured.value_mm - nominal_mm;
-    return off >= lower_mm - measured.U_mm - roundingMargin && off <= upper_mm + measured.U_mm + roundingMargin;
+    return off >= lower_mm - measured.U_mm - nominalLimits.rounding_mm &&
+           off <= upper_mm + measured.U_mm + nominalLimits.rounding_mm;
 }
 
 double ratioOf(double half_angle_deg)
@@ -78,10 +78,9 @@ double ratioOf(double half_angle_deg)
 
 std::optional<Suggestion> suggestDiameter(double measured_mm, double U_mm, Surface surface)
 {
-    static constexpr int diameterGrade = 10;
-    static constexpr double largestIsoSize_mm = 500;  // ISO 286-1 has further ranges above
     auto found = onGrid(measured_mm, U_mm, [](double nominal_mm) -> std::optional<double> {
-        return standardTolerance_um(diameterGrade, std::min(nominal_mm, largestIsoSize_mm)).value_or(0) / 2000;
+        const double size_mm = std::min(nominal_mm, nominalLimits.largest_iso_size_mm);
+        return standardTolerance_um(nominalLimits.diameter_grade, size_mm).value_or(0) / 2000;
     });
     if (!found) return {};
     found->quantity = "diameter_mm";
@@ -102,11 +101,10 @@ std::optional<Suggestion> suggestLength(double measured_mm, double U_mm, std::st
 
 std::optional<double> nominalChamferAngle_deg(double angle_deg, double U_deg)
 {
-    constexpr double angleWindow_deg = 1;
     std::optional<double> best;
     for (const double angle : chamferAngles_deg()) {
         const double off = std::abs(std::abs(angle_deg) - angle);
-        if (off > U_deg + angleWindow_deg + roundingMargin) continue;
+        if (off > U_deg + nominalLimits.chamfer_angle_deg + nominalLimits.rounding_mm) continue;
         if (!best || off < std::abs(std::abs(angle_deg) - *best)) best = angle;
     }
     return best;
@@ -114,10 +112,9 @@ std::optional<double> nominalChamferAngle_deg(double angle_deg, double U_deg)
 
 std::optional<Suggestion> suggestChamfer(double leg_mm, double U_mm, double angle_deg, double U_deg)
 {
-    constexpr double legWindow_mm = 0.1;
     const auto angle = nominalChamferAngle_deg(angle_deg, U_deg);
     if (!angle) return {};
-    auto found = inSeries(leg_mm, chamferLegs_mm(), [&](double) { return U_mm + legWindow_mm; });
+    auto found = inSeries(leg_mm, chamferLegs_mm(), [&](double) { return U_mm + nominalLimits.chamfer_leg_mm; });
     if (!found) return {};
     found->quantity = "leg_mm";
     found->designation = fmt::format("{}×{}°", found->nominal_mm, *angle);
@@ -126,10 +123,9 @@ std::optional<Suggestion> suggestChamfer(double leg_mm, double U_mm, double angl
 
 std::optional<Suggestion> suggestRadius(double radius_mm, double U_mm)
 {
-    constexpr double radiusWindowShare = 0.05;
     const double radius = std::abs(radius_mm);
-    auto found =
-        inSeries(radius, radii_mm(), [&](double nominal) { return std::max(U_mm, radiusWindowShare * nominal); });
+    auto found = inSeries(radius, radii_mm(),
+                          [&](double nominal) { return std::max(U_mm, nominalLimits.radius_share * nominal); });
     if (!found && radius > radii_mm().back()) found = suggestLength(radius, U_mm);
     if (!found) return {};
     found->quantity = "radius_mm";
@@ -139,15 +135,12 @@ std::optional<Suggestion> suggestRadius(double radius_mm, double U_mm)
 
 std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
 {
-    constexpr double angleAccuracy_deg = 0.005, steepestTaper_deg = 10;
-    constexpr double smallestMorseRatio = 0.7, largestMorseRatio = 1.04;
-    constexpr std::size_t mostTapers = 3;
     const double angle = std::abs(cone.half_angle_deg);
     std::vector<std::pair<double, Suggestion>> found;
     const auto consider = [&](double nominal_deg, double ratio, double window_deg, double spacing_deg,
                               std::string designation) {
         const double off = std::abs(angle - nominal_deg);
-        if (!(off <= window_deg + roundingMargin)) return;
+        if (!(off <= window_deg + nominalLimits.rounding_mm)) return;
         Suggestion one;
         one.quantity = "taper";
         one.measured_mm = ratioOf(angle);
@@ -162,42 +155,42 @@ std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
         if (taper.gauge_mm == 0) angles.push_back(std::atan(taper.ratio / 2) / rad_per_deg);
     std::sort(angles.begin(), angles.end());
     for (const StandardTaper& taper : standardTapers()) {
-        if (taper.gauge_mm > 0 && (cone.small_mm < smallestMorseRatio * taper.gauge_mm ||
-                                   cone.large_mm > largestMorseRatio * taper.gauge_mm || cone.large_mm < cone.small_mm))
+        if (taper.gauge_mm > 0 &&
+            (cone.small_mm < nominalLimits.smallest_morse_ratio * taper.gauge_mm ||
+             cone.large_mm > nominalLimits.largest_morse_ratio * taper.gauge_mm || cone.large_mm < cone.small_mm))
             continue;
         const double nominal = std::atan(taper.ratio / 2) / rad_per_deg;
         // Spacing of the plain series about it: Morse tapers have nearly equal ratios and are distinguished by their
         // diameters.
-        const auto above = std::upper_bound(angles.begin(), angles.end(), nominal + roundingMargin);
-        const auto at = std::lower_bound(angles.begin(), angles.end(), nominal - roundingMargin);
+        const auto above = std::upper_bound(angles.begin(), angles.end(), nominal + nominalLimits.rounding_mm);
+        const auto at = std::lower_bound(angles.begin(), angles.end(), nominal - nominalLimits.rounding_mm);
         const double high = above != angles.end() ? *above : 2 * nominal;
         const double low = at != angles.begin() ? *(at - 1) : 0;
-        consider(nominal, taper.ratio, cone.U_deg + angleAccuracy_deg, (high - low) / 2, std::string(taper.name));
+        consider(nominal, taper.ratio, cone.U_deg + nominalLimits.taper_angle_deg, (high - low) / 2,
+                 std::string(taper.name));
     }
-    if (angle > steepestTaper_deg) {
-        constexpr double angleSpacing_deg = 15;
+    if (angle > nominalLimits.steepest_taper_deg) {
         const double side = std::min(cone.length_mm, std::abs(cone.large_mm - cone.small_mm) / 2);
         const double window = cone.U_deg + generalAngleTolerance_deg(side) / 2;
         for (const double one : chamferAngles_deg())
-            consider(one, ratioOf(one), window, angleSpacing_deg, fmt::format("{}°", one));
+            consider(one, ratioOf(one), window, nominalLimits.chamfer_angle_spacing_deg, fmt::format("{}°", one));
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Suggestion> result;
     for (auto& [off, one] : found)
-        if (result.size() < mostTapers) result.push_back(std::move(one));
+        if (result.size() < nominalLimits.most_tapers) result.push_back(std::move(one));
     return result;
 }
 
 std::optional<Suggestion> suggestThread(double crest_mm, double U_mm, double pitch_mm)
 {
-    constexpr double pitchWindowShare = 0.01;
     double pitch = 0;
     const auto consider = [&](double one) {
         if (std::abs(one - pitch_mm) < std::abs(pitch - pitch_mm)) pitch = one;
     };
     for (const double one : finePitches_mm()) consider(one);
     for (const CoarseThread& thread : coarseThreads()) consider(thread.pitch_mm);
-    if (!(std::abs(pitch - pitch_mm) <= pitchWindowShare * pitch)) return {};
+    if (!(std::abs(pitch - pitch_mm) <= nominalLimits.pitch_share * pitch)) return {};
     const double upper_mm = -(15 + 11 * pitch) / 1000;
     const double lower_mm = upper_mm - (180 * std::cbrt(pitch * pitch) - 3.15 / std::sqrt(pitch)) / 1000;
     const double expanded_mm = std::max(U_mm, -upper_mm);  // a crest without the deviation g is accepted too
@@ -220,14 +213,15 @@ std::optional<Suggestion> suggestThread(double crest_mm, double U_mm, double pit
 
 std::optional<CirclipGroove> circlipGrooveOf(Measured shaft, Measured bottom, Measured width)
 {
-    constexpr int shaftGrade = 11, bottomGrade = 12;
-    constexpr double grooveWidthTolerance_mm = 0.14;  // H13 up to 3 mm
+    const auto tolerance_mm = [](int grade, double size_mm) {
+        return standardTolerance_um(grade, size_mm).value_or(0) / 1000;
+    };
     std::optional<CirclipGroove> best;
     for (const CirclipGroove& groove : circlipGrooves()) {
-        const double below_shaft = standardTolerance_um(shaftGrade, groove.shaft_mm).value_or(0) / 1000;
-        const double below_bottom = standardTolerance_um(bottomGrade, groove.groove_mm).value_or(0) / 1000;
+        const double below_shaft = tolerance_mm(nominalLimits.circlip_shaft_grade, groove.shaft_mm);
+        const double below_bottom = tolerance_mm(nominalLimits.circlip_bottom_grade, groove.groove_mm);
         if (!isWithin(shaft, groove.shaft_mm, -below_shaft, 0) ||
-            !isWithin(width, groove.width_mm, 0, grooveWidthTolerance_mm) ||
+            !isWithin(width, groove.width_mm, 0, nominalLimits.circlip_width_mm) ||
             !isWithin(bottom, groove.groove_mm, -below_bottom, 0))
             continue;
         if (!best || std::abs(groove.groove_mm - bottom.value_mm) < std::abs(best->groove_mm - bottom.value_mm))
@@ -243,19 +237,20 @@ std::string designationOf(const CirclipGroove& groove)
 
 std::optional<Undercut> undercutOf(const MeasuredUndercut& measured)
 {
-    constexpr double depthTolerance_mm = 0.1, widthTolerance_mm = 0.2, radiusTolerance_mm = 0.1,
-                     unusualShaftPenalty = 0.25;
+    constexpr double depth_mm = nominalLimits.undercut_depth_mm, width_mm = nominalLimits.undercut_width_mm,
+                     radius_mm = nominalLimits.undercut_radius_mm;
     std::optional<Undercut> best;
     double least = 0;
     for (const Undercut& one : undercuts()) {
-        if (!isWithin(measured.depth, one.depth_mm, 0, depthTolerance_mm) ||
-            !isWithin(measured.width, one.width_mm, 0, widthTolerance_mm) ||
-            !isWithin(measured.radius, one.radius_mm, -radiusTolerance_mm, radiusTolerance_mm))
+        if (!isWithin(measured.depth, one.depth_mm, 0, depth_mm) ||
+            !isWithin(measured.width, one.width_mm, 0, width_mm) ||
+            !isWithin(measured.radius, one.radius_mm, -radius_mm, radius_mm))
             continue;
-        double distance = std::abs(measured.depth.value_mm - one.depth_mm) / depthTolerance_mm +
-                          std::abs(measured.width.value_mm - one.width_mm) / widthTolerance_mm +
-                          std::abs(measured.radius.value_mm - one.radius_mm) / radiusTolerance_mm;
-        if (measured.shaft_mm <= one.over_mm || measured.shaft_mm > one.to_mm) distance += unusualShaftPenalty;
+        double distance = std::abs(measured.depth.value_mm - one.depth_mm) / depth_mm +
+                          std::abs(measured.width.value_mm - one.width_mm) / width_mm +
+                          std::abs(measured.radius.value_mm - one.radius_mm) / radius_mm;
+        if (measured.shaft_mm <= one.over_mm || measured.shaft_mm > one.to_mm)
+            distance += nominalLimits.unusual_shaft_price;
         if (best && distance >= least) continue;
         best = one;
         least = distance;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/units.h"
+#include "engine/features/nominal/nominal_limits.h"
 
 namespace lathelier::features {
 namespace {
@@ -227,7 +228,6 @@ std::optional<Line> RowPlacing::neighbour(std::size_t i, bool before) const
 
 void RowPlacing::placeArc(std::size_t i)
 {
-    constexpr double tangentTolerance_deg = 0.2, onAxisRadius_mm = 0.005, straightSine = 1e-6;
     const ContourPiece measured = chain_.piece(i);
     double radius = std::abs(measured.arc_radius_mm);
     if (const Suggestion* named = suggestion(i, "radius_mm")) radius = named->nominal_mm;
@@ -244,19 +244,20 @@ void RowPlacing::placeArc(std::size_t i)
             direction = (row.to_mm - row.from_mm).normalized();
         }
         const double cosine = direction.dot(tangent);
-        if (std::abs(cosine) < std::cos(tangentTolerance_deg * rad_per_deg)) return {};
+        if (std::abs(cosine) < std::cos(placingLimits.tangent_deg * rad_per_deg)) return {};
         return line->direction.dot(tangent) > 0 ? line->direction : Vector2d(-line->direction);
     };
     const auto a = along(before, true, leaving), b = along(after, false, arriving);
     Vector2d start = at_[i].right, end = at_[i + 1].left;
     const Vector2d chord = measured.to_mm - measured.from_mm;
     const double cross = a && b ? a->x() * b->y() - a->y() * b->x() : 0;
-    if (a && b && std::abs(cross) > straightSine) {
+    if (a && b && std::abs(cross) > placingLimits.straight_sine) {
         const Vector2d w = after->point - before->point;
         const Vector2d corner = before->point + (w.x() * b->y() - w.y() * b->x()) / cross * *a;
         const double tangent = std::tan(std::abs(std::atan2(cross, a->dot(*b))) / 2);
         // A ball ends on the axis for any radius.
-        if (std::min(measured.from_mm.y(), measured.to_mm.y()) < onAxisRadius_mm) radius = corner.y() / tangent;
+        if (std::min(measured.from_mm.y(), measured.to_mm.y()) < placingLimits.on_axis_mm)
+            radius = corner.y() / tangent;
         start = corner - radius * tangent * *a;
         end = corner + radius * tangent * *b;
     } else {

@@ -6,14 +6,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/features/nominal/nominal_limits.h"
 #include "engine/features/nominal/suggestions.h"
 
 namespace lathelier::features {
 namespace {
-
-constexpr double shallowestChamfer_deg = 10, steepestChamfer_deg = 80;
-constexpr double largestLeg_mm = 6, largestRound_mm = 10;
-constexpr double noDiameter_mm = 0.01;
 
 /// Is this boundary of row i an end of the part, or a shoulder that falls further?
 bool isFallingAway(const RowChain& chain, std::size_t i, bool at_start)
@@ -36,19 +33,18 @@ bool isBreakingEdge(const RowChain& chain, std::size_t i)
 /// Is the arc's lowest or highest point inside the row?
 bool turns(const RowChain& chain, std::size_t i)
 {
-    constexpr double endShare = 0.05;
     const double start = chain.start_mm(i), length = chain.length_mm(i);
     const double at = (chain.piece(i).centre_mm().x() - start) / length;
-    return at > endShare && at < 1 - endShare;
+    return at > roleLimits.arc_end_share && at < 1 - roleLimits.arc_end_share;
 }
 
 std::string roleOfCone(const RowChain& chain, std::size_t i)
 {
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2, angle = chain.angle_deg(i);
     const RecognizedRow& row = chain.row(i);
-    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm || radial == 0) return "";
-    if (angle > shallowestChamfer_deg && angle < steepestChamfer_deg &&
-        std::min(radial, std::abs(chain.length_mm(i))) <= largestLeg_mm && isBreakingEdge(chain, i))
+    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < roleLimits.no_diameter_mm || radial == 0) return "";
+    if (angle > roleLimits.shallowest_chamfer_deg && angle < roleLimits.steepest_chamfer_deg &&
+        std::min(radial, std::abs(chain.length_mm(i))) <= roleLimits.largest_leg_mm && isBreakingEdge(chain, i))
         return "chamfer";
     return "taper";
 }
@@ -56,10 +52,10 @@ std::string roleOfCone(const RowChain& chain, std::size_t i)
 std::string roleOfArc(const RowChain& chain, std::size_t i)
 {
     const RecognizedRow& row = chain.row(i);
-    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < noDiameter_mm) return "";
+    if (std::min(row.start_diameter_mm, row.end_diameter_mm) < roleLimits.no_diameter_mm) return "";
     const bool inside = turns(chain, i);
     if (chain.isConcave(i)) return inside ? "saddle" : "fillet";
-    if (inside || std::abs(*row.arc_radius_mm) > largestRound_mm) return "";
+    if (inside || std::abs(*row.arc_radius_mm) > roleLimits.largest_round_mm) return "";
     const bool between = chain.joint(i) == Joint::Joined && chain.joint(i + 1) == Joint::Joined;
     return between || isBreakingEdge(chain, i) ? "edge_round" : "";
 }
@@ -67,13 +63,12 @@ std::string roleOfArc(const RowChain& chain, std::size_t i)
 /// The mark, thread or knurl, that covers most of a row; nullptr: none.
 const ShaftMark* markOn(const RecognizedRow& row, const std::vector<ShaftMark>& marks)
 {
-    constexpr double coveredShare = 0.5;
     if (row.kind != RowKind::Cylinder) return nullptr;
     for (const ShaftMark& mark : marks) {
         if ((mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl) || !mark.z_start_mm || !mark.z_end_mm)
             continue;
         const double common = std::min(row.z_end_mm, *mark.z_end_mm) - std::max(row.z_start_mm, *mark.z_start_mm);
-        if (common > coveredShare * (row.z_end_mm - row.z_start_mm)) return &mark;
+        if (common > roleLimits.covered_share * (row.z_end_mm - row.z_start_mm)) return &mark;
     }
     return nullptr;
 }
@@ -129,11 +124,10 @@ std::vector<std::int64_t> numbersOf(std::size_t first, std::size_t last)
 /// "0.2…0.4": range of the leg of an edge break.
 std::string rangeOfLeg(const RowChain& chain, std::size_t i)
 {
-    constexpr double uncertainLeg_mm = 0.1;
     const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2;
     const double leg = (std::abs(chain.length_mm(i)) + radial) / 2;
     const auto tenths = [](double value_mm) { return std::max(0.0, std::round(value_mm * 10) / 10); };
-    return fmt::format("{}…{}", tenths(leg - uncertainLeg_mm), tenths(leg + uncertainLeg_mm));
+    return fmt::format("{}…{}", tenths(leg - roleLimits.uncertain_leg_mm), tenths(leg + roleLimits.uncertain_leg_mm));
 }
 
 std::vector<RecognizedFeature> featuresOf(const RowChain& chain, const Patterns& patterns, bool named)

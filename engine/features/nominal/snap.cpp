@@ -4,14 +4,13 @@
 #include <cmath>
 
 #include "engine/features/nominal/nominal_chain.h"
+#include "engine/features/nominal/nominal_limits.h"
 #include "engine/shaft/shaft_rules.h"
 
 namespace lathelier::features {
 namespace {
 
 using Flags = std::vector<bool>;
-
-constexpr double changedSize_mm = 1e-9;
 
 MeasuredSize measuredOf(const RecognizedRow& row)
 {
@@ -21,7 +20,7 @@ MeasuredSize measuredOf(const RecognizedRow& row)
 
 bool isChanged(const ShaftSegment& now, const RecognizedRow& row)
 {
-    const auto differs = [](double a, double b) { return std::abs(a - b) > changedSize_mm; };
+    const auto differs = [](double a, double b) { return std::abs(a - b) > placingLimits.changed_mm; };
     return differs(now.length_mm, row.z_end_mm - row.z_start_mm) ||
            differs(now.start_diameter_mm, row.start_diameter_mm) || differs(now.end_diameter_mm, row.end_diameter_mm) ||
            differs(now.arc_radius_mm.value_or(0), row.arc_radius_mm.value_or(0));

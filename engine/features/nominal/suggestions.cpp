@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/features/nominal/nominal_limits.h"
+
 namespace lathelier::features {
 namespace {
 
-constexpr double leastSuggestionCoverage_deg = 180;
-
 bool isCovered(const RecognizedRow& row)
 {
-    return row.coverage_deg >= leastSuggestionCoverage_deg;
+    return row.coverage_deg >= nominalLimits.least_coverage_deg;
 }
 
 Surface surfaceOf(const RowChain& chain)
@@ -50,34 +50,33 @@ void suggestTaper(const RowChain& chain, std::size_t i, std::vector<Suggestion>&
         append(list, suggestDiameter(large, U_um.value_or(0) / 1000, surfaceOf(chain)));
 }
 
-}  // namespace
+/// Suggestions by row while they are found.
+struct RowSuggestions {
+    std::vector<std::vector<Suggestion>> of_row;
+    std::vector<bool> settled;  ///< rows whose sizes a pattern has given
+    std::vector<bool> has_z;    ///< rows whose end is a baseline dimension
 
-bool isEdgeBreak(const RowChain& chain, std::size_t i)
+    explicit RowSuggestions(std::size_t n) : of_row(n), settled(n, false), has_z(n, true) {}
+};
+
+void suggestUndercuts(const RowChain& chain, const std::vector<UndercutRows>& undercuts, RowSuggestions& found)
 {
-    constexpr double smallestShapedEdge_mm = 0.45;
-    const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2;
-    return std::max(std::abs(chain.length_mm(i)), radial) < smallestShapedEdge_mm;
-}
-
-std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const Patterns& patterns,
-                                                    const std::vector<const ShaftMark*>& thread_of)
-{
-    const std::size_t n = chain.size();
-    std::vector<std::vector<Suggestion>> all(n);
-    std::vector<bool> settled(n, false), has_z(n, true);
-
-    for (const UndercutRows& rows : patterns.undercuts) {
+    for (const UndercutRows& rows : undercuts) {
         const auto standard = undercutOf(rows.measured);
         if (!standard || !isCovered(chain.row(rows.arc))) continue;
-        all[rows.arc].push_back(standardSize("undercut", rows.measured.radius, standard->radius_mm,
-                                             designationOf(*standard, rows.measured.form)));
-        for (std::size_t i = rows.first; i <= rows.last; ++i) settled[i] = true;
+        found.of_row[rows.arc].push_back(standardSize("undercut", rows.measured.radius, standard->radius_mm,
+                                                      designationOf(*standard, rows.measured.form)));
+        for (std::size_t i = rows.first; i <= rows.last; ++i) found.settled[i] = true;
     }
-    for (const GrooveRows& groove : patterns.grooves) {
+}
+
+void suggestGrooves(const RowChain& chain, const std::vector<GrooveRows>& grooves, RowSuggestions& found)
+{
+    for (const GrooveRows& groove : grooves) {
         if (!groove.between_planes || !groove.bottom || !isCovered(chain.row(*groove.bottom))) continue;
         const RecognizedRow& row = chain.row(*groove.bottom);
         const Measured bottom{row.start_diameter_mm, diameterUncertainty_mm(row)};
-        std::vector<Suggestion>& list = all[*groove.bottom];
+        std::vector<Suggestion>& list = found.of_row[*groove.bottom];
         const auto circlip = chain.isBore() ? std::nullopt : circlipGrooveOf(groove.shaft, bottom, groove.width);
         if (circlip) {
             const std::string name = designationOf(*circlip);
@@ -88,40 +87,65 @@ std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const
             append(list, suggestDiameter(bottom.value_mm, bottom.U_mm, surfaceOf(chain)));
             append(list, suggestLength(groove.width.value_mm, groove.width.U_mm));
         }
-        settled[*groove.bottom] = true;
-        has_z[groove.last] = list.empty() || list.back().quantity != "length_mm";
+        found.settled[*groove.bottom] = true;
+        found.has_z[groove.last] = list.empty() || list.back().quantity != "length_mm";
     }
+}
 
-    for (std::size_t i = 0; i < n; ++i) {
-        const RecognizedRow& row = chain.row(i);
-        if (!isCovered(row)) continue;
-        std::vector<Suggestion>& list = all[i];
+/// Of a row that no pattern has settled.
+void suggestSizes(const RowChain& chain, std::size_t i, const ShaftMark* thread, std::vector<Suggestion>& list)
+{
+    const RecognizedRow& row = chain.row(i);
+    if (row.kind == RowKind::Cylinder) {
         const double expanded_mm = diameterUncertainty_mm(row);
-        if (!settled[i] && row.kind == RowKind::Cylinder) {
-            const ShaftMark* thread = thread_of[i];
-            std::optional<Suggestion> found;
-            if (thread && thread->pitch_mm)
-                found = suggestThread(thread->major_mm.value_or(row.start_diameter_mm), expanded_mm, *thread->pitch_mm);
-            if (!found) found = suggestDiameter(row.start_diameter_mm, expanded_mm, surfaceOf(chain));
-            append(list, found);
-        } else if (!settled[i] && row.role == "chamfer" && !isEdgeBreak(chain, i)) {
-            append(list, suggestChamfer(std::abs(chain.length_mm(i)), lengthUncertainty_mm(row), chain.angle_deg(i),
-                                        row.uncertainty.angle_deg.value_or(0)));
-        } else if (!settled[i] && row.role == "taper") {
-            suggestTaper(chain, i, list);
-        } else if (!settled[i] && row.kind == RowKind::Arc && row.fully_visible &&
-                   !(row.role == "edge_round" && isEdgeBreak(chain, i))) {
-            append(list, suggestRadius(*row.arc_radius_mm, row.uncertainty.arc_radius_um.value_or(0) / 1000));
-        }
-        const Joint joint = chain.joint(i + 1);
-        const bool next_covered = i + 1 >= n || isCovered(chain.row(i + 1));
-        const bool is_datum = joint == Joint::Plane || joint == Joint::Relieved ||
-                              (joint == Joint::Joined && chain.length_mm(i) < 0) ||
-                              (joint == Joint::End && (chain.endsAtEnd() || chain.isBore()));
-        if (is_datum && has_z[i] && next_covered && !chain.isRoughSeam(i + 1))
+        std::optional<Suggestion> found;
+        if (thread && thread->pitch_mm)
+            found = suggestThread(thread->major_mm.value_or(row.start_diameter_mm), expanded_mm, *thread->pitch_mm);
+        if (!found) found = suggestDiameter(row.start_diameter_mm, expanded_mm, surfaceOf(chain));
+        append(list, found);
+    } else if (row.role == "chamfer" && !isEdgeBreak(chain, i)) {
+        append(list, suggestChamfer(std::abs(chain.length_mm(i)), lengthUncertainty_mm(row), chain.angle_deg(i),
+                                    row.uncertainty.angle_deg.value_or(0)));
+    } else if (row.role == "taper") {
+        suggestTaper(chain, i, list);
+    } else if (row.kind == RowKind::Arc && row.fully_visible && !(row.role == "edge_round" && isEdgeBreak(chain, i))) {
+        append(list, suggestRadius(*row.arc_radius_mm, row.uncertainty.arc_radius_um.value_or(0) / 1000));
+    }
+}
+
+/// Does row i end at a plane that lengths are measured to?
+bool endsAtDatum(const RowChain& chain, std::size_t i)
+{
+    const Joint joint = chain.joint(i + 1);
+    const bool next_covered = i + 1 >= chain.size() || isCovered(chain.row(i + 1));
+    const bool is_datum = joint == Joint::Plane || joint == Joint::Relieved ||
+                          (joint == Joint::Joined && chain.length_mm(i) < 0) ||
+                          (joint == Joint::End && (chain.endsAtEnd() || chain.isBore()));
+    return is_datum && next_covered && !chain.isRoughSeam(i + 1);
+}
+
+}  // namespace
+
+bool isEdgeBreak(const RowChain& chain, std::size_t i)
+{
+    const double radial = std::abs(chain.endHeight_mm(i) - chain.startHeight_mm(i)) / 2;
+    return std::max(std::abs(chain.length_mm(i)), radial) < roleLimits.smallest_shaped_edge_mm;
+}
+
+std::vector<std::vector<Suggestion>> suggestionsFor(const RowChain& chain, const Patterns& patterns,
+                                                    const std::vector<const ShaftMark*>& thread_of)
+{
+    RowSuggestions found(chain.size());
+    suggestUndercuts(chain, patterns.undercuts, found);
+    suggestGrooves(chain, patterns.grooves, found);
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+        if (!isCovered(chain.row(i))) continue;
+        std::vector<Suggestion>& list = found.of_row[i];
+        if (!found.settled[i]) suggestSizes(chain, i, thread_of[i], list);
+        if (found.has_z[i] && endsAtDatum(chain, i))
             append(list, suggestLength(chain.closing_mm(i), chain.boundaryUncertainty_mm(i + 1), "z_mm"));
     }
-    return all;
+    return std::move(found.of_row);
 }
 
 }  // namespace lathelier::features

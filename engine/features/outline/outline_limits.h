@@ -70,7 +70,7 @@ struct PlaneLimits {
     double room_mm = 1, room_share = 0.45;  ///< along the axis, at most this share of the runs beside it
     int radius_samples = 20;
     double least_shoulder_sigmas = 8;  ///< lower shoulders are placed as steps
-    double least_ray_step_sigmas = 4;  ///< rays do not tell lower ones
+    double least_ray_step_sigmas = 4;  ///< rays do not show lower ones
     double clear_sigmas = 7;           ///< noise fills 3.5 σ on each side of the gap between two walls
     double part_end_mm = 1;            ///< a bore that ends no further from the outside's end ends there
     double part_end_floor_mm = 1e-4;
@@ -113,8 +113,8 @@ struct StretchLimits {
     double rough_errors = 3;                               ///< standard errors of a scatter that are added to the ratio
     double least_scatter_mm = 0.001;                       ///< of a thread or knurl in data without noise
     double assumed_spot_mm2 = 0.0225;                      ///< (0.15 mm)², the spot of the practice scans
-    std::size_t most_calm_walls = 6;                       ///< a rough zone ends before so many without roughness
-    std::size_t most_smooth_walls = 2;                     ///< within the stretch over which it fades into a cone
+    std::size_t most_smooth_walls = 6;                     ///< a rough zone ends before so many without roughness
+    std::size_t most_faded_walls = 2;                      ///< within the stretch over which it fades into a cone
     std::size_t walls_beyond = 3;                          ///< that a groove may reach besides
     double longest_lead_mm = 4;                            ///< the cone that leads into a rough zone
     double longest_lead_part = 3;                          ///< the zone is at least so many times as long

@@ -49,9 +49,9 @@ std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double si
             ++i;
             continue;
         }
-        std::size_t last = i, calm = 0;
-        for (std::size_t j = i + 1; j < walls.size() && calm < limits.most_calm_walls; ++j) {
-            calm = rough[j] ? 0 : calm + 1;
+        std::size_t last = i, smooth = 0;
+        for (std::size_t j = i + 1; j < walls.size() && smooth < limits.most_smooth_walls; ++j) {
+            smooth = rough[j] ? 0 : smooth + 1;
             if (rough[j]) last = j;
         }
         const std::size_t next = last + 1;
@@ -59,9 +59,9 @@ std::vector<RoughWalls> roughStretches(const std::vector<Wall>& walls, double si
             std::size_t from = i, to = next;
             const std::size_t least = stretches.empty() ? 0 : stretches.back().wide_to;
             const double reach = longestLead_mm(walls[last].z_mm - walls[i].z_mm);
-            for (std::size_t j = i; j-- > least && i - j <= limits.most_smooth_walls + (i - from);)
+            for (std::size_t j = i; j-- > least && i - j <= limits.most_faded_walls + (i - from);)
                 if (scattered[j] && walls[i].z_mm - walls[j].z_mm < reach) from = j;
-            for (std::size_t j = next; j < walls.size() && j - to <= limits.most_smooth_walls; ++j)
+            for (std::size_t j = next; j < walls.size() && j - to <= limits.most_faded_walls; ++j)
                 if (scattered[j] && walls[j].z_mm - walls[last].z_mm < reach) to = j + 1;
             from = std::max(least, from - std::min(from, limits.walls_beyond));
             stretches.push_back({i, next, from, std::min(walls.size(), to + limits.walls_beyond)});

@@ -44,7 +44,7 @@ double turnOf(const Element& element, double from_mm, double to_mm)
 
 /// Is the jump between two pieces a step of the part, and not wear? Within the form tolerance only between pieces whose
 /// slopes do not differ significantly from 0.
-bool isGenuine(const Piece& a, const Piece& b, double jump_mm, double form_mm)
+bool isStepOfPart(const Piece& a, const Piece& b, double jump_mm, double form_mm)
 {
     if (std::abs(jump_mm) > form_mm) return true;
     const auto isLevel = [](const Piece& piece) { return !piece.arc && !isSignificantSlope(piece); };
@@ -143,7 +143,7 @@ bool isOneSeat(const std::vector<Piece>& pieces, const std::vector<Wall>& walls,
         const double small_um = wearLimits.no_step_um_per_mm * walls[pieces[k].end - 1].sigma_mm;
         if (!(std::abs(junction.angle_deg) < wearLimits.largest_bend_rad * 180 / std::numbers::pi)) return false;
         if (!(std::abs(junction.step_um) < small_um) &&
-            isGenuine(pieces[k], pieces[k + 1], 1e-3 * junction.step_um, form_mm))
+            isStepOfPart(pieces[k], pieces[k + 1], 1e-3 * junction.step_um, form_mm))
             return false;
     }
     return true;

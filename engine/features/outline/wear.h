@@ -21,8 +21,8 @@ struct Wear {
 void subtractWear(const std::vector<Wear>& worn, Wall& wall);
 
 /// Pieces of a worn seat as one: neighbours that a cylinder or a cone describes within the form tolerance, without
-/// bends and genuine steps between them. A step within the tolerance is genuine between pieces whose slopes are not
-/// significant. Removed junctions are appended to `merged`, the form deviation of the seat to `worn`.
+/// bends and steps of the part between them. A step within the tolerance is one of the part between pieces whose slopes
+/// are not significant. Removed junctions are appended to `merged`, the form deviation of the seat to `worn`.
 void mergeWear(std::vector<Piece>& pieces, const std::vector<Wall>& walls, double form_mm,
                std::vector<MergedJunction>& merged, std::vector<Wear>& worn);
 

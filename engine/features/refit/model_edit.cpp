@@ -5,15 +5,13 @@
 #include <limits>
 #include <vector>
 
+#include "engine/features/model/model_limits.h"
 #include "engine/features/model/selection.h"
 #include "engine/features/refit/refit_codes.h"
+#include "engine/features/refit/refit_limits.h"
 
 namespace lathelier::features {
 namespace {
-
-constexpr double parallelSlope = 0.02;  // lines with a smaller difference of slopes have no well-defined intersection
-constexpr double chosenPlaceSigma_mm = 0.05;  // standard uncertainty of a place chosen by hand
-constexpr double leastRow_mm = 0.02;          // least length of a row after a cut
 
 std::ptrdiff_t at(std::size_t index)
 {
@@ -40,20 +38,6 @@ ElementPlace elementPlaceOf(const Model& model, const RowChange& change)
         before += count;
     }
     throw Error(errors::rowNotThere, {{"row", change.row}, {"rows", static_cast<std::int64_t>(countRows(model))}});
-}
-
-/// Removes ties without a partner.
-void releaseLostTies(Run& run)
-{
-    for (std::size_t i = 0; i < run.elements.size(); ++i) {
-        Element& e = run.elements[i];
-        if (!e.arc) continue;
-        const bool first = i == 0, last = i + 1 == run.elements.size();
-        if (e.start == Tie::Tangent && (first || run.elements[i - 1].arc)) e.start = Tie::Free;
-        if (e.end == Tie::Tangent && (last || run.elements[i + 1].arc)) e.end = Tie::Free;
-        if (e.start == Tie::Plane && !first) e.start = Tie::Free;
-        if (e.end == Tie::Plane && !last) e.end = Tie::Free;
-    }
 }
 
 /// A plane behind element k: the run becomes two.
@@ -91,7 +75,7 @@ void partParallels(Model& model, std::size_t r, double sigma_mm)
 {
     for (std::size_t k = 0; k + 1 < model.runs[r].elements.size(); ++k) {
         const Element &a = model.runs[r].elements[k], &b = model.runs[r].elements[k + 1];
-        if (a.arc || b.arc || std::abs(a.slope - b.slope) > parallelSlope) continue;
+        if (a.arc || b.arc || std::abs(a.slope - b.slope) > refitLimits.parallel_slope) continue;
         putPlane(model, r, k, model.runs[r].nodes_mm[k + 1], sigma_mm);
         return partParallels(model, r + 1, sigma_mm);
     }
@@ -144,7 +128,8 @@ void deleteElement(Outline& outline, const ElementPlace& place, std::int64_t row
     // The walls of the row are left out: they would bias the neighbours.
     std::erase_if(run.walls, [&](const Wall& wall) { return wall.z_mm > from && wall.z_mm < to; });
     releaseLostTies(run);
-    partParallels(model, place.run, std::max(chosenPlaceSigma_mm, (to - from) / 4));
+    partParallels(model, place.run,
+                  std::max(refitLimits.chosen_place_sigma_mm, (to - from) / refitLimits.deleted_row_part));
 }
 
 Element lineThrough(double z0, double r0, double z1, double r1, bool cylinder)
@@ -153,7 +138,7 @@ Element lineThrough(double z0, double r0, double z1, double r1, bool cylinder)
     line.cylinder = cylinder;
     line.at_mm = (z0 + z1) / 2;
     line.level_mm = (r0 + r1) / 2;
-    line.slope = cylinder ? 0 : (r1 - r0) / std::max(1e-9, z1 - z0);
+    line.slope = cylinder ? 0 : (r1 - r0) / std::max(refitLimits.least_length_mm, z1 - z0);
     return line;
 }
 
@@ -165,7 +150,8 @@ Element merged(const Element& a, const Element& b, double z0, double middle, dou
         return arcOverChord(z0, r0, z1, r1, (a.radius_mm() + b.radius_mm()) / 2, a.convex);
     if (!a.cylinder || !b.cylinder) return lineThrough(z0, r0, z1, r1, false);
     Element both = lineThrough(z0, r0, z1, r1, true);
-    both.level_mm = (a.level_mm * (middle - z0) + b.level_mm * (z1 - middle)) / std::max(1e-9, z1 - z0);
+    both.level_mm =
+        (a.level_mm * (middle - z0) + b.level_mm * (z1 - middle)) / std::max(refitLimits.least_length_mm, z1 - z0);
     return both;
 }
 
@@ -198,7 +184,7 @@ void mergeElements(Outline& outline, const ElementPlace& place, std::int64_t row
     run.elements.erase(run.elements.begin() + at(k + 1));
     run.nodes_mm.erase(run.nodes_mm.begin() + at(k + 1));
     releaseLostTies(run);
-    partParallels(model, place.run, chosenPlaceSigma_mm);
+    partParallels(model, place.run, refitLimits.chosen_place_sigma_mm);
 }
 
 void splitElement(Model& model, const ElementPlace& place, double z_mm, std::int64_t row)
@@ -206,11 +192,12 @@ void splitElement(Model& model, const ElementPlace& place, double z_mm, std::int
     Run& run = model.runs[place.run];
     const std::size_t k = place.element;
     if (run.elements[k].rough) refuse(row, LT_TEXT("Engine", "a thread or a knurl stays a row of its own"));
-    if (!(z_mm > run.nodes_mm[k] + leastRow_mm && z_mm < run.nodes_mm[k + 1] - leastRow_mm))
+    constexpr double least_mm = refitLimits.least_row_mm;
+    if (!(z_mm > run.nodes_mm[k] + least_mm && z_mm < run.nodes_mm[k + 1] - least_mm))
         refuse(row, LT_TEXT("Engine", "the place of the cut does not lie inside it"));
     run.elements.insert(run.elements.begin() + at(k + 1), run.elements[k]);
     run.nodes_mm.insert(run.nodes_mm.begin() + at(k + 1), z_mm);
-    putPlane(model, place.run, k, z_mm, chosenPlaceSigma_mm);
+    putPlane(model, place.run, k, z_mm, refitLimits.chosen_place_sigma_mm);
 }
 
 /// The arc with the ties of least criterion: misfit plus the price of the free parameters.
@@ -221,25 +208,22 @@ void fitArc(Model& model, const ElementPlace& place, bool convex)
     const double z0 = run.nodes_mm[k], z1 = run.nodes_mm[k + 1];
     const double r0 = run.elements[k].radiusAt_mm(z0), r1 = run.elements[k].radiusAt_mm(z1);
     const double chord = std::hypot(z1 - z0, r1 - r0);
-    std::vector<Tie> starts{Tie::Free}, ends{Tie::Free};
-    if (k > 0 && !run.elements[k - 1].arc) starts.push_back(Tie::Tangent);
-    if (k < last && !run.elements[k + 1].arc) ends.push_back(Tie::Tangent);
-    if (k == 0 && !model.planes[run.left].data_end) starts.push_back(Tie::Plane);
-    if (k == last && !model.planes[run.right].data_end) ends.push_back(Tie::Plane);
+    const std::vector<Tie> starts = possibleTies(model, run, k, true), ends = possibleTies(model, run, k, false);
     const Window window{place.run, k > 0 ? k - 1 : k, std::min(k + 1, last)};
-    const double price = 2.5 * std::log(static_cast<double>(std::max<std::size_t>(2, run.walls.size())));
+    const double price =
+        selectionLimits.parameter_price * std::log(static_cast<double>(std::max<std::size_t>(2, run.walls.size())));
     const Run before = run;
     double best = std::numeric_limits<double>::infinity();
     Run chosen = run;
-    for (const double share : {0.75, 1.5})
+    for (const double chords : refitLimits.arc_chords)
         for (const Tie start : starts)
             for (const Tie end : ends) {
                 run = before;
-                run.elements[k] = arcOverChord(z0, r0, z1, r1, share * chord, convex);
+                run.elements[k] = arcOverChord(z0, r0, z1, r1, chords * chord, convex);
                 run.elements[k].start = start;
                 run.elements[k].end = end;
                 resolve(model, run);
-                const double chi2 = fitWindow(model, window, 12);
+                const double chi2 = fitWindow(model, window, refitLimits.arc_iterations);
                 const auto free = static_cast<double>(slotsOf(model, window.run, window.first, window.last).size());
                 const double value = chi2 + price * free;
                 if (!(value < best)) continue;
@@ -259,7 +243,7 @@ void changeKind(Model& model, const ElementPlace& place, RowChange::What what, s
         return fitArc(model, place, what == RowChange::What::Round);
     e = lineThrough(z0, e.radiusAt_mm(z0), z1, e.radiusAt_mm(z1), what == RowChange::What::Cylinder);
     releaseLostTies(run);
-    partParallels(model, place.run, chosenPlaceSigma_mm);
+    partParallels(model, place.run, refitLimits.chosen_place_sigma_mm);
 }
 
 }  // namespace

@@ -4,23 +4,24 @@
 #include <cmath>
 
 #include "engine/features/features_codes.h"
+#include "engine/features/model/model_limits.h"
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
 #include "engine/features/refit/model_edit.h"
 #include "engine/features/refit/refit_codes.h"
+#include "engine/features/refit/refit_limits.h"
 #include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
 namespace {
 
-constexpr int refitIterations = 25;
-
 /// A contour has no gaps but those of the data.
 void requireContour(const Model& model, double zero_mm)
 {
     for (const Run& run : model.runs) {
-        bool sound = run.violation < 1 && std::is_sorted(run.nodes_mm.begin(), run.nodes_mm.end());
+        bool sound = run.violation < selectionLimits.largest_violation &&
+                     std::is_sorted(run.nodes_mm.begin(), run.nodes_mm.end());
         for (std::size_t k = 0; k < run.elements.size(); ++k) {
             const Element& e = run.elements[k];
             for (const double z : {run.nodes_mm[k], run.nodes_mm[k + 1]})
@@ -98,7 +99,7 @@ Recognition refit(const Recognition& found, const std::vector<RowChange>& change
         progress.check();
         changeStructure(outline, change, before_mm);
     }
-    outline.fit = fitAll(outline.model, refitIterations, progress);
+    outline.fit = fitAll(outline.model, refitLimits.iterations, progress);
     for (Run& run : outline.model.runs) resolve(outline.model, run);
     const double zero_mm = outline.model.planes.front().z_mm;
     requireContour(outline.model, zero_mm);

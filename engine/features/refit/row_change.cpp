@@ -7,10 +7,11 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/features/refit/refit_limits.h"
+
 namespace lathelier::features {
 namespace {
 
-constexpr std::size_t mostRowChanges = 1000;
 constexpr std::array<std::string_view, 7> changeNames{"delete", "merge", "split", "cylinder",
                                                       "cone",   "round", "fillet"};
 
@@ -49,7 +50,7 @@ std::optional<RowChange> changeIn(std::string_view text)
 std::vector<RowChange> rowChanges(std::string_view text)
 {
     std::vector<RowChange> all;
-    while (!text.empty() && all.size() < mostRowChanges) {
+    while (!text.empty() && all.size() < refitLimits.most_changes) {
         const std::size_t comma = text.find(',');
         if (const auto change = changeIn(text.substr(0, comma))) all.push_back(*change);
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);

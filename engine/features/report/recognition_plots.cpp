@@ -21,11 +21,21 @@ namespace {
 using Eigen::Vector2d;
 using report::Curve;
 
-constexpr int chordsOfArc = 40;
-constexpr std::size_t mostNamesShown = 8;     ///< largest number of labels in the meridian, so that they do not overlap
-constexpr double labelPlaceShare = 0.15;      ///< of a row's length: left end of its label
-constexpr double shownResidualShare = 0.995;  ///< of the residuals within the initial range of the chart
-constexpr double shortestLabelledShare = 0.04;  ///< of the part's length: shorter cylinders have no diameter label
+/// How the charts are laid out; chosen by eye.
+struct ChartLayout {
+    int arc_chords = 40;
+    std::size_t most_labels = 8;          ///< of diameters in the meridian, so that they do not overlap
+    double label_place_share = 0.15;      ///< of a row's length: left end of its label
+    double labelled_share = 0.04;         ///< of the part's length: shorter cylinders have no label
+    double margin_share = 0.03;           ///< of the data's range of z, on both sides
+    double disc_ratio = 0.8;              ///< of diameter to length: above it the scales are not equal
+    double radius_share = 0.65;           ///< of the largest diameter, shown on both sides of the axis
+    double shown_residual_share = 0.995;  ///< of the residuals are within the initial range of the chart
+    double residual_room = 1.3;           ///< of the range of the residuals, on both sides
+    std::size_t mean_bins = 5;            ///< as the form of a row is judged
+};
+
+constexpr ChartLayout chartLayout;
 
 /// Along a piece from its start to its end, arcs cut finely.
 std::vector<Vector2d> pointsOf(const ContourPiece& piece)
@@ -34,8 +44,8 @@ std::vector<Vector2d> pointsOf(const ContourPiece& piece)
     if (piece.isArc()) {
         const Vector2d centre = piece.centre_mm();
         const auto [from, to] = piece.arcAngles();
-        for (int i = 1; i < chordsOfArc; ++i) {
-            const double angle = from + (to - from) * i / chordsOfArc;
+        for (int i = 1; i < chartLayout.arc_chords; ++i) {
+            const double angle = from + (to - from) * i / chartLayout.arc_chords;
             points.push_back(centre + std::abs(piece.arc_radius_mm) * Vector2d(std::cos(angle), std::sin(angle)));
         }
     }
@@ -57,8 +67,8 @@ Interval shownRangeOf(const Recognition& result)
     }
     for (const MeridianPoint& point : result.meridian) add(point.z_mm);
     if (!(from < to)) return {0, 1};
-    const double air_mm = 0.03 * (to - from);
-    return {from - air_mm, to + air_mm};
+    const double margin_mm = chartLayout.margin_share * (to - from);
+    return {from - margin_mm, to + margin_mm};
 }
 
 /// A disc: at equal scales its rows would be too close to distinguish.
@@ -66,7 +76,7 @@ bool isShort(const Recognition& result)
 {
     const Interval range = shownRangeOf(result);
     const auto largest = largestDiameter(result);
-    return largest && largest->diameter_mm > 0.8 * (range.to - range.from);
+    return largest && largest->diameter_mm > chartLayout.disc_ratio * (range.to - range.from);
 }
 
 report::Axis zAxis(const Recognition& result)
@@ -96,10 +106,10 @@ public:
             curve_.y.push_back(sign * point.y());
         }
     }
-    void addTo(report::Plot& plot, bool spoken = false)
+    void addTo(report::Plot& plot)
     {
         if (curve_.x.empty()) return;
-        curve_.has_readout = spoken;
+        curve_.has_readout = false;
         plot.curves.push_back(std::move(curve_));
     }
 
@@ -166,7 +176,7 @@ Curve binsOf(const Recognition& result)
 /// The radius of a row over so many bins, as its form is judged; broken between rows.
 Curve meansOf(const Recognition& result)
 {
-    constexpr std::size_t bins = 5;
+    constexpr std::size_t bins = chartLayout.mean_bins;
     Curve means{LT_TEXT("Engine", "mean of five bins"), {}, {}};
     means.colour = report::ColourRole::Copy;
     std::vector<const MeridianPoint*> run;
@@ -228,17 +238,18 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
     std::vector<const RecognizedRow*> longest;
     for (const RecognizedRow& row : result.segments)
         if (row.kind == RowKind::Cylinder &&
-            row.z_end_mm - row.z_start_mm > shortestLabelledShare * (range.to - range.from))
+            row.z_end_mm - row.z_start_mm > chartLayout.labelled_share * (range.to - range.from))
             longest.push_back(&row);
     const auto length = [](const RecognizedRow* row) { return row->z_end_mm - row->z_start_mm; };
     std::stable_sort(longest.begin(), longest.end(),
                      [&](const auto* a, const auto* b) { return length(a) > length(b); });
-    longest.resize(std::min(longest.size(), mostNamesShown));
+    longest.resize(std::min(longest.size(), chartLayout.most_labels));
     for (const RecognizedRow* row : longest)
-        plot.marks.push_back({row->z_start_mm + labelPlaceShare * length(row), row->start_diameter_mm / 2,
+        plot.marks.push_back({row->z_start_mm + chartLayout.label_place_share * length(row), row->start_diameter_mm / 2,
                               "⌀ " + shownNumber(row->start_diameter_mm, unit::mm, 3, language)});
     for (const RecognizedFeature& feature : result.features) {
-        if (feature.designation.empty() || plot.marks.size() >= 2 * mostNamesShown || feature.rows.empty()) continue;
+        if (feature.designation.empty() || plot.marks.size() >= 2 * chartLayout.most_labels || feature.rows.empty())
+            continue;
         const auto row = static_cast<std::size_t>(feature.rows.front() - 1);
         if (row >= result.segments.size()) continue;
         const RecognizedRow& first = result.segments[row];
@@ -250,8 +261,8 @@ void addNames(report::Plot& plot, const Recognition& result, const Language& lan
 report::Caption captionOf(const Value& name)
 {
     if (const auto* text = std::get_if<Text>(&name)) return *text;
-    const auto* word = std::get_if<std::string>(&name);
-    return word ? *word : std::string();
+    const auto* raw = std::get_if<std::string>(&name);
+    return raw ? *raw : std::string();
 }
 
 /// Marks and stretches without data, each name once in the legend.
@@ -331,7 +342,7 @@ report::Plot meridianPlot(const Recognition& result, const Language& language)
     plotStretches(plot, result);
     addNames(plot, result, language);
     if (const auto largest = largestDiameter(result)) {  // room for the names
-        const double edge_mm = 0.65 * largest->diameter_mm;
+        const double edge_mm = chartLayout.radius_share * largest->diameter_mm;
         plot.y.range = Interval{-edge_mm, edge_mm};
     }
     return plot;
@@ -373,7 +384,7 @@ report::Plot residualPlot(const Recognition& result)
     if (!means.x.empty()) plot.curves.push_back(std::move(means));
     double edge_um = 1;
     if (!sizes.empty()) {
-        edge_um = std::max(edge_um, lowerQuantileInPlace(sizes, shownResidualShare));
+        edge_um = std::max(edge_um, lowerQuantileInPlace(sizes, chartLayout.shown_residual_share));
     }
     const double tolerance_um = 1e3 * result.parameters.form_tolerance_mm;
     if (tolerance_um > 0) {
@@ -385,7 +396,8 @@ report::Plot residualPlot(const Recognition& result)
         }
         edge_um = std::max(edge_um, tolerance_um);
     }
-    plot.y.range = Interval{-1.3 * edge_um, 1.3 * edge_um};
+    const double range_um = chartLayout.residual_room * edge_um;
+    plot.y.range = Interval{-range_um, range_um};
     plotStretches(plot, result);
     return plot;
 }

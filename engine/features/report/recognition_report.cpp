@@ -41,9 +41,9 @@ std::optional<double> mmOf(const std::optional<double>& value_um)
 
 std::string descriptionOf(const RecognizedRow& row, const Language& language)
 {
-    std::string words = text(kindName(row.kind), language);
-    if (!row.role.empty()) words += ", " + text(roleName(row.role), language);
-    return words;
+    std::string description = text(kindName(row.kind), language);
+    if (!row.role.empty()) description += ", " + text(roleName(row.role), language);
+    return description;
 }
 
 /// Of a cone and an arc from its start to its end.
@@ -314,8 +314,8 @@ report::Table columnsOf(const report::Table& table, report::Caption title, std::
     for (const std::vector<Value>& row : table.rows) {
         std::vector<Value>& cells = part.rows.emplace_back();
         for (const std::size_t column : columns) {
-            const auto* words = std::get_if<std::string>(&row[column]);
-            cells.push_back(words ? Value(std::regex_replace(*words, before, "\u00a0±\u00a0")) : row[column]);
+            const auto* cell = std::get_if<std::string>(&row[column]);
+            cells.push_back(cell ? Value(std::regex_replace(*cell, before, "\u00a0±\u00a0")) : row[column]);
         }
     }
     return part;

@@ -41,9 +41,9 @@ Json rowsJson(const std::vector<RecognizedRow>& rows)
         Json one = nestedJson(describedValues(row));
         one["suggestions"] = Json::array();
         for (const Suggestion& suggestion : row.suggestions) {
-            Json said = nestedJson(describedValues(suggestion));
-            said["fits"] = suggestion.fits;
-            one["suggestions"].push_back(said);
+            Json suggested = nestedJson(describedValues(suggestion));
+            suggested["fits"] = suggestion.fits;
+            one["suggestions"].push_back(suggested);
         }
         list.push_back(one);
     }

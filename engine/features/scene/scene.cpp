@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/features/scene/scene_footprint.h"
+#include "engine/features/scene/scene_limits.h"
 #include "engine/features/scene/scene_outline.h"
 #include "engine/features/scene/scene_shapes.h"
 #include "engine/features/scene/scene_support.h"
@@ -17,20 +18,6 @@ namespace {
 
 using Eigen::Vector3d;
 using registration::RevolutionFit;
-
-constexpr std::size_t roughSample = 100000;
-constexpr std::size_t fitSample = 60000;
-constexpr std::size_t outlineSample = 300000;
-constexpr std::size_t leastPartPoints = 500;
-constexpr std::size_t leastGroupCubes = 20;    // cubes
-constexpr std::size_t mostPartCandidates = 6;  // groups that may be the part
-constexpr double surfaceMargin_mm = 0.7;       // points further out are outside the part's surface
-constexpr double clampReach_mm = 5;            // least height of a clamp above the surface
-constexpr double contactMargin_mm = 2.5;       // points of a clamp this near to the surface mark the contact
-constexpr double contactDepth_mm = 1.5;        // of the surface below its outline
-constexpr double ownPointShare =
-    0.6;  // least share of a group's points on or inside the part's surface for it to belong to the part
-constexpr std::size_t mostNamedGroups = 12;  // largest number of groups; smaller ones are joined into one
 
 enum Kind : std::uint16_t { Part = 0, Turntable = 1, FirstOther = 2 };
 
@@ -63,15 +50,16 @@ public:
     {
         for (std::size_t i = 0; i < points_.size(); ++i)
             if (labels_[i] == Part) rest_.push_back(static_cast<std::uint32_t>(i));
-        if (rest_.size() < leastPartPoints) return false;
+        if (rest_.size() < sceneLimits.least_part_points) return false;
         restPoints_ = chosen(points_, rest_);
         // Cubes that hold a few points each, so that neighbours on a surface lie in neighbouring cubes.
-        double edge_mm = std::max(0.5, extent_mm / 250);
+        double edge_mm = std::max(sceneLimits.least_cube_mm, extent_mm / sceneLimits.group_cubes);
         do {
             thin_ = thinned(restPoints_, edge_mm, progress_);
-            edge_mm *= 1.5;
-        } while (4 * thin_.points.size() > restPoints_.size() && thin_.points.size() > 200);
-        groups_ = groupsOf(thin_.points, 3 * thin_.edge_mm, leastGroupCubes);
+            edge_mm *= sceneLimits.cube_growth;
+        } while (sceneLimits.points_per_cube * thin_.points.size() > restPoints_.size() &&
+                 thin_.points.size() > sceneLimits.least_cubes);
+        groups_ = groupsOf(thin_.points, sceneLimits.group_gap_cubes * thin_.edge_mm, sceneLimits.least_group_cubes);
         groupOfCube_.assign(thin_.points.size(), -1);
         for (std::size_t g = 0; g < groups_.size(); ++g)
             for (const std::uint32_t cube : groups_[g]) groupOfCube_[cube] = static_cast<int>(g);
@@ -81,9 +69,10 @@ public:
     /// The part among the groups, its axis, its surface.
     void findPart()
     {
-        const std::size_t tried = std::min(groups_.size(), mostPartCandidates);
+        const std::size_t tried = std::min(groups_.size(), sceneLimits.most_part_candidates);
         for (std::size_t g = 0; g < tried && !turned_; ++g)
-            if (33 * groups_[g].size() > groups_[0].size()) tryAsPart(static_cast<int>(g));
+            if (sceneLimits.least_candidate_part * groups_[g].size() > groups_[0].size())
+                tryAsPart(static_cast<int>(g));
         if (!turned_) part_ = 0;
     }
 
@@ -101,20 +90,20 @@ public:
             const int g = groupOf(i);
             if (g < 0) continue;
             all[static_cast<std::size_t>(g)] += 1;
-            own[static_cast<std::size_t>(g)] += turned_ && beyond[i] <= surfaceMargin_mm;
+            own[static_cast<std::size_t>(g)] += turned_ && beyond[i] <= sceneLimits.surface_margin_mm;
         }
         std::vector<std::uint16_t> label_of(groups_.size(), Part);
         for (int g = 0; g < group_count; ++g) {
             const auto at = static_cast<std::size_t>(g);
-            if (g != part_ && own[at] < ownPointShare * all[at]) label_of[at] = newLabel("clutter");
+            if (g != part_ && own[at] < sceneLimits.own_point_share * all[at]) label_of[at] = newLabel("clutter");
         }
         std::vector<std::uint32_t> outside;  // of the part's own group
         const std::uint16_t stray = newLabel("clutter");
         for (std::size_t i = 0; i < rest_.size(); ++i) {
             const int g = groupOf(i);
             if (g >= 0) labels_[rest_[i]] = label_of[static_cast<std::size_t>(g)];
-            if (g < 0 && beyond[i] > clampReach_mm) labels_[rest_[i]] = stray;
-            if (g >= 0 && label_of[static_cast<std::size_t>(g)] == Part && beyond[i] > surfaceMargin_mm)
+            if (g < 0 && beyond[i] > sceneLimits.clamp_reach_mm) labels_[rest_[i]] = stray;
+            if (g >= 0 && label_of[static_cast<std::size_t>(g)] == Part && beyond[i] > sceneLimits.surface_margin_mm)
                 outside.push_back(static_cast<std::uint32_t>(i));
         }
         labelClamps(outside, beyond);
@@ -139,14 +128,14 @@ public:
         std::stable_sort(found.begin() + 1, found.end(),
                          [](const SceneGroup& a, const SceneGroup& b) { return a.points > b.points; });
         std::erase_if(found, [](const SceneGroup& one) { return one.points == 0; });
-        for (std::size_t g = mostNamedGroups; g < found.size(); ++g) {
-            SceneGroup& last = found[mostNamedGroups - 1];
+        for (std::size_t g = sceneLimits.most_named_groups; g < found.size(); ++g) {
+            SceneGroup& last = found[sceneLimits.most_named_groups - 1];
             last.kind = "clutter";
             last.points += found[g].points;
             last.min_mm = last.min_mm.cwiseMin(found[g].min_mm);
             last.max_mm = last.max_mm.cwiseMax(found[g].max_mm);
         }
-        if (found.size() > mostNamedGroups) found.resize(mostNamedGroups);
+        if (found.size() > sceneLimits.most_named_groups) found.resize(sceneLimits.most_named_groups);
         if (found.size() < 2) return scene;
         scene.groups = std::move(found);
         scene.kept.resize(points_.size());
@@ -169,9 +158,9 @@ private:
         std::vector<Vector3d> own;
         for (std::size_t i = 0; i < rest_.size(); ++i)
             if (groupOf(i) == group) own.push_back(restPoints_[i]);
-        const std::vector<Vector3d> all = everyNth(restPoints_, outlineSample);
-        std::vector<Vector3d> used = everyNth(own, fitSample);
-        for (int round = 0; round < 3; ++round) {
+        const std::vector<Vector3d> all = everyNth(restPoints_, sceneLimits.outline_sample);
+        std::vector<Vector3d> used = everyNth(own, sceneLimits.fit_sample);
+        for (int round = 0; round < sceneLimits.axis_rounds; ++round) {
             progress_.check();
             RevolutionFit fit;
             try {
@@ -192,9 +181,10 @@ private:
             }
             std::vector<Vector3d> inside;
             for (const Vector3d& point : own)
-                if (outline.beyond_mm(fit.axis_T_scan * point) <= surfaceMargin_mm) inside.push_back(point);
-            if (inside.size() < leastPartPoints) return;
-            used = everyNth(inside, fitSample);
+                if (outline.beyond_mm(fit.axis_T_scan * point) <= sceneLimits.surface_margin_mm)
+                    inside.push_back(point);
+            if (inside.size() < sceneLimits.least_part_points) return;
+            used = everyNth(inside, sceneLimits.fit_sample);
         }
     }
 
@@ -203,7 +193,8 @@ private:
     {
         const std::vector<Vector3d> points = chosen(restPoints_, outside);
         const Thinned thin = thinned(points, thin_.edge_mm, progress_);
-        const auto groups = groupsOf(thin.points, 3 * thin_.edge_mm, 5);
+        const auto groups =
+            groupsOf(thin.points, sceneLimits.group_gap_cubes * thin_.edge_mm, sceneLimits.least_clamp_cubes);
         std::vector<int> group_of(thin.points.size(), -1);
         for (std::size_t g = 0; g < groups.size(); ++g)
             for (const std::uint32_t cube : groups[g]) group_of[cube] = static_cast<int>(g);
@@ -215,13 +206,13 @@ private:
                     std::max(reach[static_cast<std::size_t>(at(i))], beyond[outside[i]]);
         std::vector<std::uint16_t> label(groups.size(), Part);
         for (std::size_t g = 0; g < groups.size(); ++g)
-            if (reach[g] >= clampReach_mm)
-                label[g] = newLabel(groups[g].size() >= leastGroupCubes ? "clamp" : "clutter");
+            if (reach[g] >= sceneLimits.clamp_reach_mm)
+                label[g] = newLabel(groups[g].size() >= sceneLimits.least_group_cubes ? "clamp" : "clutter");
         std::map<std::uint16_t, SceneFootprint> footprints;
         for (std::size_t i = 0; i < outside.size(); ++i) {
             const std::uint16_t own = at(i) >= 0 ? label[static_cast<std::size_t>(at(i))] : std::uint16_t{Part};
             labels_[rest_[outside[i]]] = own;
-            if (own != Part && beyond[outside[i]] < contactMargin_mm)
+            if (own != Part && beyond[outside[i]] < sceneLimits.contact_margin_mm)
                 footprints[own].add(fit_.axis_T_scan * restPoints_[outside[i]]);
         }
         labelContacts(footprints);
@@ -238,7 +229,8 @@ private:
                 for (std::size_t i = begin; i < end; ++i) {
                     if (labels_[rest_[i]] != Part) continue;
                     const Vector3d p = fit_.axis_T_scan * restPoints_[i];
-                    const bool at_surface = std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - contactDepth_mm;
+                    const bool at_surface =
+                        std::hypot(p.x(), p.y()) > outline_->reach_mm(p.z()) - sceneLimits.contact_depth_mm;
                     if (at_surface && footprint.contains(p)) labels_[rest_[i]] = own;
                 }
             });
@@ -264,10 +256,11 @@ private:
 
 Scene findScene(const std::vector<Vector3d>& points, SceneUse use, const Progress& progress)
 {
-    if (use == SceneUse::Keep || points.size() < leastPartPoints) return {};
+    if (use == SceneUse::Keep || points.size() < sceneLimits.least_part_points) return {};
     const double extent_mm = usualExtent_mm(points);
     if (!(extent_mm > 0)) return {};
-    const Thinned rough = thinned(everyNth(points, roughSample), std::max(0.5, extent_mm / 128), progress);
+    const Thinned rough = thinned(everyNth(points, sceneLimits.support_sample),
+                                  std::max(sceneLimits.least_cube_mm, extent_mm / sceneLimits.support_cubes), progress);
     const std::optional<SupportPlane> support = findSupport(rough.points, rough.edge_mm);
     if (!support && use == SceneUse::Auto) return {};
     SceneParts parts(points, progress);

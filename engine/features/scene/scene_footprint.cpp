@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/features/scene/scene_limits.h"
+
 namespace lathelier::features {
 namespace {
-
-constexpr std::size_t filledSectors = 12;  // largest distance of two between which all are taken
 
 std::size_t sectorOf(const Eigen::Vector3d& p, std::size_t sectors)
 {
@@ -29,7 +29,7 @@ void SceneFootprint::close()
         Ring filled = ring;
         for (std::size_t k = 0; k < footprintSectors; ++k) {
             if (!ring[k]) continue;
-            for (std::size_t gap = 2; gap <= filledSectors; ++gap)
+            for (std::size_t gap = 2; gap <= sceneLimits.filled_sectors; ++gap)
                 if (ring[(k + gap) % footprintSectors])
                     for (std::size_t j = 1; j < gap; ++j) filled.set((k + j) % footprintSectors);
         }

@@ -6,20 +6,19 @@
 #include <limits>
 #include <numbers>
 
+#include "engine/features/scene/scene_limits.h"
+
 namespace lathelier::features {
 namespace {
 
 constexpr std::size_t outlineSectors = 72;
-constexpr double leastSeenShare = 0.6;  // of the directions from which the part is seen
-constexpr double leastPointsPerStep = 300;
-constexpr std::size_t mostOutlineCells = 4000000;
 constexpr double notSeen_mm = -std::numeric_limits<double>::infinity();
 
 }  // namespace
 
 SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double coverage_deg)
 {
-    if (on_axis.size() < 50) return;
+    if (on_axis.size() < sceneLimits.least_outline_points) return;
     double last = notSeen_mm, largest = 0;
     first_mm_ = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& p : on_axis) {
@@ -28,9 +27,11 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
         largest = std::max(largest, std::hypot(p.x(), p.y()));
     }
     const double length = last - first_mm_;
-    step_mm_ = std::max({1.0, length / 4000, length * leastPointsPerStep / static_cast<double>(on_axis.size())});
+    step_mm_ = std::max({sceneLimits.least_step_mm, length / sceneLimits.most_steps,
+                         length * sceneLimits.points_per_step / static_cast<double>(on_axis.size())});
     const auto steps = static_cast<std::size_t>(length / step_mm_) + 1;
-    const double cell_mm = std::max(0.5, largest * static_cast<double>(steps) / static_cast<double>(mostOutlineCells));
+    const double cell_mm = std::max(sceneLimits.least_ring_mm,
+                                    largest * static_cast<double>(steps) / static_cast<double>(sceneLimits.most_cells));
     const auto rings = static_cast<std::size_t>(largest / cell_mm) + 2;
     std::vector<std::bitset<outlineSectors>> cells(steps * rings);
     for (const Eigen::Vector3d& p : on_axis) {
@@ -39,14 +40,16 @@ SceneOutline::SceneOutline(const std::vector<Eigen::Vector3d>& on_axis, double c
         const auto step = static_cast<std::size_t>((p.z() - first_mm_) / step_mm_);
         cells[step * rings + static_cast<std::size_t>(std::hypot(p.x(), p.y()) / cell_mm)].set(sector);
     }
-    const auto need = static_cast<std::size_t>(leastSeenShare * outlineSectors * std::min(1.0, coverage_deg / 360));
+    const auto need =
+        static_cast<std::size_t>(sceneLimits.least_seen_share * outlineSectors * std::min(1.0, coverage_deg / 360));
     std::vector<double> own(steps, notSeen_mm);
     for (std::size_t s = 0; s < steps; ++s)
         for (std::size_t k = rings - 1; k-- > 0;) {
             const auto& inner = cells[s * rings + k];
             const auto& outer = cells[s * rings + k + 1];
             if ((inner | outer).count() < need) continue;
-            own[s] = cell_mm * static_cast<double>(outer.count() > outlineSectors / 20 ? k + 2 : k + 1);
+            own[s] = cell_mm *
+                     static_cast<double>(outer.count() > outlineSectors / sceneLimits.outer_ring_part ? k + 2 : k + 1);
             break;
         }
     const auto seen = [](double reach) { return reach > notSeen_mm; };

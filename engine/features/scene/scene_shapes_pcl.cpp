@@ -12,15 +12,13 @@
 #include <limits>
 
 #include "engine/features/scene/scene_kernel.h"
+#include "engine/features/scene/scene_limits.h"
 
 namespace lathelier::features {
 namespace {
 
 using Eigen::Vector3d;
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
-
-constexpr int ransacIterations = 500;
-constexpr double ransacConfidence = 0.999;  // probability that at least one sample holds inliers only
 
 /// Single precision about the middle of the points.
 Cloud::Ptr cloudOf(const std::vector<Vector3d>& points, const Vector3d& middle)
@@ -60,15 +58,15 @@ std::optional<ScenePlane> planeByConsensus(const std::vector<Vector3d>& points, 
     const pcl::SampleConsensusModelPlane<pcl::PointXYZ>::Ptr model(
         new pcl::SampleConsensusModelPlane<pcl::PointXYZ>(cloudOf(points, middle)));
     pcl::RandomSampleConsensus<pcl::PointXYZ> consensus(model, tolerance_mm);
-    consensus.setMaxIterations(ransacIterations);
-    consensus.setProbability(ransacConfidence);
+    consensus.setMaxIterations(sceneLimits.plane_iterations);
+    consensus.setProbability(sceneLimits.plane_confidence);
     if (!consensus.computeModel()) return std::nullopt;
     Eigen::VectorXf found;
     consensus.getModelCoefficients(found);
     ScenePlane plane;
     plane.normal = found.head<3>().cast<double>().normalized();
     plane.distance_mm = plane.normal.dot(middle) - static_cast<double>(found[3]);
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < sceneLimits.plane_fit_rounds; ++round) {
         plane.inliers.clear();
         for (std::size_t i = 0; i < points.size(); ++i)
             if (std::abs(plane.height_mm(points[i])) <= tolerance_mm)

@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/features/scene/scene_limits.h"
 
 namespace lathelier::features {
 namespace {
@@ -67,13 +68,14 @@ std::vector<Vector3d> everyNth(const std::vector<Vector3d>& points, std::size_t 
 
 double usualExtent_mm(const std::vector<Vector3d>& points)
 {
-    const std::vector<Vector3d> some = everyNth(points, 20000);
+    const std::vector<Vector3d> some = everyNth(points, sceneLimits.extent_sample);
     double squares = 0;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
         values.reserve(some.size());
         for (const Vector3d& point : some) values.push_back(point[axis]);
-        const double low = quantileInPlace(values, 0.01), high = quantileInPlace(values, 0.99);
+        const double low = quantileInPlace(values, sceneLimits.extent_low_share),
+                     high = quantileInPlace(values, sceneLimits.extent_high_share);
         squares += (high - low) * (high - low);
     }
     return std::sqrt(squares);

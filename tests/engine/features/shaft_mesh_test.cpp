@@ -48,7 +48,7 @@ TEST(ShaftMesh, StraightMeridiansHaveTheirVolume)
 {
     const Shaft shaft = shaftOf(tableOne());
     const ShaftMesh made = shaftMesh(shaft);
-    EXPECT_EQ(made.sagitta_mm, finestSagitta_mm);
+    EXPECT_EQ(made.sagitta_mm, meshingLimits.finest_sagitta_mm);
     EXPECT_NEAR(volumeOf(made.scan), 146123.0665, 1e-4);
     expectClosed(made.scan);
 }
@@ -98,8 +98,8 @@ TEST(ShaftMesh, CoarserWhereThereWouldBeTooMany)
     Table table;
     for (int i = 0; i < 60; ++i) table = table + filletUp(300, 4) + filletDown(300, 4);
     const ShaftMesh made = shaftMesh(shaftOf(table), 1e-5);
-    EXPECT_LE(made.scan.triangles.size(), mostTriangles);
-    EXPECT_GT(made.scan.triangles.size(), mostTriangles / 4);
+    EXPECT_LE(made.scan.triangles.size(), meshingLimits.most_triangles);
+    EXPECT_GT(made.scan.triangles.size(), meshingLimits.most_triangles / 4);
     EXPECT_GT(made.sagitta_mm, 1e-5);
 }
 

@@ -1,0 +1,41 @@
+// Limits of the steps of a recognition that belong to no stage (recognition.h, recognition_finish.h).
+//
+// Where no origin is stated, a value was chosen on the practice scans: synthetic scans of turned parts with known
+// truth. Names end in the unit; `…_sigmas` are multiples of the noise of single points.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lathelier::features {
+
+struct RecognitionLimits {
+    // Points and bins.
+    std::size_t mesh_samples = 400000;  ///< points drawn on a mesh
+    int facet_rounds = 2;  ///< the axis of flat facets differs from that of the round surface through their corners
+    double bin_mm = 0.1;   ///< for the cutting; those for the fit are half as wide
+    double points_per_bin = 25;  ///< bins with fewer are wider
+    double bin_sigmas = 2;  ///< least width for scans without rows of rays, whose noise moves points along the axis
+    std::int64_t least_points = 50;  ///< stated where no outline is found
+
+    // Bores.
+    double end_reach_mm = 1;         ///< a bore that comes so near to an end reaches it
+    double same_diameter_mm = 0.05;  ///< cylinders on both sides of a stretch without points are one
+    double unseen_mm = 0.05;         ///< a longer distance of rows is a stretch without points
+
+    // Uncertainty of a part of the circle.
+    double full_coverage_deg = 300;  ///< with less, ovality is taken for size
+    double half_coverage_deg = 180;  ///< with less, another note says so
+    double least_ovality_um = 5;     ///< of a turned part, where the scanner's accuracy is finer
+
+    // Ends.
+    double chamfer_half_angle_deg = 10;  ///< a cone that is steeper closes an end as a chamfer
+    double tilt_share = 0.5;             ///< an end that follows less of the tilt of the rows is the part's
+    double tilt_share_sigma = 0.25;      ///< with a larger uncertainty the tilt does not decide
+
+    double flying_share = 0.05;  ///< of the points: largest number that counts as flying about the part
+};
+
+inline constexpr RecognitionLimits recognitionLimits;
+
+}  // namespace lathelier::features

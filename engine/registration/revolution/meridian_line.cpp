@@ -25,7 +25,7 @@ struct MeridianLineThresholds {
     double end_reach_sigmas = 4;       ///< the same in the scatter, where noise is wider than the bins
     double end_below_sigmas = 8;       ///< points of an end face lie that much below the radius beside it
     double end_inner_quantile = 0.05;  ///< of the radii of its points: down to there an end face is seen
-    std::size_t bore_clearance_bins = 3;  ///< beside a bin of the bore, in which the outside may be further away
+    std::size_t bore_clearance_bins = 3;  ///< beside one of the bore, in which the bore may be the nearer surface
     double largest_place = 1e9;           ///< in bins: a point further away has no deviation
 };
 constexpr MeridianLineThresholds lineThresholds{};

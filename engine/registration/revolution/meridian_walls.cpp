@@ -12,7 +12,7 @@
 namespace lathelier::registration {
 namespace {
 
-/// When the radii at one z are those of two walls, a bore and the outside.
+/// When the radii at one z are those of two walls, a bore and the outside (README, "Thresholds").
 struct WallThresholds {
     double part_quantile = 0.99;    ///< of the radii: points further out are spurious
     std::size_t stretches = 120;    ///< at most so many along the part: a bore has few points

@@ -13,8 +13,10 @@ const std::vector<QuantityOf<RecognizedEnd>>& quantitiesOf(const RecognizedEnd*)
 const std::vector<QuantityOf<Gap>>& quantitiesOf(const Gap*);
 const std::vector<QuantityOf<MergedJunction>>& quantitiesOf(const MergedJunction*);
 
-/// "cylinder", "cone", "arc".
-const char* key(RowKind kind);
+const std::vector<QuantityOf<UnexplainedStructure>>& quantitiesOf(const UnexplainedStructure*);
+
+const char* key(RowKind kind);        ///< "cylinder", "cone", "arc"
+const char* key(StructureKind kind);  ///< "raised", "sunken", "no_points", "rough", "eccentric"
 
 /// The result as `recognize --json` has it, but for `steps`, which are those of the published method only when it was
 /// asked for.

@@ -1,5 +1,7 @@
 #include "engine/features/structure/structure.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -30,6 +32,7 @@ void noteStructure(const UnexplainedStructure& one, Notes& notes)
 {
     Values values{{"z_start_mm", one.z_start_mm}, {"z_end_mm", one.z_end_mm}, {"area_mm2", one.area_mm2}};
     values.emplace_back("places", one.places);
+    values.emplace_back("found", fmt::format("{} z {:.1f}-{:.1f}", key(one.kind), one.z_start_mm, one.z_end_mm));
     if (one.kind == StructureKind::NoPoints) {
         notes.push_back({notes::unexplainedHole, std::move(values)});
         return;

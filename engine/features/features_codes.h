@@ -97,8 +97,8 @@ inline constexpr NoteCode takenForDamage{
     LT_TEXT("Engine", "Structure that no row explains was stated to be damage of the part: {count} stretches."),
     NoteRole::Assumed};
 
-inline constexpr NoteCode noiseCorrelated{
-    "noise_correlated", Severity::Info,
+inline constexpr NoteCode scanNoiseCorrelated{
+    "scan_noise_correlated", Severity::Info,
     LT_TEXT(
         "Engine",
         "The noise of neighbouring points is correlated: the uncertainties are {factor:1} times those of independent "

@@ -25,11 +25,11 @@ inline constexpr MatchingLimits matchingLimits;
 /// Triangle meshes of shafts (shaft_mesh.h).
 struct MeshingLimits {
     double finest_sagitta_mm = 2e-4;
-    std::size_t most_triangles = 2000000;
-    double no_radius_mm = 1e-9;  ///< smaller radii are on the axis
-    int least_sides = 12;
-    int least_chords = 3;     ///< of an arc: with two, the point between them would exceed the sagitta
-    double coarsening = 1.5;  ///< of the sagitta, until the triangles are few enough
+    std::size_t most_triangles = 2000000;  ///< of the mesh of a drawing
+    double no_radius_mm = 1e-9;            ///< smaller radii are on the axis
+    int least_sides = 12;                  ///< of a circle of that mesh
+    int least_chords = 3;                  ///< of an arc: with two, the point between them would exceed the sagitta
+    double coarsening = 1.5;               ///< of the sagitta, until the triangles are few enough
 };
 
 inline constexpr MeshingLimits meshingLimits;

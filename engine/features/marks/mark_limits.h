@@ -20,26 +20,26 @@ struct MarkLimits {
     std::size_t least_cells = 6, least_points = 40;  ///< of a region
     double tail_share = 0.002;                       ///< quantile that is the end of a region: stray points lie beyond
     // The plane of a floor or a flat.
-    int plane_rounds = 6, robust_rounds = 2;
-    double plane_outlier_sigmas = 4;    ///< points further off the plane are the walls of a slot
-    double robust_outlier_medians = 3;  ///< in the first rounds, of the median distance
-    double least_plane_share = 0.6;     ///< of the points within the plane
-    double largest_plane_sigmas = 1.6;  ///< rms distance of these
+    int plane_rounds = 6, robust_rounds = 2;  ///< of the fit of the plane, and of these with a limit by the median
+    double plane_outlier_sigmas = 4;          ///< points further off the plane are the walls of a slot
+    double robust_outlier_medians = 3;        ///< in the first rounds, of the median distance
+    double least_plane_share = 0.6;           ///< of the points within the plane
+    double largest_plane_sigmas = 1.6;        ///< rms distance of these
 };
 
 inline constexpr MarkLimits markLimits;
 
 /// Threads and knurls in the spectrum of a rough zone (periodic_mark.h).
 struct PeriodicLimits {
-    int most_starts = 8;   ///< of a thread; more teeth are those of a knurl
-    int most_teeth = 160;  ///< of a knurl
-    double row_mm = 0.05;  ///< least height of a row of the grid
-    double most_rows = 800;
+    int most_starts = 8;         ///< of a thread; more teeth are those of a knurl
+    int most_teeth = 160;        ///< of a knurl
+    double row_mm = 0.05;        ///< least height of a row of the grid
+    double most_rows = 800;      ///< of that grid
     std::size_t columns = 512;   ///< of the grid around the circle: more than three for each tooth
     double radius_share = 0.25;  ///< points further from the zone's radius are no part of it
-    std::size_t least_points = 1000, least_rows = 20;
-    std::size_t check_rows = 32;  ///< Progress::check() after so many
-    double padding = 4;           ///< steps of frequency in that of the zone's length
+    std::size_t least_points = 1000, least_rows = 20;  ///< of a zone, and rows of its grid
+    std::size_t check_rows = 32;                       ///< Progress::check() after so many
+    double padding = 4;                                ///< steps of frequency in that of the zone's length
     double most_frequency_per_mm = 5, most_frequency_per_row = 0.4;  ///< finest pitch 0.2 mm, 2.5 rows
     double most_knurl_frequency_per_mm = 2;                          ///< of the ridges of a knurl along the axis
     double least_thread_frequency_per_mm = 0.15;                     ///< longest lead 6.7 mm

@@ -33,13 +33,14 @@ struct FitLimits {
     double huber_sigmas = 4;
     double place_step_mm = 1e-5, slope_step = 1e-6;  ///< of the numeric derivatives; also of ln ρ
     double derivative_reach_mm = 1;  ///< walls beyond the second node on each side may move by this blur
-    double damping_growth = 8, damping_fall = 64, least_damping = 1e-9;
-    double regularization = 1e-12;  ///< added to the diagonal of the normal equations
-    double covariance_regularization = 1e-9;
+    double damping_growth = 8, damping_fall = 64,
+           least_damping = 1e-9;                       ///< of the damping after a step that failed and one that did not
+    double regularization = 1e-12;                     ///< added to the diagonal of the normal equations
+    double covariance_regularization = 1e-9;           ///< share of the diagonal added before inversion
     double window_damping = 1e-3, window_gain = 1e-3;  ///< starting value; gain of χ² that ends the iterations
-    int window_tries = 6;
-    double joint_damping = 1e-4, joint_gain = 1e-4;
-    int joint_tries = 8;
+    int window_tries = 6;                              ///< of a damped step within a window
+    double joint_damping = 1e-4, joint_gain = 1e-4;    ///< at the start, and least relative gain of a step
+    int joint_tries = 8;                               ///< of a damped step of all parameters
 };
 
 inline constexpr FitLimits fitLimits;
@@ -62,14 +63,15 @@ struct SelectionLimits {
     double neighbour_margin_mm = 1.5;  ///< length of longer neighbours over which the misfit is summed
     double drop_reach_mm = 4;          ///< the same where an element is dropped
     double insert_reach_mm = 3;        ///< the same where one is inserted
-    int start_iterations = 8, kind_iterations = 10, insert_iterations = 12, merge_iterations = 8;
+    int start_iterations = 8, kind_iterations = 10, insert_iterations = 12,
+        merge_iterations = 8;   ///< of the fit of a start, a kind, an inserted and a merged element
     int before_iterations = 6;  ///< of the fit that an insertion, a drop or a merge is compared with
 
     // Pieces as elements.
     double significant_errors = 4;  ///< standard errors of its slope: a line with less is a cylinder
     double longest_doubtful_cone_mm = 4;
-    double small_arc_chords = 0.75;  ///< starting radii over the chord
-    double large_arc_chords = 2;
+    double small_arc_chords = 0.75;   ///< starting radii over the chord
+    double large_arc_chords = 2;      ///< radius of a further start, in chords
     double least_chord_ratio = 0.51;  ///< of an arc's radius to its chord: less than half a turn
     double least_radius_mm = 1e-3;
 
@@ -95,14 +97,14 @@ inline constexpr SelectionLimits selectionLimits;
 
 /// Undercuts at the feet of shoulders (undercut_search.h).
 struct UndercutLimits {
-    double run_out_deg = 15;      ///< DIN 509
-    double longest_mm = 8;        ///< longest of DIN 509: 7 mm, and its run-out
-    double shallowest_mm = 0.05;  ///< smallest t1 of DIN 509 is 0.1 mm
-    std::size_t most_replaced_rows = 3;
+    double run_out_deg = 15;                           ///< DIN 509
+    double longest_mm = 8;                             ///< longest of DIN 509: 7 mm, and its run-out
+    double shallowest_mm = 0.05;                       ///< smallest t1 of DIN 509 is 0.1 mm
+    std::size_t most_replaced_rows = 3;                ///< that one undercut replaces
     double largest_shaft_slope = 0.1;                  ///< of the row before it
     double length_share = 0.95;                        ///< run-out and radius take less of the length
     std::array<double, 4> radii_mm{0.3, 0.6, 1, 1.6};  ///< starting values, about those of DIN 509
-    int before_iterations = 8, iterations = 20;
+    int before_iterations = 8, iterations = 20;        ///< of the fit without and with an undercut
 };
 
 inline constexpr UndercutLimits undercutLimits;

@@ -22,7 +22,7 @@ struct RowPatternLimits {
     double beyond_face_mm = 0.05;  ///< half of the least t2 of form F: a circle that reaches further is of form F
 
     // Grooves.
-    std::size_t most_groove_rows = 5;
+    std::size_t most_groove_rows = 5;  ///< of a groove
     double narrowest_groove_mm = 0.2, widest_groove_mm = 8;
     double widest_groove_share = 0.5;  ///< of the diameter beside it
     double shallowest_groove_mm = 0.1, least_flank_deg = 10;
@@ -60,10 +60,10 @@ struct NominalLimits {
     double steepest_taper_deg = 10;         ///< half angle; steeper cones have angles of chamfers
     double chamfer_angle_spacing_deg = 15;  ///< usual distance of those angles
     double smallest_morse_ratio = 0.7, largest_morse_ratio = 1.04;  ///< of a diameter to the gauge diameter
-    std::size_t most_tapers = 3;
-    double pitch_share = 0.01;                                                          ///< window of a thread's pitch
-    int circlip_shaft_grade = 11, circlip_bottom_grade = 12;                            ///< h11 and h12 of DIN 471
-    double circlip_width_mm = 0.14;                                                     ///< H13 up to 3 mm
+    std::size_t most_tapers = 3;                                    ///< suggested for a cone
+    double pitch_share = 0.01;                                      ///< window of a thread's pitch
+    int circlip_shaft_grade = 11, circlip_bottom_grade = 12;        ///< h11 and h12 of DIN 471
+    double circlip_width_mm = 0.14;                                 ///< H13 up to 3 mm
     double undercut_depth_mm = 0.1, undercut_width_mm = 0.2, undercut_radius_mm = 0.1;  ///< tolerances of DIN 509
     double unusual_shaft_price = 0.25;  ///< in shares of these tolerances: decides between equally near undercuts
     std::size_t most_fits = 3;          ///< ISO 286-1 classes of one size

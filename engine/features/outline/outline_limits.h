@@ -29,9 +29,9 @@ struct EdgeLimits {
     double least_noise_mm = 1e-3;                          ///< lower bound of the noise, for data without any
     double face_margin_sigmas = 6, face_margin_mm = 0.15;  ///< beside the two radii
     double face_reach_sigmas = 8, face_reach_mm = 0.3;     ///< on each side of the estimated place
-    std::size_t least_face_points = 30, least_kept_face_points = 20;
+    std::size_t least_face_points = 30, least_kept_face_points = 20;  ///< on a face, and those left without outliers
     double least_face_density = 3;  ///< the walls have no more than so many times the points per area
-    int face_rounds = 3;
+    int face_rounds = 3;            ///< of the removal of outliers
     double face_outlier_sigmas = 4;
     double largest_face_scatter_sigmas = 2;  ///< more is a slope
     double face_floor_mm2 = 2.5e-7;          ///< (0.5 µm)²
@@ -41,22 +41,22 @@ struct EdgeLimits {
     double end_beyond_mm = 1;                        ///< estimated ends are no further off
     double end_wall_sigmas = 5;                      ///< hits are no further from the wall
     double steepest_end_slope = 2;                   ///< by which the spot is projected onto the radius
-    std::size_t least_end_hits = 60, least_whole_hits = 40;
-    double usual_hits_share = 0.75;  ///< quantile of the sectors' hits that marks do not reduce
-    std::size_t last_hits = 3;       ///< the last but two of a sector counts: stray points lie beyond
-    std::size_t least_end_sectors = 3;
-    double whole_hits_share = 0.8;  ///< of the usual hits: a sector with less has a mark
-    double whole_reach_mm = 0.6;    ///< nor does its last hit lie further from the median one
-    double ramp_margin_mm = 0.4;    ///< before the last hits: the density is taken up to there
+    std::size_t least_end_hits = 60, least_whole_hits = 40;  ///< near an end, and those in whole sectors
+    double usual_hits_share = 0.75;                          ///< quantile of the sectors' hits that marks do not reduce
+    std::size_t last_hits = 3;          ///< the last but two of a sector counts: stray points lie beyond
+    std::size_t least_end_sectors = 3;  ///< with hits
+    double whole_hits_share = 0.8;      ///< of the usual hits: a sector with less has a mark
+    double whole_reach_mm = 0.6;        ///< nor does its last hit lie further from the median one
+    double ramp_margin_mm = 0.4;        ///< before the last hits: the density is taken up to there
     double least_density_length_mm = 0.1;
     double assumed_spot_mm = 0.02;      ///< where none is known
     double least_ramp_density = 0.003;  ///< of the usual density, beyond the ramp: spurious points
     double end_step_mm = 0.05;
-    int end_rounds = 7, end_steps = 8;  ///< gridMaximum()
-    std::ptrdiff_t gap_hits = 20;
-    double end_floor_mm2 = 36e-6;  ///< (6 µm)²
-    std::size_t least_tilt_sectors = 6;
-    double least_tilt_mm = 0.01;  ///< of the scanner's rows over the radius: below it tells nothing
+    int end_rounds = 7, end_steps = 8;   ///< gridMaximum()
+    std::ptrdiff_t gap_hits = 20;        ///< before the end: their largest gap is the pitch of the rows
+    double end_floor_mm2 = 36e-6;        ///< (6 µm)²
+    std::size_t least_tilt_sectors = 6;  ///< for the harmonic of the last hits
+    double least_tilt_mm = 0.01;         ///< of the scanner's rows over the radius: below it tells nothing
 };
 
 inline constexpr EdgeLimits edgeLimits;
@@ -68,21 +68,21 @@ struct PlaneLimits {
     double hollow_depth_sigmas = 5;         ///< a hollow is the lower level where it is so deep
     double upright_reach_mm = 0.06;         ///< an arc that is upright no further from the plane ends there
     double room_mm = 1, room_share = 0.45;  ///< along the axis, at most this share of the runs beside it
-    int radius_samples = 20;
-    double least_shoulder_sigmas = 8;  ///< lower shoulders are placed as steps
-    double least_ray_step_sigmas = 4;  ///< rays do not show lower ones
-    double clear_sigmas = 7;           ///< noise fills 3.5 σ on each side of the gap between two walls
-    double part_end_mm = 1;            ///< a bore that ends no further from the outside's end ends there
+    int radius_samples = 20;                ///< of a run beside a plane
+    double least_shoulder_sigmas = 8;       ///< lower shoulders are placed as steps
+    double least_ray_step_sigmas = 4;       ///< rays do not show lower ones
+    double clear_sigmas = 7;                ///< noise fills 3.5 σ on each side of the gap between two walls
+    double part_end_mm = 1;                 ///< a bore that ends no further from the outside's end ends there
     double part_end_floor_mm = 1e-4;
     double end_face_share = 0.55;     ///< of the radius: an end's face is looked for outside of it
     double surface_corner_mm = 0.16;  ///< walls of surface scans nearer to planes and corners do not count
 
     // Change points: steps, and ends of rough zones.
-    std::size_t least_points = 40;
+    std::size_t least_points = 40;  ///< beside a change point
     double least_spot_mm = 1e-3;
     double coarse_step_mm = 0.01;
-    double negligible_log_ratio = 12;  ///< places with less than e^-12 of the largest likelihood
-    int fine_steps = 240;
+    double negligible_log_ratio = 12;                  ///< places with less than e^-12 of the largest likelihood
+    int fine_steps = 240;                              ///< of the posterior of a change point
     double place_floor_mm2 = 1e-6;                     ///< (1 µm)²
     double largest_log_ratio = 4.6;                    ///< 100 : 1, against spurious points
     double far_sigmas = 5;                             ///< points further from both walls do not count
@@ -91,8 +91,8 @@ struct PlaneLimits {
     double rough_margin_mm = 0.5;                          ///< the histogram leaves out its ends
     double rough_bin_sigmas = 0.5;                         ///< of the histogram
     double rough_prior = 0.5;                              ///< count of each bin before any point
-    double least_rough_points = 200;
-    double steepest_rough_wall = 0.1;  ///< slope of the wall beside it
+    double least_rough_points = 200;                       ///< of a rough zone, for the histogram of its radii
+    double steepest_rough_wall = 0.1;                      ///< slope of the wall beside it
 };
 
 inline constexpr PlaneLimits planeLimits;
@@ -105,7 +105,7 @@ struct StretchLimits {
     double step_errors = 5;             ///< standard errors of a jump between lines that is no chance
     double step_reach_mm = 0.4;         ///< lines that meet no further off have a common corner
     double step_parallel_slope = 1e-9;  ///< lines with a smaller difference of slopes do not meet
-    std::size_t least_walls = 3;
+    std::size_t least_walls = 3;        ///< of a stretch
 
     // Rough zones: threads and knurls.
     double shortest_rough_mm = 2.5;
@@ -120,8 +120,8 @@ struct StretchLimits {
     double longest_lead_part = 3;                          ///< the zone is at least so many times as long
     double root_share = 0.02;                              ///< quantile of the radii that is the root
     double circle_reach_mm = 2, circle_reach_share = 0.2;  ///< of the radius: points that may belong to the zone
-    std::size_t least_circle_points = 30;
-    int circle_rounds = 5;
+    std::size_t least_circle_points = 30;                  ///< of a circle
+    int circle_rounds = 5;                                 ///< of its robust fit
     double circle_outlier_sigmas = 4;
     double eccentric_ratio = 1.6;  ///< an eccentric round has no more scatter than this multiple of the noise
     double least_eccentricity_mm = 0.05;
@@ -137,11 +137,12 @@ struct OutlineLimits {
     double wall_slope_mm = 0.2;    ///< width of the blur: the slope over it is added as well
     double starting_spot_mm = 0.1;
     double end_sigma_mm = 0.05, shoulder_sigma_mm = 0.1;  ///< of the starting values of planes
-    int first_iterations = 6, iterations = 8, last_iterations = 25;
+    int first_iterations = 6, iterations = 8,
+        last_iterations = 25;  ///< of the joint fit at the start, between selections and at the end
 
     // Rough zones that begin on a cone.
-    double cone_reach_mm = 3;  ///< the place where it reaches the crests is no further from the plane
-    double least_cone_slope = 0.2;
+    double cone_reach_mm = 3;               ///< the place where it reaches the crests is no further from the plane
+    double least_cone_slope = 0.2;          ///< of a cone that leads into a thread
     double least_cone_variance_mm2 = 1e-6;  ///< (1 µm)²
 };
 
@@ -170,7 +171,7 @@ struct DimensionLimits {
     std::size_t least_form_walls = 60;  ///< with less the form cannot be separated from noise
     int form_samples = 100;             ///< of the polynomial along the row
     double form_step = 0.02;            ///< between them, from -1 to 1
-    double least_taper_walls = 5;
+    double least_taper_walls = 5;       ///< of a row whose taper is stated
 };
 
 inline constexpr DimensionLimits dimensionLimits;

@@ -15,7 +15,7 @@ struct RefitLimits {
     double least_row_mm = 0.02;           ///< length of a row after a cut
     double least_length_mm = 1e-9;        ///< against division by 0
     std::array<double, 2> arc_chords{0.75, 1.5};  ///< starting radii of an arc over its chord
-    int arc_iterations = 12, iterations = 25;
+    int arc_iterations = 12, iterations = 25;     ///< of the fit of a changed arc and of the whole
 };
 
 inline constexpr RefitLimits refitLimits;

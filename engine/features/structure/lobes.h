@@ -21,7 +21,7 @@ struct LobeThresholds {
 inline constexpr LobeThresholds lobeThresholds{};
 
 struct LobeFit {
-    RowLobes lobes;
+    RowLobes lobes;                ///< those that are sure
     std::vector<double> curve_mm;  ///< sum of the sure harmonics by sector; empty: none is sure
 };
 

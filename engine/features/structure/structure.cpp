@@ -97,7 +97,7 @@ void noteNoise(const PartStructure& structure, const JointFit& fit, Recognition&
     if (structure.by_scatter)
         result.notes.push_back({notes::scatterUnexplained, {{"chi2", chi2}}});
     else if (structure.variance_ratio > 1)
-        result.notes.push_back({notes::noiseCorrelated, {{"factor", std::sqrt(structure.variance_ratio)}}});
+        result.notes.push_back({notes::scanNoiseCorrelated, {{"factor", std::sqrt(structure.variance_ratio)}}});
     if (structure.passes_um > 0)
         result.notes.push_back({notes::passesDiffer, {{"difference_um", 2 * structure.passes_um}, {"chi2", chi2}}});
 }

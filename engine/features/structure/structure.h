@@ -20,7 +20,7 @@ struct StructureInput {
 
 /// The map with the lobes of its rows taken out.
 struct PartStructure {
-    ResidualMap map;
+    ResidualMap map;              ///< of the outside
     double variance_ratio = 1;    ///< noise_correlation.h
     bool by_scatter = false;      ///< the ratio is χ² per bin: the model does not explain the bins
     double passes_um = 0;         ///< noise_correlation.h

@@ -107,19 +107,17 @@ UnexplainedStructure structureOf(const ResidualMap& map, const SurfaceTable& sur
     found.span_deg = sector_deg * static_cast<double>(box.columns());
     found.angle_deg = std::fmod(sector_deg * (static_cast<double>(box.first_column + box.last_column) + 1) / 2, 360.0);
     double height = 0;
-    std::uint32_t points = 0;
     for (const std::size_t c : region) {
         const MapCell& cell = map.cells[c];
         found.area_mm2 += map.cell_mm * columnWidth_mm(surface, map.middle_mm(c / mapSectors));
-        points += cell.on + cell.far;
         const bool is_far = cell.far > cell.on;
         const auto count = static_cast<float>(is_far ? cell.far : cell.on);
         if (count == 0) continue;
         const double mean = static_cast<double>((is_far ? cell.far_sum_mm : cell.sum_mm) / count);
         if (std::abs(mean) > std::abs(height)) height = mean;
     }
-    found.kind = points == 0 ? StructureKind::NoPoints : height > 0 ? StructureKind::Raised : StructureKind::Sunken;
-    if (found.kind != StructureKind::NoPoints) found.height_mm = height;
+    found.kind = height > 0 ? StructureKind::Raised : StructureKind::Sunken;
+    found.height_mm = height;
     return found;
 }
 
@@ -219,7 +217,10 @@ std::vector<UnexplainedStructure> unexplainedOutside(const ResidualMap& map, con
     }
     for (const std::vector<std::size_t>& region : holesOf(map, surface)) {
         progress.check();
-        if (!isNamed(marks, map, surface, region)) all.push_back(structureOf(map, surface, region));
+        if (isNamed(marks, map, surface, region)) continue;
+        all.push_back(structureOf(map, surface, region));
+        all.back().kind = StructureKind::NoPoints;  // the few points are those of its rim
+        all.back().height_mm.reset();
     }
     joinAround(all);
     addRoughZones(outside, marks, all);

@@ -16,9 +16,9 @@ struct WallLimits {
     double sparse_end_share = 0.1;  ///< of the median count: steps with less at an end hold stray points only
 
     // Clusters of radii in one bin.
-    double cluster_gap_sigmas = 6;  ///< noise leaves no larger gap between radii of one wall
-    double cluster_gap_mm = 0.3;    ///< lower bound of that gap, for data with little noise
-    std::size_t least_cluster_points = 4;
+    double cluster_gap_sigmas = 6;               ///< noise leaves no larger gap between radii of one wall
+    double cluster_gap_mm = 0.3;                 ///< lower bound of that gap, for data with little noise
+    std::size_t least_cluster_points = 4;        ///< of a cluster
     double low_share = 0.08, high_share = 0.92;  ///< quantiles between which the spread of a cluster is measured
     double compact_sigmas = 4.2;     ///< largest spread of a wall from noise, 1.5 times that of a normal distribution
     double compact_bins = 1.2;       ///< added for a slope of 45° over the bin
@@ -27,13 +27,13 @@ struct WallLimits {
     double least_sigma_share = 0.3;  ///< of the noise: lower bound of a cluster's own scatter
 
     // Sectors of a wall that a flat or a slot covers.
-    std::size_t most_mark_sectors = 48, least_mark_sectors = 9;
-    std::size_t points_per_mark_sector = 5;
-    std::size_t least_median_points = 3;  ///< with fewer points a sector has no median
-    double median_error_factor = 1.25;    ///< standard error of a median over that of a mean: √(π/2)
-    double agreeing_errors = 3;           ///< standard errors by which a sector may differ from the wall
-    std::size_t most_odd_sectors = 2;     ///< no more are explained by chance: then none is left out
-    std::size_t least_kept_part = 4;      ///< when less than one in so many points would be kept, all are
+    std::size_t most_mark_sectors = 48, least_mark_sectors = 9;  ///< into which a bin with a mark is divided
+    std::size_t points_per_mark_sector = 5;                      ///< mean
+    std::size_t least_median_points = 3;                         ///< with fewer points a sector has no median
+    double median_error_factor = 1.25;  ///< standard error of a median over that of a mean: √(π/2)
+    double agreeing_errors = 3;         ///< standard errors by which a sector may differ from the wall
+    std::size_t most_odd_sectors = 2;   ///< no more are explained by chance: then none is left out
+    std::size_t least_kept_part = 4;    ///< when less than one in so many points would be kept, all are
 
     // Clusters that are no walls.
     double least_counted_points = 5;     ///< clusters with more points determine the usual coverage
@@ -43,12 +43,12 @@ struct WallLimits {
     double least_coverage_share = 0.35;  ///< of the usual coverage: clusters with less are dropped
 
     // Chains of walls.
-    double next_wall_bins = 0.2;  ///< least distance of the next wall along the axis
-    double chain_step_mm = 0.12;  ///< largest change of the radius between neighbours, of noise
-    double chain_slope = 1.3;     ///< the same for each mm along the axis: more than a chamfer of 45°
-    double chain_gap_bins = 2.6;  ///< a chain ends at a longer gap
-    double chain_gap_mm = 1.2;    ///< lower bound of that gap
-    std::size_t least_chain_walls = 3;
+    double next_wall_bins = 0.2;        ///< least distance of the next wall along the axis
+    double chain_step_mm = 0.12;        ///< largest change of the radius between neighbours, of noise
+    double chain_slope = 1.3;           ///< the same for each mm along the axis: more than a chamfer of 45°
+    double chain_gap_bins = 2.6;        ///< a chain ends at a longer gap
+    double chain_gap_mm = 1.2;          ///< lower bound of that gap
+    std::size_t least_chain_walls = 3;  ///< of a chain
     double longest_face_mm = 1.5;    ///< scattered walls at a chain's end are points of a face; a rough zone is longer
     double groove_blur_bins = 1.5;   ///< the bins at an edge hold points of both levels
     double groove_fill_share = 0.4;  ///< of a gap in a chain: another chain that fills more of it is a narrow groove
@@ -59,9 +59,9 @@ struct WallLimits {
     double bore_search_mm = 1;    ///< lower bound of that distance
 
     // Noise of single points.
-    std::size_t least_noise_walls = 5;
-    double quiet_share = 0.2;   ///< quantile of the walls' scatter that rough zones do not reach
-    double quiet_ratio = 1.33;  ///< of the median to that quantile: above it rough zones determine the median
+    std::size_t least_noise_walls = 5;  ///< from which the noise is taken
+    double quiet_share = 0.2;           ///< quantile of the walls' scatter that rough zones do not reach
+    double quiet_ratio = 1.33;          ///< of the median to that quantile: above it rough zones determine the median
 };
 
 inline constexpr WallLimits wallLimits;
@@ -79,7 +79,7 @@ inline constexpr MeshLimits meshLimits;
 
 /// Crests of rough zones (crest.h).
 struct CrestLimits {
-    std::size_t least_radii = 60;
+    std::size_t least_radii = 60;                 ///< for the density of the radii
     double outer_sigmas = 5, inner_sigmas = 2.5;  ///< range of the histogram about the densest place
     double bins_per_sigma = 4;                    ///< of the histogram
     double densest_width_sigmas = 2;              ///< window that is moved over the radii to find the starting value
@@ -96,10 +96,10 @@ struct CrestLimits {
     double lead_margin_mm = 0.15;   ///< at its upper end, where the spot shows the zone as well
     double assumed_spot_mm = 0.15;  ///< of the practice scans; the width is not known at this stage
     double lead_group_mm = 0.6;     ///< length over which points are put together for one crest
-    int least_lead_groups = 3;
+    int least_lead_groups = 3;      ///< of a cone that leads in
     double shortest_lead_mm = 0.2;
-    double least_lead_slope = 0.1;
-    std::size_t least_lead_bins = 3;
+    double least_lead_slope = 0.1;    ///< of such a cone
+    std::size_t least_lead_bins = 3;  ///< of such a cone
     double lead_inner_share = 0.5;    ///< of the zone's radius: points nearer to the axis are no part of it
     double lead_outer_mm = 1;         ///< nor are those further outside it
     double point_error_factor = 2.5;  ///< lower bound of a crest's error over that of the mean of all points
@@ -114,8 +114,8 @@ struct SegmentationLimits {
     double line_price = 5;     ///< times ln n: 2.5 for each of the two parameters, as in the later selection
     double arc_price = 7.5;    ///< times ln n: of three parameters
     double omitted_price = 2;  ///< times ln n, of each wall between pieces that is left out
-    std::size_t least_line_walls = 3, least_arc_walls = 5;
-    std::size_t most_omitted_walls = 2;      ///< between two pieces
+    std::size_t least_line_walls = 3, least_arc_walls = 5;  ///< of a line and of an arc
+    std::size_t most_omitted_walls = 2;                     ///< between two pieces
     double form_floor_mm = 1e-3;             ///< standard deviation of the walls' form besides their noise; with
                                              ///< 3 µm an undercut DIN 509-E 0.6×0.2 became one arc
     double longest_arc_mm = 30;              ///< along the axis; bounds the time

@@ -9,9 +9,9 @@ namespace lathelier::features {
 
 /// Contributions to every U that the covariance of the fit does not contain.
 struct AddedUncertainty {
-    double scanner_um = 0;  ///< systematic, in quadrature
-    double ovality_um = 0;  ///< of the diameter, where only a part of the circle is seen, in quadrature
-    double passes_um = 0;   ///< of the radius, where passes of the scanner differ, in quadrature
+    double scanner_um = 0;      ///< systematic, in quadrature
+    double ovality_um = 0;      ///< of the diameter, where only a part of the circle is seen, in quadrature
+    double passes_um = 0;       ///< of the radius, where passes of the scanner differ, in quadrature
     double variance_ratio = 1;  ///< of correlated noise to independent noise; multiplies the covariance
 };
 

@@ -9,11 +9,13 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
+#include "engine/features/outline/bore_rows.h"
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/outline/outline.h"
 #include "engine/features/paper_method.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
+#include "engine/features/scene/left_out.h"
 #include "engine/features/scene/scene_support.h"
 #include "engine/features/walls/mesh_points.h"
 #include "engine/registration/point_checks.h"
@@ -32,14 +34,28 @@ constexpr std::size_t meshSamples = 400000;
 constexpr double fineBin_mm = 0.1;
 constexpr double leastPointsPerBin = 25;
 
-RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, Notes& notes, const Progress& progress)
+RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, const Progress& progress)
 {
     RevolutionFit fit = registration::fitRevolution(points, progress);
-    registration::remarkRevolution(fit, "scan", notes);
-    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
     registration::orientAxis(fit);
     if (free_end == FreeEnd::Last) fit = registration::reversed(fit);
     return fit;
+}
+
+/// Notes about the fit, or its refusal.
+void judgeAxis(const RevolutionFit& fit, Notes& notes)
+{
+    registration::remarkRevolution(fit, "scan", notes);
+    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
+}
+
+/// May points that are not the part's be the reason that this is no body of revolution?
+bool mayBeSpoilt(const RevolutionFit& fit, const RecognitionParameters& parameters)
+{
+    const bool may_leave_out = parameters.scene != SceneUse::Keep || !parameters.exclude_z_mm.empty();
+    const bool has_axis =
+        fit.not_turned == registration::NotTurned::NotRound || fit.not_turned == registration::NotTurned::SeveralParts;
+    return may_leave_out && has_axis && fit.iterations > 0 && fit.coverage_deg >= registration::leastCoverage_deg;
 }
 
 std::vector<Vector3d> onAxis(const std::vector<Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
@@ -132,7 +148,8 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
                   const AddedUncertainty& added, Recognition& result)
 {
     constexpr double near_mm = 1;
-    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> rows = rowsWithinPart(rowsOf(inner, zero_mm, fit.coverage_deg, added), length_mm);
+    if (rows.empty()) return;
     // A cylinder that continues behind a stretch without points is one row.
     for (std::size_t i = 0; i + 1 < rows.size();) {
         RecognizedRow &a = rows[i], &b = rows[i + 1];
@@ -176,8 +193,9 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
     addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
-/// Recognises all points, or those that `parameters` keep.
-Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+/// Recognises all points, or those that `parameters` keep, without `left_out`.
+Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
+                          const LeftOut* left_out = nullptr)
 {
     for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
         check(field.info, field.get(parameters));
@@ -192,19 +210,29 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
 
     Recognition result;
     result.parameters = parameters;
-    const Scene scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
-    const bool is_cut = !scene.groups.empty();
+    LeftOut now;
+    if (left_out)
+        now = *left_out;
+    else
+        now.scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
+    const Scene& scene = now.scene;
+    std::int64_t excluded = 0;
+    const std::vector<std::uint8_t> kept = keptPoints(now, all, excluded);
+    const bool is_cut = !kept.empty();
+    if (!scene.groups.empty()) noteSceneCut(scene, result);
+    if (now.zones) result.notes.push_back({notes::zonesExcluded, {{"count", excluded}}});
     if (is_cut) {
-        noteSceneCut(scene, result);
         if (!scan.isMesh()) own = scan.points_mm;
-        keepOnly(scene.kept, own);
-        if (scan.isMesh()) keepOnly(scene.kept, samples);
+        keepOnly(kept, own);
+        if (scan.isMesh()) keepOnly(kept, samples);
+        registration::checkPoints(own, "scan", progress);
     }
     const std::vector<Vector3d>& points = is_cut || scan.isMesh() ? own : scan.points_mm;
     result.method_used = "robust";
     if (scan.isMesh()) roundFacets(scan, samples, own, result, progress.part(0.1, 0.2));
-    const RevolutionFit fit =
-        fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    const RevolutionFit fit = fitAxis(points, parameters.free_end, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    const bool is_spoilt = mayBeSpoilt(fit, parameters);
+    if (!is_spoilt) judgeAxis(fit, result.notes);
     const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
     const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);
     double bin = std::max(fineBin_mm, leastPointsPerBin / std::max(1.0, cloud.points_per_mm));
@@ -215,12 +243,24 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
         bin = 2 * coarse.sigma_mm;
         coarse = findWalls(cloud, bin, fit.sigma_mm, binning);
     }
-    const Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
+    if (const auto next = leftOutNext(now, {points, fit, cloud, coarse}, parameters, binning)) {
+        try {
+            return recognizeOnce(scan, parameters, progress.part(0.6, 1), &*next);
+        } catch (const Error& error) {
+            // Without the surroundings there is no part: then they are part of it. Zones are left out as asked.
+            if (error.code().kind != ErrorKind::NoAnswer || next->zones) throw;
+        }
+    }
+    if (is_spoilt) judgeAxis(fit, result.notes);
+    Walls fine = findWalls(cloud, bin / 2, fit.sigma_mm, binning);
+    const std::vector<Cut> cuts = cutsOf(now, fit);
+    endChainsAt(cuts, coarse);
+    endChainsAt(cuts, fine);
     result.noise_mm = coarse.sigma_mm;
     result.points_used = static_cast<std::int64_t>(points.size());
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false};
+    OutlineInput input{points, fit, cloud, coarse, fine, scanner, parameters.form_tolerance_mm, false, {}, cuts};
     std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
     if (!outside)
         throw Error(errors::tooFewPoints, {{"role", std::string("scan")},

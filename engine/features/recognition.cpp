@@ -214,7 +214,8 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     if (left_out)
         now = *left_out;
     else
-        now.scene = findScene(all, parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
+        now.scene = findScene(all, parameters.scene == SceneUse::Keep ? SceneUse::Keep : SceneUse::Auto,
+                              progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
     const Scene& scene = now.scene;
     std::int64_t excluded = 0;
     const std::vector<std::uint8_t> kept = keptPoints(now, all, excluded);
@@ -232,6 +233,9 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     if (scan.isMesh()) roundFacets(scan, samples, own, result, progress.part(0.1, 0.2));
     const RevolutionFit fit = fitAxis(points, parameters.free_end, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
     const bool is_spoilt = mayBeSpoilt(fit, parameters);
+    if (!is_spoilt && !registration::isBodyOfRevolution(fit))
+        if (const auto next = leftOutWithoutAxis(now, points, parameters, progress))
+            return recognizeOnce(scan, parameters, progress.part(0.4, 1), &*next);
     if (!is_spoilt) judgeAxis(fit, result.notes);
     const Progress binning = progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian"));
     const MeridianCloud cloud = meridianCloud(onAxis(points, fit, binning), binning);

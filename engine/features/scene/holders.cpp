@@ -51,17 +51,11 @@ public:
             progress.check();
             if (canHold(group)) jaws_.push_back(&group);
         }
-#ifdef WSDBG
-        for (const OutsideGroup& group : groups_) std::fprintf(stderr, "  %s group n %zu z %.1f..%.1f largest %.1f before %.2f body %.1f holds %d\n", last_ ? "last" : "first", group.points.size(), group.first_mm, group.last_mm, group.largest_mm, radiusBefore(begin(group)).value_or(-1), bodyBehind(begin(group), radiusBefore(begin(group)).value_or(-1)).value_or(-1), canHold(group));
-#endif
         if (jaws_.empty()) return std::nullopt;
         front_ = std::numeric_limits<double>::infinity();
         for (const OutsideGroup* group : jaws_) front_ = std::min(front_, begin(*group));
         radius_ = *radiusBefore(front_);
         chuck_ = chuckBehind(front_);
-#ifdef WSDBG
-        std::fprintf(stderr, "  front %.2f radius %.2f chuck %.2f limited %d planes %d\n", front_, radius_, chuck_.value_or(-1), isLimitedInAngle(), hasPlanes());
-#endif
         if (!isLimitedInAngle() || !hasPlanes()) return std::nullopt;
         return holder();
     }
@@ -79,10 +73,12 @@ public:
             found.from_mm = sense_ * face;
             found.to_mm = sense_ * to_;
             found.hides_end = false;
+            found.parts.resize(1);
             for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i) {
                 const double z = along(i), r = static_cast<double>(input_.cloud.r_mm[i]);
                 const bool at_face = z > face - sceneLimits.beside_holder_mm && r < 0.6 * end(part).r_mm;
-                if (at_face || z > face + sceneLimits.outside_mm) found.own.push_back(static_cast<std::uint32_t>(i));
+                if (at_face || z > face + sceneLimits.outside_mm)
+                    found.parts[0].push_back(static_cast<std::uint32_t>(i));
             }
             return found;
         }
@@ -189,44 +185,62 @@ private:
     }
 
     /// Is the part seen between the jaws, behind their fronts?
-    bool isSeenBetween(const std::vector<char>& taken, double limit) const
+    bool isSeenBetween(const std::vector<std::uint16_t>& taken, double limit) const
     {
         const double from = front_ + sceneLimits.outside_mm, to = std::min(front_ + betweenJaws_mm, limit);
         double seen = 0;
         for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i)
-            seen += !taken[i] && along(i) > from && along(i) < to ? 1 : 0;
+            seen += taken[i] == 0 && along(i) > from && along(i) < to ? 1 : 0;
         return seen > sceneLimits.between_jaws_share * input_.cloud.points_per_mm * std::max(1.0, to - from);
+    }
+
+    /// For each point 0: the part's; else the number of its jaw from 1, or `rest`.
+    std::vector<std::uint16_t> takenPoints(std::uint16_t rest, double from, double limit) const
+    {
+        const MeridianCloud& cloud = input_.cloud;
+        std::vector<std::uint16_t> taken(cloud.z_mm.size(), 0);
+        SceneFootprint footprint;
+        std::uint16_t jaw = 0;
+        for (const OutsideGroup* group : jaws_) {
+            ++jaw;
+            for (const std::size_t k : group->points) {
+                taken[input_.off[k]] = jaw;
+                const Vector3d& p = input_.off_on_axis[k];
+                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + jawContact_mm) footprint.add(p);
+            }
+        }
+        footprint.close();
+        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
+            const double z = along(i), r = static_cast<double>(cloud.r_mm[i]);
+            if (taken[i] > 0 || z < from) continue;
+            const double angle = turn_rad * static_cast<double>(cloud.turn[i]);
+            const bool high = r > (chuck_ ? radius_ : outer(z)) + sceneLimits.outside_mm;
+            if (high || (chuck_ && z > limit) ||
+                footprint.contains({r * std::cos(angle), r * std::sin(angle), sense_ * z}))
+                taken[i] = rest;
+        }
+        if (!isSeenBetween(taken, limit))
+            for (std::size_t i = 0; i < cloud.z_mm.size(); ++i)
+                if (taken[i] == 0 && along(i) >= from) taken[i] = rest;
+        return taken;
     }
 
     Holder holder() const
     {
-        const MeridianCloud& cloud = input_.cloud;
-        const double from = front_ - sceneLimits.beside_holder_mm,
-                     limit = (chuck_ ? *chuck_ : to_) - sceneLimits.face_mm;
-        std::vector<char> taken(cloud.z_mm.size(), 0);
-        SceneFootprint footprint;
-        for (const OutsideGroup* group : jaws_)
-            for (const std::size_t k : group->points) {
-                taken[input_.off[k]] = 1;
-                const Vector3d& p = input_.off_on_axis[k];
-                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + jawContact_mm) footprint.add(p);
-            }
-        footprint.close();
-        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
-            const double z = along(i), r = static_cast<double>(cloud.r_mm[i]);
-            if (taken[i] || z < from) continue;
-            const double angle = turn_rad * static_cast<double>(cloud.turn[i]);
-            const bool high = r > (chuck_ ? radius_ : outer(z)) + sceneLimits.outside_mm;
-            taken[i] = high || (chuck_ && z > limit) ||
-                       footprint.contains({r * std::cos(angle), r * std::sin(angle), sense_ * z});
-        }
-        const bool between = isSeenBetween(taken, limit);
+        const double from = front_ - sceneLimits.beside_holder_mm, end = chuck_ ? *chuck_ : to_;
+        // Without a chuck the rest are points at the contacts: they go with the largest jaw.
+        const auto largest = std::max_element(jaws_.begin(), jaws_.end(), [](const auto* a, const auto* b) {
+            return a->points.size() < b->points.size();
+        });
+        const std::size_t rest = chuck_ ? jaws_.size() + 1 : static_cast<std::size_t>(largest - jaws_.begin()) + 1;
+        const auto taken = takenPoints(static_cast<std::uint16_t>(rest), from, end - sceneLimits.face_mm);
         Holder found;
         found.at_last = last_;
         found.from_mm = sense_ * from;
-        found.to_mm = sense_ * (chuck_ ? *chuck_ : to_);
-        for (std::size_t i = 0; i < cloud.z_mm.size(); ++i)
-            if (taken[i] || (!between && along(i) >= from)) found.own.push_back(static_cast<std::uint32_t>(i));
+        found.to_mm = sense_ * end;
+        found.parts.resize(jaws_.size() + 1);
+        for (std::size_t i = 0; i < taken.size(); ++i)
+            if (taken[i] > 0) found.parts[taken[i] - 1U].push_back(static_cast<std::uint32_t>(i));
         return found;
     }
 

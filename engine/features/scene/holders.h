@@ -21,11 +21,11 @@ struct HolderInput {
 };
 
 struct Holder {
-    bool at_last = true;             ///< at the end with the larger z, else at the first one
-    double from_mm = 0;              ///< z at which it begins, seen from the part
-    double to_mm = 0;                ///< z at which the part must have ended: of the chuck's face, or of the last data
-    bool hides_end = true;           ///< false: a centre, beside which the end of the part is seen
-    std::vector<std::uint32_t> own;  ///< points of the cloud
+    bool at_last = true;    ///< at the end with the larger z, else at the first one
+    double from_mm = 0;     ///< z at which it begins, seen from the part
+    double to_mm = 0;       ///< z at which the part must have ended: of the chuck's face, or of the last data
+    bool hides_end = true;  ///< false: a centre, beside which the end of the part is seen
+    std::vector<std::vector<std::uint32_t>> parts;  ///< points of the cloud: jaws, then all the rest
 };
 
 /// At most one at each end.

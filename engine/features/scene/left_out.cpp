@@ -41,6 +41,19 @@ ZonesOnAxis zonesOn(const registration::RevolutionFit& fit, const Walls& walls, 
 
 }  // namespace
 
+std::optional<LeftOut> leftOutWithoutAxis(const LeftOut& now, const std::vector<Vector3d>& points,
+                                          const RecognitionParameters& parameters, const Progress& progress)
+{
+    if (parameters.scene != SceneUse::Cut || now.is_cut || now.zones) return std::nullopt;
+    const Scene found = findScene(points, SceneUse::Cut, progress);
+    if (found.groups.empty()) return std::nullopt;
+    LeftOut next = now;
+    next.scene = joined(now.scene, found);
+    next.is_cut = true;
+    next.searches = 0;
+    return next;
+}
+
 std::optional<LeftOut> leftOutNext(const LeftOut& now, const UsedPoints& used, const RecognitionParameters& parameters,
                                    const Progress& progress)
 {
@@ -53,6 +66,7 @@ std::optional<LeftOut> leftOutNext(const LeftOut& now, const UsedPoints& used, c
             return next;
         }
     }
+    if (auto cut = leftOutWithoutAxis(now, used.points, parameters, progress)) return cut;
     if (parameters.exclude_z_mm.empty() || now.placings == mostPlacings) return std::nullopt;
     next.zones = zonesOn(used.fit, used.walls, parameters, now.zones);
     ++next.placings;

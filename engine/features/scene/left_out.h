@@ -19,6 +19,7 @@ struct LeftOut {
     Scene scene;                       ///< of all points
     std::optional<ZonesOnAxis> zones;  ///< of the points that the scene keeps
     int searches = 0;                  ///< for surroundings, that found something
+    bool is_cut = false;               ///< the groups of the scene were sought as well (SceneUse::Cut)
     int placings = 0;                  ///< of the zones
 };
 
@@ -31,10 +32,14 @@ struct UsedPoints {
 };
 
 /// What else is to be left out once the axis and the walls of `used` are known: surroundings, as long as any are found,
-/// then the excluded zones, these twice, because their points may have deflected the axis on which they were placed
-/// first. None: there is nothing else. Throws Cancelled.
+/// with SceneUse::Cut other groups of the scene, then the excluded zones, these twice, because their points may have
+/// deflected the axis on which they were placed first. None: there is nothing else. Throws Cancelled.
 std::optional<LeftOut> leftOutNext(const LeftOut& now, const UsedPoints& used, const RecognitionParameters& parameters,
                                    const Progress& progress = {});
+
+/// The groups of the scene that need no axis, once, where they are to be cut and there are any.
+std::optional<LeftOut> leftOutWithoutAxis(const LeftOut& now, const std::vector<Eigen::Vector3d>& points,
+                                          const RecognitionParameters& parameters, const Progress& progress = {});
 
 /// One per point: 1 where it is used; empty where all are. `excluded`: how many are left out for the zones.
 std::vector<std::uint8_t> keptPoints(const LeftOut& left_out, const std::vector<Eigen::Vector3d>& points,

@@ -16,6 +16,7 @@ using Eigen::Vector3d;
 
 constexpr int fitRounds = 6;
 constexpr double fitSigmas = 3;  // points further from the middle do not take part in the fit
+constexpr int mostSeeds = 8;     // places in a group at which a fit begins
 constexpr int fitRings = 2;      // cubes beside those of a cluster in which its other points are sought
 
 /// Mean and covariance of points.
@@ -42,88 +43,119 @@ Vector3d deviations(const Matrix3d& covariance)
     return solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
 }
 
-/// Do the points in the cube fill space? A corner of two sheets has 0.10 of the edge for its smallest deviation.
-bool isFilled(const std::vector<Vector3d>& points, const PointCubes& cubes, std::size_t cube, double edge_mm,
-              double sigma_mm)
-{
-    if (cubes.count(cube) < sceneLimits.least_in_cube) return false;
-    Spread spread;
-    const Vector3d origin = points[*cubes.begin(cube)];
-    for (const std::uint32_t* i = cubes.begin(cube); i != cubes.end(cube); ++i) spread.add(points[*i] - origin);
-    return deviations(spread.covariance())[0] >
-           std::max(sceneLimits.cloud_sigmas * sigma_mm, sceneLimits.filled_deviation * edge_mm);
-}
-
-/// A normal distribution fitted to the points in the cubes; none where they are no cluster.
-std::optional<LooseCluster> clusterIn(const std::vector<Vector3d>& points, const PointCubes& cubes,
-                                      const std::vector<char>& filled, const std::vector<std::size_t>& group,
-                                      double sigma_mm)
-{
-    const Vector3d origin = points[*cubes.begin(group.front())];
-    Spread spread;
-    for (const std::size_t cube : group)
-        for (const std::uint32_t* i = cubes.begin(cube); i != cubes.end(cube); ++i) spread.add(points[*i] - origin);
-    if (spread.count < static_cast<double>(sceneLimits.least_in_cluster)) return std::nullopt;
-    const std::vector<std::size_t> near = cubes.around(group, fitRings);
-    LooseCluster cluster;
-    double core = 0, inside = 0, in_filled = 0, judged = 0;
-    for (int round = 0; round < fitRounds; ++round) {
-        const Matrix3d covariance = spread.covariance() + 1e-12 * Matrix3d::Identity();
-        cluster.middle_mm = origin + spread.middle();
-        cluster.inverse = covariance.inverse();
-        cluster.reach_mm = sceneLimits.cluster_reach_sigmas * deviations(covariance)[2];
-        spread = {};
-        core = inside = in_filled = judged = 0;
-        for (const std::size_t cube : near)
-            for (const std::uint32_t* i = cubes.begin(cube); i != cubes.end(cube); ++i) {
-                if (!cluster.contains(points[*i], fitSigmas)) continue;
-                spread.add(points[*i] - origin);
-                inside += 1;
-                core += cluster.contains(points[*i], 1) ? 1 : 0;
-                if (cubes.count(cube) < sceneLimits.least_in_cube) continue;
-                judged += 1;
-                in_filled += filled[cube] ? 1 : 0;
-            }
-        if (inside < static_cast<double>(sceneLimits.least_in_cluster)) return std::nullopt;
+/// Clusters among points in cubes of one size.
+class ClusterSearch {
+public:
+    ClusterSearch(const std::vector<Vector3d>& points, double edge_mm, double sigma_mm)
+        : points_(points), cubes_(points, edge_mm), sigma_mm_(sigma_mm), filled_(cubes_.size(), 0)
+    {
+        for (std::size_t cube = 0; cube < cubes_.size(); ++cube) filled_[cube] = isFilled(cube, edge_mm) ? 1 : 0;
     }
-    cluster.points = inside;
-    const Vector3d sizes = deviations(spread.covariance());
-    const bool is_cloud = sizes[0] > sceneLimits.cluster_ratio * sizes[2] &&
-                          sizes[0] > sceneLimits.cloud_sigmas * sigma_mm && core > sceneLimits.core_share * inside &&
-                          in_filled > sceneLimits.filled_share * judged;
-#ifdef WSDBG
-    std::fprintf(stderr, "cluster n %g mid %.1f %.1f %.1f sizes %.2f %.2f %.2f core %.2f filled %.2f group %zu %s\n",
-                 inside, cluster.middle_mm.x(), cluster.middle_mm.y(), cluster.middle_mm.z(), sizes[0], sizes[1],
-                 sizes[2], core / inside, in_filled / std::max(1.0, judged), group.size(), is_cloud ? "YES" : "no");
-#endif
-    return is_cloud ? std::optional(cluster) : std::nullopt;
-}
+
+    std::vector<LooseCluster> find(const Progress& progress) const
+    {
+        std::vector<LooseCluster> found;
+        for (const auto& group : cubes_.groups([&](std::size_t cube) { return filled_[cube] != 0; })) {
+            progress.check();
+            if (const auto whole = clusterAt(group))
+                found.push_back(*whole);
+            else
+                addOverlapping(group, found);
+        }
+        return found;
+    }
+
+private:
+    Spread spreadOf(const std::vector<std::size_t>& cubes, const Vector3d& origin) const
+    {
+        Spread spread;
+        for (const std::size_t cube : cubes)
+            for (const std::uint32_t* i = cubes_.begin(cube); i != cubes_.end(cube); ++i)
+                spread.add(points_[*i] - origin);
+        return spread;
+    }
+
+    /// Do the points in the cube fill space? A corner of two sheets has 0.10 of the edge for its smallest deviation.
+    bool isFilled(std::size_t cube, double edge_mm) const
+    {
+        if (cubes_.count(cube) < sceneLimits.least_in_cube) return false;
+        const Spread spread = spreadOf({cube}, points_[*cubes_.begin(cube)]);
+        return deviations(spread.covariance())[0] >
+               std::max(sceneLimits.cloud_sigmas * sigma_mm_, sceneLimits.filled_deviation * edge_mm);
+    }
+
+    /// Clusters that overlap: a fit that begins at each of the densest cubes.
+    void addOverlapping(std::vector<std::size_t> group, std::vector<LooseCluster>& found) const
+    {
+        std::stable_sort(group.begin(), group.end(),
+                         [&](std::size_t a, std::size_t b) { return cubes_.count(a) > cubes_.count(b); });
+        int tried = 0;
+        for (const std::size_t cube : group) {
+            const Vector3d origin = points_[*cubes_.begin(cube)];
+            const Vector3d middle = origin + spreadOf({cube}, origin).middle();
+            const auto holds = [&](const LooseCluster& one) { return one.contains(middle, fitSigmas); };
+            if (std::any_of(found.begin(), found.end(), holds)) continue;
+            if (++tried > mostSeeds) return;
+            if (const auto one = clusterAt({cube})) found.push_back(*one);
+        }
+    }
+
+    /// A normal distribution fitted to the points in and about the cubes; none where they are no cluster.
+    std::optional<LooseCluster> clusterAt(const std::vector<std::size_t>& group) const
+    {
+        const Vector3d origin = points_[*cubes_.begin(group.front())];
+        const std::vector<std::size_t> near = cubes_.around(group, fitRings);
+        Spread spread = spreadOf(group, origin);
+        LooseCluster cluster;
+        double core = 0, in_filled = 0, judged = 0;
+        for (int round = 0; round < fitRounds; ++round) {
+            const Matrix3d covariance = spread.covariance() + 1e-12 * Matrix3d::Identity();
+            cluster.middle_mm = origin + spread.middle();
+            cluster.inverse = covariance.inverse();
+            cluster.reach_mm = sceneLimits.cluster_reach_sigmas * deviations(covariance)[2];
+            spread = {};
+            core = in_filled = judged = 0;
+            for (const std::size_t cube : near)
+                for (const std::uint32_t* i = cubes_.begin(cube); i != cubes_.end(cube); ++i) {
+                    if (!cluster.contains(points_[*i], fitSigmas)) continue;
+                    spread.add(points_[*i] - origin);
+                    core += cluster.contains(points_[*i], 1) ? 1 : 0;
+                    if (cubes_.count(cube) < sceneLimits.least_in_cube) continue;
+                    judged += 1;
+                    in_filled += filled_[cube] ? 1 : 0;
+                }
+            if (spread.count < static_cast<double>(sceneLimits.least_in_cube)) return std::nullopt;
+        }
+        cluster.points = spread.count;
+        const Vector3d sizes = deviations(spread.covariance());
+        const bool is_cloud =
+            spread.count >= static_cast<double>(sceneLimits.least_in_cluster) &&
+            sizes[0] > sceneLimits.cluster_ratio * sizes[2] && sizes[0] > sceneLimits.cloud_sigmas * sigma_mm_ &&
+            core > sceneLimits.core_share * spread.count && in_filled > sceneLimits.filled_share * judged;
+        return is_cloud ? std::optional(cluster) : std::nullopt;
+    }
+
+    const std::vector<Vector3d>& points_;
+    PointCubes cubes_;
+    double sigma_mm_;
+    std::vector<char> filled_;
+};
 
 }  // namespace
 
 std::vector<LooseCluster> findClusters(const std::vector<Vector3d>& points, double sigma_mm, const Progress& progress)
 {
-    std::vector<LooseCluster> clusters;
-    for (const bool thin : {false, true}) {
-        const double edge_mm = thin ? sceneLimits.coarse_cube_mm : sceneLimits.fine_cube_mm;
-        const PointCubes cubes(points, edge_mm);
-        std::vector<char> filled(cubes.size(), 0);
-        for (std::size_t cube = 0; cube < cubes.size(); ++cube)
-            filled[cube] = isFilled(points, cubes, cube, edge_mm, sigma_mm) ? 1 : 0;
-        for (const auto& group : cubes.groups([&](std::size_t cube) { return filled[cube] != 0; })) {
-            progress.check();
-            auto cluster = clusterIn(points, cubes, filled, group, sigma_mm);
-            if (!cluster) continue;
-            cluster->thin = thin;
-            const auto known = std::find_if(clusters.begin(), clusters.end(), [&](const LooseCluster& one) {
-                return one.contains(cluster->middle_mm, sceneLimits.cluster_reach_sigmas);
-            });
-            // In coarse cubes more of a cluster is found that a surface divides.
-            if (known == clusters.end())
-                clusters.push_back(*cluster);
-            else if (cluster->points > known->points)
-                *known = *cluster;
-        }
+    std::vector<LooseCluster> clusters = ClusterSearch(points, sceneLimits.fine_cube_mm, sigma_mm).find(progress);
+    for (LooseCluster& cluster : ClusterSearch(points, sceneLimits.coarse_cube_mm, sigma_mm).find(progress)) {
+        cluster.thin = true;
+        const auto known = std::find_if(clusters.begin(), clusters.end(), [&](const LooseCluster& one) {
+            return one.contains(cluster.middle_mm, sceneLimits.cluster_reach_sigmas);
+        });
+        // In coarse cubes more is found of a cluster that a surface divides.
+        if (known == clusters.end())
+            clusters.push_back(cluster);
+        else if (cluster.points > known->points)
+            *known = cluster;
     }
     return clusters;
 }

@@ -64,6 +64,7 @@ Scene joined(Scene scene, const Scene& of_kept)
         for (std::uint8_t& kept : scene.kept)
             if (kept) kept = of_kept.kept[next++];
     }
+    if (!scene.support) scene.support = of_kept.support;
     scene.hidden.insert(scene.hidden.end(), of_kept.hidden.begin(), of_kept.hidden.end());
     return scene;
 }

@@ -1,6 +1,7 @@
 #include "engine/features/scene/seen_surface.h"
 
 #include <algorithm>
+#include <array>
 #include <bitset>
 #include <cmath>
 #include <limits>
@@ -36,29 +37,41 @@ Chain withoutPoorEnds(const Chain& chain)
     return {{from, to}, chain.bore};
 }
 
-/// Coverage of the circle by each chain, as a share of that which as many points have when they lie evenly.
+/// Coverage of the circle by each chain, as a share of that which as many points have when they lie evenly: the median
+/// over slices of its length, since a face at its end is seen all round.
 std::vector<double> coveragesOf(const std::vector<Chain>& chains, const MeridianCloud& cloud)
 {
-    constexpr std::size_t sectors = 72, sample = 100000;
+    constexpr std::size_t sectors = 72, sample = 100000, slices = 5;
     constexpr double near_mm = 0.3;
-    std::vector<std::bitset<sectors>> seen(chains.size());
-    std::vector<double> counts(chains.size(), 0), coverages;
+    struct Slice {
+        std::bitset<sectors> seen;
+        double count = 0;
+    };
+    std::vector<std::array<Slice, slices>> all(chains.size());
     const std::size_t step = std::max<std::size_t>(1, cloud.z_mm.size() / sample);
     for (std::size_t i = 0; i < cloud.z_mm.size(); i += step) {
         const auto z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
         for (std::size_t c = 0; c < chains.size(); ++c) {
-            if (z < chains[c].zFirst_mm() || z > chains[c].zLast_mm()) continue;
+            const double first = chains[c].zFirst_mm(), last = chains[c].zLast_mm();
+            if (z < first || z > last) continue;
             const std::vector<Wall>& walls = chains[c].walls;
             const auto wall = std::lower_bound(walls.begin(), walls.end(), z,
                                                [](const Wall& one, double at) { return one.z_mm < at; });
             if (isTooRough(*wall) || std::abs(wall->r_mm - r) > near_mm + 2 * wall->sigma_mm) continue;
-            seen[c].set(std::min(sectors - 1, static_cast<std::size_t>(cloud.turn[i] * sectors)));
-            counts[c] += 1;
+            const double place = slices * (z - first) / std::max(1e-9, last - first);
+            Slice& slice = all[c][std::min(slices - 1, static_cast<std::size_t>(place))];
+            slice.seen.set(std::min(sectors - 1, static_cast<std::size_t>(cloud.turn[i] * sectors)));
+            slice.count += 1;
         }
     }
-    for (std::size_t c = 0; c < chains.size(); ++c)
-        coverages.push_back(static_cast<double>(seen[c].count()) / sectors /
-                            (1 - std::exp(-std::max(1.0, counts[c]) / sectors)));
+    std::vector<double> coverages;
+    for (const auto& own : all) {
+        std::vector<double> shares;
+        for (const Slice& slice : own)
+            shares.push_back(static_cast<double>(slice.seen.count()) / sectors /
+                             (1 - std::exp(-std::max(1.0, slice.count) / sectors)));
+        coverages.push_back(upperMedianInPlace(shares));
+    }
     return coverages;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr float cellTurns = 72;  // cells of a wall: 5° about the axis by 1 mm along it
+constexpr double cellTurns = 72;  // cells of a wall: 5° about the axis by 1 mm along it
 
 /// Points on no wall: on a face, or nowhere.
 struct Strays {
@@ -54,9 +54,7 @@ bool isWallBehind(const MeridianCloud& cloud, const SeenSurface& surface, const 
                   const LooseCluster& cluster)
 {
     using Cell = std::pair<long, long>;
-    const auto cellOf = [](double z, double turn) {
-        return Cell(std::lround(z), static_cast<long>(turn * static_cast<double>(cellTurns)));
-    };
+    const auto cellOf = [](double z, double turn) { return Cell(std::lround(z), static_cast<long>(turn * cellTurns)); };
     std::map<Cell, bool> cells;
     for (const Vector3d& p : off) {
         if (!cluster.contains(p, 2) || !surface.isSeen(p.z())) continue;
@@ -154,35 +152,6 @@ Scene findSurroundings(const std::vector<Vector3d>& points, const registration::
     const SeenSurface surface(cloud, walls);
     const Strays strays = straysOf(cloud, surface, progress);
     PointLabels labels(points.size());
-#ifdef WSDBG
-    std::fprintf(stderr, "off %zu face %zu of %zu band %.3f sigma %.3f axis z %.1f..%.1f\n", strays.off.size(),
-                 strays.face.size(), points.size(), surface.band_mm(), walls.sigma_mm, cloud.z_first_mm,
-                 cloud.z_last_mm);
-    for (const Chain& c : walls.chains) {
-        double s = 0, n = 0, cp = 0, cv = 0;
-        for (auto& w : c.walls) {
-            s += w.sigma_mm;
-            n += w.points;
-            cp += w.compact;
-            cv += w.coverage;
-        }
-        const double N = double(c.walls.size()), zm = c.walls[c.walls.size() / 2].z_mm;
-        std::fprintf(stderr,
-                     "  chain %.1f..%.1f r %.2f..%.2f bore %d walls %.0f compact %.0f sigma %.3f points %.0f cover "
-                     "%.2f outer %.1f seen %d\n",
-                     c.zFirst_mm(), c.zLast_mm(), c.walls.front().r_mm, c.walls.back().r_mm, c.bore, N, cp, s / N, n,
-                     cv / N, surface.outer_mm(zm), surface.isSeen(zm));
-    }
-    for (const Chain& c : walls.chains)
-        for (auto& w : c.walls)
-            if (w.z_mm < -46.9)
-                std::fprintf(stderr, "   wall z %.3f r %.3f sigma %.3f n %.0f cover %.2f compact %d\n", w.z_mm, w.r_mm,
-                             w.sigma_mm, w.points, w.coverage, w.compact);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        double z = double(cloud.z_mm[i]), r = double(cloud.r_mm[i]);
-        if (z > -47.85 && z < -47.6 && (r < 14 || r > 14.6)) std::fprintf(stderr, "   pt %.3f %.3f\n", z, r);
-    }
-#endif
     if (strays.off.size() >= sceneLimits.least_in_cluster)
         labelClusters(cloud, surface, strays, walls.sigma_mm, labels, progress);
     std::vector<std::uint32_t> off;
@@ -190,7 +159,8 @@ Scene findSurroundings(const std::vector<Vector3d>& points, const registration::
         if (labels.isPart(i)) off.push_back(i);
     const std::vector<Vector3d> off_on_axis = pointsOnAxis(cloud, off);
     const std::vector<Holder> holders = findHolders({cloud, surface, off, off_on_axis}, progress);
-    for (const Holder& holder : holders) labels.add("clamp", holder.own);
+    for (const Holder& holder : holders)
+        for (const std::vector<std::uint32_t>& part : holder.parts) labels.add("clamp", part);
     if (labels.empty()) return {};
     Scene scene = labels.scene(points);
     const Eigen::Isometry3d scan_T_axis = fit.axis_T_scan.inverse();

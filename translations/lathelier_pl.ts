@@ -11456,10 +11456,6 @@
         <translation>Otoczenie</translation>
     </message>
     <message>
-        <source>cut where there is a turntable</source>
-        <translation>odcinaj, gdy jest stół obrotowy</translation>
-    </message>
-    <message>
         <source>keep all</source>
         <translation>zachowaj wszystko</translation>
     </message>
@@ -11470,10 +11466,6 @@
     <message>
         <source>Besides the part</source>
         <translation>Obok części</translation>
-    </message>
-    <message>
-        <source>A turntable, clamps and loose things in the scan: automatically cut off only where a plane much larger than the part is seen.</source>
-        <translation>Stół obrotowy, zaciski i luźne elementy na skanie: odcinane automatycznie tylko tam, gdzie widać płaszczyznę znacznie większą od części.</translation>
     </message>
     <message>
         <source>There is no row {row} to be changed: {rows} rows were recognised.</source>
@@ -15790,6 +15782,22 @@
     <message>
         <source>Half of the difference between passes, on the radius</source>
         <translation>Połowa różnicy między przejściami, na promieniu</translation>
+    </message>
+    <message>
+        <source>a bore is not seen over its whole length</source>
+        <translation>otworu nie widać na całej jego długości</translation>
+    </message>
+    <message>
+        <source>cut what is clearly not the part</source>
+        <translation>odcinaj to, co wyraźnie nie jest częścią</translation>
+    </message>
+    <message>
+        <source>A turntable, clamps and loose things in the scan: automatically cut off are a plane much larger than the part, a chuck&apos;s jaws or a centre at an end of it, clusters of points.</source>
+        <translation>Stół obrotowy, zaciski i luźne elementy na skanie: automatycznie odcinane są płaszczyzna znacznie większa od części, szczęki uchwytu lub kieł na jej końcu oraz skupiska punktów.</translation>
+    </message>
+    <message>
+        <source>Stretches along the recognised axis that are left out: z as in the table without them, from the first data at the free end, after things besides the part were cut off.</source>
+        <translation>Odcinki wzdłuż rozpoznanej osi, które zostają pominięte: z jak w tabeli bez nich, od początku danych na wolnym końcu, po odcięciu tego, co nie jest częścią.</translation>
     </message>
 </context>
 <context>

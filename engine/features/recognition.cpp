@@ -4,25 +4,24 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/core_codes.h"
 #include "engine/core/parallel.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
+#include "engine/features/outline/bore_rows.h"
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/outline/outline.h"
 #include "engine/features/paper_method.h"
+#include "engine/features/part_points.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
 #include "engine/features/recognition_limits.h"
 #include "engine/features/scene/scene_support.h"
+#include "engine/features/scene/surroundings/left_out.h"
 #include "engine/features/structure/bore_proof.h"
 #include "engine/features/structure/structure.h"
-#include "engine/features/walls/mesh_points.h"
-#include "engine/registration/point_checks.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
-#include "engine/registration/surface/surface_samples.h"
 #include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::features {
@@ -31,14 +30,28 @@ namespace {
 using Eigen::Vector3d;
 using registration::RevolutionFit;
 
-RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, Notes& notes, const Progress& progress)
+RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, const Progress& progress)
 {
     RevolutionFit fit = registration::fitRevolution(points, progress);
-    registration::remarkRevolution(fit, "scan", notes);
-    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
     registration::orientAxis(fit);
     if (free_end == FreeEnd::Last) fit = registration::reversed(fit);
     return fit;
+}
+
+/// Notes about the fit, or its refusal.
+void judgeAxis(const RevolutionFit& fit, Notes& notes)
+{
+    registration::remarkRevolution(fit, "scan", notes);
+    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
+}
+
+/// May points that are not the part's be the reason that this is no body of revolution?
+bool mayBeSpoilt(const RevolutionFit& fit, const RecognitionParameters& parameters)
+{
+    const bool may_leave_out = parameters.scene != SceneUse::Keep || !parameters.exclude_z_mm.empty();
+    const bool has_axis =
+        fit.not_turned == registration::NotTurned::NotRound || fit.not_turned == registration::NotTurned::SeveralParts;
+    return may_leave_out && has_axis && fit.iterations > 0 && fit.coverage_deg >= registration::leastCoverage_deg;
 }
 
 std::vector<Vector3d> onAxis(const std::vector<Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
@@ -55,49 +68,6 @@ double largestRadius(const RevolutionFit& fit)
     double largest = 0;
     for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
     return largest;
-}
-
-/// Points of a coarse mesh are moved onto the round surface through its vertices.
-void roundFacets(const Scan& mesh, const std::vector<registration::SurfaceSample>& samples,
-                 std::vector<Vector3d>& points, Recognition& result, const Progress& progress)
-{
-    double sagitta_mm = 0;
-    for (int round = 0; round < recognitionLimits.facet_rounds; ++round) {
-        const RevolutionFit fit = registration::fitRevolution(points, progress);
-        if (!registration::isBodyOfRevolution(fit)) break;
-        RoundedPoints rounded = roundedPoints(mesh, samples, fit, progress);
-        if (rounded.points.empty()) break;
-        points = std::move(rounded.points);
-        sagitta_mm = rounded.sagitta_mm;
-    }
-    if (sagitta_mm > 0) result.notes.push_back({notes::facetsRounded, {{"sagitta_mm", sagitta_mm}}});
-}
-
-template <class T>
-void keepOnly(const std::vector<std::uint8_t>& kept, std::vector<T>& items)
-{
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < items.size(); ++i)
-        if (kept[i]) items[next++] = items[i];
-    items.resize(next);
-}
-
-/// Adds the note sceneCut.
-void noteSceneCut(const Scene& scene, Recognition& result)
-{
-    result.scene = scene.groups;
-    const auto all = static_cast<std::int64_t>(scene.kept.size());
-    const auto count = [&](const char* kind) {
-        std::int64_t sum = 0;
-        for (const SceneGroup& group : scene.groups) sum += group.kind == kind ? group.points : 0;
-        return sum;
-    };
-    result.notes.push_back({notes::sceneCut,
-                            {{"cut_points", all - scene.groups.front().points},
-                             {"points", all},
-                             {"turntable_points", count("turntable")},
-                             {"clamp_points", count("clamp")},
-                             {"clutter_points", count("clutter")}}});
 }
 
 /// The end on the turntable lies in its plane; its own points were removed with the plane.
@@ -149,7 +119,8 @@ void joinCylinders(std::vector<RecognizedRow>& rows)
 void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const RevolutionFit& fit,
                   const AddedUncertainty& added, Recognition& result)
 {
-    std::vector<RecognizedRow> rows = rowsOf(inner, zero_mm, fit.coverage_deg, added);
+    std::vector<RecognizedRow> rows = rowsWithinPart(rowsOf(inner, zero_mm, fit.coverage_deg, added), length_mm);
+    if (rows.empty()) return;
     joinCylinders(rows);
     std::size_t gap = rows.size();  // first row behind the last hidden stretch
     for (std::size_t i = 0; i + 1 < rows.size(); ++i)
@@ -173,38 +144,6 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
     for (const auto& [list, mouth] : {std::pair(&from_free, ShaftEnd::Free), std::pair(&from_chuck, ShaftEnd::Chuck)})
         if (!list->empty()) result.bores.push_back(fromMouth(*list, mouth));
     addMeridian(inner, zero_mm, true, 0, result.meridian);
-}
-
-/// Points of the scan, or drawn on its mesh; those of the scene are left out.
-struct PartPoints {
-    const Scan& scan;
-    std::vector<registration::SurfaceSample> samples;  ///< of a mesh
-    std::vector<Vector3d> own;                         ///< unless the points of the scan are used as they are
-    bool is_cut = false;
-
-    const std::vector<Vector3d>& all() const { return is_cut || scan.isMesh() ? own : scan.points_mm; }
-};
-
-PartPoints pointsOf(const Scan& scan, const Progress& progress)
-{
-    PartPoints points{scan, {}, {}};
-    if (scan.isMesh()) {
-        points.samples = registration::drawSamples(scan, recognitionLimits.mesh_samples, 0, progress);
-        points.own = flatPoints(scan, points.samples, progress);
-    }
-    registration::checkPoints(points.all(), "scan", progress);
-    return points;
-}
-
-/// Leaves out what is not the part.
-void cutScene(const Scene& scene, PartPoints& points, Recognition& result)
-{
-    if (scene.groups.empty()) return;
-    noteSceneCut(scene, result);
-    points.is_cut = true;
-    if (!points.scan.isMesh()) points.own = points.scan.points_mm;
-    keepOnly(scene.kept, points.own);
-    if (points.scan.isMesh()) keepOnly(scene.kept, points.samples);
 }
 
 /// The meridian in bins.
@@ -314,36 +253,72 @@ void addPublishedMethod(const std::vector<Vector3d>& points, Recognition& result
     result.shaft = shaftOf(published.steps);
 }
 
-/// Recognises all points, or those that `parameters` keep.
-Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
+Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
+                          const LeftOut* left_out = nullptr);
+
+/// The recognition without what lies about the part, now that its axis and walls are known; none where nothing does.
+std::optional<Recognition> withoutSurroundings(const Scan& scan, const RecognitionParameters& parameters,
+                                               const LeftOut& now, const UsedPoints& used, const Progress& progress)
 {
-    for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
-        check(field.info, field.get(parameters));
+    const std::optional<LeftOut> next = leftOutNext(now, used, parameters, progress);
+    if (!next) return std::nullopt;
+    try {
+        return recognizeOnce(scan, parameters, progress, &*next);
+    } catch (const Error& error) {
+        // Without the surroundings there is no part: then they are part of it. Zones are left out as asked.
+        if (error.code().kind != ErrorKind::NoAnswer || next->zones) throw;
+        return std::nullopt;
+    }
+}
+
+/// Recognises all points, or those that `parameters` keep, without `left_out`.
+Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress,
+                          const LeftOut* left_out)
+{
     PartPoints part = pointsOf(scan, progress);
     Recognition result;
     result.parameters = parameters;
     result.method_used = "robust";
-    const Scene scene =
-        findScene(part.all(), parameters.scene, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
-    cutScene(scene, part, result);
-    if (scan.isMesh()) roundFacets(scan, part.samples, part.own, result, progress.part(0.1, 0.2));
+    const LeftOut now =
+        left_out ? *left_out
+                 : leftOutFirst(part.all(), parameters, progress.part(0, 0.1, LT_TEXT("Engine", "Surroundings")));
+    leaveOut(now, part, result, progress);
+    if (scan.isMesh()) roundFacets(part, result, progress.part(0.1, 0.2));
     const std::vector<Vector3d>& points = part.all();
-    const RevolutionFit fit =
-        fitAxis(points, parameters.free_end, result.notes, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    const RevolutionFit fit = fitAxis(points, parameters.free_end, progress.part(0.1, 0.4, LT_TEXT("Engine", "Axis")));
+    const bool is_spoilt = mayBeSpoilt(fit, parameters);
+    if (!is_spoilt && !registration::isBodyOfRevolution(fit))
+        if (const auto next = leftOutWithoutAxis(now, points, parameters, progress))
+            return recognizeOnce(scan, parameters, progress.part(0.4, 1), &*next);
+    if (!is_spoilt) judgeAxis(fit, result.notes);
     Meridian meridian = meridianOf(part, fit, progress.part(0.4, 0.6, LT_TEXT("Engine", "Meridian")));
+    if (auto better = withoutSurroundings(scan, parameters, now, {points, fit, meridian.cloud, meridian.coarse},
+                                          progress.part(0.6, 1)))
+        return *std::move(better);
+    if (is_spoilt) judgeAxis(fit, result.notes);
+    const std::vector<Cut> cuts = cutsOf(now, fit);
+    endChainsAt(cuts, meridian.coarse);
+    endChainsAt(cuts, meridian.fine);
     result.noise_mm = meridian.coarse.sigma_mm;
     result.points_used = static_cast<std::int64_t>(points.size());
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    OutlineInput input{
-        points, fit, meridian.cloud, meridian.coarse, meridian.fine, meridian.scanner, parameters.form_tolerance_mm,
-        false};
+    OutlineInput input{points,
+                       fit,
+                       meridian.cloud,
+                       meridian.coarse,
+                       meridian.fine,
+                       meridian.scanner,
+                       parameters.form_tolerance_mm,
+                       false,
+                       {},
+                       cuts};
     std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
     if (!outside)
         throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
                                            {"points", static_cast<std::int64_t>(points.size())},
                                            {"minimum", recognitionLimits.least_points}});
-    if (scene.support) placeEndOnSupport(*scene.support, fit, *outside, result);
+    if (now.scene.support) placeEndOnSupport(*now.scene.support, fit, *outside, result);
     const SurfaceTable surface(outside->model);
     keepProvenBores(meridian.cloud, surface, meridian.coarse.sigma_mm, meridian.coarse, meridian.fine, fitting);
     input.bore = true;
@@ -404,6 +379,8 @@ std::optional<Recognition> withoutFlyingPoints(const Scan& scan, const Recogniti
 
 Recognition recognize(const Scan& scan, const RecognitionParameters& parameters, const Progress& progress)
 {
+    for (const Field<RecognitionParameters>& field : fields<RecognitionParameters>())
+        check(field.info, field.get(parameters));
     const bool may_cut = parameters.scene == SceneUse::Auto;
     try {
         Recognition result = recognizeOnce(scan, parameters, progress);

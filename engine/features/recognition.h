@@ -39,6 +39,7 @@ struct RecognitionParameters {
     Unexplained unexplained = Unexplained::Refuse;  ///< Damage: a person says that it is damage of the part
     FreeEnd free_end = FreeEnd::First;              ///< origin of z
     std::optional<double> length_mm;                ///< confirms the length where an end is not seen
+    std::vector<Interval> exclude_z_mm;             ///< left out, along the axis from the first data at the free end
     std::optional<double> length_of_chucked_mm;     ///< the last part, in the chuck: not in the stock file
     double band_width_mm = 0.2;                     ///< paper: width of a section
     double coverage_percent = 100;                  ///< paper: sections cover this share of the length

@@ -23,6 +23,9 @@ std::string closedBy(const std::vector<RecognizedRow>& rows, bool start)
 /// Is the end of the data an end of the part? Unknown counts as no, unless it follows a chamfer or a round.
 bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
 {
+    const Plane& plane = start ? outline.model.planes.front() : outline.model.planes.back();
+    const auto is_cut = [&](const Cut& cut) { return cut.isAtLimit(plane.z_mm); };
+    if (std::any_of(outline.cuts.begin(), outline.cuts.end(), is_cut)) return false;
     if (outline.face_seen[start ? 0 : 1]) return true;
     const auto& end = outline.ends[start ? 0 : 1];
     if (!end) return closed_by != "edge";

@@ -124,10 +124,10 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
 void requireComplete(const features::Recognition& result)
 {
     if (result.complete) return;
-    throw Error(
-        errors::shaftIncomplete,
-        {{"reason", result.gaps.empty() ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
-                                        : LT_TEXT("Engine", "there is a gap in the data")}});
+    const Text reason = !result.gaps.empty() ? LT_TEXT("Engine", "there is a gap in the data")
+                        : !result.length_mm  ? LT_TEXT("Engine", "an end is not seen; state the length to confirm it")
+                                             : LT_TEXT("Engine", "a bore is not seen over its whole length");
+    throw Error(errors::shaftIncomplete, {{"reason", reason}});
 }
 
 RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& stores, task::Sources& sources,

@@ -157,7 +157,7 @@ std::vector<RecognizedRow> rowsOf(const Outline& outline, double zero_mm, double
             RecognizedRow row;
             row.kind = e.arc ? RowKind::Arc : e.cylinder ? RowKind::Cylinder : RowKind::Cone;
             row.z_start_mm = sizes[0] - zero_mm;
-            row.z_end_mm = sizes[1] - zero_mm;
+            row.z_end_mm = std::max(row.z_start_mm, sizes[1] - zero_mm);
             row.start_diameter_mm = 2 * sizes[2];
             row.end_diameter_mm = e.arc || !e.cylinder ? 2 * sizes[3] : row.start_diameter_mm;
             if (e.arc) row.arc_radius_mm = e.convex ? sizes[4] : -sizes[4];

@@ -139,6 +139,7 @@ void meetCones(Outline& outline, const std::vector<Border>& borders)
 std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& progress)
 {
     Outline outline;
+    outline.cuts = input.cuts;
     const std::vector<Stretch> stretches = stretchesOf(input, outline, progress.part(0, 0.1));
     if (stretches.empty()) return std::nullopt;
     std::vector<Border> borders;

@@ -1,6 +1,7 @@
 // One outline of the part, the outside or a bore: from its walls to a fitted model.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -11,6 +12,22 @@
 #include "engine/registration/revolution/revolution_axis.h"
 
 namespace lathelier::features {
+
+/// A stretch along the axis whose points were left out of the data.
+struct Cut {
+    double z_start_mm = 0, z_end_mm = 0;  ///< in the frame of the fit
+    double reach_mm = 0;                  ///< data that end this near to either limit end because of it
+
+    bool isAtLimit(double z_mm) const
+    {
+        return std::abs(z_mm - z_start_mm) < reach_mm || std::abs(z_mm - z_end_mm) < reach_mm;
+    }
+    /// Is all of it between two walls, but for their bins?
+    bool liesBetween(double before_mm, double behind_mm, double bin_mm) const
+    {
+        return z_start_mm > before_mm - bin_mm && z_end_mm < behind_mm + bin_mm;
+    }
+};
 
 /// Input of fitOutline().
 struct OutlineInput {
@@ -23,6 +40,7 @@ struct OutlineInput {
     double form_mm = 0.02;
     bool bore = false;                  ///< outline of a bore, else of the outside
     std::vector<Plane> part_ends = {};  ///< of the outside: a bore that comes near one ends there
+    std::vector<Cut> cuts = {};         ///< no edge of the part is where one begins or ends
 };
 
 /// A stretch that is too rough for its elements: one cylinder over its crests.
@@ -40,7 +58,8 @@ struct Outline {
     std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: not estimated
     bool face_seen[2] = {false, false};
     std::vector<double> unsure_edges_mm;  ///< shoulders that hits and misses of rays do not place
-    bool surface_scan = false;  ///< most faces are seen: not the rays of a rotary scanner
+    std::vector<Cut> cuts;                ///< as OutlineInput::cuts
+    bool surface_scan = false;            ///< most faces are seen: not the rays of a rotary scanner
 };
 
 /// Fits the outline; nothing when there is no chain of that side.

@@ -273,8 +273,11 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
         Border after = Border::End;
         bool trim_end = false;
         if (c + 1 < chains.size()) {
-            const double apart = chains[c + 1]->zFirst_mm() - walls.back().z_mm;
-            after = apart > stretchLimits.data_gap_mm ? Border::Gap : Border::Shoulder;
+            const double from = walls.back().z_mm, to = chains[c + 1]->zFirst_mm();
+            const bool is_cut = std::any_of(input.cuts.begin(), input.cuts.end(), [&](const Cut& cut) {
+                return cut.liesBetween(from, to, input.coarse.bin_mm);
+            });
+            after = is_cut || to - from > stretchLimits.data_gap_mm ? Border::Gap : Border::Shoulder;
             trim_end = after == Border::Shoulder;
         }
         const bool trim_start = !stretches.empty() && stretches.back().after == Border::Shoulder;

@@ -6,6 +6,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/features/scene/scene_footprint.h"
+#include "engine/features/scene/scene_groups.h"
 #include "engine/features/scene/scene_limits.h"
 #include "engine/features/scene/scene_outline.h"
 #include "engine/features/scene/scene_shapes.h"
@@ -110,38 +111,7 @@ public:
     }
 
     /// The groups with their boxes, and what is kept.
-    Scene scene() const
-    {
-        Scene scene;
-        std::vector<SceneGroup> found(kinds_.size());
-        for (std::size_t g = 0; g < found.size(); ++g) {
-            found[g].kind = kinds_[g];
-            found[g].kept = g == Part;
-        }
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            SceneGroup& one = found[labels_[i]];
-            one.min_mm = one.points == 0 ? points_[i] : Vector3d(one.min_mm.cwiseMin(points_[i]));
-            one.max_mm = one.points == 0 ? points_[i] : Vector3d(one.max_mm.cwiseMax(points_[i]));
-            ++one.points;
-        }
-        found[Part].reason = turned_ ? "body_of_revolution" : "largest";
-        std::stable_sort(found.begin() + 1, found.end(),
-                         [](const SceneGroup& a, const SceneGroup& b) { return a.points > b.points; });
-        std::erase_if(found, [](const SceneGroup& one) { return one.points == 0; });
-        for (std::size_t g = sceneLimits.most_named_groups; g < found.size(); ++g) {
-            SceneGroup& last = found[sceneLimits.most_named_groups - 1];
-            last.kind = "clutter";
-            last.points += found[g].points;
-            last.min_mm = last.min_mm.cwiseMin(found[g].min_mm);
-            last.max_mm = last.max_mm.cwiseMax(found[g].max_mm);
-        }
-        if (found.size() > sceneLimits.most_named_groups) found.resize(sceneLimits.most_named_groups);
-        if (found.size() < 2) return scene;
-        scene.groups = std::move(found);
-        scene.kept.resize(points_.size());
-        for (std::size_t i = 0; i < points_.size(); ++i) scene.kept[i] = labels_[i] == Part;
-        return scene;
-    }
+    Scene scene() const { return sceneOf(points_, labels_, kinds_, turned_ ? "body_of_revolution" : "largest"); }
 
 private:
     int groupOf(std::size_t rest) const { return groupOfCube_[thin_.of_point[rest]]; }

@@ -39,11 +39,19 @@ struct SupportPlane {
     double band_mm = 0;                                 ///< points this near to it belong to it
 };
 
-/// Groups and the label of each point. All three are empty when there is only the part.
+/// A stretch of the axis, in the frame of the scan, in which nothing of the part is seen because of what was cut off.
+struct HiddenStretch {
+    Eigen::Vector3d from_mm = Eigen::Vector3d::Zero();  ///< on the axis
+    Eigen::Vector3d to_mm = Eigen::Vector3d::Zero();    ///< on the axis
+    double reach_mm = 0;  ///< data that end this near to either limit are not taken for an end of the part
+};
+
+/// Groups and the label of each point. All are empty when there is only the part.
 struct Scene {
     std::vector<SceneGroup> groups;       ///< the part first, then by falling number of points
     std::vector<std::uint8_t> kept;       ///< one per point: 1 for the part's
     std::optional<SupportPlane> support;  ///< of the turntable
+    std::vector<HiddenStretch> hidden;    ///< by holders of the part
 };
 
 /// Deterministic; about 1 s of one core for a million points with a turntable, 0.07 s for 730 000 points where `use` is

@@ -5,6 +5,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/units.h"
+#include "engine/registration/excluded_zones.h"
 #include "engine/registration/point_tasks.h"
 #include "engine/registration/revolution/quick_turn.h"
 
@@ -138,22 +139,15 @@ std::vector<float> meridianDeviation(const TurnedPart& reference, const Meridian
 std::int64_t excludeZones(const TurnedPart& reference, const MeridianLine& line,
                           const std::vector<Eigen::Vector3d>& points, CompareResult& result, const Progress& progress)
 {
-    std::vector<Interval> zones = result.parameters.exclude_z_mm;
-    if (zones.empty()) return 0;
-    for (Interval& zone :
-         zones) {  // a zone that begins or ends with the part includes points that noise places beyond it
-        if (zone.from <= 0) zone.from = -std::numeric_limits<double>::infinity();
-        if (zone.to >= line.zLast_mm() - line.zFirst_mm()) zone.to = std::numeric_limits<double>::infinity();
-    }
+    if (result.parameters.exclude_z_mm.empty()) return 0;
+    const ExcludedZones zones(result.parameters.exclude_z_mm, line.zLast_mm() - line.zFirst_mm());
     return parallelReduce(
         points.size(), pointsPerZoneTask, progress, std::int64_t{0},
         [&](std::size_t begin, std::size_t end) {
             std::int64_t count = 0;
             for (std::size_t i = begin; i < end; ++i) {
                 const double z = (reference.fit.axis_T_scan * points[i]).z() - line.zFirst_mm();
-                const bool inside = std::any_of(zones.begin(), zones.end(),
-                                                [&](const Interval& zone) { return z >= zone.from && z <= zone.to; });
-                if (!inside || !result.used[i]) continue;
+                if (!zones.contains(z) || !result.used[i]) continue;
                 result.used[i] = 0;
                 result.deviation_mm[i] = std::numeric_limits<float>::quiet_NaN();
                 ++count;

@@ -1,4 +1,5 @@
-// What stands about a part in its scan, in the part's frame: a turntable, V-blocks, jaws, a bolt.
+// What stands about a part in its scan, in the part's frame: a turntable, V-blocks, jaws, a chuck, a centre, a bolt,
+// clusters of stray points.
 #pragma once
 
 #include <array>
@@ -92,6 +93,30 @@ public:
             box(radius_mm * out - 10 * across + z_mm * Eigen::Vector3d::UnitZ(), 30 * out, 20 * across, {0, 0, 40},
                 [=](const Eigen::Vector3d& p) { return std::hypot(p.x(), p.y()) > radius_mm; });
         }
+    }
+
+    /// A chuck behind jaws: its face with a bore, and its rim, toward larger z.
+    void chuck(double z_mm, double bore_radius_mm, double radius_mm)
+    {
+        face(z_mm, bore_radius_mm, radius_mm);
+        cylinder({0, 0, z_mm}, {0, 0, 30}, radius_mm);
+    }
+
+    /// A 60° centre whose cone comes out of the part's end at z with this radius and grows toward smaller z.
+    void centre(double z_mm, double radius_mm, double length_mm)
+    {
+        const auto count = static_cast<int>(4 * 2 * std::numbers::pi * (radius_mm + 0.3 * length_mm) * length_mm);
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * evenly(), along = length_mm * evenly(),
+                         r = radius_mm + along / std::numbers::sqrt3 + sigma_mm_ * bell();
+            points.emplace_back(r * std::cos(angle), r * std::sin(angle), z_mm - along);
+        }
+    }
+
+    /// Stray points about a place, normally distributed.
+    void cluster(const Eigen::Vector3d& middle, double spread_mm, int count)
+    {
+        for (int i = 0; i < count; ++i) points.push_back(middle + spread_mm * Eigen::Vector3d(bell(), bell(), bell()));
     }
 
     /// Puts them into a scan whose part lies as `scan_T_part` says; its points for which `is_hidden` holds go.

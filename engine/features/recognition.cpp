@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/core/parallel.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
@@ -12,13 +11,12 @@
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/outline/outline.h"
 #include "engine/features/paper_method.h"
+#include "engine/features/part_fit.h"
 #include "engine/features/part_points.h"
 #include "engine/features/recognition_basis.h"
 #include "engine/features/recognition_finish.h"
 #include "engine/features/recognition_limits.h"
-#include "engine/features/scene/scene_support.h"
 #include "engine/features/scene/surroundings/left_out.h"
-#include "engine/features/structure/bore_proof.h"
 #include "engine/features/structure/structure.h"
 #include "engine/registration/registration_codes.h"
 #include "engine/registration/revolution/revolution_refusal.h"
@@ -38,11 +36,18 @@ RevolutionFit fitAxis(const std::vector<Vector3d>& points, FreeEnd free_end, con
     return fit;
 }
 
+/// Do most points lie on surfaces of revolution about the axis? Then the others may be named: an eccentric, a square.
+bool isMostlyTurned(const RevolutionFit& fit)
+{
+    return fit.not_turned == registration::NotTurned::NotRound && fit.converged &&
+           fit.consistent_share >= recognitionLimits.mostly_turned_share;
+}
+
 /// Notes about the fit, or its refusal.
 void judgeAxis(const RevolutionFit& fit, Notes& notes)
 {
     registration::remarkRevolution(fit, "scan", notes);
-    if (!registration::isBodyOfRevolution(fit)) registration::refuseRevolution(fit, "scan");
+    if (!registration::isBodyOfRevolution(fit) && !isMostlyTurned(fit)) registration::refuseRevolution(fit, "scan");
 }
 
 /// May points that are not the part's be the reason that this is no body of revolution?
@@ -52,34 +57,6 @@ bool mayBeSpoilt(const RevolutionFit& fit, const RecognitionParameters& paramete
     const bool has_axis =
         fit.not_turned == registration::NotTurned::NotRound || fit.not_turned == registration::NotTurned::SeveralParts;
     return may_leave_out && has_axis && fit.iterations > 0 && fit.coverage_deg >= registration::leastCoverage_deg;
-}
-
-std::vector<Vector3d> onAxis(const std::vector<Vector3d>& points, const RevolutionFit& fit, const Progress& progress)
-{
-    std::vector<Vector3d> moved(points.size());
-    parallelFor(points.size(), 32768, progress, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) moved[i] = fit.onAxis(points[i]);
-    });
-    return moved;
-}
-
-double largestRadius(const RevolutionFit& fit)
-{
-    double largest = 0;
-    for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
-    return largest;
-}
-
-/// The end on the turntable lies in its plane; its own points were removed with the plane.
-void placeEndOnSupport(const SupportPlane& support, const RevolutionFit& fit, Outline& outline, Recognition& result)
-{
-    const double first = outline.model.planes.front().z_mm, last = outline.model.planes.back().z_mm;
-    if (!endOnSupport(support, fit, outline)) return;
-    const double before = first - outline.model.planes.front().z_mm, behind = outline.model.planes.back().z_mm - last;
-    const bool free = before != 0;
-    result.notes.push_back({notes::endOnSupport,
-                            {{"end", free ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end")},
-                             {"moved_mm", free ? before : behind}}});
 }
 
 /// Rows of a bore from its mouth inward.
@@ -146,34 +123,11 @@ void addSeenBores(const Outline& inner, double zero_mm, double length_mm, const 
     addMeridian(inner, zero_mm, true, 0, result.meridian);
 }
 
-/// The meridian in bins.
-struct Meridian {
-    MeridianCloud cloud;
-    Walls coarse, fine;
-    std::optional<registration::ScannerAxis> scanner;
-};
-
-Meridian meridianOf(const PartPoints& part, const RevolutionFit& fit, const Progress& progress)
-{
-    const std::vector<Vector3d>& points = part.all();
-    Meridian meridian;
-    meridian.cloud = meridianCloud(onAxis(points, fit, progress), progress);
-    double bin = std::max(recognitionLimits.bin_mm,
-                          recognitionLimits.points_per_bin / std::max(1.0, meridian.cloud.points_per_mm));
-    meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);
-    if (!part.scan.isMesh())
-        meridian.scanner = registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
-    if (!meridian.scanner && bin < recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm) {
-        bin = recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm;
-        meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);
-    }
-    meridian.fine = findWalls(meridian.cloud, bin / 2, fit.sigma_mm, progress);
-    return meridian;
-}
-
-AddedUncertainty addedUncertainty(double coverage_deg, Recognition& result)
+AddedUncertainty addedUncertainty(double coverage_deg, const PartStructure& structure, Recognition& result)
 {
     AddedUncertainty added;
+    added.variance_ratio = structure.variance_ratio;
+    added.passes_um = structure.passes_um;
     if (result.parameters.scanner_accuracy_mm)
         added.scanner_um = 1e3 * *result.parameters.scanner_accuracy_mm;
     else
@@ -303,43 +257,22 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     result.points_used = static_cast<std::int64_t>(points.size());
 
     const Progress fitting = progress.part(0.6, 1, LT_TEXT("Engine", "Segments"));
-    OutlineInput input{points,
-                       fit,
-                       meridian.cloud,
-                       meridian.coarse,
-                       meridian.fine,
-                       meridian.scanner,
-                       parameters.form_tolerance_mm,
-                       false,
-                       {},
-                       cuts};
-    std::optional<Outline> outside = fitOutline(input, fitting.part(0, 0.8));
-    if (!outside)
-        throw Error(errors::tooFewPoints, {{"role", std::string("scan")},
-                                           {"points", static_cast<std::int64_t>(points.size())},
-                                           {"minimum", recognitionLimits.least_points}});
-    if (now.scene.support) placeEndOnSupport(*now.scene.support, fit, *outside, result);
-    const SurfaceTable surface(outside->model);
-    keepProvenBores(meridian.cloud, surface, meridian.coarse.sigma_mm, meridian.coarse, meridian.fine, fitting);
-    input.bore = true;
-    input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
-    const double zero = input.part_ends.front().z_mm;
-    const std::optional<Outline> inner = fitOutline(input, fitting.part(0.8, 1));
-    const StructureInput seen{meridian.cloud, *outside, inner ? &*inner : nullptr, surface,
-                              parameters.form_tolerance_mm};
-    const PartStructure structure = structureOf(seen, fitting);
-    result.variance_ratio = structure.variance_ratio;
-    AddedUncertainty added = addedUncertainty(fit.coverage_deg, result);
-    added.variance_ratio = structure.variance_ratio;
-    added.passes_um = structure.passes_um;
-    takeOutside(*outside, fit, added, result);
-    if (inner) addSeenBores(*inner, zero, result.ends.back().z_mm, fit, added, result);
-    takeMarks(findMarks(meridian.cloud, *outside, seen.bore, fitting), zero, result);
-    noteRoughZones(*outside, result);
-    describeStructure(seen, structure, zero, result, fitting);
-    finishRows(*outside, result);
-    result.basis =
-        std::make_shared<const RecognitionBasis>(RecognitionBasis{*outside, fit.axis_T_scan, fit.coverage_deg, added});
+    const PartFit found =
+        fitPart({points, fit, meridian, cuts, now.scene.support, parameters.form_tolerance_mm}, fitting);
+    result.notes.insert(result.notes.end(), found.notes.begin(), found.notes.end());
+    result.variance_ratio = found.structure.variance_ratio;
+    const AddedUncertainty added = addedUncertainty(fit.coverage_deg, found.structure, result);
+    const double zero = found.zero_mm();
+    takeOutside(found.outside, fit, added, result);
+    if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
+    takeMarks(findMarks(meridian.cloud, found.outside, found.seen(meridian.cloud).bore, fitting), zero, result);
+    noteRoughZones(found.outside, result);
+    describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);
+    if (!registration::isBodyOfRevolution(fit) && result.unexplained.empty())
+        registration::refuseRevolution(fit, "scan");
+    finishRows(found.outside, result);
+    result.basis = std::make_shared<const RecognitionBasis>(
+        RecognitionBasis{found.outside, fit.axis_T_scan, fit.coverage_deg, added});
     if (parameters.method == RecognitionMethod::Paper) addPublishedMethod(points, result, fitting);
     if (result.complete) result.volume_mm3 = volume_mm3(result.shaft);
     progress.report(1);

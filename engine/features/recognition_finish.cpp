@@ -24,9 +24,14 @@ std::string closedBy(const std::vector<RecognizedRow>& rows, bool start)
 bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
 {
     const Plane& plane = start ? outline.model.planes.front() : outline.model.planes.back();
-    const auto is_cut = [&](const Cut& cut) { return cut.isAtLimit(plane.z_mm); };
-    if (std::any_of(outline.cuts.begin(), outline.cuts.end(), is_cut)) return false;
+    const auto is_any = [&](bool (Cut::*holds)(double) const) {
+        return std::any_of(outline.cuts.begin(), outline.cuts.end(),
+                           [&](const Cut& cut) { return (cut.*holds)(plane.z_mm); });
+    };
+    if (is_any(&Cut::isAtLimit)) return false;
     if (outline.face_seen[start ? 0 : 1]) return true;
+    // Between jaws the last of the part may be hidden in all directions.
+    if (is_any(&Cut::contains)) return false;
     const auto& end = outline.ends[start ? 0 : 1];
     if (!end) return closed_by != "edge";
     if (end->tilt_share_sigma < recognitionLimits.tilt_share_sigma)
@@ -37,7 +42,6 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
 /// Sizes whose U is larger than any size of interest are stated without it, with a note.
 void dropUndetermined(Recognition& result)
 {
-    constexpr double largest_um = 1000;
     using U = SizeUncertainty;
     static constexpr std::pair<std::optional<double> U::*, Text> sizes[]{
         {&U::z_start_um, LT_TEXT("Engine", "start")},
@@ -49,7 +53,7 @@ void dropUndetermined(Recognition& result)
     for (std::size_t i = 0; i < result.segments.size(); ++i)
         for (const auto& [member, name] : sizes) {
             std::optional<double>& stated_um = result.segments[i].uncertainty.*member;
-            if (!stated_um || *stated_um <= largest_um) continue;
+            if (!stated_um || *stated_um <= recognitionLimits.unsure_um) continue;
             result.notes.push_back(
                 {notes::sizeNotDetermined,
                  {{"row", static_cast<std::int64_t>(i) + 1}, {"size", name}, {"uncertainty_mm", 1e-3 * *stated_um}}});

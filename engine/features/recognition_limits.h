@@ -18,6 +18,8 @@ struct RecognitionLimits {
     double bin_sigmas = 2;  ///< least width for scans without rows of rays, whose noise moves points along the axis
     std::int64_t least_points = 50;  ///< stated where no outline is found
 
+    double mostly_turned_share = 0.5;  ///< of the points, about one axis: the others are unexplained structure
+
     // Bores.
     double end_reach_mm = 1;         ///< a bore that comes so near to an end reaches it
     double same_diameter_mm = 0.05;  ///< cylinders on both sides of a stretch without points are one
@@ -27,6 +29,10 @@ struct RecognitionLimits {
     double full_coverage_deg = 300;  ///< with less, ovality is taken for size
     double half_coverage_deg = 180;  ///< with less, another note says so
     double least_ovality_um = 5;     ///< of a turned part, where the scanner's accuracy is finer
+
+    // Rows where noise is correlated or passes differ.
+    double unsure_um = 1000;       ///< a size with a larger U is not determined
+    double unproven_jump_u = 2.5;  ///< five standard errors: a lower jump between cylinders may be chance
 
     // Ends.
     double chamfer_half_angle_deg = 10;  ///< a cone that is steeper closes an end as a chamfer

@@ -107,7 +107,8 @@ std::optional<ShaftMark> markOf(const MeridianCloud& cloud, const Model& model, 
     const bool flat_floor = worst < 0 &&
                             plane.used > markLimits.least_plane_share * static_cast<double>(places.size()) &&
                             plane.rms_mm < markLimits.largest_plane_sigmas * model.sigma_mm;
-    if (!flat_floor || !isPlane(points, model.sigma_mm)) return std::nullopt;
+    const bool is_long = *mark.z_end_mm - *mark.z_start_mm >= proofThresholds.least_length_mm;
+    if (!flat_floor || !is_long || !isPlane(points, model.sigma_mm)) return std::nullopt;
     const double floor = plane.distance_mm(), width = widthOf_mm(points);
     const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
     const Run* const run = smoothRunAt(model, middle);

@@ -248,7 +248,7 @@ double sigmaOf(const Model& model, const Wall& wall)
 {
     constexpr double floor_mm = fitLimits.wall_floor_mm;
     const double own = std::max(wall.sigma_mm, fitLimits.least_scatter_share * model.sigma_mm);
-    return std::sqrt(own * own / std::max(1.0, wall.points) + floor_mm * floor_mm);
+    return std::sqrt(own * own / std::max(1.0, wall.points) + floor_mm * floor_mm + wall.shared_mm * wall.shared_mm);
 }
 
 double startRadius_mm(const Run& run)

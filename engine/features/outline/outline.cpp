@@ -161,6 +161,9 @@ std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& pro
     selectKinds(model, progress);
     simplify(model, progress);
     for (const MergedJunction& junction : mergeWithinForm(model, input.form_mm)) outline.merged.push_back(junction);
+    // Shared errors decide which elements there are; what they add to the sizes is added to the uncertainty.
+    for (Run& run : model.runs)
+        for (Wall& wall : run.walls) wall.shared_mm = 0;
     fitAll(model, outlineLimits.iterations, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, outlineLimits.last_iterations, progress);

@@ -22,6 +22,7 @@ struct Cut {
     {
         return std::abs(z_mm - z_start_mm) < reach_mm || std::abs(z_mm - z_end_mm) < reach_mm;
     }
+    bool contains(double z_mm) const { return z_mm > z_start_mm && z_mm < z_end_mm; }
     /// Is all of it between two walls, but for their bins?
     bool liesBetween(double before_mm, double behind_mm, double bin_mm) const
     {

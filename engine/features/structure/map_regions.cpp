@@ -57,12 +57,12 @@ RegionBox boxOf(const std::vector<std::size_t>& region, std::size_t columns, boo
 bool isRound(const std::vector<std::size_t>& region, const RegionBox& box, double row_mm, double column_mm,
              double most_aspect, double most_fill)
 {
-    constexpr std::size_t judged = 12;  // fewer cells show no corners
+    constexpr std::size_t judged = 6;  // a circle over fewer rows or columns may fill its corners
     const double length = row_mm * static_cast<double>(box.rows()),
                  width = column_mm * static_cast<double>(box.columns());
     if (length > most_aspect * width || width > most_aspect * length) return false;
-    return region.size() < judged || static_cast<double>(region.size()) < most_fill * static_cast<double>(box.rows()) *
-                                                                              static_cast<double>(box.columns());
+    const double box_cells = static_cast<double>(box.rows()) * static_cast<double>(box.columns());
+    return std::min(box.rows(), box.columns()) < judged || static_cast<double>(region.size()) < most_fill * box_cells;
 }
 
 }  // namespace lathelier::features

@@ -20,7 +20,8 @@ public:
     {
         constexpr double floor_mm = segmentationLimits.form_floor_mm;
         const double n = std::max(1.0, wall.points);
-        const double w = 1 / (wall.sigma_mm * wall.sigma_mm / n + floor_mm * floor_mm);
+        const double w =
+            1 / (wall.sigma_mm * wall.sigma_mm / n + floor_mm * floor_mm + wall.shared_mm * wall.shared_mm);
         const double x = wall.z_mm - z_, y = wall.r_mm - r_, q = x * x + y * y;
         s_ += w;
         sx_ += w * x;

@@ -21,14 +21,15 @@ MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points_on_axis, 
 
 /// One wall in one bin.
 struct Wall {
-    double z_mm = 0;      ///< mean of its points
-    double r_mm = 0;      ///< mean of its points within 4 robust standard deviations
-    double sigma_mm = 0;  ///< robust scatter of its points along r
-    double width_mm = 0;  ///< of an even spread of z with the same variance as its points have
-    double points = 0;    ///< number of points
-    double coverage = 0;  ///< share of the circle covered by its points, 0…1
-    bool compact = true;  ///< its points lie as close together as noise and a slope of 45° explain
-    double form_mm = 0;   ///< of a worn seat: wear that was subtracted from r_mm because its row does not describe it
+    double z_mm = 0;       ///< mean of its points
+    double r_mm = 0;       ///< mean of its points within 4 robust standard deviations
+    double sigma_mm = 0;   ///< robust scatter of its points along r
+    double width_mm = 0;   ///< of an even spread of z with the same variance as its points have
+    double points = 0;     ///< number of points
+    double coverage = 0;   ///< share of the circle covered by its points, 0…1
+    bool compact = true;   ///< its points lie as close together as noise and a slope of 45° explain
+    double form_mm = 0;    ///< of a worn seat: wear that was subtracted from r_mm because its row does not describe it
+    double shared_mm = 0;  ///< standard uncertainty of r_mm beside that of independent points (withSharedErrors())
 };
 
 /// Walls that follow each other along z.
@@ -51,5 +52,9 @@ double clusterGap_mm(double sigma_mm);
 
 /// Bins of `bin_mm`. `sigma_mm`: noise of single points, from the axis fit.
 Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, const Progress& progress = {});
+
+/// The walls with errors that the points of a wall share: noise whose variance of a mean is `variance_ratio` times that
+/// of independent points, and passes of the scanner that differ by `passes_mm` (standard uncertainty).
+Walls withSharedErrors(Walls walls, double variance_ratio, double passes_mm);
 
 }  // namespace lathelier::features

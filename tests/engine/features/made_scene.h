@@ -103,9 +103,9 @@ public:
     }
 
     /// A 60° centre whose cone comes out of the part's end at z with this radius and grows toward smaller z.
-    void centre(double z_mm, double radius_mm, double length_mm)
+    void centre(double z_mm, double radius_mm, double length_mm, double per_mm2 = 4)
     {
-        const auto count = static_cast<int>(4 * 2 * std::numbers::pi * (radius_mm + 0.3 * length_mm) * length_mm);
+        const auto count = static_cast<int>(per_mm2 * 2 * std::numbers::pi * (radius_mm + 0.3 * length_mm) * length_mm);
         for (int i = 0; i < count; ++i) {
             const double angle = 2 * std::numbers::pi * evenly(), along = length_mm * evenly(),
                          r = radius_mm + along / std::numbers::sqrt3 + sigma_mm_ * bell();

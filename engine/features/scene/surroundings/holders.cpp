@@ -200,24 +200,25 @@ private:
     {
         const MeridianCloud& cloud = input_.cloud;
         std::vector<std::uint16_t> taken(cloud.z_mm.size(), 0);
-        SceneFootprint footprint;
+        std::vector<SceneFootprint> footprints(jaws_.size());  // of each jaw: between two of them the part may be seen
         std::uint16_t jaw = 0;
         for (const OutsideGroup* group : jaws_) {
             ++jaw;
             for (const std::size_t k : group->points) {
                 taken[input_.off[k]] = jaw;
                 const Vector3d& p = input_.off_on_axis[k];
-                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + jawContact_mm) footprint.add(p);
+                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + jawContact_mm) footprints[jaw - 1U].add(p);
             }
         }
-        footprint.close();
+        for (SceneFootprint& footprint : footprints) footprint.close();
         for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
             const double z = along(i), r = static_cast<double>(cloud.r_mm[i]);
             if (taken[i] > 0 || z < from) continue;
             const double angle = turn_rad * static_cast<double>(cloud.turn[i]);
             const bool high = r > (chuck_ ? radius_ : outer(z)) + surroundingsLimits.outside_mm;
-            if (high || (chuck_ && z > limit) ||
-                footprint.contains({r * std::cos(angle), r * std::sin(angle), sense_ * z}))
+            const Vector3d point(r * std::cos(angle), r * std::sin(angle), sense_ * z);
+            const auto is_under = [&](const SceneFootprint& footprint) { return footprint.contains(point); };
+            if (high || (chuck_ && z > limit) || std::any_of(footprints.begin(), footprints.end(), is_under))
                 taken[i] = rest;
         }
         if (!isSeenBetween(taken, limit))

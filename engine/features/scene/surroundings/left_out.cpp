@@ -52,7 +52,9 @@ LeftOut leftOutFirst(const std::vector<Vector3d>& points, const RecognitionParam
 std::optional<LeftOut> leftOutWithoutAxis(const LeftOut& now, const std::vector<Vector3d>& points,
                                           const RecognitionParameters& parameters, const Progress& progress)
 {
-    if (parameters.scene != SceneUse::Cut || now.is_cut || now.zones) return std::nullopt;
+    // Between the jaws of a chuck the part is seen in too few directions to be told from a clamp.
+    const bool has_holder = !now.scene.hidden.empty();
+    if (parameters.scene != SceneUse::Cut || now.is_cut || now.zones || has_holder) return std::nullopt;
     const Scene found = findScene(points, SceneUse::Cut, progress);
     if (found.groups.empty()) return std::nullopt;
     LeftOut next = now;

@@ -116,6 +116,11 @@ inline constexpr NoteCode edgeNotPlaced{
             "At the shoulder near z {z_mm:2} mm rays hit and miss over all of half a millimetre: its place is that of "
             "the walls beside it.")};
 
+inline constexpr NoteCode endsOfStructure{
+    "ends_of_structure", Severity::Warning,
+    LT_TEXT("Engine",
+            "Row {row} is structure that was not understood: where it begins and ends is stated without uncertainty.")};
+
 inline constexpr NoteCode scatterUnexplained{
     "scatter_unexplained", Severity::Warning,
     LT_TEXT(

@@ -66,6 +66,32 @@ void addEccentricRows(double form_mm, Recognition& result)
     }
 }
 
+/// The ends of a row that is off the axis or rough are not those of a face that is seen all round: their places are
+/// stated without uncertainty.
+void withdrawEdges(Recognition& result)
+{
+    std::vector<RecognizedRow>& rows = result.segments;
+    const auto isSpoilt = [&](const RecognizedRow& row) {
+        return std::any_of(result.unexplained.begin(), result.unexplained.end(), [&](const UnexplainedStructure& one) {
+            const double shared = std::min(row.z_end_mm, one.z_end_mm) - std::max(row.z_start_mm, one.z_start_mm);
+            return (one.kind == StructureKind::Eccentric || one.kind == StructureKind::Rough) &&
+                   2 * shared > row.z_end_mm - row.z_start_mm;
+        });
+    };
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!isSpoilt(rows[i])) continue;
+        SizeUncertainty& own = rows[i].uncertainty;
+        own.z_start_um.reset();
+        own.z_end_um.reset();
+        own.length_um.reset();
+        if (i > 0) rows[i - 1].uncertainty.z_end_um.reset();
+        if (i > 0) rows[i - 1].uncertainty.length_um.reset();
+        if (i + 1 < rows.size()) rows[i + 1].uncertainty.z_start_um.reset();
+        if (i + 1 < rows.size()) rows[i + 1].uncertainty.length_um.reset();
+        result.notes.push_back({notes::endsOfStructure, {{"row", static_cast<std::int64_t>(i) + 1}}});
+    }
+}
+
 double chiSquarePerBin(const JointFit& fit)
 {
     return fit.rows > 0 ? fit.chi2 / static_cast<double>(fit.rows) : 0;
@@ -164,6 +190,7 @@ void describeStructure(const StructureInput& input, const PartStructure& structu
         result.unexplained.begin(), result.unexplained.end(),
         [](const UnexplainedStructure& a, const UnexplainedStructure& b) { return a.z_start_mm < b.z_start_mm; });
     if (result.unexplained.empty()) return;
+    withdrawEdges(result);
     if (result.parameters.unexplained == Unexplained::Damage)
         result.notes.push_back(
             {notes::takenForDamage, {{"count", static_cast<std::int64_t>(result.unexplained.size())}}});

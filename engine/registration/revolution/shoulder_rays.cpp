@@ -27,7 +27,11 @@ struct EdgeThresholds {
     std::size_t places_per_bin = 8;    ///< of the table of edges
     double radius_sigmas = 6;          ///< points further outside the two radii are spurious
     std::size_t least_hits = 3;        ///< of the rays of an edge, and as many misses
-    std::size_t sectors = 24;          ///< of the turn, in which shadows are sought
+    std::size_t sectors = 24;          ///< of the turn, in which shadows and flats are sought
+    double beyond_edge_mm = 0.5;       ///< so far from an edge the spot of a scanner shows one radius only
+    double most_missed_share = 0.05;   ///< of the points there below the larger radius: more have another cause,
+    std::size_t least_missed = 4;      ///< as have so many
+    std::size_t least_whole = 12;      ///< sectors, for the others to be left out
     double first_lean = 0.002;         ///< search for the lean: from here,
     double lean_factor = 1.3;          ///< in these steps,
     double last_lean = 0.4;            ///< up to here,
@@ -250,6 +254,28 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
         joinedLists<EdgePoint>);
 }
 
+/// Leaves out the sectors in which the larger radius is interrupted, by a flat or a keyway: points there lie below it
+/// though their rays passed no edge.
+void dropInterrupted(const Edge& edge, std::vector<EdgePoint>& points)
+{
+    const double beyond = edge.z_mm * edge.sign + edgeThresholds.beyond_edge_mm;
+    std::vector<std::size_t> all(edgeThresholds.sectors, 0), missed(edgeThresholds.sectors, 0);
+    for (const EdgePoint& p : points) {
+        if (p.height < beyond) continue;
+        ++all[p.sector];
+        if (p.depth >= missShare) ++missed[p.sector];
+    }
+    const auto isInterrupted = [&](std::size_t s) {
+        return missed[s] >= edgeThresholds.least_missed &&
+               static_cast<double>(missed[s]) > edgeThresholds.most_missed_share * static_cast<double>(all[s]);
+    };
+    std::size_t whole = 0;
+    for (std::size_t s = 0; s < edgeThresholds.sectors; ++s)
+        if (!isInterrupted(s)) ++whole;
+    if (whole == edgeThresholds.sectors || whole < edgeThresholds.least_whole) return;
+    std::erase_if(points, [&](const EdgePoint& p) { return isInterrupted(p.sector); });
+}
+
 /// How far the smaller radius lies displaced in the shadow.
 double shadow(const Edge& edge, const Lean& lean, double cosine, double sine)
 {
@@ -352,7 +378,8 @@ std::vector<EdgeRays> findEdgeRays(const std::vector<Eigen::Vector3d>& points, c
 {
     if (edges.empty()) return {};
     const std::optional<ScannerAxis> scanner = findScannerAxis(points, fit.axis_T_scan, fit.profile.largestRadius_mm());
-    const std::vector<std::vector<EdgePoint>> found = collect(points, fit, edges, scanner, progress);
+    std::vector<std::vector<EdgePoint>> found = collect(points, fit, edges, scanner, progress);
+    for (std::size_t e = 0; e < edges.size(); ++e) dropInterrupted(edges[e], found[e]);
     const Lean lean = scanner ? Lean{} : leanOfShadows(edges, found);
 
     std::vector<EdgeRays> result(edges.size());

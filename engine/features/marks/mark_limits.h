@@ -43,8 +43,9 @@ struct PeriodicLimits {
     double most_frequency_per_mm = 5, most_frequency_per_row = 0.4;  ///< finest pitch 0.2 mm, 2.5 rows
     double most_knurl_frequency_per_mm = 2;                          ///< of the ridges of a knurl along the axis
     double least_thread_frequency_per_mm = 0.15;                     ///< longest lead 6.7 mm
-    double least_ring_waves = 2;                                     ///< over the length, of what does not turn
-    double amplitude_sigmas = 3, amplitude_mm = 0.01;                ///< least amplitude of the peak
+    double most_constant_power = 0.25;  ///< of a thread's wave, in the wave of its order that is the same along z
+    double least_ring_waves = 2;        ///< over the length, of what does not turn
+    double amplitude_sigmas = 3, amplitude_mm = 0.01;  ///< least amplitude of the peak
     double frequency_resolution_per_mm = 1e-7;
     double refinement = 3;        ///< each round's steps are so many times as fine
     std::size_t phase_bins = 64;  ///< over which the profile is folded

@@ -69,6 +69,7 @@ public:
         const double least = periodicLimits.amplitude_sigmas * sigma_mm_ / std::sqrt(n) + periodicLimits.amplitude_mm;
         if (amplitude < least || wave.order == 0) return std::nullopt;
         refine(wave, progress);
+        if (isEccentric(wave)) return std::nullopt;
         const Folded folded = foldedBy(wave);
         if (!explains(folded)) return std::nullopt;
         std::vector<float> radii;
@@ -154,16 +155,26 @@ private:
                wave.order * static_cast<double>(cloud_.turn[i]);
     }
 
+    double powerOf(const SurfaceWave& wave) const
+    {
+        Complex sum = 0;
+        for (const std::uint32_t i : points_)
+            sum += (static_cast<double>(cloud_.r_mm[i]) - mean_mm_) * std::polar(1.0, -turn_rad * phaseOf(i, wave));
+        return std::norm(sum);
+    }
+
+    /// Is the wave what a finite length makes of one that is the same all along z: an eccentric, lobes, a spline? A
+    /// thread of so few starts has no such part.
+    bool isEccentric(const SurfaceWave& wave) const
+    {
+        return std::abs(wave.order) <= periodicLimits.most_starts &&
+               powerOf({0, wave.order}) > periodicLimits.most_constant_power * wave.power;
+    }
+
     /// The frequency refined on the points themselves.
     void refine(SurfaceWave& wave, const Progress& progress) const
     {
-        const auto powerAt = [&](double f) {
-            Complex sum = 0;
-            for (const std::uint32_t i : points_)
-                sum += (static_cast<double>(cloud_.r_mm[i]) - mean_mm_) *
-                       std::polar(1.0, -turn_rad * phaseOf(i, {f, wave.order}));
-            return std::norm(sum);
-        };
+        const auto powerAt = [&](double f) { return powerOf({f, wave.order}); };
         double centre = wave.frequency_per_mm;
         wave.power = powerAt(centre);
         for (double width = frequencyStep(); width > periodicLimits.frequency_resolution_per_mm;

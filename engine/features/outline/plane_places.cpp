@@ -266,7 +266,8 @@ public:
             if (!place) continue;
             const EdgeOfPlane& edge = edgesOfPlanes_[e];
             Plane& plane = model_.planes[edge.plane];
-            // The widest spot is a bound: the rays of a scanner hit and miss over all of it, and say nothing of the edge.
+            // The widest spot is a bound: the rays of a scanner hit and miss over all of it, and say nothing of the
+            // edge.
             if (input_.scanner && place->spot_mm >= edgeLimits.widths_mm.back()) {
                 outline_.unsure_edges_mm.push_back(plane.z_mm);
                 continue;

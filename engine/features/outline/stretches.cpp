@@ -136,12 +136,28 @@ void addStretches(std::vector<Stretch>& stretches, const std::vector<Wall>& wall
     }
 }
 
-/// First harmonic of the points' radii between two heights: mean, and how far off the axis their circle is.
+/// What is the same all along a stretch: radius, how far its circle is off the axis, lobes.
 struct Circle {
-    double radius_mm = 0, offset_mm = 0, sigma_mm = 0;
-    double root_mm = 0;  ///< 2 % quantile of the radius
+    double radius_mm = 0, offset_mm = 0;
+    double lobe_mm = 0;   ///< largest amplitude of the harmonics above the first, without those of the offset
+    double sigma_mm = 0;  ///< robust scatter about all of these
+    double root_mm = 0;   ///< 2 % quantile of the radius
     std::optional<Crest> crest;
 };
+
+constexpr int circleHarmonics = 8;
+using Harmonics = Eigen::Matrix<double, 2 * circleHarmonics + 1, 1>;
+
+Harmonics harmonicsAt(double angle)
+{
+    Harmonics row;
+    row[0] = 1;
+    for (int k = 1; k <= circleHarmonics; ++k) {
+        row[2 * k - 1] = std::cos(k * angle);
+        row[2 * k] = std::sin(k * angle);
+    }
+    return row;
+}
 
 Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm)
 {
@@ -154,26 +170,32 @@ Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double
     }
     Circle circle;
     if (points.size() < stretchLimits.least_circle_points) return circle;
-    Eigen::Vector3d found(about_mm, 0, 0);
+    Harmonics found = Harmonics::Zero();
+    found[0] = about_mm;
     double limit = std::numeric_limits<double>::infinity();
     for (int round = 0; round < stretchLimits.circle_rounds; ++round) {
-        Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-        Eigen::Vector3d right = Eigen::Vector3d::Zero();
+        Eigen::Matrix<double, 2 * circleHarmonics + 1, 2 * circleHarmonics + 1> normal =
+            decltype(normal)::Identity() * stretchLimits.circle_regularisation;
+        Harmonics right = Harmonics::Zero();
         std::vector<double> offs;
         for (const auto& [angle, r] : points) {
-            const Eigen::Vector3d row(1, std::cos(angle), std::sin(angle));
+            const Harmonics row = harmonicsAt(angle);
             const double off = r - row.dot(found);
             offs.push_back(std::abs(off));
             if (std::abs(off) > limit) continue;
-            normal += row * row.transpose();
+            normal.selfadjointView<Eigen::Lower>().rankUpdate(row);
             right += row * r;
         }
-        found = normal.ldlt().solve(right);
+        found = normal.selfadjointView<Eigen::Lower>().ldlt().solve(right);
         circle.sigma_mm = madToSigma * upperMedianInPlace(offs);
         limit = stretchLimits.circle_outlier_sigmas * circle.sigma_mm;
     }
-    circle.radius_mm = found[0];
-    circle.offset_mm = found.tail<2>().norm();
+    circle.offset_mm = found.segment<2>(1).norm();
+    // A circle at an offset e has the radius R - e²/4R on the mean and a second harmonic of e²/4R.
+    const double of_offset = circle.offset_mm * circle.offset_mm / (4 * about_mm);
+    circle.radius_mm = found[0] + of_offset;
+    for (int k = 2; k <= circleHarmonics; ++k)
+        circle.lobe_mm = std::max(circle.lobe_mm, found.segment<2>(2 * k - 1).norm() - (k == 2 ? of_offset : 0));
     std::vector<float> radii;
     radii.reserve(points.size());
     for (const auto& point : points) radii.push_back(static_cast<float>(point.second));
@@ -189,7 +211,9 @@ struct RoughStretch {
     std::vector<Wall> lead_in, lead_out;  ///< in order of z
 };
 
-RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& walls, RoughWalls& rough_walls)
+/// None: its scatter is that of lobes, which leave the radius that of a wall.
+std::optional<RoughStretch> roughStretch(const OutlineInput& input, const std::vector<Wall>& walls,
+                                         RoughWalls& rough_walls)
 {
     const auto [from, to, wide_from, wide_to] = rough_walls;
     RoughStretch rough;
@@ -202,9 +226,9 @@ RoughStretch roughStretch(const OutlineInput& input, const std::vector<Wall>& wa
     double mean = 0;
     for (const Wall& wall : stretch.coarse) mean += wall.r_mm / static_cast<double>(stretch.coarse.size());
     const Circle circle = circleOf(input.cloud, stretch.from_mm, stretch.to_mm, mean, input.coarse.sigma_mm);
-    const bool eccentric = circle.sigma_mm > 0 &&
-                           circle.sigma_mm < stretchLimits.eccentric_ratio * input.coarse.sigma_mm &&
-                           circle.offset_mm > stretchLimits.least_eccentricity_mm;
+    const bool is_even = circle.sigma_mm > 0 && circle.sigma_mm < stretchLimits.eccentric_ratio * input.coarse.sigma_mm;
+    const bool eccentric = is_even && circle.offset_mm > stretchLimits.least_eccentricity_mm;
+    if (is_even && !eccentric && circle.lobe_mm < stretchLimits.largest_lobe_mm) return std::nullopt;
     Element cylinder;
     cylinder.cylinder = cylinder.rough = true;
     cylinder.level_mm = eccentric ? circle.radius_mm : circle.crest ? circle.crest->radius_mm : mean;
@@ -297,7 +321,9 @@ std::vector<Stretch> stretchesOf(const OutlineInput& input, Outline& outline, co
             return true;
         };
         for (RoughWalls& rough_walls : roughStretches(walls, input.coarse.sigma_mm, input.scanner.has_value())) {
-            RoughStretch rough = roughStretch(input, walls, rough_walls);
+            std::optional<RoughStretch> found = roughStretch(input, walls, rough_walls);
+            if (!found) continue;
+            RoughStretch& rough = *found;
             const auto [from, to, wide_from, wide_to] = rough_walls;
             addQuiet(at, from, rough.lead_in, rough.lead_in.empty() ? Border::Rough : Border::Lead, true);
             rough.stretch.after = !rough.lead_out.empty() ? Border::Lead : to < walls.size() ? Border::Rough : after;

@@ -66,16 +66,14 @@ void addEccentricRows(double form_mm, Recognition& result)
     }
 }
 
-/// The ends of a row that is off the axis or rough are not those of a face that is seen all round: their places are
-/// stated without uncertainty.
+/// The ends of a rough row are not those of a face that is seen all round: their places are stated without uncertainty.
 void withdrawEdges(Recognition& result)
 {
     std::vector<RecognizedRow>& rows = result.segments;
     const auto isSpoilt = [&](const RecognizedRow& row) {
         return std::any_of(result.unexplained.begin(), result.unexplained.end(), [&](const UnexplainedStructure& one) {
             const double shared = std::min(row.z_end_mm, one.z_end_mm) - std::max(row.z_start_mm, one.z_start_mm);
-            return (one.kind == StructureKind::Eccentric || one.kind == StructureKind::Rough) &&
-                   2 * shared > row.z_end_mm - row.z_start_mm;
+            return one.kind == StructureKind::Rough && 2 * shared > row.z_end_mm - row.z_start_mm;
         });
     };
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -29,9 +29,9 @@ struct EdgeThresholds {
     std::size_t least_hits = 3;        ///< of the rays of an edge, and as many misses
     std::size_t sectors = 24;          ///< of the turn, in which shadows and flats are sought
     double beyond_edge_mm = 0.5;       ///< so far from an edge the spot of a scanner shows one radius only
-    double most_missed_share = 0.05;   ///< of the points there below the larger radius: more have another cause,
+    double most_missed_share = 0.05;   ///< of the points there off the larger radius: more have another cause,
     std::size_t least_missed = 4;      ///< as have so many
-    std::size_t least_whole = 12;      ///< sectors, for the others to be left out
+    std::size_t least_whole = 6;       ///< sectors, for the others to be left out
     double first_lean = 0.002;         ///< search for the lean: from here,
     double lean_factor = 1.3;          ///< in these steps,
     double last_lean = 0.4;            ///< up to here,
@@ -46,9 +46,11 @@ constexpr EdgeThresholds edgeThresholds{};
 /// A point near a shoulder.
 struct EdgePoint {
     double height;  ///< of the point itself; where the scanner is known, of its ray
-    double depth;   ///< below the larger radius, 0…1 of the shoulder
+    double depth;   ///< below the larger radius, 0…1 of the shoulder; negative: further out than noise
     float cosine, sine;
     std::uint8_t sector;
+
+    bool isOutside() const { return depth < 0; }
 };
 
 /// Lean of the rays: going inward by 1 mm they move by a·cos + b·sin along z.
@@ -216,7 +218,8 @@ std::optional<EdgePoint> edgePointOf(const Eigen::Vector3d& p, double z, const E
     const double r = p.head<2>().norm();
     const double high = std::max(edge.before_mm, edge.after_mm);
     const double height = heightOf(edge);
-    if (r > high + edge.above_mm + reach || r < high - height - reach || r == 0) return std::nullopt;
+    if (r < high - height - reach || r == 0) return std::nullopt;
+    const bool is_outside = r > high + edge.above_mm + reach;
     double own = z * edge.sign;
     if (scanner) {
         own = rayHeight(p, *scanner, edge);
@@ -224,7 +227,7 @@ std::optional<EdgePoint> edgePointOf(const Eigen::Vector3d& p, double z, const E
             own > std::max(edge.from_mm * edge.sign, edge.to_mm * edge.sign))
             return std::nullopt;
     }
-    return EdgePoint{own, std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
+    return EdgePoint{own, is_outside ? -1 : std::clamp((high - r) / height, 0.0, 1.0), static_cast<float>(p.x() / r),
                      static_cast<float>(p.y() / r),
                      static_cast<std::uint8_t>(sectorAbout(p.y(), p.x(), edgeThresholds.sectors))};
 }
@@ -254,8 +257,8 @@ std::vector<std::vector<EdgePoint>> collect(const std::vector<Eigen::Vector3d>& 
         joinedLists<EdgePoint>);
 }
 
-/// Leaves out the sectors in which the larger radius is interrupted, by a flat or a keyway: points there lie below it
-/// though their rays passed no edge.
+/// Leaves out points outside the larger radius, and the sectors in which the wall of that radius is not seen, because a
+/// flat or a keyway lies there, or because it is off the axis: hits and misses there are not those of the edge.
 void dropInterrupted(const Edge& edge, std::vector<EdgePoint>& points)
 {
     const double beyond = edge.z_mm * edge.sign + edgeThresholds.beyond_edge_mm;
@@ -263,7 +266,7 @@ void dropInterrupted(const Edge& edge, std::vector<EdgePoint>& points)
     for (const EdgePoint& p : points) {
         if (p.height < beyond) continue;
         ++all[p.sector];
-        if (p.depth >= missShare) ++missed[p.sector];
+        if (p.isOutside() || p.depth >= missShare) ++missed[p.sector];
     }
     const auto isInterrupted = [&](std::size_t s) {
         return missed[s] >= edgeThresholds.least_missed &&
@@ -272,8 +275,8 @@ void dropInterrupted(const Edge& edge, std::vector<EdgePoint>& points)
     std::size_t whole = 0;
     for (std::size_t s = 0; s < edgeThresholds.sectors; ++s)
         if (!isInterrupted(s)) ++whole;
-    if (whole == edgeThresholds.sectors || whole < edgeThresholds.least_whole) return;
-    std::erase_if(points, [&](const EdgePoint& p) { return isInterrupted(p.sector); });
+    const bool keeps_all = whole == edgeThresholds.sectors || whole < edgeThresholds.least_whole;
+    std::erase_if(points, [&](const EdgePoint& p) { return p.isOutside() || (!keeps_all && isInterrupted(p.sector)); });
 }
 
 /// How far the smaller radius lies displaced in the shadow.

@@ -127,8 +127,10 @@ PartFit fitPart(const PartData& data, const Progress& progress)
 {
     PartFit found = fitOnce(data, data.meridian.coarse, data.meridian.fine, progress);
     if (!hasUnprovenRows(found)) return found;
+    // Waves that run around the axis count as form in the estimate of the correlation: expanded uncertainties.
+    constexpr double k = recognitionLimits.coverage_factor;
     const auto shared = [&](const Walls& walls) {
-        return withSharedErrors(walls, found.structure.variance_ratio, 1e-3 * found.structure.passes_um);
+        return withSharedErrors(walls, k * k * found.structure.variance_ratio, 1e-3 * k * found.structure.passes_um);
     };
     PartFit again = fitOnce(data, shared(data.meridian.coarse), shared(data.meridian.fine), progress.quiet());
     return rowCount(again.outside) < rowCount(found.outside) ? std::move(again) : std::move(found);

@@ -120,6 +120,7 @@ struct StretchLimits {
     double longest_lead_part = 3;                          ///< the zone is at least so many times as long
     double root_share = 0.02;                              ///< quantile of the radii that is the root
     double circle_reach_mm = 2, circle_reach_share = 0.2;  ///< of the radius: points that may belong to the zone
+    double zone_reach_share = 0.5;                         ///< of the radius: points whose median it is
     std::size_t least_circle_points = 30;                  ///< of a circle
     int circle_rounds = 5;                                 ///< of its robust fit
     double circle_outlier_sigmas = 4;

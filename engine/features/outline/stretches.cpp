@@ -161,14 +161,20 @@ Harmonics harmonicsAt(double angle)
 
 Circle circleOf(const MeridianCloud& cloud, double from_mm, double to_mm, double about_mm, double sigma_mm)
 {
-    const double reach = std::max(stretchLimits.circle_reach_mm, stretchLimits.circle_reach_share * about_mm);
     std::vector<std::pair<double, double>> points;
+    std::vector<double> all;
     for (std::size_t i = 0; i < cloud.z_mm.size(); ++i) {
         const double z = static_cast<double>(cloud.z_mm[i]), r = static_cast<double>(cloud.r_mm[i]);
-        if (z > from_mm && z < to_mm && std::abs(r - about_mm) < reach)
-            points.emplace_back(2 * std::numbers::pi * static_cast<double>(cloud.turn[i]), r);
+        if (!(z > from_mm && z < to_mm) || std::abs(r - about_mm) > stretchLimits.zone_reach_share * about_mm) continue;
+        points.emplace_back(2 * std::numbers::pi * static_cast<double>(cloud.turn[i]), r);
+        all.push_back(r);
     }
     Circle circle;
+    if (points.size() < stretchLimits.least_circle_points) return circle;
+    // The walls of an eccentric have the radius of one side or the other.
+    about_mm = upperMedianInPlace(all);
+    const double reach = std::max(stretchLimits.circle_reach_mm, stretchLimits.circle_reach_share * about_mm);
+    std::erase_if(points, [&](const auto& point) { return std::abs(point.second - about_mm) >= reach; });
     if (points.size() < stretchLimits.least_circle_points) return circle;
     Harmonics found = Harmonics::Zero();
     found[0] = about_mm;

@@ -7,6 +7,7 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/structure/map_regions.h"
 #include "engine/features/structure/mark_proof.h"
+#include "engine/features/walls/walls.h"
 #include "shaped_scan.h"
 
 namespace lathelier::features {
@@ -90,6 +91,75 @@ TEST(Structure, AnEccentricCollarIsNamedAndMovesNoShoulder)
     }
 }
 
+/// Less noise than the offset makes a rough zone of the collar: a thread of one start to a careless search.
+TEST(Structure, AnEccentricIsNoThread)
+{
+    for (const double offset_mm : {0.3, 1.2, 3.0}) {
+        sample::ScannerModel scanner = coarser(11);
+        scanner.sigma_mm = 0.02;
+        scanner.row_pitch_mm = 0.25;
+        const Scan scan = shapedScan(collarPart(), scanner, [&](const AroundPoint& p) {
+            if (p.z_mm < 41 || p.z_mm > 56) return p.r_mm;
+            const double off = offset_mm * std::sin(p.angle_rad);
+            return offset_mm * std::cos(p.angle_rad) + std::sqrt(p.r_mm * p.r_mm - off * off);
+        });
+        const Recognition result = recognize(scan, {});
+        EXPECT_TRUE(result.marks.empty()) << offset_mm;
+        EXPECT_TRUE(result.bores.empty()) << offset_mm;
+        const UnexplainedStructure* const found = structureAt(result, 48);
+        ASSERT_TRUE(found) << offset_mm;
+        EXPECT_EQ(found->kind, StructureKind::Eccentric) << offset_mm;
+        EXPECT_NEAR(*found->height_mm, offset_mm, 0.01) << offset_mm;
+        EXPECT_NEAR(result.segments[2].start_diameter_mm, 40, 0.01) << offset_mm;
+        EXPECT_LT(errorOverU(result, 20, 25), 2) << offset_mm;
+    }
+}
+
+/// A third of the area off the axis leaves no body of revolution, but an axis.
+TEST(Structure, AnEccentricOfAThirdOfTheAreaIsNamed)
+{
+    const sample::ShaftModel shaft{piece(0, 33, 25, 25), piece(33, 57, 33, 33), piece(57, 90, 25, 25)};
+    const Scan scan = shapedScan(shaft, coarser(12), [](const AroundPoint& p) {
+        return p.z_mm > 33 && p.z_mm < 57 ? p.r_mm + 1.5 * std::cos(p.angle_rad) : p.r_mm;
+    });
+    const Recognition result = recognize(scan, {});
+    EXPECT_TRUE(structureAt(result, 45));
+    EXPECT_LT(errorOverU(result, 15, 25), 2);
+    EXPECT_LT(errorOverU(result, 75, 25), 2);
+}
+
+TEST(Structure, AFlatOverACollarMovesNoShoulder)
+{
+    for (const double distance_mm : {14.0, 16.0, 18.0}) {
+        const Recognition result = recognized([&](const AroundPoint& p) {
+            const double across = p.r_mm * std::cos(p.angle_rad - 0.8);
+            return p.z_mm > 41 && p.z_mm < 56 && across > distance_mm ? distance_mm / std::cos(p.angle_rad - 0.8)
+                                                                      : p.r_mm;
+        });
+        ASSERT_EQ(result.segments.size(), 5U) << distance_mm;
+        EXPECT_TRUE(result.bores.empty());
+        EXPECT_TRUE(!result.marks.empty() || structureAt(result, 48)) << distance_mm;
+        for (const ShaftMark& mark : result.marks) EXPECT_EQ(mark.kind, MarkKind::Flat) << distance_mm;
+        for (const auto& [row, z_mm] : {std::pair<std::size_t, double>{1, 41}, {2, 56}})
+            EXPECT_NEAR(result.segments[row].z_end_mm, z_mm, 0.02) << distance_mm;
+        EXPECT_NEAR(result.spot_mm, recognized([](const AroundPoint& p) { return p.r_mm; }).spot_mm, 0.05);
+    }
+}
+
+TEST(Structure, AHoleOfAFewCellsIsSeen)
+{
+    const Recognition result = recognized([](const AroundPoint& p) -> std::optional<double> {
+        const double across = p.r_mm * std::remainder(p.angle_rad - 0.7, 2 * pi);
+        if (std::hypot(p.z_mm - 20.3, across) < 2.5) return std::nullopt;
+        return p.r_mm;
+    });
+    expectNothingInvented(result);
+    const UnexplainedStructure* const found = structureAt(result, 20);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->kind, StructureKind::NoPoints);
+    EXPECT_EQ(found->places, 1);
+}
+
 TEST(Structure, ACrossHoleIsSeen)
 {
     const Recognition result = recognized([](const AroundPoint& p) -> std::optional<double> {
@@ -161,6 +231,22 @@ TEST(Structure, LobesAreOfTheRow)
     }
 }
 
+/// Lobes as large as the noise widen the scatter of a wall; its radius stays their mean.
+TEST(Structure, LobesAreNoRoughZone)
+{
+    sample::ScannerModel scanner = coarser(13);
+    scanner.sigma_mm = 0.015;
+    const Scan scan = shapedScan(collarPart(), scanner, [&](const AroundPoint& p) {
+        return p.z_mm > 1 && p.z_mm < 41 ? p.r_mm + 0.03 * std::cos(3 * p.angle_rad) : p.r_mm;
+    });
+    const Recognition result = recognize(scan, {});
+    ASSERT_EQ(result.segments.size(), 5U);
+    EXPECT_LT(errorOverU(result, 20, 25), 2);
+    EXPECT_FALSE(contains(result.notes, notes::roughZone));
+    ASSERT_TRUE(result.segments[1].lobes.lobes);
+    EXPECT_NEAR(*result.segments[1].lobes.height_um, 60, 3);
+}
+
 /// Errors of diameters within U, over all rows of parts with this noise.
 double shareWithinU(
     const std::function<double(std::size_t index, double z_mm, double angle_rad, std::uint64_t seed)>& noise, int parts)
@@ -173,6 +259,7 @@ double shareWithinU(
             return p.r_mm + noise(p.index, p.z_mm, p.angle_rad, static_cast<std::uint64_t>(seed));
         });
         const Recognition result = recognize(scan, {});
+        EXPECT_EQ(result.segments.size(), 5U) << seed;
         for (const auto& [z, diameter] : {std::pair{20.0, 25.0}, {48.0, 40.0}, {75.0, 25.0}}) {
             ++all;
             within += errorOverU(result, z, diameter) <= 1 ? 1 : 0;
@@ -208,10 +295,23 @@ TEST(StatedUncertainty, HoldsWithTwoPasses)
         scan.points_mm.insert(scan.points_mm.end(), second.points_mm.begin(), second.points_mm.end());
         const Recognition result = recognize(scan, {});
         EXPECT_NEAR(result.passes_differ_um, 20, 4) << seed;
+        EXPECT_EQ(result.segments.size(), 5U) << seed;
         EXPECT_TRUE(contains(result.notes, notes::passesDiffer)) << seed;
         for (const auto& [z, diameter] : {std::pair{20.0, 25.0}, {48.0, 40.0}, {75.0, 25.0}})
             EXPECT_LE(errorOverU(result, z, diameter), 1) << seed;
     }
+}
+
+TEST(StatedUncertainty, SharedErrorsOfAWall)
+{
+    Walls walls;
+    walls.chains.resize(1);
+    walls.chains[0].walls.resize(1);
+    walls.chains[0].walls[0].sigma_mm = 0.03;
+    walls.chains[0].walls[0].points = 25;
+    // σ of the mean 6 µm; five times its variance, and 16 µm besides: √(4·36 + 256) µm are shared.
+    EXPECT_NEAR(withSharedErrors(walls, 5, 0.016).chains[0].walls[0].shared_mm, 0.02, 1e-12);
+    EXPECT_EQ(withSharedErrors(walls, 1, 0).chains[0].walls[0].shared_mm, 0);
 }
 
 TEST(MapRegions, CloseAroundTheAxis)
@@ -245,6 +345,9 @@ TEST(MarkProof, FloorsAndChords)
         bowl.push_back({z, across, noise + 0.02 * (z - 2.5) * (z - 2.5)});
     }
     EXPECT_TRUE(isPlane(plane, 0.03));
+    EXPECT_FALSE(isPlane(bowl, 0.03));
+    // What is left of a bowl where only points near its plane are used still bends.
+    std::erase_if(bowl, [](const FloorPoint& point) { return std::abs(point.off_mm - 0.04) > 0.06; });
     EXPECT_FALSE(isPlane(bowl, 0.03));
 }
 

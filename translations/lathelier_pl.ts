@@ -15799,6 +15799,10 @@
         <source>Stretches along the recognised axis that are left out: z as in the table without them, from the first data at the free end, after things besides the part were cut off.</source>
         <translation>Odcinki wzdłuż rozpoznanej osi, które zostają pominięte: z jak w tabeli bez nich, od początku danych na wolnym końcu, po odcięciu tego, co nie jest częścią.</translation>
     </message>
+    <message>
+        <source>Row {row} is structure that was not understood: where it begins and ends is stated without uncertainty.</source>
+        <translation>Wiersz {row} to struktura, której nie zrozumiano: jej początek i koniec podano bez niepewności.</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

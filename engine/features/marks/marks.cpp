@@ -77,6 +77,7 @@ std::vector<FloorPoint> pointsOf(const FloorPlane& plane, const std::vector<Vect
 double widthOf_mm(const std::vector<FloorPoint>& floor)
 {
     std::vector<double> across;
+    across.reserve(floor.size());
     for (const FloorPoint& point : floor) across.push_back(point.across_mm);
     const double high = lowerQuantileInPlace(across, 1 - markLimits.tail_share);
     return high - lowerQuantileInPlace(across, markLimits.tail_share);

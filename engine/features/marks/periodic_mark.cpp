@@ -21,7 +21,8 @@ using Complex = std::complex<double>;
 /// Of the order m among all from -most_teeth on.
 std::size_t indexOfOrder(int m)
 {
-    return static_cast<std::size_t>(periodicLimits.most_teeth + m);
+    const int index = periodicLimits.most_teeth + m;
+    return static_cast<std::size_t>(index);
 }
 
 /// A wave 2πfz + mθ over the surface.

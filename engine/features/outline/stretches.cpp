@@ -152,9 +152,9 @@ Harmonics harmonicsAt(double angle)
 {
     Harmonics row;
     row[0] = 1;
-    for (int k = 1; k <= circleHarmonics; ++k) {
-        row[2 * k - 1] = std::cos(k * angle);
-        row[2 * k] = std::sin(k * angle);
+    for (Eigen::Index k = 1; k <= circleHarmonics; ++k) {
+        row[2 * k - 1] = std::cos(static_cast<double>(k) * angle);
+        row[2 * k] = std::sin(static_cast<double>(k) * angle);
     }
     return row;
 }

@@ -59,8 +59,9 @@ std::optional<FaceGrid> gridOf(const std::vector<Eigen::Vector2d>& places, const
     double cells = 0, seen = 0, sum = 0;
     const double half = grid.cell_mm * std::sqrt(0.5);
     for (std::size_t c = 0; c < grid.points.size(); ++c) {
-        const double x = (static_cast<double>(c % grid.side) + 0.5) * grid.cell_mm - face.outer_mm,
-                     y = (static_cast<double>(c / grid.side) + 0.5) * grid.cell_mm - face.outer_mm;
+        const std::size_t column = c % grid.side, line = c / grid.side;
+        const double x = (static_cast<double>(column) + 0.5) * grid.cell_mm - face.outer_mm,
+                     y = (static_cast<double>(line) + 0.5) * grid.cell_mm - face.outer_mm;
         const double r = std::hypot(x, y);
         if (r - half < face.inner_mm || r + half > face.outer_mm) {
             grid.points[c] = -1;

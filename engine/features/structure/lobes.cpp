@@ -36,8 +36,8 @@ struct Harmonics {
     Eigen::VectorXd fit;
     Eigen::MatrixXd cofactor;
 
-    double amplitude_mm(int k) const { return std::hypot(fit[2 * k - 1], fit[2 * k]); }
-    double cofactorOf(int k) const { return std::max(cofactor(2 * k - 1, 2 * k - 1), cofactor(2 * k, 2 * k)); }
+    double amplitude_mm(Eigen::Index k) const { return std::hypot(fit[2 * k - 1], fit[2 * k]); }
+    double cofactorOf(Eigen::Index k) const { return std::max(cofactor(2 * k - 1, 2 * k - 1), cofactor(2 * k, 2 * k)); }
 };
 
 double angleOf(std::size_t sector)
@@ -53,9 +53,10 @@ Harmonics harmonicsOf(const Profile& profile)
     for (std::size_t s = 0; s < mapSectors; ++s) {
         if (profile.points[s] == 0) continue;
         row[0] = 1;
-        for (int k = 1; k <= lobeThresholds.most_lobes; ++k) {
-            row[2 * k - 1] = std::cos(k * angleOf(s));
-            row[2 * k] = std::sin(k * angleOf(s));
+        for (Eigen::Index k = 1; k <= lobeThresholds.most_lobes; ++k) {
+            const double angle = static_cast<double>(k) * angleOf(s);
+            row[2 * k - 1] = std::cos(angle);
+            row[2 * k] = std::sin(angle);
         }
         normal += profile.points[s] * row * row.transpose();
         right += profile.sum_mm[s] * row;
@@ -100,7 +101,8 @@ LobeFit lobesOf(const ResidualMap& map, const SurfaceTable& surface, const Run& 
         if (!(amplitude > std::max(lobeThresholds.sigmas * u, 1e-3 * lobeThresholds.least_um)) ||
             amplitude * amplitude < least)
             continue;
-        const double cosine = harmonics.fit[2 * k - 1], sine = harmonics.fit[2 * k];
+        const Eigen::Index place = 2 * Eigen::Index{k};
+        const double cosine = harmonics.fit[place - 1], sine = harmonics.fit[place];
         found.curve_mm.resize(mapSectors, 0);
         for (std::size_t s = 0; s < mapSectors; ++s)
             found.curve_mm[s] += cosine * std::cos(k * angleOf(s)) + sine * std::sin(k * angleOf(s));

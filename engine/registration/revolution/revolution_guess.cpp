@@ -194,6 +194,7 @@ std::vector<Line> startsOf(const std::vector<OrientedPoint>& oriented, const Clo
                            i);
     std::stable_sort(order.begin(), order.end());
     std::vector<Line> sorted;
+    sorted.reserve(order.size());
     for (const auto& [score, i] : order) sorted.push_back(lines[i]);
     return sorted;
 }

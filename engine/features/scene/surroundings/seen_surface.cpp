@@ -68,6 +68,7 @@ std::vector<double> coveragesOf(const std::vector<Chain>& chains, const Meridian
     std::vector<double> coverages;
     for (const auto& own : all) {
         std::vector<double> shares;
+        shares.reserve(own.size());
         for (const Slice& slice : own)
             shares.push_back(static_cast<double>(slice.seen.count()) / sectors /
                              (1 - std::exp(-std::max(1.0, slice.count) / sectors)));

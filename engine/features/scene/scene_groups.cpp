@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/features/scene/scene_limits.h"
+
 namespace lathelier::features {
 namespace {
 

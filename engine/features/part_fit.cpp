@@ -47,6 +47,18 @@ void placeEndOnSupport(const SupportPlane& support, const registration::Revoluti
                       {"moved_mm", free ? before : behind}}});
 }
 
+/// Does each wall of the bore lie within the outside? Few points may lead a cone far beyond.
+bool liesInside(const Outline& bore, const SurfaceTable& outside)
+{
+    for (const Run& run : bore.model.runs)
+        for (const double z_mm : run.nodes_mm) {
+            const double radius_mm = std::abs(radiusAt_mm(run, z_mm));
+            const SurfaceTable::Place& place = outside.at(z_mm);
+            if (place.run >= 0 && radius_mm >= static_cast<double>(place.radius_mm)) return false;
+        }
+    return true;
+}
+
 PartFit fitOnce(const PartData& data, Walls coarse, Walls fine, const Progress& progress)
 {
     OutlineInput input{
@@ -64,6 +76,7 @@ PartFit fitOnce(const PartData& data, Walls coarse, Walls fine, const Progress& 
     input.bore = true;
     input.part_ends = {outside->model.planes.front(), outside->model.planes.back()};
     std::optional<Outline> bore = fitOutline(input, progress.part(0.8, 1));
+    if (bore && !liesInside(*bore, surface)) bore.reset();
     PartFit found{*std::move(outside), std::move(surface), std::move(bore), {}, std::move(notes), data.form_mm};
     found.structure = structureOf(found.seen(data.meridian.cloud), progress);
     return found;

@@ -4,6 +4,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "engine/core/statistics.h"
+
 namespace lathelier::features {
 namespace {
 
@@ -26,6 +28,15 @@ struct SeenSectors {
     }
 };
 
+/// Points at the axis itself, as on the floor of a cross hole, lie on no side of it.
+bool isAtAxis(const Chain& chain, double near_mm)
+{
+    std::vector<double> radii_mm;
+    radii_mm.reserve(chain.walls.size());
+    for (const Wall& wall : chain.walls) radii_mm.push_back(wall.r_mm);
+    return upperMedianInPlace(radii_mm) < near_mm;
+}
+
 double radiusOf_mm(const Chain& chain, double z_mm)
 {
     const auto next = std::lower_bound(chain.walls.begin(), chain.walls.end(), z_mm,
@@ -37,6 +48,7 @@ double radiusOf_mm(const Chain& chain, double z_mm)
 bool isBore(const MeridianCloud& cloud, const SurfaceTable& outside, double sigma_mm, const Chain& chain)
 {
     const double first = chain.zFirst_mm(), near = boreThresholds.near_sigmas * sigma_mm + mapThresholds.far_mm;
+    if (isAtAxis(chain, near)) return false;
     const auto rows = static_cast<std::size_t>((chain.zLast_mm() - first) / boreThresholds.cell_mm) + 1;
     SeenSectors inner{std::vector<FineSectors>(rows), {}}, outer{std::vector<FineSectors>(rows), {}};
     AroundSectors around;

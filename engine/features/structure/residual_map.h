@@ -84,7 +84,7 @@ struct ResidualMap {
     double sigma_mm = 0;           ///< noise of single points
 
     const MapCell& at(std::size_t row, std::size_t sector) const { return cells[row * mapSectors + sector]; }
-    std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / mapThresholds.cell_mm); }
+    std::size_t rowOf(double z_mm) const { return static_cast<std::size_t>((z_mm - first_mm) / cell_mm); }
     double middle_mm(std::size_t row) const { return first_mm + (static_cast<double>(row) + 0.5) * cell_mm; }
 };
 

@@ -1,12 +1,14 @@
 // Structure that is no body of revolution: never invented, never silent; and what correlated noise does to U.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "engine/core/random.h"
 #include "engine/features/features_codes.h"
 #include "engine/features/structure/map_regions.h"
 #include "engine/features/structure/mark_proof.h"
+#include "engine/features/structure/residual_map.h"
 #include "engine/features/walls/walls.h"
 #include "shaped_scan.h"
 
@@ -174,6 +176,35 @@ TEST(Structure, ACrossHoleIsSeen)
     EXPECT_EQ(found->places, 2);
     EXPECT_TRUE(contains(result.notes, notes::unexplainedHole));
     EXPECT_LT(errorOverU(result, 30, 25), 2);
+}
+
+/// The few points of a floor at the axis lie all around it, like a wall of hardly any radius.
+TEST(Structure, ABlindHoleWhoseFloorIsAtTheAxisIsSeen)
+{
+    const sample::ScannerModel scanner = coarser(3);
+    Scan scan = shapedScan(collarPart(), scanner, [](const AroundPoint& p) -> std::optional<double> {
+        const double across = p.r_mm * std::remainder(p.angle_rad - 0.7, 2 * pi);
+        return std::hypot(p.z_mm - 20, across) > 3 ? std::optional(p.r_mm) : std::nullopt;
+    });
+    for (std::uint64_t i = 0; i < 160; ++i)
+        scan.points_mm.push_back(scanner.scan_T_part *
+                                 Eigen::Vector3d(0.03 * randomNormal(5, 0, i), 0.34 * (2 * randomUniform(5, 1, i) - 1),
+                                                 17.2 + 0.15 * static_cast<double>(i / 4)));
+    const Recognition result = recognize(scan, {});
+    expectNothingInvented(result);
+    EXPECT_TRUE(std::any_of(result.unexplained.begin(), result.unexplained.end(), [](const UnexplainedStructure& one) {
+        return one.kind == StructureKind::NoPoints && one.z_start_mm < 20 && one.z_end_mm > 20;
+    }));
+}
+
+/// Cells of parts longer than 5 m are longer than 1 mm.
+TEST(Structure, RowsOfTheMapFollowItsCells)
+{
+    ResidualMap map;
+    map.first_mm = -10;
+    map.cell_mm = 2;
+    EXPECT_EQ(map.rowOf(-9), 0U);
+    EXPECT_EQ(map.rowOf(9), 9U);
 }
 
 TEST(Structure, PatchesWithoutPointsAreNoHoles)

@@ -187,9 +187,9 @@ TEST(Structure, ABlindHoleWhoseFloorIsAtTheAxisIsSeen)
         return std::hypot(p.z_mm - 20, across) > 3 ? std::optional(p.r_mm) : std::nullopt;
     });
     for (std::uint64_t i = 0; i < 160; ++i)
-        scan.points_mm.push_back(scanner.scan_T_part *
-                                 Eigen::Vector3d(0.03 * randomNormal(5, 0, i), 0.34 * (2 * randomUniform(5, 1, i) - 1),
-                                                 17.2 + 0.15 * static_cast<double>(i / 4)));
+        scan.points_mm.push_back(scanner.scan_T_part * Eigen::Vector3d(0.03 * randomNormal(5, 0, i),
+                                                                       0.34 * (2 * randomUniform(5, 1, i) - 1),
+                                                                       17.2 + 0.15 * static_cast<double>(i / 4)));
     const Recognition result = recognize(scan, {});
     expectNothingInvented(result);
     EXPECT_TRUE(std::any_of(result.unexplained.begin(), result.unexplained.end(), [](const UnexplainedStructure& one) {

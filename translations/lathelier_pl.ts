@@ -15803,6 +15803,30 @@
         <source>Row {row} is structure that was not understood: where it begins and ends is stated without uncertainty.</source>
         <translation>Wiersz {row} to struktura, której nie zrozumiano: jej początek i koniec podano bez niepewności.</translation>
     </message>
+    <message>
+        <source>Across flats</source>
+        <translation>Rozwartość klucza</translation>
+    </message>
+    <message>
+        <source>Through</source>
+        <translation>Na wylot</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Liczba</translation>
+    </message>
+    <message>
+        <source>Pitch circle ⌀</source>
+        <translation>⌀ podziałowa</translation>
+    </message>
+    <message>
+        <source>Offset from the axis</source>
+        <translation>Przesunięcie od osi</translation>
+    </message>
+    <message>
+        <source>U of its size</source>
+        <translation>U jego wymiaru</translation>
+    </message>
 </context>
 <context>
     <name>Languages</name>

@@ -191,6 +191,7 @@ const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
         markNumber("z_end_mm", &M::z_end_mm, LT_TEXT("Engine", "End z"), unit::mm),
         markNumber("angle_deg", &M::angle_deg, LT_TEXT("Engine", "Angle"), unit::deg),
         markNumber("width_mm", &M::width_mm, LT_TEXT("Engine", "Width"), unit::mm),
+        markNumber("across_flats_mm", &M::across_flats_mm, LT_TEXT("Engine", "Across flats"), unit::mm),
         markNumber("floor_mm", &M::floor_mm, LT_TEXT("Engine", "Floor from the axis"), unit::mm),
         markNumber("distance_mm", &M::distance_mm, LT_TEXT("Engine", "Distance from the axis"), unit::mm),
         markNumber("pitch_mm", &M::pitch_mm, LT_TEXT("Engine", "Pitch"), unit::mm),
@@ -202,7 +203,12 @@ const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
         markNumber("helix_deg", &M::helix_deg, LT_TEXT("Engine", "Helix angle"), unit::deg),
         markNumber("diameter_mm", &M::diameter_mm, LT_TEXT("Engine", "Diameter"), unit::mm),
         markNumber("depth_mm", &M::depth_mm, LT_TEXT("Engine", "Depth"), unit::mm),
+        markNumber("through", &M::through, LT_TEXT("Engine", "Through"), {}),
+        markNumber("count", &M::count, LT_TEXT("Engine", "Count"), {}),
+        markNumber("pitch_circle_mm", &M::pitch_circle_mm, LT_TEXT("Engine", "Pitch circle ⌀"), unit::mm),
+        markNumber("offset_mm", &M::offset_mm, LT_TEXT("Engine", "Offset from the axis"), unit::mm),
         markNumber("deviation_mm", &M::deviation_mm, LT_TEXT("Engine", "Deviation"), unit::mm),
+        markNumber("uncertainty_mm", &M::uncertainty_mm, LT_TEXT("Engine", "U of its size"), unit::mm),
         field("designation", &M::designation,
               folded(LT_TEXT("Engine", "Designation"), LT_TEXT("Engine", "By its standard."))));
     return all;

@@ -80,22 +80,28 @@ struct ShaftBore {
 struct ShaftMark {
     MarkKind kind = MarkKind::Other;
     std::optional<double> z_start_mm = {}, z_end_mm = {};  ///< from the free end
-    std::optional<double> angle_deg = {};                  ///< of its middle about the axis
-    std::optional<double> width_mm = {};                   ///< keyway: width of the slot
-    std::optional<double> floor_mm = {};                   ///< keyway: floor from the axis
-    std::optional<double> distance_mm = {};                ///< flat: from the axis
-    std::optional<double> pitch_mm = {};                   ///< thread: pitch; knurl: pitch around the circle
-    std::optional<double> major_mm = {};                   ///< thread: crest diameter
-    std::optional<double> minor_mm = {};                   ///< thread: root diameter
-    std::optional<double> starts = {};                     ///< thread: number of starts
-    std::optional<double> hand = {};                       ///< thread: 1 right, -1 left
-    std::optional<double> teeth = {};                      ///< knurl: number of teeth around the circle
-    std::optional<double> helix_deg = {};                  ///< knurl: angle of its ridges to the axis
-    std::optional<double> diameter_mm = {};                ///< knurl: over its crests
-    std::optional<double> depth_mm = {};                   ///< knurl: from crest to root
-    std::optional<double> deviation_mm = {};               ///< free form: the largest from the plain body
-    std::string designation = {};                          ///< "M16×2", "DIN 82 RGE 1.25"
-    std::string other_kind = {};                           ///< of MarkKind::Other: its key, as read; else empty
+    std::optional<double> angle_deg = {};        ///< of its middle about the axis; bolt circle, spline: of one of them
+    std::optional<double> width_mm = {};         ///< keyway: width of the slot; spline: of a tooth
+    std::optional<double> across_flats_mm = {};  ///< hexagon, square: between opposite faces
+    std::optional<double> floor_mm = {};         ///< keyway: floor from the axis
+    std::optional<double> distance_mm = {};      ///< flat: from the axis
+    std::optional<double> pitch_mm = {};         ///< thread: pitch; knurl: pitch around the circle
+    std::optional<double> major_mm = {};         ///< thread, spline: crest diameter
+    std::optional<double> minor_mm = {};         ///< thread, spline: root diameter
+    std::optional<double> starts = {};           ///< thread: number of starts
+    std::optional<double> hand = {};             ///< thread: 1 right, -1 left
+    std::optional<double> teeth = {};            ///< knurl, spline: number of teeth around the circle
+    std::optional<double> helix_deg = {};        ///< knurl: angle of its ridges to the axis
+    std::optional<double> diameter_mm = {};      ///< of the hole, the eccentric, the sphere; knurl: over its crests
+    std::optional<double> depth_mm = {};         ///< knurl: from crest to root; keyway, blind hole: from the surface
+    std::optional<double> through = {};          ///< hole, bolt circle: 1 through, 0 blind
+    std::optional<double> count = {};            ///< bolt circle: number of holes
+    std::optional<double> pitch_circle_mm = {};  ///< bolt circle: diameter of the circle of their centres
+    std::optional<double> offset_mm = {};        ///< eccentric: of its axis from that of the part
+    std::optional<double> deviation_mm = {};     ///< free form: the largest from the plain body
+    std::optional<double> uncertainty_mm = {};   ///< expanded, k = 2, of the size that its kind is named by
+    std::string designation = {};                ///< "M16×2", "DIN 82 RGE 1.25"
+    std::string other_kind = {};                 ///< of MarkKind::Other: its key, as read; else empty
     friend bool operator==(const ShaftMark&, const ShaftMark&) = default;
 };
 

@@ -27,13 +27,6 @@ std::vector<Vector3d> onAxis(const std::vector<Vector3d>& points, const registra
     return moved;
 }
 
-double largestRadius(const registration::RevolutionFit& fit)
-{
-    double largest = 0;
-    for (const double r : fit.profile.radius_mm) largest = std::isnan(r) ? largest : std::max(largest, r);
-    return largest;
-}
-
 /// The end on the turntable lies in its plane; its own points were removed with the plane.
 void placeEndOnSupport(const SupportPlane& support, const registration::RevolutionFit& fit, Outline& outline,
                        Notes& notes)
@@ -127,7 +120,7 @@ Meridian meridianOf(const PartPoints& part, const registration::RevolutionFit& f
                           recognitionLimits.points_per_bin / std::max(1.0, meridian.cloud.points_per_mm));
     meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);
     if (!part.scan.isMesh())
-        meridian.scanner = registration::findScannerAxis(points, fit.axis_T_scan, largestRadius(fit));
+        meridian.scanner = registration::findScannerAxis(points, fit.axis_T_scan, fit.profile.largestRadius_mm());
     if (!meridian.scanner && bin < recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm) {
         bin = recognitionLimits.bin_sigmas * meridian.coarse.sigma_mm;
         meridian.coarse = findWalls(meridian.cloud, bin, fit.sigma_mm, progress);

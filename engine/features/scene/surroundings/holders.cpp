@@ -19,15 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double jawCube_mm = 4;           // neighbours on a jaw lie in neighbouring cubes
-constexpr double jawCubeSpacings = 4;      // likewise in thin scans, in distances of points
-constexpr double look_mm = 0.25;           // step along the axis
-constexpr double besideJaws_mm = 25;       // the part is seen within this distance before the jaws
-constexpr double endQuantile = 0.005;      // of a group's z: where it begins
-constexpr double jawContact_mm = 2.5;      // points of a jaw this near to the part mark the contact (scene.cpp)
-constexpr double betweenJaws_mm = 5;       // length behind the fronts of the jaws in which the part is sought
-constexpr std::size_t jawDirections = 72;  // about the axis
-
 /// A group of points outside the part's surface.
 struct OutsideGroup {
     std::vector<std::size_t> points;                   ///< indices into HolderInput::off
@@ -76,7 +67,8 @@ public:
             found.parts.resize(1);
             for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i) {
                 const double z = along(i), r = static_cast<double>(input_.cloud.r_mm[i]);
-                const bool at_face = z > face - surroundingsLimits.beside_holder_mm && r < 0.6 * end(part).r_mm;
+                const bool at_face = z > face - surroundingsLimits.beside_holder_mm &&
+                                     r < surroundingsLimits.face_centre_share * end(part).r_mm;
                 if (at_face || z > face + surroundingsLimits.outside_mm)
                     found.parts[0].push_back(static_cast<std::uint32_t>(i));
             }
@@ -98,9 +90,11 @@ private:
     std::optional<double> radiusBefore(double front) const
     {
         double seen = 0;
-        for (double z = from_; z < front; z += look_mm) seen += isSeen(z) ? look_mm : 0;
+        for (double z = from_; z < front; z += surroundingsLimits.look_mm)
+            seen += isSeen(z) ? surroundingsLimits.look_mm : 0;
         if (seen < surroundingsLimits.least_part_mm) return std::nullopt;
-        for (double z = front - look_mm; z > front - besideJaws_mm; z -= look_mm)
+        for (double z = front - surroundingsLimits.look_mm; z > front - surroundingsLimits.before_jaws_mm;
+             z -= surroundingsLimits.look_mm)
             if (isSeen(z)) return outer(z);
         return std::nullopt;
     }
@@ -110,7 +104,7 @@ private:
     std::optional<double> bodyBehind(double from, double radius) const
     {
         double begins = std::numeric_limits<double>::infinity();
-        for (double z = from; z < to_; z += look_mm) {
+        for (double z = from; z < to_; z += surroundingsLimits.look_mm) {
             if (!isSeen(z)) continue;
             const bool larger = outer(z) > radius + surroundingsLimits.holder_reach_mm;
             if (!larger && begins < z) return std::nullopt;
@@ -135,7 +129,7 @@ private:
         if (!body) return false;
         if (std::isfinite(*body)) return *body < back + surroundingsLimits.touching_mm;
         // Without a chuck the part may be seen between the jaws, but not behind them.
-        for (double z = back + surroundingsLimits.touching_mm; z < to_; z += look_mm)
+        for (double z = back + surroundingsLimits.touching_mm; z < to_; z += surroundingsLimits.look_mm)
             if (isSeen(z)) return false;
         return group.largest_mm > *radius * (1 + surroundingsLimits.holder_reach_share);
     }
@@ -143,20 +137,21 @@ private:
     /// Do few parts stand high, and is the surface between these low?
     bool isLimitedInAngle() const
     {
-        std::array<double, jawDirections> height{};
+        std::array<double, surroundingsLimits.jaw_directions> height{};
         double most = 0;
         for (const OutsideGroup* group : jaws_)
             for (const std::size_t k : group->points) {
                 const Vector3d& p = input_.off_on_axis[k];
                 if (chuck_ && sense_ * p.z() > *chuck_ - surroundingsLimits.touching_mm) continue;
                 const double turn = std::atan2(p.y(), p.x()) / turn_rad + 0.5;
-                const auto d = std::min(jawDirections - 1, static_cast<std::size_t>(turn * jawDirections));
+                const auto d = std::min(surroundingsLimits.jaw_directions - 1,
+                                        static_cast<std::size_t>(turn * surroundingsLimits.jaw_directions));
                 height[d] = std::max(height[d], std::hypot(p.x(), p.y()) - radius_);
                 most = std::max(most, height[d]);
             }
         int count = 0;
-        for (std::size_t d = 0; d < jawDirections; ++d)
-            count += height[d] > most / 2 && !(height[(d + 1) % jawDirections] > most / 2) ? 1 : 0;
+        for (std::size_t d = 0; d < surroundingsLimits.jaw_directions; ++d)
+            count += height[d] > most / 2 && !(height[(d + 1) % surroundingsLimits.jaw_directions] > most / 2) ? 1 : 0;
         if (count == 0 || count > surroundingsLimits.most_jaws || (count == 1 && !chuck_ && !widens())) return false;
         std::vector<double> sorted(height.begin(), height.end());
         return lowerQuantileInPlace(sorted, surroundingsLimits.low_directions) <= surroundingsLimits.low_share * most;
@@ -188,7 +183,8 @@ private:
     /// Is the part seen between the jaws, behind their fronts?
     bool isSeenBetween(const std::vector<std::uint16_t>& taken, double limit) const
     {
-        const double from = front_ + surroundingsLimits.outside_mm, to = std::min(front_ + betweenJaws_mm, limit);
+        const double from = front_ + surroundingsLimits.outside_mm,
+                     to = std::min(front_ + surroundingsLimits.between_jaws_mm, limit);
         double seen = 0;
         for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i)
             seen += taken[i] == 0 && along(i) > from && along(i) < to ? 1 : 0;
@@ -207,7 +203,8 @@ private:
             for (const std::size_t k : group->points) {
                 taken[input_.off[k]] = jaw;
                 const Vector3d& p = input_.off_on_axis[k];
-                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + jawContact_mm) footprints[jaw - 1U].add(p);
+                if (std::hypot(p.x(), p.y()) < outer(sense_ * p.z()) + surroundingsLimits.jaw_contact_mm)
+                    footprints[jaw - 1U].add(p);
             }
         }
         for (SceneFootprint& footprint : footprints) footprint.close();
@@ -296,8 +293,9 @@ std::vector<OutsideGroup> groupsOutside(const HolderInput& input)
     std::vector<OutsideGroup> groups;
     if (points.size() < surroundingsLimits.least_in_holder) return groups;
     const double around = 2 * std::numbers::pi * median(radii);
-    const PointCubes cubes(
-        points, std::max(jawCube_mm, jawCubeSpacings * std::sqrt(around / std::max(1.0, input.cloud.points_per_mm))));
+    const PointCubes cubes(points, std::max(surroundingsLimits.jaw_cube_mm,
+                                            surroundingsLimits.jaw_cube_spacings *
+                                                std::sqrt(around / std::max(1.0, input.cloud.points_per_mm))));
     for (const auto& own : cubes.groups([](std::size_t) { return true; })) {
         OutsideGroup group;
         std::vector<double> z, r;
@@ -308,9 +306,9 @@ std::vector<OutsideGroup> groupsOutside(const HolderInput& input)
                 r.push_back(radii[*i]);
             }
         if (group.points.size() < surroundingsLimits.least_in_holder) continue;
-        group.first_mm = quantileInPlace(z, endQuantile);
-        group.last_mm = quantileInPlace(z, 1 - endQuantile);
-        group.largest_mm = quantileInPlace(r, 0.99);
+        group.first_mm = quantileInPlace(z, surroundingsLimits.end_quantile);
+        group.last_mm = quantileInPlace(z, 1 - surroundingsLimits.end_quantile);
+        group.largest_mm = quantileInPlace(r, surroundingsLimits.largest_quantile);
         groups.push_back(std::move(group));
     }
     return groups;

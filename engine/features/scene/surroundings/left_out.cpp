@@ -5,6 +5,7 @@
 
 #include "engine/features/scene/scene_groups.h"
 #include "engine/features/scene/surroundings/surroundings.h"
+#include "engine/features/scene/surroundings/surroundings_limits.h"
 
 namespace lathelier::features {
 namespace {
@@ -12,11 +13,7 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double beyondData_mm = 1e5;      // in place of infinity
-constexpr double zoneLimitReach_mm = 0.5;  // the data reach up to a zone, less one bin
-constexpr std::size_t leastWalls = 3;      // of a chain
-constexpr int mostSearches = 4;
-constexpr int mostPlacings = 2;
+constexpr double beyondData_mm = 1e5;  // in place of infinity
 
 /// The zones on the axis of `fit`. `before`: as they were placed on an axis that the excluded points may have
 /// deflected; its first data and its sense along the axis are kept.
@@ -68,16 +65,16 @@ std::optional<LeftOut> leftOutNext(const LeftOut& now, const UsedPoints& used, c
                                    const Progress& progress)
 {
     LeftOut next = now;
-    if (parameters.scene != SceneUse::Keep && now.searches < mostSearches && !now.zones) {
+    if (parameters.scene != SceneUse::Keep && now.searches < surroundingsLimits.most_searches && !now.zones) {
         const Scene found = findSurroundings(used.points, used.fit, used.cloud, used.walls, progress);
-        next.searches = found.groups.empty() ? mostSearches : now.searches + 1;
+        next.searches = found.groups.empty() ? surroundingsLimits.most_searches : now.searches + 1;
         if (!found.groups.empty()) {
             next.scene = joined(now.scene, found);
             return next;
         }
     }
     if (auto cut = leftOutWithoutAxis(now, used.points, parameters, progress)) return cut;
-    if (parameters.exclude_z_mm.empty() || now.placings == mostPlacings) return std::nullopt;
+    if (parameters.exclude_z_mm.empty() || now.placings == surroundingsLimits.most_placings) return std::nullopt;
     next.zones = zonesOn(used.fit, used.walls, parameters, now.zones);
     ++next.placings;
     return next;
@@ -109,7 +106,7 @@ std::vector<Cut> cutsOf(const LeftOut& left_out, const registration::RevolutionF
             return scan_T_zones * Vector3d(0, 0, std::clamp(z, -beyondData_mm, beyondData_mm));
         };
         for (const Interval& zone : left_out.zones->zones.zones_mm())
-            stretches.push_back({at(zone.from), at(zone.to), zoneLimitReach_mm});
+            stretches.push_back({at(zone.from), at(zone.to), surroundingsLimits.zone_reach_mm});
     }
     std::vector<Cut> cuts;
     for (const HiddenStretch& stretch : stretches) {
@@ -137,7 +134,7 @@ void endChainsAt(const std::vector<Cut>& cuts, Walls& walls)
         }
         ended.push_back(std::move(part));
     }
-    std::erase_if(ended, [](const Chain& chain) { return chain.walls.size() < leastWalls; });
+    std::erase_if(ended, [](const Chain& chain) { return chain.walls.size() < surroundingsLimits.least_walls; });
     walls.chains = std::move(ended);
 }
 

@@ -14,11 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr int fitRounds = 6;
-constexpr double fitSigmas = 3;  // points further from the middle do not take part in the fit
-constexpr int mostSeeds = 8;     // places in a group at which a fit begins
-constexpr int fitRings = 2;      // cubes beside those of a cluster in which its other points are sought
-
 /// Mean and covariance of points.
 struct Spread {
     double count = 0;
@@ -93,9 +88,11 @@ private:
         for (const std::size_t cube : group) {
             const Vector3d origin = points_[*cubes_.begin(cube)];
             const Vector3d middle = origin + spreadOf({cube}, origin).middle();
-            const auto holds = [&](const LooseCluster& one) { return one.contains(middle, fitSigmas); };
+            const auto holds = [&](const LooseCluster& one) {
+                return one.contains(middle, surroundingsLimits.fit_sigmas);
+            };
             if (std::any_of(found.begin(), found.end(), holds)) continue;
-            if (++tried > mostSeeds) return;
+            if (++tried > surroundingsLimits.most_seeds) return;
             if (const auto one = clusterAt({cube})) found.push_back(*one);
         }
     }
@@ -104,11 +101,11 @@ private:
     std::optional<LooseCluster> clusterAt(const std::vector<std::size_t>& group) const
     {
         const Vector3d origin = points_[*cubes_.begin(group.front())];
-        const std::vector<std::size_t> near = cubes_.around(group, fitRings);
+        const std::vector<std::size_t> near = cubes_.around(group, surroundingsLimits.fit_rings);
         Spread spread = spreadOf(group, origin);
         LooseCluster cluster;
         double core = 0, in_filled = 0, judged = 0;
-        for (int round = 0; round < fitRounds; ++round) {
+        for (int round = 0; round < surroundingsLimits.fit_rounds; ++round) {
             const Matrix3d covariance = spread.covariance() + 1e-12 * Matrix3d::Identity();
             cluster.middle_mm = origin + spread.middle();
             cluster.inverse = covariance.inverse();
@@ -117,7 +114,7 @@ private:
             core = in_filled = judged = 0;
             for (const std::size_t cube : near)
                 for (const std::uint32_t* i = cubes_.begin(cube); i != cubes_.end(cube); ++i) {
-                    if (!cluster.contains(points_[*i], fitSigmas)) continue;
+                    if (!cluster.contains(points_[*i], surroundingsLimits.fit_sigmas)) continue;
                     spread.add(points_[*i] - origin);
                     core += cluster.contains(points_[*i], 1) ? 1 : 0;
                     if (cubes_.count(cube) < surroundingsLimits.least_in_cube) continue;

@@ -4,14 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/features/scene/surroundings/surroundings_limits.h"
+
 namespace lathelier::features {
 namespace {
-
-constexpr std::size_t mostPlanePoints = 1500;
-constexpr int mostPlanes = 8;
-constexpr int planeDirections = 360;  // of half a turn
-constexpr double mostPlaneBins = 1e5;
-constexpr double leastSlab_mm = 0.25;  // thickness of a plane: noise, and half a step of the direction over 50 mm
 
 /// Largest number of values in an interval of this width, and where that begins.
 struct Crowd {
@@ -23,8 +19,9 @@ Crowd densestSlab(const std::vector<double>& values, double width, std::vector<s
 {
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     const double step = width / 2;  // an interval is two bins
-    bins.assign(static_cast<std::size_t>(std::min((*high - *low) / step, mostPlaneBins)) + 2, 0);
-    for (const double value : values) ++bins[static_cast<std::size_t>(std::min((value - *low) / step, mostPlaneBins))];
+    bins.assign(static_cast<std::size_t>(std::min((*high - *low) / step, surroundingsLimits.most_plane_bins)) + 2, 0);
+    for (const double value : values)
+        ++bins[static_cast<std::size_t>(std::min((value - *low) / step, surroundingsLimits.most_plane_bins))];
     Crowd best;
     for (std::size_t b = 0; b + 1 < bins.size(); ++b)
         if (bins[b] + bins[b + 1] > best.count) best = {bins[b] + bins[b + 1], *low + step * static_cast<double>(b)};
@@ -36,9 +33,9 @@ Crowd densestSlab(const std::vector<double>& values, double width, std::vector<s
 double planesShare(const std::vector<Eigen::Vector3d>& on_axis, double least_share, double sigma_mm)
 {
     std::vector<Eigen::Vector3d> left;
-    const std::size_t count = std::min(on_axis.size(), mostPlanePoints);
+    const std::size_t count = std::min(on_axis.size(), surroundingsLimits.most_plane_points);
     for (std::size_t i = 0; i < count; ++i) left.push_back(on_axis[i * on_axis.size() / count]);
-    const double slab = std::max(leastSlab_mm, 6 * sigma_mm);
+    const double slab = std::max(surroundingsLimits.least_slab_mm, 6 * sigma_mm);
     std::vector<double> heights;
     std::vector<std::size_t> bins;
     const auto heightsAlong = [&](const Eigen::Vector3d& normal) {
@@ -46,11 +43,11 @@ double planesShare(const std::vector<Eigen::Vector3d>& on_axis, double least_sha
         for (const Eigen::Vector3d& p : left) heights.push_back(normal.dot(p));
     };
     double in_planes = 0;
-    for (int plane = 0; plane < mostPlanes && !left.empty(); ++plane) {
+    for (int plane = 0; plane < surroundingsLimits.most_planes && !left.empty(); ++plane) {
         Crowd best;
         Eigen::Vector3d best_normal = Eigen::Vector3d::UnitZ();
-        for (int k = -1; k < planeDirections; ++k) {
-            const double angle = std::numbers::pi * k / planeDirections;
+        for (int k = -1; k < surroundingsLimits.plane_directions; ++k) {
+            const double angle = std::numbers::pi * k / surroundingsLimits.plane_directions;
             const Eigen::Vector3d normal =
                 k < 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(std::cos(angle), std::sin(angle), 0);
             heightsAlong(normal);

@@ -12,11 +12,6 @@
 namespace lathelier::features {
 namespace {
 
-constexpr double surfaceStep_mm = 0.25;           // along the axis
-constexpr std::size_t mostSurfaceBins = 4000000;  // longer data are not divided
-constexpr std::size_t slopeWalls = 2;             // walls to both sides that show the slope
-constexpr double steepest = 2;                    // slope of a wall that can be told from a face
-
 /// No wall that is so rough is one of a surface.
 bool isTooRough(const Wall& wall)
 {
@@ -116,8 +111,8 @@ SeenSurface::SeenSurface(const MeridianCloud& cloud, const Walls& walls)
       band_mm_(surroundingsLimits.on_sigmas * walls.sigma_mm + surroundingsLimits.on_mm)
 {
     const double length = cloud.z_last_mm - cloud.z_first_mm + 2 * surroundingsLimits.beyond_chain_mm;
-    const double count = std::ceil(length / surfaceStep_mm) + 1;
-    if (!(count > 0) || count > static_cast<double>(mostSurfaceBins)) return;
+    const double count = std::ceil(length / surroundingsLimits.surface_step_mm) + 1;
+    if (!(count > 0) || count > static_cast<double>(surroundingsLimits.most_surface_bins)) return;
     bins_.resize(static_cast<std::size_t>(count));
     std::vector<Chain> chains;
     for (const Chain& chain : walls.chains)
@@ -148,13 +143,13 @@ SeenSurface::SeenSurface(const MeridianCloud& cloud, const Walls& walls)
 
 SeenSurface::Bin* SeenSurface::binAt(double z_mm)
 {
-    const double place = (z_mm - first_mm_) / surfaceStep_mm;
+    const double place = (z_mm - first_mm_) / surroundingsLimits.surface_step_mm;
     return place >= 0 && place < static_cast<double>(bins_.size()) ? &bins_[static_cast<std::size_t>(place)] : nullptr;
 }
 
 const SeenSurface::Bin* SeenSurface::binAt(double z_mm) const
 {
-    const double place = (z_mm - first_mm_) / surfaceStep_mm;
+    const double place = (z_mm - first_mm_) / surroundingsLimits.surface_step_mm;
     return place >= 0 && place < static_cast<double>(bins_.size()) ? &bins_[static_cast<std::size_t>(place)] : nullptr;
 }
 
@@ -164,17 +159,17 @@ void SeenSurface::addChain(const Chain& chain, double bin_mm)
     const double from = chain.zFirst_mm() - surroundingsLimits.beyond_chain_mm,
                  to = chain.zLast_mm() + surroundingsLimits.beyond_chain_mm;
     for (std::size_t b = 0; b < bins_.size(); ++b) {
-        const double z = first_mm_ + surfaceStep_mm * (static_cast<double>(b) + 0.5);
+        const double z = first_mm_ + surroundingsLimits.surface_step_mm * (static_cast<double>(b) + 0.5);
         if (z < from || z > to) continue;
         const auto next =
             std::lower_bound(walls.begin(), walls.end(), z, [](const Wall& one, double at) { return one.z_mm < at; });
         const auto near = static_cast<std::size_t>(std::min(next, walls.end() - 1) - walls.begin());
         const Wall& wall = walls[near];
         if (isTooRough(wall)) continue;
-        const Wall& before = walls[near > slopeWalls ? near - slopeWalls : 0];
-        const Wall& behind = walls[std::min(near + slopeWalls, walls.size() - 1)];
+        const Wall& before = walls[near > surroundingsLimits.slope_walls ? near - surroundingsLimits.slope_walls : 0];
+        const Wall& behind = walls[std::min(near + surroundingsLimits.slope_walls, walls.size() - 1)];
         const double dz = behind.z_mm - before.z_mm, lean = dz > 0 ? (behind.r_mm - before.r_mm) / dz : 0;
-        const double slope = std::abs(lean) < steepest ? lean : 0;
+        const double slope = std::abs(lean) < surroundingsLimits.steepest_slope ? lean : 0;
         const double half =
             band_mm_ * std::hypot(1, slope) + (wall.compact ? 0 : surroundingsLimits.rough_sigmas * wall.sigma_mm);
         const double r = wall.r_mm + slope * (z - wall.z_mm);
@@ -205,17 +200,18 @@ void SeenSurface::addFaces()
 
 void SeenSurface::addFace(double from_mm, double to_mm, double low_mm, double high_mm)
 {
-    for (double z = from_mm - surroundingsLimits.face_mm; z <= to_mm + surroundingsLimits.face_mm; z += surfaceStep_mm)
+    for (double z = from_mm - surroundingsLimits.face_mm; z <= to_mm + surroundingsLimits.face_mm;
+         z += surroundingsLimits.surface_step_mm)
         if (Bin* const bin = binAt(z))
             bin->bands.push_back({(low_mm + high_mm) / 2, 0, (high_mm - low_mm) / 2 + band_mm_, true});
 }
 
 SeenSurface::Place SeenSurface::placeOf(double z_mm, double r_mm) const
 {
-    const double place = (z_mm - first_mm_) / surfaceStep_mm;
+    const double place = (z_mm - first_mm_) / surroundingsLimits.surface_step_mm;
     if (!(place >= 0 && place < static_cast<double>(bins_.size()))) return Place::Off;
     const auto b = static_cast<std::size_t>(place);
-    const double from_middle = surfaceStep_mm * (place - static_cast<double>(b) - 0.5);
+    const double from_middle = surroundingsLimits.surface_step_mm * (place - static_cast<double>(b) - 0.5);
     Place found = Place::Off;
     for (const Band& band : bins_[b].bands) {
         if (std::abs(r_mm - band.r_mm - band.slope * from_middle) > band.half_mm) continue;
@@ -229,7 +225,9 @@ double SeenSurface::outer_mm(double z_mm) const
 {
     if (bins_.empty()) return 0;
     const double last = static_cast<double>(bins_.size() - 1);
-    return bins_[static_cast<std::size_t>(std::clamp((z_mm - first_mm_) / surfaceStep_mm, 0.0, last))].reference_mm;
+    return bins_[static_cast<std::size_t>(
+                     std::clamp((z_mm - first_mm_) / surroundingsLimits.surface_step_mm, 0.0, last))]
+        .reference_mm;
 }
 
 bool SeenSurface::isSeen(double z_mm) const

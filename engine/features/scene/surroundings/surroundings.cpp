@@ -17,8 +17,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double cellTurns = 72;  // cells of a wall: 5° about the axis by 1 mm along it
-
 /// Points on no wall: on a face, or nowhere.
 struct Strays {
     std::vector<std::uint32_t> face, off;
@@ -54,7 +52,9 @@ bool isWallBehind(const MeridianCloud& cloud, const SeenSurface& surface, const 
                   const LooseCluster& cluster)
 {
     using Cell = std::pair<long, long>;
-    const auto cellOf = [](double z, double turn) { return Cell(std::lround(z), static_cast<long>(turn * cellTurns)); };
+    const auto cellOf = [](double z, double turn) {
+        return Cell(std::lround(z), static_cast<long>(turn * surroundingsLimits.cell_turns));
+    };
     std::map<Cell, bool> cells;
     for (const Vector3d& p : off) {
         if (!cluster.contains(p, 2) || !surface.isSeen(p.z())) continue;

@@ -28,6 +28,16 @@ struct SurroundingsLimits {
     double faces_share = 0.05;     // of all points: with more on faces the scan shows these
     double shoulder_mm = 3;        // two chains no further apart have a shoulder between them
 
+    double surface_step_mm = 0.25;            // along the axis, of the tabulated surface
+    std::size_t most_surface_bins = 4000000;  // longer data are not divided
+    std::size_t slope_walls = 2;              // walls to both sides that show the slope
+    double steepest_slope = 2;                // of a wall that can be told from a face
+    double cell_turns = 72;                   // cells of a wall: 5° about the axis by 1 mm along it
+    double zone_reach_mm = 0.5;               // the data reach up to a zone, less one bin
+    std::size_t least_walls = 3;              // of a chain
+    int most_searches = 4;                    // of surroundings: each may uncover others
+    int most_placings = 2;                    // of the axis after points were left out
+
     // A loose cluster: a cloud that fills space, not a sheet.
     double fine_cube_mm = 1.5;          // cubes in which the shape of the cloud is judged: of dense clusters,
     double coarse_cube_mm = 4;          // and of thin ones
@@ -44,6 +54,11 @@ struct SurroundingsLimits {
     double crowd_sigmas = 3;            // within so many standard deviations
     double cluster_reach_sigmas = 4.5;  // points of a cluster lie this near to its middle
 
+    int fit_rounds = 6;     // of the fit of a cluster's middle and extent
+    double fit_sigmas = 3;  // points further from the middle do not take part in it
+    int most_seeds = 8;     // places in a group at which a fit begins
+    int fit_rings = 2;      // cubes beside those of a cluster in which its other points are sought
+
     // A holder: what grips an end of the part.
     double outside_mm = 1;              // points this far outside the surface may be those of a holder
     double holder_reach_mm = 5;         // least height of a jaw above the part (that of a clamp, scene.cpp),
@@ -59,6 +74,21 @@ struct SurroundingsLimits {
     double beside_holder_mm = 0.3;      // points of the part this near to a holder are left out with it
     double between_jaws_share = 0.25;   // of the usual points: with fewer the part is not seen between the jaws
     double hidden_end_mm = 1.5;         // an end of the data this near to a holder is no end of the part
+    double jaw_cube_mm = 4;             // neighbours on a jaw lie in neighbouring cubes
+    double jaw_cube_spacings = 4;       // likewise in thin scans, in distances of points
+    double look_mm = 0.25;              // step along the axis
+    double before_jaws_mm = 25;         // the part is seen within this distance before the jaws
+    double end_quantile = 0.005;        // of a group's z: where it begins
+    double jaw_contact_mm = 2.5;        // points of a jaw this near to the part mark the contact (scene.cpp)
+    double between_jaws_mm = 5;         // length behind the fronts of the jaws in which the part is sought
+    std::size_t jaw_directions = 72;    // about the axis
+    double face_centre_share = 0.6;     // of the part's radius at the face: points there belong to the centre
+    double largest_quantile = 0.99;     // of the radii of a group: its largest
+    std::size_t most_plane_points = 1500;  // of a group: more are thinned
+    int most_planes = 8;                   // of a group
+    int plane_directions = 360;            // of half a turn
+    double most_plane_bins = 1e5;          // bounds the memory
+    double least_slab_mm = 0.25;           // thickness of a plane: noise, and half a step of the direction over 50 mm
 
     // A centre (ISO 866: 60°) in the end of the part.
     double centre_half_angle_deg = 30;

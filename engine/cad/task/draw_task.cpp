@@ -19,7 +19,6 @@ void takeShaft(DrawOutcome& outcome, const project::PanelState& state, Stores& s
 {
     PartTaken taken = takePart(state, shaftRole, stores, sources, progress);
     outcome.shaft = std::move(taken.shaft);
-    outcome.recovered = std::move(taken.recovered);
     outcome.file = std::move(taken.file);
 }
 
@@ -146,9 +145,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const DrawOutcome>& outcome)
     if (!outcome->question.check) all.writers = partWriters(partOf(outcome));
     all.products = [outcome](const Language& language) {
         return std::vector<task::Product>{{shaftItem, {}, nameOfProduct(*outcome, language), [outcome] {
-                                               return outcome->recovered
-                                                          ? itemValues(outcome->shaft, *outcome->recovered)
-                                                          : toValues(outcome->shaft);
+                                               return toValues(outcome->shaft);
                                            }}};
     };
     return settled(drawTask(), std::move(all), outcome->understanding);

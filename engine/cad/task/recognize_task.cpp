@@ -94,7 +94,7 @@ std::shared_ptr<const PartToWrite> partOf(const std::shared_ptr<const RecognizeO
 std::vector<Field<RecognizeQuestion>> kept(std::vector<Field<RecognizeQuestion>> all)
 {
     for (Field<RecognizeQuestion>& field : all)
-        for (const char* key : {changesKey, changesOfKey, acceptedKey})
+        for (const char* key : {changesKey, changesOfKey})
             if (field.info.key == key) field.info.is_kept = true;
     return all;
 }
@@ -115,7 +115,12 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
             field(changesOfKey, &Q::changes_of,
                   Label{LT_TEXT("Engine", "Rows changed of"), LT_TEXT("Engine", "The scan that the changes are of.")}));
         made.push_back(field(acceptedKey, &Q::accepted,
-                             Label{LT_TEXT("Engine", "Accepted sizes"), LT_TEXT("Engine", "By a person.")}));
+                             Label{LT_TEXT("Engine", "Accepted sizes"),
+                                   LT_TEXT("Engine",
+                                           "Suggested sizes that a person confirms, as row:quantity: "
+                                           "2:diameter_mm,5:leg_mm. They are put in place even beyond U."),
+                                   {},
+                                   true}));
         return kept(std::move(made));
     }();
     return all;
@@ -154,9 +159,12 @@ RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& store
                                });
     outcome.accepted = features::acceptedSizes(question.accepted);
     outcome.shaft = withAccepted(*outcome.result, outcome.accepted);
+    outcome.shaft.recovered = recoveredFrom(outcome);
     if (outcome.shaft.name.empty()) outcome.shaft.name = std::filesystem::path(source.path).stem().string();
     addSteps(outcome);
-    outcome.record(state, sources, outcome.result->notes);
+    Notes found = outcome.result->notes;
+    for (Note& note : features::notesOfSizes(*outcome.result, outcome.accepted)) found.push_back(std::move(note));
+    outcome.record(state, sources, found);
     progress.report(1);
     return outcome;
 }
@@ -184,7 +192,7 @@ task::Outcome outcomeOf(const std::shared_ptr<const RecognizeOutcome>& outcome)
     if (result->complete)
         all.products = [outcome](const Language&) {
             return std::vector<task::Product>{{shaftItem, {}, outcome->shaft.name, [outcome] {
-                                                   return itemValues(measuredRows(*outcome), recoveredFrom(*outcome));
+                                                   return toValues(outcome->shaft);
                                                }}};
         };
     return settled(recognizeTask(), std::move(all), outcome->understanding);

@@ -45,18 +45,7 @@ ScanByKind partedByKind(const Scan& scan, const features::Recognition& result)
 
 drawing::Drawing drawingOf(const RecognizeOutcome& outcome, const Language& language)
 {
-    drawing::DrawingOptions options;
-    options.scan = outcome.sources.inputs.front();
-    options.method = outcome.result->method_used;
-    if (!outcome.question.cad.undated) options.date = today();
-    options.measured = true;
-    for (const auto& bore : outcome.result->bores) {
-        auto& known = options.bore_uncertainties.emplace_back();
-        for (const features::RecognizedRow& row : bore) known.push_back(row.uncertainty);
-    }
-    options.decimal_separator = decimalMark(language);
-    options.translate = [&language](Text english) { return text(english, language); };
-    return drawing::drawShaft(measuredRows(outcome), options);
+    return drawing::drawShaft(outcome.shaft, drawingOptions(outcome.question.title, outcome.question.cad, language));
 }
 
 }  // namespace lathelier::cad

@@ -108,6 +108,7 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
         std::vector<Field<Q>> made;
         for (const FieldInfo& info : infos<features::RecognitionParameters>())
             made.push_back(within(&Q::recognition, info.key));
+        for (const FieldInfo& info : infos<TitleQuestion>()) made.push_back(foldedWithin(&Q::title, info.key));
         for (const FieldInfo& info : infos<CadQuestion>()) made.push_back(within(&Q::cad, info.key));
         made.push_back(field(changesKey, &Q::changes,
                              Label{LT_TEXT("Engine", "Changes of rows"), LT_TEXT("Engine", "Made by a person.")}));
@@ -160,6 +161,7 @@ RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& store
     outcome.accepted = features::acceptedSizes(question.accepted);
     outcome.shaft = withAccepted(*outcome.result, outcome.accepted);
     outcome.shaft.recovered = recoveredFrom(outcome);
+    addTitle(question.title, outcome.shaft, sources.notes);
     if (outcome.shaft.name.empty()) outcome.shaft.name = std::filesystem::path(source.path).stem().string();
     addSteps(outcome);
     Notes found = outcome.result->notes;
@@ -191,9 +193,8 @@ task::Outcome outcomeOf(const std::shared_ptr<const RecognizeOutcome>& outcome)
     };
     if (result->complete)
         all.products = [outcome](const Language&) {
-            return std::vector<task::Product>{{shaftItem, {}, outcome->shaft.name, [outcome] {
-                                                   return toValues(outcome->shaft);
-                                               }}};
+            return std::vector<task::Product>{
+                {shaftItem, {}, outcome->shaft.name, [outcome] { return toValues(outcome->shaft); }}};
         };
     return settled(recognizeTask(), std::move(all), outcome->understanding);
 }

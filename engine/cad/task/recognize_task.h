@@ -26,6 +26,7 @@ inline constexpr const char* acceptedKey = "accepted_sizes";   ///< features::te
 
 struct RecognizeQuestion {
     features::RecognitionParameters recognition;
+    TitleQuestion title;     ///< of the drawing
     CadQuestion cad;         ///< kinds of the files that are written
     std::string changes;     ///< of rows, by a person
     std::string changes_of;  ///< path of the scan that they are of

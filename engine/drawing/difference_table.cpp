@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double rowHeight_mm = 3.4, letterHeight_mm = 1.7, padding_mm = 0.8;
-constexpr std::array cellWidths_mm{6.0, 33.0, 26.0, 20.0};  // number, size, measured, difference
+constexpr std::array cellWidths_mm{5.0, 31.0, 24.0, 27.0};  // number, size, measured, difference
 constexpr std::size_t cellCount = cellWidths_mm.size();
 
 double columnWidth_mm()

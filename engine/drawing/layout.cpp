@@ -109,7 +109,8 @@ private:
     {
         const double band = paint_.band_mm(), width = paint_.widthOf(diameter.label), margin = 1;
         const double clear = factor_ * diameter.clear_diameter_mm, room = (bored_ ? clear / 2 : clear) - 2;
-        if (width > room || to - from < band + 2 * margin) return false;
+        // The text of an eccentric would lie on its axis.
+        if (width > room || to - from < band + 2 * margin || diameter.offset_mm != 0) return false;
         const double middle = (from + to + band) / 2, reach = (to - from - band) / 2 - margin;
         for (double off = 0; off <= reach + 1e-9; off += 1)
             for (const double x : {middle + off, middle - off}) {
@@ -144,6 +145,13 @@ private:
         std::vector<double> lines = edges_;
         for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
         lines.push_back(0);
+        // Leaders stand about these places; an arrow is as long as two heads.
+        std::vector<double> leaders;
+        for (const Callout& callout : features_.callouts) leaders.push_back(factor_ * callout.at_mm.x());
+        for (const DiameterDimension& diameter : features_.diameters)
+            leaders.push_back(factor_ * (diameter.from_z_mm + diameter.to_z_mm) / 2);
+        for (const double x : leaders)
+            for (const double along : {0.0, arrow_mm, 2 * arrow_mm}) lines.push_back(x + along);
         cuts_ = cutPlaces(features_.sections, factor_, lines);
     }
 

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 constexpr double smallestSection_mm = 24, largestSection_mm = 75;  // diameters on paper
 constexpr double firstOffset_mm = 5, offsetStep_mm = 2.5;          // of dimension lines from the outline
 constexpr int mostSteps = 40;
-constexpr double axisOverhang_mm = 3;
+constexpr double sectionOverhang_mm = 3;
 
 Vector2d turned(const Vector2d& point, const Vector2d& along)
 {
@@ -55,13 +55,29 @@ Drawing turned(Drawing drawing, double angle_deg)
     return drawing;
 }
 
+/// Chords of an arc, fine enough to see what it crosses.
+std::vector<Line> chordsOf(const Arc& arc)
+{
+    constexpr int steps = 48;
+    const auto on = [&](int i) -> Vector2d {
+        const double angle = (arc.start_deg + (arc.end_deg - arc.start_deg) * i / steps) * rad_per_deg;
+        return arc.centre_mm + arc.radius_mm * Vector2d(std::cos(angle), std::sin(angle));
+    };
+    std::vector<Line> chords;
+    for (int i = 0; i < steps; ++i) chords.push_back({on(i), on(i + 1)});
+    return chords;
+}
+
 bool meets(const std::vector<Label>& labels, const Drawing& other)
 {
+    std::vector<Line> lines = other.lines;
+    for (const Arc& arc : other.arcs)
+        for (const Line& chord : chordsOf(arc)) lines.push_back(chord);
     return std::any_of(labels.begin(), labels.end(), [&](const Label& label) {
         const Box box = boxOf(label).grown(0.3);
         return std::any_of(other.labels.begin(), other.labels.end(),
                            [&](const Label& one) { return boxOf(one).overlaps(box); }) ||
-               std::any_of(other.lines.begin(), other.lines.end(), [&](const Line& line) { return passes(line, box); });
+               std::any_of(lines.begin(), lines.end(), [&](const Line& line) { return passes(line, box); });
     });
 }
 
@@ -76,22 +92,18 @@ public:
         for (const HoleCircle& circle : section.circles)
             outer_ = std::max(outer_, factor * (circle.pitch_circle_mm + circle.diameter_mm) / 2);
         addAxes();
+        addAngles();
         for (const Slot& slot : section.slots) {
             addAcross(slot.angle_deg, slot.width_mm, slot.width);
             addAlong(slot.angle_deg, -radius_, factor * slot.floor_mm, slot.width_mm, slot.across);
-            addAngle(slot.angle_deg, slot.angle);
         }
         for (const FlatCut& flat : section.flats) addFlat(flat);
-        for (const RadialHole& hole : section.holes) {
-            addAcross(hole.angle_deg, hole.diameter_mm, hole.size);
-            addAngle(hole.angle_deg, hole.angle);
-        }
+        for (const RadialHole& hole : section.holes) addAcross(hole.angle_deg, hole.diameter_mm, hole.size);
         if (section.teeth && section.teeth->width_mm)
             addAcross(section.teeth->angle_deg, *section.teeth->width_mm, section.teeth->width);
         if (section.eccentric) {
             addAlong(section.eccentric->angle_deg, 0, factor * section.eccentric->offset_mm, 0,
                      section.eccentric->offset);
-            addAngle(section.eccentric->angle_deg, section.eccentric->angle);
         }
     }
 
@@ -110,20 +122,39 @@ public:
 private:
     using Group = std::function<Drawing(double offset_mm)>;
 
-    /// The dimension at the smallest offset at which no text meets another one or a line.
-    void add(const Group& group, double angle_deg)
+    /// The dimension at the smallest offset at which no text meets another one or a line, nor what is `reserved`.
+    void add(const Group& group, double angle_deg, const Drawing& reserved = {})
     {
+        const auto at = [&](int step) { return turned(group(firstOffset_mm + offsetStep_mm * step), angle_deg); };
         for (int step = 0; step < mostSteps; ++step) {
-            Drawing made = turned(group(firstOffset_mm + offsetStep_mm * step), angle_deg);
-            if (step + 1 < mostSteps && (meets(made.labels, drawing_) || meets(drawing_.labels, made))) continue;
+            Drawing made = at(step);
+            if (meets(made.labels, drawing_) || meets(drawing_.labels, made) || meets(made.labels, reserved)) continue;
             append(drawing_, made);
             return;
         }
+        append(drawing_, at(0));
+    }
+
+    /// Where the extension lines of widths will run.
+    Drawing widths() const
+    {
+        Drawing lines;
+        const auto addLines = [&](double angle_deg, double width_mm) {
+            const Vector2d along = directionOf(angle_deg), across = directionOf(angle_deg + 90);
+            for (const double share : {-0.5, 0.0, 0.5}) {
+                const Vector2d side = share * factor_ * width_mm * across;
+                lines.lines.push_back({side, side + 3 * (outer_ + largestSection_mm) * along});
+            }
+        };
+        for (const Slot& slot : section_.slots) addLines(slot.angle_deg, slot.width_mm);
+        for (const RadialHole& hole : section_.holes) addLines(hole.angle_deg, hole.diameter_mm);
+        if (section_.teeth) addLines(section_.teeth->angle_deg, section_.teeth->width_mm.value_or(0));
+        return lines;
     }
 
     void addAxes()
     {
-        const double reach = outer_ + axisOverhang_mm;
+        const double reach = outer_ + sectionOverhang_mm;
         const auto cross = [&](const Vector2d& centre, double length) {
             for (const Vector2d& axis : {Vector2d(length, 0), Vector2d(0, length)})
                 drawing_.lines.push_back({centre - axis, centre + axis, Layer::Axis, thin_mm, LineType::DashDot});
@@ -131,7 +162,7 @@ private:
         cross(Vector2d::Zero(), reach);
         if (!section_.eccentric) return;
         const Vector2d along = directionOf(section_.eccentric->angle_deg);
-        cross(factor_ * section_.eccentric->offset_mm * along, radius_ + axisOverhang_mm);
+        cross(factor_ * section_.eccentric->offset_mm * along, radius_ + sectionOverhang_mm);
     }
 
     /// A width across the direction, beyond the outline.
@@ -174,7 +205,15 @@ private:
         const double distance = factor_ * flat.distance_mm;
         const double half = std::sqrt(std::max(0.0, radius_ * radius_ - distance * distance)) / factor_;
         addAlong(flat.angle_deg, has_opposite ? -distance : -radius_, distance, half, flat.across);
-        addAngle(flat.angle_deg, flat.angle);
+    }
+
+    /// Nearest to the outline.
+    void addAngles()
+    {
+        for (const Slot& slot : section_.slots) addAngle(slot.angle_deg, slot.angle);
+        for (const FlatCut& flat : section_.flats) addAngle(flat.angle_deg, flat.angle);
+        for (const RadialHole& hole : section_.holes) addAngle(hole.angle_deg, hole.angle);
+        if (section_.eccentric) addAngle(section_.eccentric->angle_deg, section_.eccentric->angle);
     }
 
     /// An arc from the direction of the viewer to this one.
@@ -199,7 +238,7 @@ private:
                 paint.text(beyond * outward - Vector2d(0, height_mm_ / 2), label, Anchor::Middle);
                 return group;
             },
-            0);
+            0, widths());
     }
 
     const CrossSection& section_;

@@ -163,6 +163,7 @@ private:
     {
         const double half = factor_ * hole.diameter_mm / 2, bore = factor_ * section_.bore_diameter_mm / 2;
         const auto reach = [&](double radius) { return std::sqrt(std::max(0.0, radius * radius - half * half)); };
+        const auto reachAt = [&](double side) { return std::sqrt(std::max(0.0, radius_ * radius_ - side * side)); };
         const double inner = bore > half ? reach(bore) : 0;
         const double bottom = hole.depth_mm ? radius_ - factor_ * *hole.depth_mm : -radius_;
         const auto add = [&](double from, double to, bool has_bottom) {
@@ -172,7 +173,21 @@ private:
             line(corners[0], corners[1]);
             line(corners[2], corners[3]);
             if (has_bottom) line(corners[1], corners[2]);
-            polygons.push_back(corners);
+            // At the outline the hole ends with its arc.
+            Polygon inside;
+            const auto addMouth = [&](const Vector2d& outward, const Vector2d& side) {
+                for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0})
+                    inside.emplace_back(reachAt(share * half) * outward + share * half * side);
+            };
+            if (std::abs(to - reach(radius_)) < 1e-9)
+                addMouth(along, -across);
+            else
+                inside.insert(inside.end(), {corners[3], corners[0]});
+            if (std::abs(from + reach(radius_)) < 1e-9)
+                addMouth(-along, across);
+            else
+                inside.insert(inside.end(), {corners[1], corners[2]});
+            polygons.push_back(std::move(inside));
         };
         const bool through = !hole.depth_mm;
         if (inner > 0 && bottom < inner) {

@@ -69,6 +69,11 @@ public:
                 bare.lengths.push_back(features.lengths.back());
                 bare.differences = features.differences;
                 take(attempts.back(), bare, largest);
+                const Box frame = frameBox(drawing_.sheet);
+                Label remark{{frame.left_mm + frameMargin_mm, frame.top_mm - frameMargin_mm - 2.5}, 2.5};
+                remark.text = translated(
+                    LT_TEXT("Engine", "INCOMPLETE: the sheet is too small for the dimensions and sections"), options);
+                drawing_.labels.push_back(remark);
             }
         }
         append(drawing_, titleBlock(shaft_, options, drawing_.sheet, drawing_.scale));

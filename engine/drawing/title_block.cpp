@@ -82,9 +82,9 @@ Drawing firstAngleSymbol(const Vector2d& centre)
         symbol.lines.push_back({corners[i], corners[(i + 1) % corners.size()], Layer::Frame, thin_mm});
     const Vector2d circles = at(right + apart, 0);
     for (const double radius : {small, large}) symbol.arcs.push_back({circles, radius, 0, 360, Layer::Frame, thin_mm});
-    symbol.lines.push_back({at(left - 1, 0), at(right + 1, 0), Layer::Axis, thin_mm, LineType::DashDot});
+    symbol.lines.push_back({at(left - 1, 0), at(right + 1, 0), Layer::Frame, thin_mm, LineType::DashDot});
     for (const Vector2d& axis : {Vector2d(large + 1, 0), Vector2d(0, large + 1)})
-        symbol.lines.push_back({circles - axis, circles + axis, Layer::Axis, thin_mm, LineType::DashDot});
+        symbol.lines.push_back({circles - axis, circles + axis, Layer::Frame, thin_mm, LineType::DashDot});
     return symbol;
 }
 

@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "engine/cad/cad_notes.h"
 #include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
 #include "engine/cad/freecad_macro.h"
@@ -31,7 +32,9 @@ std::string stepOf(const PartToWrite& part, const Progress& progress)
 
 std::string dxfOfPart(const PartToWrite& part, const Language& language)
 {
-    return part.cad.dxf_contour ? contourDxf(part.shaft) : dxfText(dxfOf(part.drawing(language)));
+    if (!part.cad.dxf_contour) return dxfText(dxfOf(part.drawing(language)));
+    requireTurned(part.shaft);
+    return contourDxf(part.shaft);
 }
 
 }  // namespace
@@ -130,15 +133,21 @@ std::map<std::string, task::WriteExport> partWriters(const std::shared_ptr<const
             io::writeFile(path, content(language, progress));
         };
     };
+    const auto solid = [part, whole](const std::function<std::string(const Progress&)>& content) {
+        return whole([part, content](const Language&, const Progress& progress) {
+            requireTurned(part->shaft);
+            return content(progress);
+        });
+    };
     std::map<std::string, task::WriteExport> all;
     all[shaftExport] = [part](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::shaftText(part->shaft));
     };
     all[stockExport] = whole([part](const Language&, const Progress&) { return io::stockText(part->stock); });
-    all[stepExport] = whole([part](const Language&, const Progress& progress) { return stepOf(*part, progress); });
+    all[stepExport] = solid([part](const Progress& progress) { return stepOf(*part, progress); });
     all[dxfExport] = whole([part](const Language& language, const Progress&) { return dxfOfPart(*part, language); });
-    all[freecadExport] = whole([part](const Language&, const Progress&) { return freecadMacro(part->shaft); });
-    all[solidworksExport] = whole([part](const Language&, const Progress&) { return solidworksMacro(part->shaft); });
+    all[freecadExport] = solid([part](const Progress&) { return freecadMacro(part->shaft); });
+    all[solidworksExport] = solid([part](const Progress&) { return solidworksMacro(part->shaft); });
     all[tableExport] =
         whole([part](const Language&, const Progress&) { return part->csv ? part->csv() : shaftCsv(part->shaft); });
     all[drawingExport] =

@@ -7,6 +7,7 @@
 
 #include "engine/core/texts.h"
 #include "engine/core/units.h"
+#include "engine/drawing/marks/view_marks.h"
 
 namespace lathelier::drawing {
 namespace {
@@ -232,7 +233,10 @@ private:
         if (in_undercut && names_undercut) return;
         const std::string text = textOf(mark);
         const double z = middle(mark);
-        if (!text.empty()) features_.callouts.push_back({{z, outerRadius(outer_, z)}, {text, false}, Mouth::None});
+        double height_mm = outerRadius(outer_, z);
+        for (const ShapedStretch& stretch : shapedStretches(shaft_))
+            if (z > stretch.from_z_mm && z < stretch.to_z_mm) height_mm = stretch.high_mm;
+        if (!text.empty()) features_.callouts.push_back({{z, height_mm}, {text, false}, Mouth::None});
     }
 
     std::string textOf(const ShaftMark& mark) const

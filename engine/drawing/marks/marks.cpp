@@ -100,6 +100,7 @@ private:
             if (from > to) continue;
             section.from_z_mm = from;
             section.to_z_mm = to;
+            if (!section.teeth && !section.eccentric) section.diameter_mm = 2 * outerRadius(outer_, (from + to) / 2);
             return section;
         }
         const double z = (from_mm + to_mm) / 2;

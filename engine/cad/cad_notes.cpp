@@ -1,32 +1,57 @@
 #include "engine/cad/cad_notes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 #include "engine/cad/cad_codes.h"
 #include "engine/core/units.h"
 #include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
+namespace {
+
+constexpr std::size_t mostNamed = 12;  // marks in one note
+
+/// "keyway z 6.0-34.0"
+std::string placed(const ShaftMark& mark)
+{
+    if (!mark.z_start_mm || !mark.z_end_mm) return key(mark);
+    return fmt::format("{} z {:.1f}-{:.1f}", key(mark), *mark.z_start_mm, *mark.z_end_mm);
+}
+
+}  // namespace
 
 Notes cadNotes(const Shaft& shaft)
 {
     Notes notes;
     if (!shaft.marks.empty()) {
-        std::vector<std::string> seen;
-        std::string kinds;
-        for (const ShaftMark& mark : shaft.marks) {
-            const std::string kind = key(mark);
-            if (std::find(seen.begin(), seen.end(), kind) != seen.end()) continue;
-            seen.push_back(kind);
-            kinds += (kinds.empty() ? "" : ", ") + kind;
+        std::string marks;
+        for (std::size_t i = 0; i < shaft.marks.size(); ++i) {
+            if (i == mostNamed) {
+                marks += ", …";
+                break;
+            }
+            marks += (i > 0 ? ", " : "") + placed(shaft.marks[i]);
         }
         notes.push_back(
-            {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", kinds}}});
+            {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", marks}}});
     }
     for (const ContourPiece& piece : outerContour(shaft))
         if (piece.isArc() && piece.centre_mm().y() < -meet_mm)
             notes.push_back({notes::arcBeyondAxis, {{"row", static_cast<std::int64_t>(piece.row + 1)}}});
     return notes;
+}
+
+void requireTurned(const Shaft& shaft)
+{
+    constexpr std::array shaped{MarkKind::Hexagon, MarkKind::Square, MarkKind::Spline, MarkKind::Eccentric};
+    for (const ShaftMark& mark : shaft.marks)
+        if (std::find(shaped.begin(), shaped.end(), mark.kind) != shaped.end())
+            throw Error(errors::markNotMade, {{"kind", nameOf(mark)},
+                                              {"z_start_mm", mark.z_start_mm.value_or(0)},
+                                              {"z_end_mm", mark.z_end_mm.value_or(0)}});
 }
 
 }  // namespace lathelier::cad

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/cad/csv_columns.h"
+#include "engine/cad/csv_marks.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/units.h"
 #include "engine/core/visible.h"
@@ -17,6 +18,7 @@
 #include "engine/io/text/encoding.h"
 #include "engine/io/text/number.h"
 #include "engine/io/text/text_lines.h"
+#include "engine/shaft/shaft_codes.h"
 
 namespace lathelier::cad {
 namespace {
@@ -94,7 +96,8 @@ private:
 /// A bore row as an outside row, as both have the same columns.
 ShaftSegment asSegment(const BoreSegment& row)
 {
-    return {row.length_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm, row.role};
+    return {row.length_mm, row.start_diameter_mm, row.end_diameter_mm, 0, row.arc_radius_mm,
+            row.role,      row.tolerance,         row.measured};
 }
 
 void writeRow(CsvWriter& out, const char* contour, std::size_t number, double z_start_mm, double z_end_mm,
@@ -241,11 +244,21 @@ Shaft readFull(CsvTable& table, Notes& notes)
             shaft.segments.push_back(std::move(row));
         else if (contour == boreFree || contour == boreChuck)
             boreFrom(contour == boreFree ? ShaftEnd::Free : ShaftEnd::Chuck)
-                .segments.push_back(
-                    {row.length_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm, row.role});
+                .segments.push_back({row.length_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
+                                     row.role, row.tolerance, row.measured});
         else
             table.refuse(i, "contour", LT_TEXT("Engine", "outside, bore_free or bore_chuck"));
     }
+    return shaft;
+}
+
+Shaft withMarks(Shaft shaft, std::string_view text, Notes& notes)
+{
+    shaft.marks = readMarkRemarks(text, notes);
+    for (const ShaftMark& mark : shaft.marks)
+        if (mark.kind == MarkKind::Unexplained)
+            notes.push_back({notes::shaftUnexplained,
+                             {{"z_start_mm", mark.z_start_mm.value_or(0)}, {"z_end_mm", mark.z_end_mm.value_or(0)}}});
     return shaft;
 }
 
@@ -321,6 +334,7 @@ std::string shaftCsv(const Shaft& shaft, const CsvStyle& style)
             z = end;
         }
     }
+    for (const std::string& mark : markRemarks(shaft)) out.remark(mark);
     return out.take();
 }
 
@@ -329,7 +343,7 @@ Shaft readShaftCsv(std::string_view bytes, Notes& notes, const Progress& progres
     const io::DecodedText text = io::decodeText(bytes, io::Encoding::Auto, progress);
     CsvTable table(text.view(), progress);
     if (table.has("length_mm") && table.has("start_diameter_mm") && table.has("end_diameter_mm"))
-        return readFull(table, notes);
+        return withMarks(readFull(table, notes), text.view(), notes);
     if (table.has("radius_mm") && table.has("z_start_mm") && table.has("z_end_mm")) return readSteps(table, notes);
     throw Error(errors::columnsUnknown,
                 {{"line", table.heading().number},

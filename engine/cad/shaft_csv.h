@@ -21,7 +21,7 @@ std::string stepsCsv(const Shaft& shaft, const CsvStyle& style = {});
 
 /// contour (outside, bore_free, bore_chuck), no, z_start_mm, z_end_mm, then the keys of a row: length_mm,
 /// start_diameter_mm, end_diameter_mm, arc_radius_mm, bore_diameter_mm, role, tolerance_class, …, measured and U.
-/// Numbers are read back bit-identical. Marks, material and name are not in it.
+/// Numbers are read back bit-identical. Marks follow as remarks (csv_marks.h); material and name are not in it.
 std::string shaftCsv(const Shaft& shaft, const CsvStyle& style = {});
 
 /// Reads either table by its heading, in any encoding: separator and decimal mark are detected; z_start_mm and z_end_mm

@@ -88,8 +88,10 @@ const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*)
 
 const std::vector<std::string>& recognitionKeys()
 {
-    static const std::vector<std::string> keys{"snap",  "form_tolerance_mm", "unexplained", "scanner_accuracy_mm",
-                                               "scene", "exclude_z_mm",      "free_end",    "length_mm"};
+    static const std::vector<std::string> keys{
+        "snap",           "form_tolerance_mm", "unexplained",       "scanner_accuracy_mm",
+        "scene",          "exclude_z_mm",      "free_end",          "length_mm",
+        "accepted_sizes", "library_material",  "general_tolerances"};
     return keys;
 }
 

@@ -44,7 +44,8 @@ struct ChainQuestion {
 /// All except scan, recognition and reading, which are separate arguments of the command line.
 const std::vector<Field<ChainQuestion>>& fieldsOf(const ChainQuestion*);
 
-/// Keys of the recognition parameters used by the chain: all except those of the published method.
+/// Keys of the first step's parameters used by the chain: those of the robust method, what a person confirms, and what
+/// the shaft states in title blocks.
 const std::vector<std::string>& recognitionKeys();
 
 /// Error outputIsInput: an input lies in the folder of the chain.

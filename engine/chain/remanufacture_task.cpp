@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/cad/task/recognize_task.h"
 #include "engine/cam/job_file.h"
 #include "engine/chain/dossier_kind.h"
 #include "engine/chain/dossier_read.h"
@@ -10,7 +11,6 @@
 #include "engine/chain/remanufacture.h"
 #include "engine/core/core_codes.h"
 #include "engine/deflection/setup_file.h"
-#include "engine/features/recognition.h"
 #include "engine/io/cloud/scan_input.h"
 #include "engine/receptance/spindle/spindle_kind.h"
 #include "engine/task/asked_state.h"
@@ -115,8 +115,8 @@ const task::Task& remanufactureTask()
         made.inputs.front().kinds = {&io::scanFiles(), &cam::jobFiles(), &receptance::spindleFiles(),
                                      &deflection::setupFiles(), &dossierFiles()};
         task::askFor<ChainQuestion>(made);
-        const features::RecognitionParameters usual;
-        for (const Field<features::RecognitionParameters>& field : fields<features::RecognitionParameters>())
+        const cad::RecognizeQuestion usual;
+        for (const Field<cad::RecognizeQuestion>& field : fields<cad::RecognizeQuestion>())
             if (isOfRecognition(field.info.key)) {
                 made.fields.push_back(field.info);
                 made.defaults.emplace_back(field.info.key, field.get(usual));

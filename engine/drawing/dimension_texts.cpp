@@ -55,9 +55,14 @@ std::string nominalSize(double size_mm, const std::optional<SizeTolerance>& tole
 {
     std::string text = shortNumber(size_mm, 3, separator);
     if (!tolerance) return text;
-    if (!tolerance->iso_class.empty()) return text + " " + tolerance->iso_class;
-    if (!tolerance->lower_um || !tolerance->upper_um) return text;
-    const double lower = *tolerance->lower_um, upper = *tolerance->upper_um;
+    const bool has_limits = tolerance->lower_um && tolerance->upper_um;
+    const double lower = tolerance->lower_um.value_or(0), upper = tolerance->upper_um.value_or(0);
+    if (!tolerance->iso_class.empty()) {
+        text += " " + tolerance->iso_class;
+        if (!has_limits) return text;
+        return text + " (" + deviation(upper, separator) + "/" + deviation(lower, separator) + ")";
+    }
+    if (!has_limits) return text;
     if (upper > 0 && std::abs(lower + upper) < 1e-9) return text + " ±" + shortNumber(upper / 1000, 4, separator);
     return text + " " + deviation(upper, separator) + "/" + deviation(lower, separator);
 }

@@ -151,6 +151,19 @@ Box boxOf(const Drawing& drawing)
     return box.left_mm > box.right_mm ? Box{} : box;
 }
 
+bool passes(const Line& line, const Box& box)
+{
+    double first = 0, last = 1;  // Liang and Barsky, 1984
+    const Vector2d run = line.to_mm - line.from_mm;
+    const auto cut = [&](double p, double q) {
+        if (p == 0) return q > 0;
+        (p < 0 ? first : last) = p < 0 ? std::max(first, q / p) : std::min(last, q / p);
+        return first < last;
+    };
+    return cut(-run.x(), line.from_mm.x() - box.left_mm) && cut(run.x(), box.right_mm - line.from_mm.x()) &&
+           cut(-run.y(), line.from_mm.y() - box.bottom_mm) && cut(run.y(), box.top_mm - line.from_mm.y());
+}
+
 void move(Drawing& drawing, const Vector2d& by_mm)
 {
     for (Line& line : drawing.lines) {

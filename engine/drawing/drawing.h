@@ -130,6 +130,9 @@ Box boxOf(const Drawing& drawing);
 /// All entities moved.
 void move(Drawing& drawing, const Eigen::Vector2d& by_mm);
 
+/// Does the line enter the box?
+bool passes(const Line& line, const Box& box);
+
 /// Entities of `other` added after those of `drawing`, which keeps its sheet, scale, title and origin.
 void append(Drawing& drawing, const Drawing& other);
 

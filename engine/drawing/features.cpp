@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/core/texts.h"
 #include "engine/core/units.h"
+#include "engine/drawing/marks/marks.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/stations.h"
 
@@ -14,67 +14,72 @@ namespace lathelier::drawing {
 namespace {
 
 constexpr double wholeAngleFrom_deg = 10;  // cones are given by their whole angle from here on
-const char* const diameterPrefix = "⌀";
 
 bool same(double a, double b)
 {
     return std::abs(a - b) < same_mm;
 }
 
-/// Largest radius of a contour at z, both sides of a shoulder.
-double outerRadius(const std::vector<ContourRow>& rows, double z_mm)
-{
-    double radius = 0;
-    for (const ContourRow& row : rows) {
-        if (z_mm < std::min(row.start_z_mm, row.end_z_mm) - same_mm ||
-            z_mm > std::max(row.start_z_mm, row.end_z_mm) + same_mm)
-            continue;
-        const double length = row.end_z_mm - row.start_z_mm;
-        const double share = length == 0 ? 1 : (z_mm - row.start_z_mm) / length;
-        radius = std::max(radius, (row.start_diameter_mm + share * (row.end_diameter_mm - row.start_diameter_mm)) / 2);
-    }
-    return radius;
-}
-
 class Collector {
 public:
     Collector(const Shaft& shaft, const DrawingOptions& options)
-        : shaft_(shaft), options_(options), outer_(outerRows(shaft))
+        : shaft_(shaft), options_(options), texts_(options), outer_(outerRows(shaft))
     {
+        known_ = uncertaintiesOf(outer_, options.uncertainties);
         addDiameters();
-        addCallouts(outer_, options.uncertainties, true);
+        addCallouts(outer_, known_, true);
         addLengths();
         for (std::size_t i = 0; i < shaft.bores.size(); ++i) addBore(i);
-        addMarks();
+        addMarks(shaft, outer_, texts_, features_);
     }
 
-    Features take() { return std::move(features_); }
+    Features take()
+    {
+        features_.differences = texts_.takeDifferences();
+        return std::move(features_);
+    }
 
 private:
-    std::string number(double value, int decimals = 3) const
+    std::string number(double value, int decimals = 3) const { return texts_.number(value, decimals); }
+
+    /// U of rows by their index: as the options have them, else of their measured values.
+    static std::vector<SizeUncertainty> uncertaintiesOf(const std::vector<ContourRow>& rows,
+                                                        std::vector<SizeUncertainty> stated)
     {
-        return shortNumber(value, decimals, options_.decimal_separator);
+        for (std::size_t i = stated.size(); i < rows.size(); ++i)
+            stated.push_back(rows[i].measured ? rows[i].measured->uncertainty : SizeUncertainty{});
+        return stated;
     }
 
-    /// U of the rows of the outside, or of a bore; those that are missing are unknown.
-    static SizeUncertainty uncertaintyOf(const ContourRow& row, const std::vector<SizeUncertainty>& known)
+    static Size startDiameter(const ContourRow& row, const std::vector<SizeUncertainty>& known)
     {
-        return row.index < known.size() ? known[row.index] : SizeUncertainty{};
+        return {row.start_diameter_mm, row.measured ? row.measured->start_diameter_mm : std::nullopt,
+                known[row.index].start_diameter_um, row.tolerance};
     }
 
-    bool isMeasured(const ContourRow& row) const { return row.as_measured || (options_.measured && !row.is_nominal); }
-
-    DimensionText size(const ContourRow& row, double size_mm, const std::optional<double>& u_um) const
+    static Size endDiameter(const ContourRow& row, const std::vector<SizeUncertainty>& known)
     {
-        if (row.tolerance || !isMeasured(row))
-            return {nominalSize(size_mm, row.tolerance, options_.decimal_separator), false};
-        return {measuredSize(size_mm, u_um, options_.decimal_separator), true};
+        return {row.end_diameter_mm, row.measured ? row.measured->end_diameter_mm : std::nullopt,
+                known[row.index].end_diameter_um, row.tolerance};
     }
 
-    DimensionText withPrefix(const std::string& prefix, DimensionText label) const
+    static Size radius(const ContourRow& row, const std::vector<SizeUncertainty>& known)
     {
-        label.text = prefix + label.text;
-        return label;
+        Size size{std::abs(row.arc_radius_mm), {}, known[row.index].arc_radius_um, {}};
+        if (row.measured && row.measured->arc_radius_mm) size.measured_mm = std::abs(*row.measured->arc_radius_mm);
+        return size;
+    }
+
+    /// Of the rows from first to last, along the axis.
+    static Size width(const std::vector<ContourRow>& rows, const std::vector<SizeUncertainty>& known, std::size_t first,
+                      std::size_t last)
+    {
+        Size size{std::abs(rows[last].end_z_mm - rows[first].start_z_mm), {}, {}, {}};
+        if (rows[first].measured_start_z_mm)
+            size.measured_mm = std::abs(*rows[last].measured_end_z_mm - *rows[first].measured_start_z_mm);
+        const auto &start = known[rows[first].index].z_start_um, &end = known[rows[last].index].z_end_um;
+        if (start && end) size.U_um = std::hypot(*start, *end);
+        return size;
     }
 
     const ShaftMark* threadOver(const ContourRow& row) const
@@ -112,23 +117,26 @@ private:
                 features_.diameters.push_back({row.start_z_mm,
                                                row.end_z_mm,
                                                row.start_diameter_mm,
-                                               {std::move(text), isMeasured(row)},
+                                               {std::move(text), texts_.isMeasured(startDiameter(row, known_))},
                                                rootOf(*thread)});
                 continue;
             }
-            const bool goes_on = last && same(last->end_diameter_mm, row.start_diameter_mm) &&
-                                 last->tolerance == row.tolerance && last->is_nominal == row.is_nominal;
+            if (hasShapeOfItsOwn(shaft_, row)) {
+                last = nullptr;
+                continue;
+            }
+            const bool goes_on =
+                last && same(last->end_diameter_mm, row.start_diameter_mm) && last->tolerance == row.tolerance &&
+                texts_.isReplaced(startDiameter(*last, known_)) == texts_.isReplaced(startDiameter(row, known_));
             last = &row;
             if (goes_on) {
                 features_.diameters.back().label.target.rows.push_back(row.index);
                 continue;
             }
-            DimensionText label = withPrefix(
-                diameterPrefix,
-                size(row, row.start_diameter_mm, uncertaintyOf(row, options_.uncertainties).start_diameter_um));
+            DimensionText label = texts_.text(diameterPrefix, startDiameter(row, known_));
             label.target = {Of::Diameter, {row.index}};
-            features_.diameters.push_back(
-                {row.start_z_mm, row.end_z_mm, row.start_diameter_mm, std::move(label), row.start_diameter_mm});
+            features_.diameters.push_back({row.start_z_mm, row.end_z_mm, row.start_diameter_mm, std::move(label),
+                                           row.start_diameter_mm, offsetOf(shaft_, row)});
         }
     }
 
@@ -140,22 +148,34 @@ private:
                same(next.start_diameter_mm, at_end ? rows[i].end_diameter_mm : rows[i].start_diameter_mm);
     }
 
-    std::string taperText(const std::vector<ContourRow>& rows, std::size_t i) const
+    DimensionText taperText(const std::vector<ContourRow>& rows, std::size_t i,
+                            const std::vector<SizeUncertainty>& known)
     {
         const ContourRow& row = rows[i];
-        const double difference = std::abs(row.end_diameter_mm - row.start_diameter_mm);
+        const bool large_at_end = row.end_diameter_mm > row.start_diameter_mm;
+        const Size large = large_at_end ? endDiameter(row, known) : startDiameter(row, known);
         std::string text;
         if (row.angle_deg() >= wholeAngleFrom_deg) {
-            text = number(2 * row.angle_deg(), 2) + "°";
+            std::optional<double> expanded_deg = known[row.index].angle_deg;
+            if (expanded_deg) *expanded_deg *= 2;
+            text = texts_.withUnit(2 * row.angle_deg(), expanded_deg, texts_.isMeasured(large), 2, "°");
         } else {
-            const double x = row.length_mm() / difference;
+            const double x = row.length_mm() / std::abs(row.end_diameter_mm - row.start_diameter_mm);
             const bool whole = std::abs(x - std::round(x)) < 2e-3 * x;
             text = fmt::format("▷1:{}", whole ? number(std::round(x)) : roundedNumber(x, options_.decimal_separator));
         }
-        const bool large_at_end = row.end_diameter_mm > row.start_diameter_mm;
-        if (!continuesAsCylinder(rows, i, large_at_end))
-            text += fmt::format(" {}{}", diameterPrefix, number(std::max(row.start_diameter_mm, row.end_diameter_mm)));
-        return text + " (" + number(row.length_mm()) + ")";
+        if (!continuesAsCylinder(rows, i, large_at_end)) text += std::string(" ") + diameterPrefix + texts_.part(large);
+        return texts_.composed(text + " (" + number(row.length_mm()) + ")", large);
+    }
+
+    DimensionText chamferText(const ContourRow& row, const std::vector<SizeUncertainty>& known)
+    {
+        Size leg{row.length_mm(), {}, known[row.index].length_um, {}};
+        if (row.measured && row.measured->length_mm) leg.measured_mm = std::abs(*row.measured->length_mm);
+        const bool measured = texts_.isMeasured(leg);
+        const std::string length = measured ? texts_.part(leg) : number(row.length_mm(), 2);
+        return texts_.composed(
+            length + "×" + texts_.withUnit(row.angle_deg(), known[row.index].angle_deg, measured, 1, "°"), leg);
     }
 
     /// The last row of the run of rows of one kind that begins at i.
@@ -166,23 +186,24 @@ private:
         return last;
     }
 
-    DimensionText grooveText(const std::vector<ContourRow>& rows, std::size_t first, std::size_t last,
-                             bool outside) const
+    DimensionText grooveText(const std::vector<ContourRow>& rows, std::size_t first, std::size_t last, bool outside,
+                             const std::vector<SizeUncertainty>& known)
     {
-        const double width = std::abs(rows[last].end_z_mm - rows[first].start_z_mm);
-        double bottom = outside ? 1e300 : 0;
+        Size bottom = startDiameter(rows[first], known);
+        const auto isDeeper = [&](const Size& other) {
+            return outside ? other.value_mm < bottom.value_mm : other.value_mm > bottom.value_mm;
+        };
         for (std::size_t i = first; i <= last; ++i)
-            for (const double diameter : {rows[i].start_diameter_mm, rows[i].end_diameter_mm})
-                bottom = outside ? std::min(bottom, diameter) : std::max(bottom, diameter);
-        std::string text = number(width) + "×" + diameterPrefix + number(bottom);
-        if (rows[first].tolerance)
-            text = number(width) + "×" + diameterPrefix +
-                   nominalSize(bottom, rows[first].tolerance, options_.decimal_separator);
-        return {std::move(text), isMeasured(rows[first])};
+            for (const Size& size : {startDiameter(rows[i], known), endDiameter(rows[i], known)})
+                if (isDeeper(size)) bottom = size;
+        const Size wide = width(rows, known, first, last);
+        const Size& leading = !texts_.isReplaced(bottom) && texts_.isReplaced(wide) ? wide : bottom;
+        return texts_.composed(texts_.part(wide) + "×" + diameterPrefix + texts_.part(bottom), leading);
     }
 
     /// DIN 509 with a face recess is form F, without one form E; another shape: width × bottom.
-    DimensionText undercutText(const std::vector<ContourRow>& rows, std::size_t first, std::size_t last) const
+    DimensionText undercutText(const std::vector<ContourRow>& rows, std::size_t first, std::size_t last,
+                               const std::vector<SizeUncertainty>& known)
     {
         for (const ShaftMark& mark : shaft_.marks)
             if (!mark.designation.empty() && mark.kind != MarkKind::Thread && mark.kind != MarkKind::Knurl &&
@@ -197,9 +218,20 @@ private:
             bottom = std::min(bottom, rows[i].start_diameter_mm);
         }
         const double depth = (std::max(rows[first].start_diameter_mm, rows[first].end_diameter_mm) - bottom) / 2;
-        if (radius == 0 || !(depth > same_mm)) return grooveText(rows, first, last, true);
+        if (radius == 0 || !(depth > same_mm)) return grooveText(rows, first, last, true, known);
         return {std::string("DIN 509 - ") + (face ? "F " : "E ") + number(radius, 2) + "×" + number(depth, 2),
-                isMeasured(rows[first])};
+                texts_.isMeasured(startDiameter(rows[first], known))};
+    }
+
+    /// A ball is given by its diameter (ISO 129-1: S⌀).
+    DimensionText radiusText(const ContourRow& row, const std::vector<SizeUncertainty>& known, bool outside)
+    {
+        Size size = radius(row, known);
+        if (!outside || !markOver(shaft_, MarkKind::Sphere, row)) return texts_.text("R", size);
+        size.value_mm *= 2;
+        if (size.measured_mm) *size.measured_mm *= 2;
+        if (size.U_um) *size.U_um *= 2;
+        return texts_.text(std::string("S") + diameterPrefix, size);
     }
 
     void addCallouts(const std::vector<ContourRow>& rows, const std::vector<SizeUncertainty>& known, bool outside,
@@ -214,23 +246,16 @@ private:
                 features_.callouts.push_back({at, std::move(label), i == 0 ? mouth : Mouth::None});
             };
             switch (row.kind) {
-                case RowKind::Chamfer:
-                    add({number(row.length_mm(), 2) + "×" + number(row.angle_deg(), 1) + "°", isMeasured(row)},
-                        row.middle_mm(), Of::Chamfer, i);
-                    break;
+                case RowKind::Chamfer: add(chamferText(row, known), row.middle_mm(), Of::Chamfer, i); break;
                 case RowKind::Radius:
-                case RowKind::Curve:
-                    add(withPrefix("R", size({.is_nominal = row.is_nominal, .as_measured = row.as_measured},
-                                             std::abs(row.arc_radius_mm), uncertaintyOf(row, known).arc_radius_um)),
-                        row.middle_mm(), Of::ArcRadius, i);
-                    break;
-                case RowKind::Taper: add({taperText(rows, i), isMeasured(row)}, row.middle_mm(), Of::Taper, i); break;
+                case RowKind::Curve: add(radiusText(row, known, outside), row.middle_mm(), Of::ArcRadius, i); break;
+                case RowKind::Taper: add(taperText(rows, i, known), row.middle_mm(), Of::Taper, i); break;
                 case RowKind::Groove:
                 case RowKind::Undercut: {
                     const std::size_t last = endOfRun(rows, i);
                     const ContourRow& middle = rows[i + (last - i) / 2];
-                    add(row.kind == RowKind::Groove || !outside ? grooveText(rows, i, last, outside)
-                                                                : undercutText(rows, i, last),
+                    add(row.kind == RowKind::Groove || !outside ? grooveText(rows, i, last, outside, known)
+                                                                : undercutText(rows, i, last, known),
                         middle.middle_mm(), Of::Groove, last);
                     i = last;
                     break;
@@ -272,9 +297,10 @@ private:
 
     void addLength(const Station& from, const Station& to, std::size_t first_row)
     {
-        ContourRow row = outer_[to.before];
-        row.tolerance.reset();
-        DimensionText label = size(row, to.z_mm - from.z_mm, lengthUncertainty(to, options_.uncertainties, first_row));
+        Size size{to.z_mm - from.z_mm, {}, lengthUncertainty(to, known_, first_row), {}};
+        if (const auto& end_mm = outer_[to.before].measured_end_z_mm)
+            size.measured_mm = *end_mm - outer_[first_row].measured_start_z_mm.value_or(0);
+        DimensionText label = texts_.text({}, size);
         label.target.of = DimensionTarget::Of::Length;
         for (std::size_t i = first_row; i <= to.before; ++i) label.target.rows.push_back(outer_[i].index);
         features_.lengths.push_back({from.z_mm, to.z_mm, from.radius_mm, to.radius_mm, std::move(label)});
@@ -285,9 +311,9 @@ private:
         const std::vector<ContourRow> rows = boreRows(shaft_, number_of_bore);
         if (rows.empty()) return;
         const bool free = shaft_.bores[number_of_bore].from == ShaftEnd::Free;
-        const std::vector<SizeUncertainty> known = number_of_bore < options_.bore_uncertainties.size()
-                                                       ? options_.bore_uncertainties[number_of_bore]
-                                                       : std::vector<SizeUncertainty>();
+        const std::vector<SizeUncertainty> known = uncertaintiesOf(
+            rows, number_of_bore < options_.bore_uncertainties.size() ? options_.bore_uncertainties[number_of_bore]
+                                                                      : std::vector<SizeUncertainty>());
         const double length = shaft_.length_mm(), mouth = rows.front().start_z_mm;
         const bool through = std::abs(rows.back().end_z_mm - mouth) > length - same_mm;
         const ContourRow* last = nullptr;  // the cylinder that a groove may interrupt
@@ -308,9 +334,7 @@ private:
             const bool from_mouth = isOpen(0, i), from_far = through && isOpen(i + 1, rows.size());
             BoreDimension bore{
                 {std::min(row.start_z_mm, row.end_z_mm), std::max(row.start_z_mm, row.end_z_mm), row.start_diameter_mm,
-                 withPrefix(diameterPrefix,
-                            size(row, row.start_diameter_mm, uncertaintyOf(row, known).start_diameter_um)),
-                 row.start_diameter_mm},
+                 texts_.text(diameterPrefix, startDiameter(row, known)), row.start_diameter_mm, 0},
                 free ? from_mouth : from_far,
                 free ? from_far : from_mouth};
             bore.size.label.target = {DimensionTarget::Of::Diameter, {row.index}, number_of_bore};
@@ -322,75 +346,21 @@ private:
         for (const Station& station : stationsOf(rows)) {
             const bool drill_point = same(rows[station.before].end_diameter_mm, 0);
             if (drill_point || (through && same(station.z_mm, rows.back().end_z_mm))) continue;
-            const double depth = std::abs(station.z_mm - mouth);
+            Size depth{std::abs(station.z_mm - mouth), {}, lengthUncertainty(station, known), {}};
+            if (const auto& end_mm = rows[station.before].measured_end_z_mm)
+                depth.measured_mm = std::abs(*end_mm - *rows.front().measured_start_z_mm);
             LengthDimension length_of{mouth, station.z_mm, outerRadius(outer_, mouth), station.radius_mm,
-                                      size(rows[station.before], depth, lengthUncertainty(station, known))};
+                                      texts_.text({}, depth)};
             length_of.label.target = {DimensionTarget::Of::Length, {rows[station.before].index}, number_of_bore};
             features_.bore_lengths.push_back(std::move(length_of));
         }
     }
 
-    void addMarks()
-    {
-        for (const ShaftMark& mark : shaft_.marks) {
-            if (!mark.z_start_mm || !mark.z_end_mm || mark.kind == MarkKind::Thread) continue;
-            const double z = (*mark.z_start_mm + *mark.z_end_mm) / 2;
-            const bool in_undercut = std::any_of(outer_.begin(), outer_.end(), [&](const ContourRow& row) {
-                return row.kind == RowKind::Undercut && row.start_z_mm < *mark.z_end_mm &&
-                       row.end_z_mm > *mark.z_start_mm;
-            });
-            if (mark.kind == MarkKind::Keyway && mark.width_mm && mark.floor_mm) {
-                addKeyway(mark, z);
-            } else if (mark.kind == MarkKind::Knurl || mark.kind == MarkKind::Flat ||
-                       mark.kind == MarkKind::CrossHole || mark.kind == MarkKind::Unexplained || !in_undercut) {
-                const std::string text = markText(mark);
-                if (!text.empty())
-                    features_.callouts.push_back({{z, outerRadius(outer_, z)}, {text, false}, Mouth::None});
-            }
-        }
-    }
-
-    std::string markText(const ShaftMark& mark) const
-    {
-        if (!mark.designation.empty()) return mark.designation;
-        if (mark.kind == MarkKind::Knurl && mark.teeth)
-            return fill(translated(LT_TEXT("Engine", "knurl, {teeth} teeth"), options_),
-                        {{"teeth", number(*mark.teeth, 0)}});
-        if (mark.kind == MarkKind::Flat && mark.distance_mm)
-            return fill(translated(LT_TEXT("Engine", "flat, {distance} from the axis"), options_),
-                        {{"distance", number(*mark.distance_mm)}});
-        if (mark.kind == MarkKind::CrossHole && mark.diameter_mm) return diameterPrefix + number(*mark.diameter_mm);
-        if (mark.kind == MarkKind::Unexplained)
-            return fill(translated(LT_TEXT("Engine", "NOT EXPLAINED, z {from}-{to}"), options_),
-                        {{"from", number(*mark.z_start_mm)}, {"to", number(*mark.z_end_mm)}});
-        return {};
-    }
-
-    void addKeyway(const ShaftMark& mark, double z_mm)
-    {
-        const double diameter = 2 * outerRadius(outer_, z_mm);
-        KeywayView view{*mark.z_start_mm, *mark.z_end_mm, *mark.width_mm, *mark.floor_mm, diameter, 0, {}, {}};
-        for (std::size_t i = 0; i < shaft_.bores.size(); ++i)
-            view.bore_diameter_mm = std::max(view.bore_diameter_mm, 2 * outerRadius(boreRows(shaft_, i), z_mm));
-        if (!(view.width_mm > 0) || view.width_mm >= diameter || std::abs(view.floor_mm) >= diameter / 2) return;
-        const ContourRow plain;
-        view.width = size(plain, view.width_mm, std::nullopt);
-        view.across = size(plain, diameter / 2 + view.floor_mm, std::nullopt);
-        features_.keyways.push_back(view);
-        if (outer_.empty() || features_.lengths.empty()) return;
-        for (const double z : {view.from_z_mm, view.to_z_mm}) {
-            if (z < same_mm) continue;
-            const auto after = std::find_if(features_.lengths.begin(), features_.lengths.end(),
-                                            [&](const LengthDimension& length) { return length.to_z_mm > z - 1e-3; });
-            if (after == features_.lengths.end() || std::abs(after->to_z_mm - z) < 1e-3) continue;
-            features_.lengths.insert(
-                after, {0, z, outer_.front().start_diameter_mm / 2, view.width_mm / 2, size(plain, z, std::nullopt)});
-        }
-    }
-
     const Shaft& shaft_;
     const DrawingOptions& options_;
+    SizeTexts texts_;
     std::vector<ContourRow> outer_;
+    std::vector<SizeUncertainty> known_;  // of outer_
     Features features_;
 };
 

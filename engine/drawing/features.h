@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/drawing/dimension_texts.h"
+#include "engine/drawing/marks/cross_section.h"
+#include "engine/drawing/size_texts.h"
 
 namespace lathelier::drawing {
 
@@ -19,6 +21,7 @@ struct DiameterDimension {
     double diameter_mm = 0;
     DimensionText label;
     double clear_diameter_mm = 0;  ///< between the lines inside that a text is not to cross: a thread's root
+    double offset_mm = 0;          ///< height of its axis above that of the part: an eccentric
 };
 
 /// The ⌀ of a bore's cylinder.
@@ -46,22 +49,14 @@ struct LengthDimension {
     DimensionText label;
 };
 
-struct KeywayView {
-    double from_z_mm = 0, to_z_mm = 0;
-    double width_mm = 0;          ///< of the slot
-    double floor_mm = 0;          ///< from the axis
-    double diameter_mm = 0;       ///< of the shaft around it
-    double bore_diameter_mm = 0;  ///< of the bore inside it
-    DimensionText width, across;  ///< across: from the floor to the opposite side
-};
-
 struct Features {
     std::vector<DiameterDimension> diameters;   ///< outside, in the order of z
     std::vector<BoreDimension> bores;           ///< in the order of travel
     std::vector<Callout> callouts;              ///< outside and bores
     std::vector<LengthDimension> lengths;       ///< as DrawingOptions::lengths_from has them, the overall length last
     std::vector<LengthDimension> bore_lengths;  ///< from the mouths
-    std::vector<KeywayView> keyways;            ///< at most one gets its section
+    std::vector<CrossSection> sections;         ///< of marks, in the order of z
+    std::vector<Difference> differences;        ///< nominal sizes in place of measured ones, as numbered in the texts
 };
 
 /// `shaft` with its bores stated as bores (withStatedBores).

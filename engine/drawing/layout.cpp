@@ -9,6 +9,8 @@
 #include "engine/drawing/dimension_lines.h"
 #include "engine/drawing/lanes.h"
 #include "engine/drawing/leaders.h"
+#include "engine/drawing/marks/cutting_planes.h"
+#include "engine/drawing/marks/view_marks.h"
 #include "engine/drawing/view.h"
 
 namespace lathelier::drawing {
@@ -17,7 +19,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double firstLane_mm = 10;       // from the view to the first dimension line
-constexpr double cutArrowOffset_mm = 5;   // from the view to the arrows of a cutting plane
 constexpr double axisOverhang_mm = 4;     // of the axis
 constexpr double leaderSpace_mm = 2;      // least distance of leaders
 constexpr double edgeClearance_mm = 1.2;  // between a dimension line and an edge beside it
@@ -25,18 +26,22 @@ constexpr double leaderBend_mm = 3;       // leaders are vertical from so far ab
 
 class Layout {
 public:
-    Layout(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths)
-        : features_(features), factor_(factor), bored_(!shaft.bores.empty()), paint_(drawing_, height_mm)
+    Layout(const Shaft& shaft, const Features& features, const LayoutStyle& style)
+        : features_(features),
+          factor_(style.scale.factor()),
+          bored_(!shaft.bores.empty()),
+          paint_(drawing_, style.height_mm)
     {
+        const double factor = factor_;
+        const LengthStyle lengths = style.lengths;
         drawing_ = viewOf(shaft, factor);
         view_ = boxOf(drawing_);
-        for (const KeywayView& keyway : features.keyways)
-            occupied_.push_back({factor * keyway.from_z_mm, -factor * keyway.width_mm / 2, factor * keyway.to_z_mm,
-                                 factor * keyway.width_mm / 2});
+        occupied_ = markBoxes(shaft, factor);
         for (const BoreDimension& bore : features.bores)
             for (const double z : {bore.size.from_z_mm, bore.size.to_z_mm}) edges_.push_back(factor * z);
         for (const LengthDimension& length : features.bore_lengths)
             for (const double z : {length.from_z_mm, length.to_z_mm}) edges_.push_back(factor * z);
+        planCuts();
         for (const DiameterDimension& diameter : features.diameters) addDiameter(diameter);
         if (lengths == LengthStyle::Running)
             addRunningLengths();
@@ -50,7 +55,7 @@ public:
                 leaders_.push_back({factor * callout.at_mm, callout.label, std::nullopt});
         addTop();
         addAxis();
-        if (!features.keyways.empty()) addSection(features.keyways.front());
+        addSections(features.sections, style, drawing_);
     }
 
     Drawing take() { return std::move(drawing_); }
@@ -81,7 +86,9 @@ private:
         const double from = factor_ * diameter.from_z_mm, to = factor_ * diameter.to_z_mm;
         if (!placeInside(diameter, radius, from, to)) {
             const double x = clearPlace(from, to, radius);
-            leaders_.push_back({{x, radius}, diameter.label, bored_ ? std::nullopt : std::optional(-radius)});
+            const double axis = factor_ * diameter.offset_mm;
+            leaders_.push_back(
+                {{x, axis + radius}, diameter.label, bored_ ? std::nullopt : std::optional(axis - radius)});
         }
     }
 
@@ -102,23 +109,24 @@ private:
     {
         const double band = paint_.band_mm(), width = paint_.widthOf(diameter.label), margin = 1;
         const double clear = factor_ * diameter.clear_diameter_mm, room = (bored_ ? clear / 2 : clear) - 2;
-        if (width > room || to - from < band + 2 * margin) return false;
+        // The text of an eccentric would lie on its axis.
+        if (width > room || to - from < band + 2 * margin || diameter.offset_mm != 0) return false;
         const double middle = (from + to + band) / 2, reach = (to - from - band) / 2 - margin;
         for (double off = 0; off <= reach + 1e-9; off += 1)
             for (const double x : {middle + off, middle - off}) {
                 const Box box{x - band, -radius, x + 0.5, bored_ ? 0 : radius};
                 if (!isFree(box) || isNearEdge(x)) continue;
-                addInside(diameter.label, x, radius);
+                addInside(diameter.label, x, radius, factor_ * diameter.offset_mm);
                 occupied_.push_back(box);
                 return true;
             }
         return false;
     }
 
-    void addInside(const DimensionText& label, double x, double radius)
+    void addInside(const DimensionText& label, double x, double radius, double axis)
     {
         if (!bored_) {
-            paint_.vertical(x, -radius, radius, label);
+            paint_.vertical(x, axis - radius, axis + radius, label);
             const Box text = boxOf(drawing_.labels.back());
             if (text.bottom_mm < 0 && text.top_mm > 0) gaps_.emplace_back(text.left_mm - 0.3, text.right_mm + 0.3);
             return;
@@ -128,8 +136,24 @@ private:
         paint_.text({x - paint_.gap_mm(), -radius / 2}, label, Anchor::Middle, 90);
     }
 
-    /// Height of the letter of a cutting plane between the view and the first lane.
-    double cutSpace() const { return features_.keyways.empty() ? 0 : 2 * paint_.height_mm(); }
+    /// Height of the letters of cutting planes between the view and the first lane.
+    double cutSpace() const { return cuts_.empty() ? 0 : cutHeight(cuts_, paint_.height_mm()) - cutArrowOffset_mm; }
+
+    /// Where the cutting planes cross the view, clear of edges and extension lines where they can be.
+    void planCuts()
+    {
+        std::vector<double> lines = edges_;
+        for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
+        lines.push_back(0);
+        // Leaders stand about these places; an arrow is as long as two heads.
+        std::vector<double> leaders;
+        for (const Callout& callout : features_.callouts) leaders.push_back(factor_ * callout.at_mm.x());
+        for (const DiameterDimension& diameter : features_.diameters)
+            leaders.push_back(factor_ * (diameter.from_z_mm + diameter.to_z_mm) / 2);
+        for (const double x : leaders)
+            for (const double along : {0.0, arrow_mm, 2 * arrow_mm}) lines.push_back(x + along);
+        cuts_ = cutPlaces(features_.sections, factor_, lines);
+    }
 
     /// Lanes of the lengths, 0 nearest to the view.
     void addLengths(const std::vector<int>& lanes)
@@ -241,13 +265,9 @@ private:
     {
         std::vector<LeaderText> texts;
         for (const Leader& leader : leaders_) texts.push_back({leader.at_mm.x(), paint_.widthOf(leader.label) + 1});
-        if (!features_.keyways.empty()) texts.push_back({cuttingPlane(features_.keyways.front()), 0});
+        for (const CutPlace& cut : cuts_) texts.push_back({cut.x_mm, 0});
         places_ = placeLeaders(texts, leaderSpace_mm);
-        double cut = 0;
-        if (!features_.keyways.empty()) {
-            cut = places_.back().x_mm;
-            places_.pop_back();
-        }
+        places_.resize(leaders_.size());
         double y = view_.top_mm + firstLane_mm + cutSpace();
         for (const LengthDimension& length : features_.bore_lengths) {
             addBoreLength(length, y);
@@ -256,7 +276,7 @@ private:
         const double bend = view_.top_mm + leaderBend_mm;
         double first =
             features_.bore_lengths.empty() ? view_.top_mm + leaderBend_mm + 4 : y - pitch() + 2 * leaderBend_mm;
-        if (!features_.keyways.empty()) first = std::max(first, addCuttingPlane(features_.keyways.front(), cut));
+        first = std::max(first, addCuts());
         for (std::size_t i = 0; i < leaders_.size(); ++i) addLeader(leaders_[i], places_[i], bend, first);
     }
 
@@ -301,38 +321,19 @@ private:
                     place.to_left ? Anchor::End : Anchor::Start);
     }
 
-    /// Where A-A crosses the keyway: as near to its middle as extension lines allow.
-    double cuttingPlane(const KeywayView& keyway) const
+    /// Their lines, arrows and letters. The height up to which leaders are to keep clear.
+    double addCuts()
     {
-        const double from = factor_ * keyway.from_z_mm, to = factor_ * keyway.to_z_mm, middle = (from + to) / 2;
-        std::vector<double> lines = edges_;
-        for (const LengthDimension& length : features_.lengths) lines.push_back(factor_ * length.to_z_mm);
-        lines.push_back(0);
-        const auto clearance = [&](double x) {
-            double least = 2.5;  // the clearance is capped
-            for (const double line : lines) least = std::min(least, std::abs(line - x));
-            return least;
-        };
-        double best = middle;
-        for (double off = 0.25; off <= (to - from) / 2; off += 0.25)
-            for (const double x : {middle - off, middle + off})
-                if (clearance(x) > clearance(best)) best = x;
-        return best;
-    }
-
-    /// At `x`, which leaders left free, where the keyway is there. The height that the upper letter needs.
-    double addCuttingPlane(const KeywayView& keyway, double x)
-    {
-        const double height = paint_.height_mm();
-        if (x < factor_ * keyway.from_z_mm || x > factor_ * keyway.to_z_mm) x = cuttingPlane(keyway);
-        for (const double sign : {1.0, -1.0}) {
-            const double edge = sign > 0 ? view_.top_mm : view_.bottom_mm, far = edge + sign * cutArrowOffset_mm;
-            drawing_.lines.push_back({{x, edge + sign}, {x, far}, Layer::Contour, thick_mm});
-            paint_.line({x, far}, {x + 2 * arrow_mm, far});
-            paint_.arrow({x, far}, {-1, 0});
-            paint_.text({x, sign > 0 ? far + 0.4 * height : far - 1.3 * height}, {"A", false}, Anchor::Middle);
-        }
-        return view_.top_mm + cutArrowOffset_mm + 2 * height;
+        if (cuts_.empty()) return 0;
+        std::vector<double> above, below;
+        for (const LeaderPlace& place : places_) above.push_back(place.x_mm);
+        for (const LengthDimension& length : features_.bore_lengths)
+            for (const double z : {length.from_z_mm, length.to_z_mm}) above.push_back(factor_ * z);
+        for (const LengthDimension& length : features_.lengths)
+            for (const double z : {length.from_z_mm, length.to_z_mm}) below.push_back(factor_ * z);
+        paintCuts(cuts_, view_.top_mm, true, above, paint_, drawing_);
+        paintCuts(cuts_, view_.bottom_mm, false, below, paint_, drawing_);
+        return view_.top_mm + cutHeight(cuts_, paint_.height_mm());
     }
 
     void addAxis()
@@ -350,29 +351,14 @@ private:
         add(view_.right_mm + axisOverhang_mm);
     }
 
-    void addSection(const KeywayView& keyway)
-    {
-        Drawing section = keywaySection(keyway, factor_);
-        DimensionPainter paint(section, paint_.height_mm());
-        const double radius = factor_ * keyway.diameter_mm / 2, half = factor_ * keyway.width_mm / 2;
-        const double floor = factor_ * keyway.floor_mm, side = std::sqrt(radius * radius - half * half);
-        const double y = radius + 6, x = radius + 6 + paint.band_mm();
-        paint.horizontal(-half, half, y, side, side, keyway.width);
-        paint.line({half + 1, floor}, {x + 1.5, floor});
-        paint.line({1, -radius}, {x + 1.5, -radius});
-        paint.vertical(x, -radius, floor, keyway.across);
-        section.labels.push_back({{0, y + 2.5 * paint.height_mm()}, 1.4 * paint.height_mm(), 0, "A-A", Anchor::Middle});
-        move(section, {boxOf(drawing_).right_mm + 8 - boxOf(section).left_mm, 0});
-        append(drawing_, section);
-    }
-
     const Features& features_;
     double factor_;
     bool bored_;
     Drawing drawing_;
     DimensionPainter paint_;
     Box view_;
-    std::vector<Box> occupied_;                    // inside the view
+    std::vector<Box> occupied_;  // inside the view
+    std::vector<CutPlace> cuts_;
     std::vector<double> edges_;                    // x of upright lines of bores
     std::vector<std::pair<double, double>> gaps_;  // of the axis
     std::vector<Leader> leaders_;
@@ -382,9 +368,9 @@ private:
 
 }  // namespace
 
-Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths)
+Drawing layOut(const Shaft& shaft, const Features& features, const LayoutStyle& style)
 {
-    return Layout(shaft, features, factor, height_mm, lengths).take();
+    return Layout(shaft, features, style).take();
 }
 
 }  // namespace lathelier::drawing

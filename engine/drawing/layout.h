@@ -15,7 +15,18 @@ enum class LengthStyle : std::uint8_t {
     Running,   ///< superimposed on one line, to save height; for lengths from the free end
 };
 
-/// `shaft` with its bores stated (withStatedBores), `features` of it; lettering `height_mm` high.
-Drawing layOut(const Shaft& shaft, const Features& features, double factor, double height_mm, LengthStyle lengths);
+/// Where sections stand.
+enum class SectionPlace : std::uint8_t { Right, Below };
+
+struct LayoutStyle {
+    Scale scale;             ///< of the main view
+    double height_mm = 3.5;  ///< of the lettering
+    LengthStyle lengths = LengthStyle::Parallel;
+    SectionPlace sections = SectionPlace::Right;
+    double room_mm = 0;  ///< width for rows of sections below
+};
+
+/// `shaft` with its bores stated (withStatedBores), `features` of it.
+Drawing layOut(const Shaft& shaft, const Features& features, const LayoutStyle& style);
 
 }  // namespace lathelier::drawing

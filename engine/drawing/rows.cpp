@@ -28,19 +28,6 @@ RowKind kindOf(const ContourRow& row, const std::string& role)
     return role.empty() && short_and_steep ? RowKind::Chamfer : RowKind::Taper;
 }
 
-/// Does the row have its measured values?
-bool stands(const ShaftSegment& segment)
-{
-    if (!segment.measured) return false;
-    const auto same = [](const std::optional<double>& measured, double value) {
-        return measured && std::abs(*measured - value) < same_mm;
-    };
-    const MeasuredSize& measured = *segment.measured;
-    return same(measured.length_mm, segment.length_mm) && same(measured.start_diameter_mm, segment.start_diameter_mm) &&
-           same(measured.end_diameter_mm, segment.end_diameter_mm) &&
-           (!segment.arc_radius_mm || same(measured.arc_radius_mm, *segment.arc_radius_mm));
-}
-
 template <class Segment>
 ContourRow rowOf(const Segment& segment, double z_mm, double sense, std::size_t index)
 {
@@ -52,7 +39,31 @@ ContourRow rowOf(const Segment& segment, double z_mm, double sense, std::size_t 
     row.arc_radius_mm = segment.arc_radius_mm.value_or(0);
     row.index = index;
     row.kind = kindOf(row, segment.role);
+    row.tolerance = segment.tolerance;
+    row.measured = segment.measured;
     return row;
+}
+
+/// Rows one after the other from `z_mm` on; `sense` is that of z.
+template <class Segment>
+std::vector<ContourRow> rowsFrom(const std::vector<Segment>& segments, double z_mm, double sense)
+{
+    const bool any = std::any_of(segments.begin(), segments.end(),
+                                 [](const Segment& one) { return one.measured && one.measured->length_mm; });
+    std::vector<ContourRow> rows;
+    double measured_mm = z_mm;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        const Segment& segment = segments[i];
+        rows.push_back(rowOf(segment, z_mm, sense, i));
+        ContourRow& row = rows.back();
+        z_mm = row.end_z_mm;
+        if (!any) continue;
+        row.measured_start_z_mm = measured_mm;
+        measured_mm +=
+            sense * (segment.measured ? segment.measured->length_mm.value_or(segment.length_mm) : segment.length_mm);
+        row.measured_end_z_mm = measured_mm;
+    }
+    return rows;
 }
 
 }  // namespace
@@ -112,30 +123,28 @@ Shaft withStatedBores(const Shaft& shaft)
 
 std::vector<ContourRow> outerRows(const Shaft& shaft)
 {
-    std::vector<ContourRow> rows;
-    double z_mm = 0;
-    for (std::size_t i = 0; i < shaft.segments.size(); ++i) {
-        const ShaftSegment& segment = shaft.segments[i];
-        rows.push_back(rowOf(segment, z_mm, 1, i));
-        rows.back().tolerance = segment.tolerance;
-        rows.back().as_measured = stands(segment);
-        rows.back().is_nominal = segment.measured.has_value() && !rows.back().as_measured;
-        z_mm = rows.back().end_z_mm;
-    }
-    return rows;
+    return rowsFrom(shaft.segments, 0, 1);
 }
 
 std::vector<ContourRow> boreRows(const Shaft& shaft, std::size_t bore)
 {
-    std::vector<ContourRow> rows;
     const ShaftBore& stated = shaft.bores.at(bore);
-    const double sense = stated.from == ShaftEnd::Free ? 1 : -1;
-    double z_mm = stated.from == ShaftEnd::Free ? 0 : shaft.length_mm();
-    for (std::size_t i = 0; i < stated.segments.size(); ++i) {
-        rows.push_back(rowOf(stated.segments[i], z_mm, sense, i));
-        z_mm = rows.back().end_z_mm;
+    const bool free = stated.from == ShaftEnd::Free;
+    return rowsFrom(stated.segments, free ? 0 : shaft.length_mm(), free ? 1 : -1);
+}
+
+double outerRadius(const std::vector<ContourRow>& rows, double z_mm)
+{
+    double radius = 0;
+    for (const ContourRow& row : rows) {
+        if (z_mm < std::min(row.start_z_mm, row.end_z_mm) - same_mm ||
+            z_mm > std::max(row.start_z_mm, row.end_z_mm) + same_mm)
+            continue;
+        const double length = row.end_z_mm - row.start_z_mm;
+        const double share = length == 0 ? 1 : (z_mm - row.start_z_mm) / length;
+        radius = std::max(radius, (row.start_diameter_mm + share * (row.end_diameter_mm - row.start_diameter_mm)) / 2);
     }
-    return rows;
+    return radius;
 }
 
 }  // namespace lathelier::drawing

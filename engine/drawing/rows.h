@@ -22,8 +22,8 @@ struct ContourRow {
     double arc_radius_mm = 0;  ///< signed as ShaftSegment::arc_radius_mm; 0: straight
     std::size_t index = 0;     ///< in ShaftSegment or BoreSegment lists
     std::optional<SizeTolerance> tolerance = {};
-    bool is_nominal = false;   ///< values were set after measuring
-    bool as_measured = false;  ///< the values are the measured ones
+    std::optional<MeasuredSize> measured = {};
+    std::optional<double> measured_start_z_mm = {}, measured_end_z_mm = {};  ///< where some row of the contour has it
 
     double length_mm() const;
     double middleZ_mm() const { return (start_z_mm + end_z_mm) / 2; }
@@ -42,5 +42,8 @@ Shaft withStatedBores(const Shaft& shaft);
 /// is a chamfer, an arc no longer than 15 % of its diameter a radius.
 std::vector<ContourRow> outerRows(const Shaft& shaft);
 std::vector<ContourRow> boreRows(const Shaft& shaft, std::size_t bore);
+
+/// Largest radius of a contour at z, both sides of a shoulder.
+double outerRadius(const std::vector<ContourRow>& rows, double z_mm);
 
 }  // namespace lathelier::drawing

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/drawing/difference_table.h"
 #include "engine/drawing/features.h"
 #include "engine/drawing/layout.h"
 #include "engine/drawing/rows.h"
@@ -41,24 +42,10 @@ std::vector<Attempt> attemptsFor(const std::optional<Sheet>& sheet)
     return attempts;
 }
 
-/// Fills U of measured rows where none is given, and DrawingOptions::legend.
-DrawingOptions withKnown(const Shaft& shaft, DrawingOptions options)
-{
-    std::vector<SizeUncertainty> known;
-    bool any = false;
-    for (const ContourRow& row : outerRows(shaft)) {
-        any = any || row.as_measured;
-        known.push_back(row.as_measured ? shaft.segments[row.index].measured->uncertainty : SizeUncertainty{});
-    }
-    if (any && options.uncertainties.empty()) options.uncertainties = std::move(known);
-    options.legend = options.measured || any;
-    return options;
-}
-
 class Composer {
 public:
     Composer(const Shaft& shaft, const DrawingOptions& options)
-        : shaft_(withStatedBores(shaft)), block_mm_(titleBlockHeight_mm(shaft, options))
+        : shaft_(withStatedBores(shaft)), options_(options), block_mm_(titleBlockHeight_mm(shaft, options))
     {
         double largest = shaft.length_mm();
         for (const ShaftSegment& row : shaft.segments)
@@ -80,7 +67,13 @@ public:
                 drawing_.complete = false;
                 Features bare;
                 bare.lengths.push_back(features.lengths.back());
+                bare.differences = features.differences;
                 take(attempts.back(), bare, largest);
+                const Box frame = frameBox(drawing_.sheet);
+                Label remark{{frame.left_mm + frameMargin_mm, frame.top_mm - frameMargin_mm - 2.5}, 2.5};
+                remark.text = translated(
+                    LT_TEXT("Engine", "INCOMPLETE: the sheet is too small for the dimensions and sections"), options);
+                drawing_.labels.push_back(remark);
             }
         }
         append(drawing_, titleBlock(shaft_, options, drawing_.sheet, drawing_.scale));
@@ -91,30 +84,39 @@ public:
 private:
     bool take(const Attempt& attempt, const Features& features, double largest_mm)
     {
+        const bool running = attempt.lengths == LengthStyle::Running;
+        const Features& used = running && chain_ && drawing_.complete ? running_ : features;
+        Drawing table = differenceTable(used.differences, options_, attempt.sheet, block_mm_);
         Box room = frameBox(attempt.sheet).grown(-frameMargin_mm);
-        room.bottom_mm += block_mm_;
+        room.bottom_mm = std::max(room.bottom_mm + block_mm_, boxOf(table).top_mm + frameMargin_mm);
         for (const Scale& scale : scales()) {
             const double factor = scale.factor();
             if (largest_mm * factor > room.width_mm()) continue;
             const bool too_small = scale != scales().front() && largest_mm * factor < attempt.least_size_mm;
             if (too_small || factor < attempt.least_factor) return false;
-            const bool running = attempt.lengths == LengthStyle::Running;
-            const LengthStyle style = chain_ && !running ? LengthStyle::Chain : attempt.lengths;
-            Drawing content = layOut(shaft_, running && chain_ ? running_ : features, factor, attempt.height_mm, style);
-            const Box box = boxOf(content);
-            if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;
-            move(content, {(room.left_mm + room.right_mm - box.left_mm - box.right_mm) / 2,
-                           (room.bottom_mm + room.top_mm - box.bottom_mm - box.top_mm) / 2});
-            drawing_.sheet = attempt.sheet;
-            drawing_.scale = scale;
-            append(drawing_, content);
-            drawing_.origin_mm = content.origin_mm;
-            return true;
+            LayoutStyle style{scale, attempt.height_mm, attempt.lengths, SectionPlace::Right, room.width_mm()};
+            if (chain_ && !running) style.lengths = LengthStyle::Chain;
+            for (const SectionPlace place : {SectionPlace::Right, SectionPlace::Below}) {
+                if (place == SectionPlace::Below && used.sections.empty()) break;
+                style.sections = place;
+                Drawing content = layOut(shaft_, used, style);
+                const Box box = boxOf(content);
+                if (box.width_mm() > room.width_mm() || box.height_mm() > room.height_mm()) continue;
+                move(content, {(room.left_mm + room.right_mm - box.left_mm - box.right_mm) / 2,
+                               (room.bottom_mm + room.top_mm - box.bottom_mm - box.top_mm) / 2});
+                drawing_.sheet = attempt.sheet;
+                drawing_.scale = scale;
+                append(drawing_, content);
+                append(drawing_, table);
+                drawing_.origin_mm = content.origin_mm;
+                return true;
+            }
         }
         return false;
     }
 
     Shaft shaft_;
+    const DrawingOptions& options_;
     double block_mm_;
     bool chain_ = false;
     Features running_;  // of a chain: with its lengths from the free end
@@ -125,7 +127,17 @@ private:
 
 Drawing drawShaft(const Shaft& shaft, const DrawingOptions& options)
 {
-    return Composer(shaft, withKnown(shaft, options)).take();
+    return Composer(shaft, options).take();
+}
+
+bool hasMeasured(const Shaft& shaft, const DrawingOptions& options)
+{
+    const auto isMeasured = [](const auto& row) { return row.measured.has_value(); };
+    return options.measured || !shaft.recovered.scan.empty() ||
+           std::any_of(shaft.segments.begin(), shaft.segments.end(), isMeasured) ||
+           std::any_of(shaft.bores.begin(), shaft.bores.end(), [&](const ShaftBore& bore) {
+               return std::any_of(bore.segments.begin(), bore.segments.end(), isMeasured);
+           });
 }
 
 std::optional<double> massInKilograms(const Shaft& shaft)

@@ -1,6 +1,7 @@
 #include "engine/drawing/title_block.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double blockWidth_mm = 180;
+constexpr double blockWidth_mm = titleBlockWidth_mm;
 constexpr double cellPadding_mm = 1.2;
 constexpr double captionHeight_mm = 1.6;   // height of captions
 constexpr double smallestHeight_mm = 1.4;  // height of contents that are long
+constexpr double projectionWidth_mm = 25;  // of the cell of the symbol, right of the name
+constexpr double nameWidth_mm = 80;
 
 struct Cell {
     Text caption;
@@ -29,52 +32,65 @@ struct BlockRow {
     std::vector<Cell> cells;
 };
 
-std::string fileName(const std::string& path)
-{
-    const std::size_t slash = path.find_last_of("/\\");
-    return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
 std::vector<BlockRow> rowsOf(const Shaft& shaft, const DrawingOptions& options, const std::string& scale,
                              const std::string& format)
 {
     std::vector<BlockRow> rows;
-    if (options.legend || options.measured)
-        rows.push_back(
-            {5.5,
-             {{{}, translated(LT_TEXT("Engine", "italic: as measured, ± U (k = 2)"), options), blockWidth_mm, 2.2}}});
-    if (options.scan) {
-        rows.push_back(
-            {5.5,
-             {{{},
-               translated(LT_TEXT("Engine", "recovered from a scan; measured values are not a specification"), options),
-               blockWidth_mm,
-               2.2}}});
+    const RecoveredFrom& recovered = shaft.recovered;
+    const auto remark = [&](Text english) {
+        rows.push_back({5.5, {{{}, translated(english, options), blockWidth_mm, 2.2}}});
+    };
+    if (hasMeasured(shaft, options)) remark(LT_TEXT("Engine", "italic: as measured; not a specification. ± U: k = 2"));
+    if (!recovered.scan.empty()) {
+        remark(LT_TEXT("Engine", "recovered from a scan; measured values are not a specification"));
         rows.push_back({9,
-                        {{LT_TEXT("Engine", "Scan"), fileName(options.scan->path), 62},
-                         {LT_TEXT("Engine", "SHA-256"), options.scan->sha256, 118, 2}}});
+                        {{LT_TEXT("Engine", "Scan"), recovered.scan, 62},
+                         {LT_TEXT("Engine", "SHA-256"), recovered.scan_sha256, 118, 2}}});
     }
     const std::string material = !options.material.empty() ? options.material
                                  : shaft.material          ? shaft.material->name
                                                            : std::string();
     const std::optional<double> mass = massInKilograms(shaft);
+    const Text mass_caption = shaft.marks.empty() ? LT_TEXT("Engine", "Mass") : LT_TEXT("Engine", "Mass without marks");
     rows.push_back({9,
                     {{LT_TEXT("Engine", "Material"), material, 75},
-                     {LT_TEXT("Engine", "Mass"),
-                      mass ? roundedNumber(*mass, options.decimal_separator) + " kg" : std::string(), 30},
+                     {mass_caption, mass ? roundedNumber(*mass, options.decimal_separator) + " kg" : std::string(), 30},
                      {LT_TEXT("Engine", "General tolerances"), shaft.general_tolerance, 75}}});
-    rows.push_back(
-        {9, {{LT_TEXT("Engine", "Method"), options.method, 105}, {LT_TEXT("Engine", "Date"), options.date, 75}}});
+    rows.push_back({9,
+                    {{LT_TEXT("Engine", "Method"), recovered.method, 30},
+                     {LT_TEXT("Engine", "Surface texture"), options.surface_texture, 45},
+                     {LT_TEXT("Engine", "Author"), options.author, 65},
+                     {LT_TEXT("Engine", "Date"), options.date, 40}}});
     rows.push_back({12,
-                    {{LT_TEXT("Engine", "Name"), options.name.empty() ? shaft.name : options.name, 105, 4},
+                    {{LT_TEXT("Engine", "Name"), options.name.empty() ? shaft.name : options.name, nameWidth_mm, 4},
+                     {LT_TEXT("Engine", "Projection"), {}, projectionWidth_mm},
                      {LT_TEXT("Engine", "Scale"), scale, 25, 3.5},
                      {LT_TEXT("Engine", "Sheet"), options.sheet_number, 25, 3.5},
                      {LT_TEXT("Engine", "Format"), format, 25, 3.5}}});
     return rows;
 }
 
-/// Fits the label into a width: smaller, then shortened.
-void fit(Label& label, double width_mm)
+/// Symbol of first-angle projection (ISO 5456-2): a cone, and right of it what is seen from its small end.
+Drawing firstAngleSymbol(const Vector2d& centre)
+{
+    constexpr double small = 1.5, large = 3, length = 5, apart = 6;
+    Drawing symbol;
+    const double left = centre.x() - 4 - length / 2, right = left + length;
+    const auto at = [&](double x, double y) { return Vector2d(x, centre.y() + y); };
+    const std::array corners{at(left, -small), at(left, small), at(right, large), at(right, -large)};
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        symbol.lines.push_back({corners[i], corners[(i + 1) % corners.size()], Layer::Frame, thin_mm});
+    const Vector2d circles = at(right + apart, 0);
+    for (const double radius : {small, large}) symbol.arcs.push_back({circles, radius, 0, 360, Layer::Frame, thin_mm});
+    symbol.lines.push_back({at(left - 1, 0), at(right + 1, 0), Layer::Frame, thin_mm, LineType::DashDot});
+    for (const Vector2d& axis : {Vector2d(large + 1, 0), Vector2d(0, large + 1)})
+        symbol.lines.push_back({circles - axis, circles + axis, Layer::Frame, thin_mm, LineType::DashDot});
+    return symbol;
+}
+
+}  // namespace
+
+void fitInto(Label& label, double width_mm)
 {
     const double wide = textWidth_mm(label.text, label.height_mm);
     if (wide <= width_mm) return;
@@ -88,8 +104,6 @@ void fit(Label& label, double width_mm)
     } while (count > 0 && textWidth_mm(shortened, label.height_mm) > width_mm);
     label.text = shortened;
 }
-
-}  // namespace
 
 double titleBlockHeight_mm(const Shaft& shaft, const DrawingOptions& options)
 {
@@ -125,20 +139,21 @@ Drawing titleBlock(const Shaft& shaft, const DrawingOptions& options, Sheet shee
             if (!cell.caption.empty()) {
                 Label caption{{x + cellPadding_mm, top - cellPadding_mm - captionHeight_mm}, captionHeight_mm};
                 caption.text = translated(cell.caption, options);
-                fit(caption, room);
+                fitInto(caption, room);
                 drawing.labels.push_back(caption);
             }
             if (!cell.content.empty()) {
                 Label content{{x + cellPadding_mm, bottom + 0.6 + 0.4 * cell.height_mm}, cell.height_mm};
                 content.text = cell.content;
                 content.italic = cell.caption.empty();
-                fit(content, room);
+                fitInto(content, room);
                 drawing.labels.push_back(content);
             }
             x += cell.width_mm;
         }
         top = bottom;
     }
+    append(drawing, firstAngleSymbol({left + nameWidth_mm + projectionWidth_mm / 2, frame.bottom_mm + 4.6}));
     return drawing;
 }
 

@@ -6,6 +6,11 @@
 
 namespace lathelier::drawing {
 
+inline constexpr double titleBlockWidth_mm = 180;
+
+/// Sets the label smaller, then shortens it, until it fits into the width.
+void fitInto(Label& label, double width_mm);
+
 /// Height of the block with these contents, mm.
 double titleBlockHeight_mm(const Shaft& shaft, const DrawingOptions& options);
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine/core/units.h"
+#include "engine/drawing/marks/view_marks.h"
 
 namespace lathelier::drawing {
 namespace {
@@ -55,7 +56,8 @@ bool isHidden(const Contour& outside, const Vector2d& point)
 
 class View {
 public:
-    View(const Shaft& shaft, double factor) : shaft_(shaft), factor_(factor), outside_(outerContour(shaft))
+    View(const Shaft& shaft, double factor)
+        : factor_(factor), outside_(outerContour(shaft)), shaped_(shapedStretches(shaft))
     {
         if (outside_.empty()) return;
         if (shaft.bores.empty()) {
@@ -69,6 +71,7 @@ public:
         }
         addOutside(false);
         for (const ShaftMark& mark : shaft.marks) addMark(mark);
+        addMarkLines(view_, shaft, factor, !shaft.bores.empty());
     }
 
     Drawing take() { return std::move(view_); }
@@ -121,16 +124,40 @@ private:
         addPiece(part, mirror);
     }
 
+    /// Is the piece the round surface of a stretch that has a shape of its own?
+    bool isShaped(const ContourPiece& piece) const
+    {
+        const double from = std::min(piece.from_mm.x(), piece.to_mm.x()),
+                     to = std::max(piece.from_mm.x(), piece.to_mm.x());
+        return to > from && std::any_of(shaped_.begin(), shaped_.end(), [&](const ShapedStretch& stretch) {
+                   const double common = std::min(to, stretch.to_z_mm) - std::max(from, stretch.from_z_mm);
+                   return common > 0.8 * (to - from);
+               });
+    }
+
+    /// Is this corner one of such a surface?
+    bool isShapedCorner(const Vector2d& at) const
+    {
+        return std::any_of(outside_.begin(), outside_.end(), [&](const ContourPiece& piece) {
+            return isShaped(piece) && ((piece.from_mm - at).norm() < same_mm || (piece.to_mm - at).norm() < same_mm);
+        });
+    }
+
     /// The upper or the lower half of the outside; its edges run from the axis.
     void addOutside(bool upper)
     {
         const double sign = upper ? 1 : -1;
-        const auto edge = [&](const Vector2d& at) { addLine({at.x(), 0}, {at.x(), sign * at.y()}); };
+        const auto edge = [&](const Vector2d& at) {
+            if (!isShapedCorner(at)) addLine({at.x(), 0}, {at.x(), sign * at.y()});
+        };
         edge(outside_.front().from_mm);
         edge(outside_.back().to_mm);
         for (std::size_t i = 0; i < outside_.size(); ++i) {
             const ContourPiece& piece = outside_[i];
-            addVisible(piece, !upper);
+            const bool is_face = piece.from_mm.x() == piece.to_mm.x();
+            const bool is_shaped =
+                isShaped(piece) || (is_face && (isShapedCorner(piece.from_mm) || isShapedCorner(piece.to_mm)));
+            if (!is_shaped) addVisible(piece, !upper);
             if (i + 1 == outside_.size() || !isCorner(piece, outside_[i + 1])) continue;
             if (!isHidden(outside_, piece.to_mm)) edge(piece.to_mm);
         }
@@ -169,13 +196,6 @@ private:
                     begin = piece.from_mm.x() + (piece.to_mm.x() - piece.from_mm.x()) * (root - piece.from_mm.y()) /
                                                     (piece.to_mm.y() - piece.from_mm.y());
             for (const double sign : {1.0, -1.0}) addLine({begin, sign * root}, {to, sign * root}, thin_mm);
-        } else if (mark.kind == MarkKind::Keyway && mark.width_mm) {
-            const double low = -*mark.width_mm / 2,
-                         high = shaft_.bores.empty() ? -low : 0;  // the upper half is cut away
-            addLine({from, low}, {to, low});
-            if (high > 0) addLine({from, high}, {to, high});
-            addLine({from, low}, {from, high});
-            addLine({to, low}, {to, high});
         } else if (mark.kind == MarkKind::Knurl) {
             addKnurl(from, to);
         }
@@ -195,9 +215,9 @@ private:
         }
     }
 
-    const Shaft& shaft_;
     double factor_;
     Contour outside_;
+    std::vector<ShapedStretch> shaped_;
     Drawing view_;
 };
 
@@ -252,38 +272,6 @@ std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm)
                     {cuts[i] * along + at * across, cuts[i + 1] * along + at * across, Layer::Hatch, thin_mm});
     }
     return lines;
-}
-
-Drawing keywaySection(const KeywayView& keyway, double factor)
-{
-    Drawing section;
-    const double radius = factor * keyway.diameter_mm / 2, half = factor * keyway.width_mm / 2;
-    const double floor = factor * keyway.floor_mm, side = std::sqrt(radius * radius - half * half);
-    const double slot = std::asin(half / radius);
-    section.arcs.push_back({Vector2d::Zero(), radius, 90 + slot * 180 / std::numbers::pi,
-                            450 - slot * 180 / std::numbers::pi, Layer::Contour, thick_mm});
-    Polygon polygon = {{half, side}, {half, floor}, {-half, floor}, {-half, side}};
-    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
-        section.lines.push_back({polygon[i], polygon[i + 1], Layer::Contour, thick_mm});
-    constexpr int arcSteps = 180;
-    const double begin = std::numbers::pi / 2 + slot, turn = 2 * std::numbers::pi - 2 * slot;
-    for (int i = 1; i < arcSteps; ++i) {
-        const double angle = begin + turn * i / arcSteps;
-        polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-    }
-    Polygon hole;
-    const double bore = factor * keyway.bore_diameter_mm / 2;
-    if (bore > 0) {
-        section.arcs.push_back({Vector2d::Zero(), bore, 0, 360, Layer::Contour, thick_mm});
-        for (int i = 0; i < arcSteps; ++i)
-            hole.emplace_back(bore * std::cos(2 * std::numbers::pi * i / arcSteps),
-                              bore * std::sin(2 * std::numbers::pi * i / arcSteps));
-    }
-    for (const Line& line : hatch({polygon, hole}, 2.5)) section.lines.push_back(line);
-    const double over = radius + 3;
-    for (const Vector2d& axis : {Vector2d(over, 0), Vector2d(0, over)})
-        section.lines.push_back({-axis, axis, Layer::Axis, thin_mm, LineType::DashDot});
-    return section;
 }
 
 }  // namespace lathelier::drawing

@@ -1,4 +1,5 @@
-// The view of a shaft: edges, axis, hatching, thread roots and keyways, in mm on paper from the axis at the free end.
+// The view of a shaft: edges, axis, hatching, thread roots, knurls and marks, in mm on paper from the axis at the free
+// end.
 #pragma once
 
 #include "engine/drawing/drawing.h"
@@ -17,8 +18,5 @@ std::vector<Line> hatch(const std::vector<Polygon>& polygons, double spacing_mm)
 
 /// The corners of closed pieces, arcs as steps of at most 2°, multiplied by `factor`.
 Polygon polygonOf(const Contour& contour, double factor);
-
-/// A cross section through a keyway, opening upward, its centre at 0, hatched, with its axes.
-Drawing keywaySection(const KeywayView& keyway, double factor);
 
 }  // namespace lathelier::drawing

@@ -134,6 +134,12 @@ inline constexpr NoteCode sizeNotDetermined{
             "Row {row}: the data do not determine its {size} (U {uncertainty_mm:1} mm); it is given without an "
             "uncertainty.")};
 
+inline constexpr NoteCode nominalNotApplied{
+    "nominal_not_applied", Severity::Info,
+    LT_TEXT("Engine",
+            "Suggested sizes that the measured ones do not agree with within U stay as measured: {count} ({sizes}). A "
+            "person may confirm each.")};
+
 inline constexpr NoteCode rowsNotRound{
     "rows_not_round", Severity::Info,
     LT_TEXT("Engine", "Rows that are not round: {count}; row {row} has {lobes} lobes of {height_um:1} µm.")};

@@ -58,9 +58,13 @@ struct Suggestion {
     double nominal_mm = 0;          ///< multiple of the grid
     double difference_um = 0;       ///< measured - nominal
     double grid_mm = 0;             ///< multiples of this are candidates
-    double chance_percent = 0;      ///< false-match probability: an arbitrary size lies as near to a multiple
+    std::optional<double> chance_percent;  ///< false-match probability: an arbitrary size lies as near to a multiple;
+                                           ///< none: not known, or every size does
     std::vector<std::string> fits;  ///< ISO 286 classes whose zone contains the measured value ± U, tightest first
     std::string designation;        ///< "1×45°", "DIN 509 - E 0.6×0.2"; empty: only the number
+    std::string tolerance;          ///< class of ISO 286 that goes with the nominal size: "k5"; empty: none
+    bool agrees = false;  ///< the measured value lies within its U of the nominal size, or of the tolerance of its
+                          ///< class or standard; else only a person puts the nominal size in place
 };
 
 /// Departure of a row from a circle about the common axis; nothing where it is not sure.

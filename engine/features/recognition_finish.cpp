@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/features/features_codes.h"
+#include "engine/features/nominal/agreeing_sizes.h"
 #include "engine/features/nominal/roles.h"
 #include "engine/features/nominal/snap.h"
 #include "engine/features/recognition_limits.h"
@@ -138,7 +139,8 @@ void finishRows(const Outline& outline, Recognition& result)
     std::stable_sort(result.meridian.begin(), result.meridian.end(),
                      [](const MeridianPoint& a, const MeridianPoint& b) { return a.z_mm < b.z_mm; });
     describeRows(result);
-    result.shaft = result.parameters.snap == Snap::Apply ? appliedNominal(result) : measuredShaft(result);
+    result.shaft =
+        result.parameters.snap == Snap::Apply ? agreeingNominal(result, {}).shaft : measuredShaft(result);
 }
 
 }  // namespace lathelier::features

@@ -1,5 +1,6 @@
 #include "engine/shaft/shaft.h"
 
+#include "engine/core/field_within.h"
 #include "engine/core/units.h"
 
 namespace lathelier {
@@ -167,7 +168,11 @@ const std::vector<Field<BoreSegment>>& fieldsOf(const BoreSegment*)
                      field("end_diameter_mm", &B::end_diameter_mm, diameters_mm,
                            required(endName, LT_TEXT("Engine", "At its inner end."), unit::mm)),
                      field("arc_radius_mm", &B::arc_radius_mm, lengths_mm, label(arcName, arcHelp, unit::mm)),
-                     field("role", &B::role, label(roleName, roleHelp)));
+                     field("role", &B::role, label(roleName, roleHelp)),
+                     group("tolerance", &B::tolerance,
+                           folded(LT_TEXT("Engine", "Tolerance"), LT_TEXT("Engine", "Of the diameter."))),
+                     group("measured", &B::measured,
+                           folded(LT_TEXT("Engine", "Measured"), LT_TEXT("Engine", "What a scan said of this row."))));
     return all;
 }
 
@@ -214,6 +219,17 @@ const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*)
     return all;
 }
 
+const std::vector<Field<RecoveredFrom>>& fieldsOf(const RecoveredFrom*)
+{
+    using R = RecoveredFrom;
+    const Text help = LT_TEXT("Engine", "Of a shaft that was recovered from a scan.");
+    static const auto all = described<R>(
+        field("recovered_from_scan", &R::scan, folded(LT_TEXT("Engine", "Scan"), help)),
+        field("recovered_from_sha256", &R::scan_sha256, folded(LT_TEXT("Engine", "SHA-256 of the scan"), help)),
+        field("recovered_by_method", &R::method, folded(LT_TEXT("Engine", "Method of the recognition"), help)));
+    return all;
+}
+
 const std::vector<Field<Shaft>>& fieldsOf(const Shaft*)
 {
     static const auto all = described<Shaft>(
@@ -227,7 +243,9 @@ const std::vector<Field<Shaft>>& fieldsOf(const Shaft*)
         rows("marks", &Shaft::marks, anyCountOrNone,
              folded(LT_TEXT("Engine", "Marks"), LT_TEXT("Engine", "What is not a body of revolution."))),
         field("general_tolerance", &Shaft::general_tolerance,
-              folded(LT_TEXT("Engine", "General tolerance"), LT_TEXT("Engine", "Such as ISO 2768-m."))));
+              folded(LT_TEXT("Engine", "General tolerance"), LT_TEXT("Engine", "Such as ISO 2768-m."))),
+        within(&Shaft::recovered, "recovered_from_scan"), within(&Shaft::recovered, "recovered_from_sha256"),
+        within(&Shaft::recovered, "recovered_by_method"));
     return all;
 }
 

@@ -66,6 +66,8 @@ struct BoreSegment {
     double end_diameter_mm = 0;
     std::optional<double> arc_radius_mm;  ///< none: straight
     std::string role;                     ///< as ShaftSegment::role
+    std::optional<SizeTolerance> tolerance = {};  ///< as ShaftSegment::tolerance
+    std::optional<MeasuredSize> measured = {};    ///< as ShaftSegment::measured
     friend bool operator==(const BoreSegment&, const BoreSegment&) = default;
 };
 
@@ -111,6 +113,14 @@ std::string key(const ShaftMark& mark);
 /// Name of its kind for people: a Text, of MarkKind::Other the key.
 Value nameOf(const ShaftMark& mark);
 
+/// What a shaft was recovered from, for title blocks.
+struct RecoveredFrom {
+    std::string scan;         ///< name of the file; empty: the shaft was not recovered from a scan
+    std::string scan_sha256;  ///< of its content, lower-case hexadecimal
+    std::string method;       ///< of the recognition: "robust"
+    friend bool operator==(const RecoveredFrom&, const RecoveredFrom&) = default;
+};
+
 struct Shaft {
     std::string name;                    ///< display name of the part; may be empty
     std::vector<ShaftSegment> segments;  ///< from the free end toward the chuck
@@ -118,6 +128,7 @@ struct Shaft {
     std::vector<ShaftBore> bores = {};   ///< at most one from each end; not beside ShaftSegment::bore_diameter_mm
     std::vector<ShaftMark> marks = {};   ///< in the order of z
     std::string general_tolerance = {};  ///< "ISO 2768-m"; empty: none
+    RecoveredFrom recovered = {};        ///< rows without MeasuredSize were stated by a person
     friend bool operator==(const Shaft&, const Shaft&) = default;
 
     double length_mm() const;
@@ -130,6 +141,7 @@ const std::vector<Field<ShaftSegment>>& fieldsOf(const ShaftSegment*);
 const std::vector<Field<BoreSegment>>& fieldsOf(const BoreSegment*);
 const std::vector<Field<ShaftBore>>& fieldsOf(const ShaftBore*);
 const std::vector<Field<ShaftMark>>& fieldsOf(const ShaftMark*);
+const std::vector<Field<RecoveredFrom>>& fieldsOf(const RecoveredFrom*);
 const std::vector<Field<Shaft>>& fieldsOf(const Shaft*);
 
 }  // namespace lathelier

@@ -57,9 +57,10 @@ void RowsView::setOutcome(const std::shared_ptr<const cad::RecognizeOutcome>& ou
     show();
 }
 
-bool RowsView::isAccepted(const features::AcceptedSize& size) const
+/// By a person, or put in place with all that agree.
+bool RowsView::isAccepted(const features::AcceptedSize& size, bool agrees) const
 {
-    if (outcome_->result->parameters.snap == features::Snap::Apply) return true;
+    if (agrees && outcome_->result->parameters.snap == features::Snap::Apply) return true;
     const auto& accepted = outcome_->accepted;
     return std::find(accepted.begin(), accepted.end(), size) != accepted.end();
 }
@@ -95,10 +96,16 @@ void RowsView::addChips(int row, int column)
         const QString suggestedText = QString::fromStdString(suggestionText(suggestion, screenLanguage()));
         chip->setText(suggestedText.left(suggestedText.indexOf(" (")));
         chip->setCheckable(true);
-        chip->setChecked(isAccepted(size));
-        chip->setEnabled(outcome_->result->parameters.snap == features::Snap::Suggest);
-        chip->setToolTip(tr("Put %1 in place of the measured size. That any size is as near to such a number: %2 %")
-                             .arg(suggestedText, screenNumber(suggestion.chance_percent, 0)));
+        chip->setChecked(isAccepted(size, suggestion.agrees));
+        const features::Snap snap = outcome_->result->parameters.snap;
+        chip->setEnabled(snap == features::Snap::Suggest || (snap == features::Snap::Apply && !suggestion.agrees));
+        QString tip = tr("Put %1 in place of the measured size.").arg(suggestedText);
+        if (!suggestion.agrees)
+            tip += " " + tr("The measured size is further from it than its U: only you can confirm it.");
+        if (suggestion.chance_percent)
+            tip += " " + tr("That any size is as near to such a number: %1 %")
+                             .arg(screenNumber(*suggestion.chance_percent, 0));
+        chip->setToolTip(tip);
         chip->setAccessibleName(suggestedText);
         connect(chip, &QToolButton::clicked, this, [this, sizes] { emit sizesAccepted(sizes); });
         layout->addWidget(chip);
@@ -151,7 +158,8 @@ void RowsView::retranslate()
     accept_->setText(tr("Accept"));
     accept_->setToolTip(tr("Put the suggested size of this row in place of the measured one"));
     all_->setText(tr("Accept all"));
-    all_->setToolTip(tr("Put all suggested sizes in place of the measured ones, which stay beside them"));
+    all_->setToolTip(tr("Put all suggested sizes that the measured ones agree with within U in their place; the "
+                        "measured ones stay beside them"));
     if (outcome_) setOutcome(outcome_);
 }
 

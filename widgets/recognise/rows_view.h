@@ -32,7 +32,7 @@ private:
     void addChips(int row, int column);
     void acceptFirst(int row);
     std::vector<features::AcceptedSize> together(int row, const features::Suggestion& suggestion) const;
-    bool isAccepted(const features::AcceptedSize& size) const;
+    bool isAccepted(const features::AcceptedSize& size, bool agrees) const;
 
     std::shared_ptr<const cad::RecognizeOutcome> outcome_;
     CopyTable* table_;

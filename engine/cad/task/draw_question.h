@@ -7,7 +7,6 @@
 #include "engine/cad/task/part_files.h"
 #include "engine/drawing/shaft_drawing.h"
 #include "engine/project/project.h"
-#include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
 #include "engine/task/edited_segments.h"
 
@@ -40,16 +39,14 @@ std::string boresOf(const project::PanelState& state);
 void setBores(project::PanelState& state, const std::vector<ShaftBore>& bores);
 
 struct DrawQuestion {
-    std::vector<ShaftSegment> segments;   ///< table of segments; empty: those of the file
-    std::string segments_of;              ///< identity() of the input of the edited table
-    std::vector<BoreRow> bores;           ///< table of bores; has precedence if bores_of equals boresOf()
-    std::string bores_of;                 ///< boresOf() of the input of the edited table; empty: bores of the file
-    std::string name;                     ///< name of the part; empty: that of the input
-    std::string material = statedChoice;  ///< key of the library; material for the mass
-    std::string material_name;            ///< printed name; empty: that of the material
+    std::vector<ShaftSegment> segments;  ///< table of segments; empty: those of the file
+    std::string segments_of;             ///< identity() of the input of the edited table
+    std::vector<BoreRow> bores;          ///< table of bores; has precedence if bores_of equals boresOf()
+    std::string bores_of;                ///< boresOf() of the input of the edited table; empty: bores of the file
+    std::string name;                    ///< name of the part; empty: that of the input
+    TitleQuestion title;                 ///< of the drawing
     SheetChoice sheet = SheetChoice::Automatic;                  ///< sheet size
     drawing::LengthsFrom lengths = drawing::LengthsFrom::Datum;  ///< reference of lengths in the drawing and of edits
-    std::string date;                                            ///< printed date; empty: today
     bool measured = false;                                       ///< rows without a nominal size are measured values
     CadQuestion cad;                                             ///< kinds of the files that are written
     bool check = false;                                          ///< nothing is written

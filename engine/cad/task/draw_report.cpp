@@ -36,18 +36,10 @@ double largestDiameter_mm(const Shaft& shaft)
 drawing::Drawing drawingOf(const DrawOutcome& outcome, const Language& language)
 {
     const DrawQuestion& question = outcome.question;
-    drawing::DrawingOptions options;
+    drawing::DrawingOptions options = drawingOptions(question.title, question.cad, language);
     options.sheet = sheetOf(question.sheet);
-    options.material = question.material_name;
-    if (!question.cad.undated) options.date = question.date.empty() ? today() : question.date;
-    options.decimal_separator = decimalMark(language);
     options.measured = question.measured;
     options.lengths_from = question.lengths;
-    if (outcome.recovered) {
-        options.scan = InputFile{outcome.recovered->scan, 0, outcome.recovered->scan_sha256};
-        options.method = outcome.recovered->method;
-    }
-    options.translate = [&language](Text english) { return text(english, language); };
     return drawing::drawShaft(outcome.shaft, options);
 }
 
@@ -134,7 +126,7 @@ report::Table measuredTable(const DrawOutcome& outcome, const Language& language
         const MeasuredSize& measured = *row.measured;
         const auto add = [&](Text name, double nominal_mm, const std::optional<double>& found_mm,
                              const std::optional<double>& u_um) {
-            if (!found_mm) return;
+            if (!found_mm || std::abs(*found_mm - nominal_mm) < same_mm) return;
             table.rows.push_back({number, text(name, language), nominal_mm, *found_mm, *found_mm - nominal_mm,
                                   u_um ? Value(1e-3 * *u_um) : Value()});
         };

@@ -6,7 +6,6 @@
 #include "engine/cad/step_kind.h"
 #include "engine/cad/steps_view.h"
 #include "engine/core/json.h"
-#include "engine/receptance/library.h"
 #include "engine/shaft/shaft_codes.h"
 #include "engine/shaft/shaft_contour.h"
 #include "engine/shaft/shaft_rules.h"
@@ -19,7 +18,6 @@ void takeShaft(DrawOutcome& outcome, const project::PanelState& state, Stores& s
 {
     PartTaken taken = takePart(state, shaftRole, stores, sources, progress);
     outcome.shaft = std::move(taken.shaft);
-    outcome.recovered = std::move(taken.recovered);
     outcome.file = std::move(taken.file);
 }
 
@@ -112,7 +110,7 @@ DrawOutcome answerDraw(const project::PanelState& state, bool has_cad, Stores& s
                                             });
     if (question.bores_of == boresOf(state)) outcome.shaft.bores = boresOfRows(question.bores);
     if (!question.name.empty()) outcome.shaft.name = question.name;
-    receptance::chooseMaterial(question.material, outcome.shaft, sources.notes);
+    addTitle(question.title, outcome.shaft, sources.notes);
     try {
         outcome.remarks = checkShaft(outcome.shaft);
     } catch (Error& error) {
@@ -145,11 +143,8 @@ task::Outcome outcomeOf(const std::shared_ptr<const DrawOutcome>& outcome)
     all.report = [outcome](const Language& language) { return reportOf(*outcome, language); };
     if (!outcome->question.check) all.writers = partWriters(partOf(outcome));
     all.products = [outcome](const Language& language) {
-        return std::vector<task::Product>{{shaftItem, {}, nameOfProduct(*outcome, language), [outcome] {
-                                               return outcome->recovered
-                                                          ? itemValues(outcome->shaft, *outcome->recovered)
-                                                          : toValues(outcome->shaft);
-                                           }}};
+        return std::vector<task::Product>{
+            {shaftItem, {}, nameOfProduct(*outcome, language), [outcome] { return toValues(outcome->shaft); }}};
     };
     return settled(drawTask(), std::move(all), outcome->understanding);
 }

@@ -19,7 +19,6 @@ struct DrawOutcome : task::Answered {
     Shaft shaft;                                   ///< shaft that satisfies checkShaft()
     std::optional<double> mass_kg;                 ///< mass; none: the material is unknown
     Notes remarks;                                 ///< notes of checkShaft() and of the limits of CAD files
-    std::optional<RecoveredFrom> recovered;        ///< scan from which an item was recognised
     std::shared_ptr<const Loaded<PartFile>> file;  ///< null: an item, or a table
 };
 

@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "engine/cad/cad_notes.h"
 #include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
 #include "engine/cad/freecad_macro.h"
@@ -31,7 +32,9 @@ std::string stepOf(const PartToWrite& part, const Progress& progress)
 
 std::string dxfOfPart(const PartToWrite& part, const Language& language)
 {
-    return part.cad.dxf_contour ? contourDxf(part.shaft) : dxfText(dxfOf(part.drawing(language)));
+    if (!part.cad.dxf_contour) return dxfText(dxfOf(part.drawing(language)));
+    requireTurned(part.shaft);
+    return contourDxf(part.shaft);
 }
 
 }  // namespace
@@ -55,6 +58,50 @@ const std::vector<Field<CadQuestion>>& fieldsOf(const CadQuestion*)
         return list;
     }();
     return all;
+}
+
+const std::vector<Field<TitleQuestion>>& fieldsOf(const TitleQuestion*)
+{
+    using Q = TitleQuestion;
+    static const auto all = [] {
+        auto list = described<Q>(
+            choice("library_material", &Q::material,
+                   receptance::materialChoices(LT_TEXT("Engine", "as the file states")),
+                   Label{LT_TEXT("Engine", "Material"),
+                         LT_TEXT("Engine", "Handbook values of the library are marked as assumed.")}),
+            field("material_name", &Q::material_name,
+                  Label{LT_TEXT("Engine", "Material name"),
+                        LT_TEXT("Engine", "As printed in the title block; empty: the name of the material.")}),
+            field("general_tolerances", &Q::general_tolerances,
+                  Label{LT_TEXT("Engine", "General tolerances"),
+                        LT_TEXT("Engine", "Such as ISO 2768-m; empty: as the input has them, else none.")}),
+            field("surface_texture", &Q::surface_texture,
+                  Label{LT_TEXT("Engine", "Surface texture"),
+                        LT_TEXT("Engine", "Note in the title block, such as Rz 16; empty: none.")}),
+            field("author", &Q::author, Label{LT_TEXT("Engine", "Author"), LT_TEXT("Engine", "Empty: none.")}),
+            field("date", &Q::date, Label{LT_TEXT("Engine", "Date"), LT_TEXT("Engine", "As printed; empty: today.")}));
+        for (Field<Q>& one : list) one.info.group = LT_TEXT("Engine", "Title block");
+        return list;
+    }();
+    return all;
+}
+
+void addTitle(const TitleQuestion& title, Shaft& shaft, Notes& notes)
+{
+    receptance::chooseMaterial(title.material, shaft, notes);
+    if (!title.general_tolerances.empty()) shaft.general_tolerance = title.general_tolerances;
+}
+
+drawing::DrawingOptions drawingOptions(const TitleQuestion& title, const CadQuestion& cad, const Language& language)
+{
+    drawing::DrawingOptions options;
+    options.material = title.material_name;
+    options.surface_texture = title.surface_texture;
+    options.author = title.author;
+    if (!cad.undated) options.date = title.date.empty() ? today() : title.date;
+    options.decimal_separator = decimalMark(language);
+    options.translate = [&language](Text english) { return text(english, language); };
+    return options;
 }
 
 std::vector<task::Export> partExports()
@@ -86,15 +133,21 @@ std::map<std::string, task::WriteExport> partWriters(const std::shared_ptr<const
             io::writeFile(path, content(language, progress));
         };
     };
+    const auto solid = [part, whole](const std::function<std::string(const Progress&)>& content) {
+        return whole([part, content](const Language&, const Progress& progress) {
+            requireTurned(part->shaft);
+            return content(progress);
+        });
+    };
     std::map<std::string, task::WriteExport> all;
     all[shaftExport] = [part](const std::string& path, const Language&, const Progress&) {
         io::writeFile(path, io::shaftText(part->shaft));
     };
     all[stockExport] = whole([part](const Language&, const Progress&) { return io::stockText(part->stock); });
-    all[stepExport] = whole([part](const Language&, const Progress& progress) { return stepOf(*part, progress); });
+    all[stepExport] = solid([part](const Progress& progress) { return stepOf(*part, progress); });
     all[dxfExport] = whole([part](const Language& language, const Progress&) { return dxfOfPart(*part, language); });
-    all[freecadExport] = whole([part](const Language&, const Progress&) { return freecadMacro(part->shaft); });
-    all[solidworksExport] = whole([part](const Language&, const Progress&) { return solidworksMacro(part->shaft); });
+    all[freecadExport] = solid([part](const Progress&) { return freecadMacro(part->shaft); });
+    all[solidworksExport] = solid([part](const Progress&) { return solidworksMacro(part->shaft); });
     all[tableExport] =
         whole([part](const Language&, const Progress&) { return part->csv ? part->csv() : shaftCsv(part->shaft); });
     all[drawingExport] =

@@ -10,6 +10,8 @@
 
 #include "engine/core/fields.h"
 #include "engine/drawing/drawing.h"
+#include "engine/drawing/shaft_drawing.h"
+#include "engine/receptance/library.h"
 #include "engine/shaft/shaft.h"
 #include "engine/task/task.h"
 
@@ -23,6 +25,24 @@ struct CadQuestion {
 };
 
 const std::vector<Field<CadQuestion>>& fieldsOf(const CadQuestion*);
+
+/// What a person adds to the title block of a drawing.
+struct TitleQuestion {
+    std::string material = statedChoice;  ///< key of the library; material for the mass
+    std::string material_name;            ///< printed name; empty: that of the material
+    std::string general_tolerances;       ///< "ISO 2768-m"; empty: as the shaft states
+    std::string surface_texture;          ///< note on roughness; empty: none
+    std::string author;                   ///< empty: none
+    std::string date;                     ///< printed date; empty: today
+};
+
+const std::vector<Field<TitleQuestion>>& fieldsOf(const TitleQuestion*);
+
+/// Puts material and general tolerances into the shaft. Note materialOfLibrary.
+void addTitle(const TitleQuestion& title, Shaft& shaft, Notes& notes);
+
+/// The options of a drawing that these questions settle.
+drawing::DrawingOptions drawingOptions(const TitleQuestion& title, const CadQuestion& cad, const Language& language);
 
 /// What the files are made of.
 struct PartToWrite {

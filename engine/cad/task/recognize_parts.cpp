@@ -43,34 +43,9 @@ ScanByKind partedByKind(const Scan& scan, const features::Recognition& result)
     return result_parts;
 }
 
-Shaft measuredRows(const RecognizeOutcome& outcome)
-{
-    Shaft shaft = outcome.shaft;
-    const auto& rows = outcome.result->segments;
-    if (rows.size() != shaft.segments.size()) return shaft;  // a gap became a row, or a published table has precedence
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        ShaftSegment& row = shaft.segments[i];
-        if (row.measured) continue;
-        row.measured = MeasuredSize{row.length_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
-                                    rows[i].uncertainty};
-    }
-    return shaft;
-}
-
 drawing::Drawing drawingOf(const RecognizeOutcome& outcome, const Language& language)
 {
-    drawing::DrawingOptions options;
-    options.scan = outcome.sources.inputs.front();
-    options.method = outcome.result->method_used;
-    if (!outcome.question.cad.undated) options.date = today();
-    options.measured = true;
-    for (const auto& bore : outcome.result->bores) {
-        auto& known = options.bore_uncertainties.emplace_back();
-        for (const features::RecognizedRow& row : bore) known.push_back(row.uncertainty);
-    }
-    options.decimal_separator = decimalMark(language);
-    options.translate = [&language](Text english) { return text(english, language); };
-    return drawing::drawShaft(measuredRows(outcome), options);
+    return drawing::drawShaft(outcome.shaft, drawingOptions(outcome.question.title, outcome.question.cad, language));
 }
 
 }  // namespace lathelier::cad

@@ -94,7 +94,7 @@ std::shared_ptr<const PartToWrite> partOf(const std::shared_ptr<const RecognizeO
 std::vector<Field<RecognizeQuestion>> kept(std::vector<Field<RecognizeQuestion>> all)
 {
     for (Field<RecognizeQuestion>& field : all)
-        for (const char* key : {changesKey, changesOfKey, acceptedKey})
+        for (const char* key : {changesKey, changesOfKey})
             if (field.info.key == key) field.info.is_kept = true;
     return all;
 }
@@ -108,6 +108,7 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
         std::vector<Field<Q>> made;
         for (const FieldInfo& info : infos<features::RecognitionParameters>())
             made.push_back(within(&Q::recognition, info.key));
+        for (const FieldInfo& info : infos<TitleQuestion>()) made.push_back(foldedWithin(&Q::title, info.key));
         for (const FieldInfo& info : infos<CadQuestion>()) made.push_back(within(&Q::cad, info.key));
         made.push_back(field(changesKey, &Q::changes,
                              Label{LT_TEXT("Engine", "Changes of rows"), LT_TEXT("Engine", "Made by a person.")}));
@@ -115,7 +116,12 @@ const std::vector<Field<RecognizeQuestion>>& fieldsOf(const RecognizeQuestion*)
             field(changesOfKey, &Q::changes_of,
                   Label{LT_TEXT("Engine", "Rows changed of"), LT_TEXT("Engine", "The scan that the changes are of.")}));
         made.push_back(field(acceptedKey, &Q::accepted,
-                             Label{LT_TEXT("Engine", "Accepted sizes"), LT_TEXT("Engine", "By a person.")}));
+                             Label{LT_TEXT("Engine", "Accepted sizes"),
+                                   LT_TEXT("Engine",
+                                           "Suggested sizes that a person confirms, as row:quantity: "
+                                           "2:diameter_mm,5:leg_mm. They are put in place even beyond U."),
+                                   {},
+                                   true}));
         return kept(std::move(made));
     }();
     return all;
@@ -154,9 +160,13 @@ RecognizeOutcome answerRecognize(const project::PanelState& state, Stores& store
                                });
     outcome.accepted = features::acceptedSizes(question.accepted);
     outcome.shaft = withAccepted(*outcome.result, outcome.accepted);
+    outcome.shaft.recovered = recoveredFrom(outcome);
+    addTitle(question.title, outcome.shaft, sources.notes);
     if (outcome.shaft.name.empty()) outcome.shaft.name = std::filesystem::path(source.path).stem().string();
     addSteps(outcome);
-    outcome.record(state, sources, outcome.result->notes);
+    Notes found = outcome.result->notes;
+    for (Note& note : features::notesOfSizes(*outcome.result, outcome.accepted)) found.push_back(std::move(note));
+    outcome.record(state, sources, found);
     progress.report(1);
     return outcome;
 }
@@ -183,9 +193,8 @@ task::Outcome outcomeOf(const std::shared_ptr<const RecognizeOutcome>& outcome)
     };
     if (result->complete)
         all.products = [outcome](const Language&) {
-            return std::vector<task::Product>{{shaftItem, {}, outcome->shaft.name, [outcome] {
-                                                   return itemValues(measuredRows(*outcome), recoveredFrom(*outcome));
-                                               }}};
+            return std::vector<task::Product>{
+                {shaftItem, {}, outcome->shaft.name, [outcome] { return toValues(outcome->shaft); }}};
         };
     return settled(recognizeTask(), std::move(all), outcome->understanding);
 }

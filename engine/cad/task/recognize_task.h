@@ -22,10 +22,11 @@ namespace lathelier::cad {
 inline constexpr const char* scanRole = "scan";
 inline constexpr const char* changesKey = "row_changes";       ///< features::textOf() of them; kept in a window
 inline constexpr const char* changesOfKey = "row_changes_of";  ///< path of the scan of the changes; likewise
-inline constexpr const char* acceptedKey = "accepted_sizes";   ///< features::textOf() of them; likewise
+inline constexpr const char* acceptedKey = "accepted_sizes";   ///< features::textOf() of them
 
 struct RecognizeQuestion {
     features::RecognitionParameters recognition;
+    TitleQuestion title;     ///< of the drawing
     CadQuestion cad;         ///< kinds of the files that are written
     std::string changes;     ///< of rows, by a person
     std::string changes_of;  ///< path of the scan that they are of
@@ -60,9 +61,6 @@ ScanByKind partedByKind(const Scan& scan, const features::Recognition& result);
 
 /// Error shaftIncomplete.
 void requireComplete(const features::Recognition& result);
-
-/// The shaft with measured values and U of every row of the outside.
-Shaft measuredRows(const RecognizeOutcome& outcome);
 
 /// The workshop drawing: measured values with U, accepted nominal sizes, the scan in the title block.
 drawing::Drawing drawingOf(const RecognizeOutcome& outcome, const Language& language);

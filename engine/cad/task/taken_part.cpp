@@ -19,7 +19,6 @@ PartTaken takePart(const project::PanelState& state, const std::string& role, St
     taken.file = task::takeFile<PartInput>(state, role, stores, progress, sources);
     if (!taken.file) {
         taken.shaft = *task::take<PartInput>(state, role, stores, progress, sources);
-        taken.recovered = recoveredFrom(task::itemValues(state, role, shaftItem));
         return taken;
     }
     taken.shaft = taken.file->file.shaft;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,7 +14,6 @@ namespace lathelier::cad {
 /// A part with where it comes from.
 struct PartTaken {
     Shaft shaft;                                   ///< without a name named after the file
-    std::optional<RecoveredFrom> recovered;        ///< of an item: the scan from which it was recognised
     std::shared_ptr<const Loaded<PartFile>> file;  ///< null: an item
 };
 

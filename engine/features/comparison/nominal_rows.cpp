@@ -235,9 +235,11 @@ std::vector<ComparedRow> compareRows(const Shaft& nominal, const Recognition& me
             std::reverse(runs.begin(), runs.end());
         }
         comparison.turn(!free);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            comparison.add(rows[i], nullptr, bore.segments[rows[i].index].role, true, inside, runs[i],
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const BoreSegment& row = bore.segments[rows[i].index];
+            comparison.add(rows[i], row.tolerance ? &*row.tolerance : nullptr, row.role, true, inside, runs[i],
                            static_cast<std::int64_t>(number) + 1);
+        }
     }
     return comparison.take();
 }

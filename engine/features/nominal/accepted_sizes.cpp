@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 
+#include "engine/features/features_codes.h"
+#include "engine/features/nominal/agreeing_sizes.h"
 #include "engine/features/nominal/snap.h"
 
 namespace lathelier::features {
+
 std::vector<AcceptedSize> acceptedSizes(std::string_view text)
 {
     std::vector<AcceptedSize> accepted;
@@ -50,8 +53,9 @@ std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const 
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted)
 {
     const RecognitionParameters& parameters = result.parameters;
-    if (parameters.snap != Snap::Suggest || parameters.method != RecognitionMethod::Robust || accepted.empty())
+    if (parameters.snap == Snap::None || parameters.method != RecognitionMethod::Robust || accepted.empty())
         return result.shaft;
+    if (parameters.snap == Snap::Apply) return agreeingNominal(result, accepted).shaft;
     Recognition chosen = result;
     for (std::size_t i = 0; i < chosen.segments.size(); ++i)
         std::erase_if(chosen.segments[i].suggestions, [&](const Suggestion& suggestion) {
@@ -61,6 +65,16 @@ Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& a
     for (auto& bore : chosen.bores)
         for (RecognizedRow& row : bore) row.suggestions.clear();
     return appliedNominal(chosen);
+}
+
+Notes notesOfSizes(const Recognition& result, const std::vector<AcceptedSize>& accepted)
+{
+    const RecognitionParameters& parameters = result.parameters;
+    if (parameters.snap != Snap::Apply || parameters.method != RecognitionMethod::Robust) return {};
+    const std::vector<AcceptedSize> left_out = agreeingNominal(result, accepted).left_out;
+    if (left_out.empty()) return {};
+    return {{notes::nominalNotApplied,
+             {{"count", static_cast<std::int64_t>(left_out.size())}, {"sizes", textOf(left_out)}}}};
 }
 
 }  // namespace lathelier::features

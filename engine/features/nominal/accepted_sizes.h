@@ -26,8 +26,12 @@ std::string textOf(const std::vector<AcceptedSize>& accepted);
 /// other numbers.
 std::vector<AcceptedSize> afterChange(std::vector<AcceptedSize> accepted, const RowChange& change);
 
-/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured. Sizes that are no
-/// longer suggested are ignored. Unless the method is robust with Snap::Suggest, the shaft is returned as it is.
+/// The shaft with the accepted sizes in place (snap.h), the measured ones in ShaftSegment::measured; with Snap::Apply
+/// besides those that agree (agreeing_sizes.h). Sizes that are no longer suggested are ignored. With Snap::None and
+/// with the published method the shaft is returned as it is.
 Shaft withAccepted(const Recognition& result, const std::vector<AcceptedSize>& accepted);
+
+/// Note nominalNotApplied where Snap::Apply left suggested sizes out that no person accepted.
+Notes notesOfSizes(const Recognition& result, const std::vector<AcceptedSize>& accepted);
 
 }  // namespace lathelier::features

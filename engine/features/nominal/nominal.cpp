@@ -20,6 +20,13 @@ struct Grid {
 };
 constexpr std::array<Grid, 4> sizeGrids{{{5, 1, 10}, {1, 1, 0}, {1, 2, 0}, {1, 10, 0}}};
 
+/// That an arbitrary value lies within ± `window` of one of values `spacing` apart; none: each does.
+std::optional<double> chanceOf_percent(double window, double spacing)
+{
+    const double chance = 100 * 2 * window / spacing;
+    return chance < 100 ? std::optional(chance) : std::nullopt;
+}
+
 template <class HalfTolerance>
 std::optional<Suggestion> onGrid(double measured_mm, double U_mm, HalfTolerance halfTolerance_mm)
 {
@@ -36,7 +43,8 @@ std::optional<Suggestion> onGrid(double measured_mm, double U_mm, HalfTolerance 
         found.nominal_mm = nominal;
         found.difference_um = 1000 * (measured_mm - nominal);
         found.grid_mm = grid.size_mm();
-        found.chance_percent = 100 * 2 * window / grid.size_mm();
+        found.chance_percent = chanceOf_percent(window, grid.size_mm());
+        found.agrees = std::abs(measured_mm - nominal) <= U_mm + nominalLimits.rounding_mm;
         return found;
     }
     return {};
@@ -44,7 +52,7 @@ std::optional<Suggestion> onGrid(double measured_mm, double U_mm, HalfTolerance 
 
 /// The member of an ascending series that is nearest, within `window(member)`.
 template <class Window>
-std::optional<Suggestion> inSeries(double measured, std::span<const double> series, Window window)
+std::optional<Suggestion> inSeries(double measured, double U, std::span<const double> series, Window window)
 {
     if (!std::isfinite(measured)) return {};
     std::size_t best = 0;
@@ -58,7 +66,8 @@ std::optional<Suggestion> inSeries(double measured, std::span<const double> seri
     found.measured_mm = measured;
     found.nominal_mm = series[best];
     found.difference_um = 1000 * (measured - series[best]);
-    found.chance_percent = std::min(100.0, 100 * 2 * w / spacing);
+    found.chance_percent = chanceOf_percent(w, spacing);
+    found.agrees = std::abs(measured - series[best]) <= U + nominalLimits.rounding_mm;
     return found;
 }
 
@@ -85,6 +94,9 @@ std::optional<Suggestion> suggestDiameter(double measured_mm, double U_mm, Surfa
     if (!found) return {};
     found->quantity = "diameter_mm";
     found->fits = fitsOf(measured_mm, U_mm, found->nominal_mm, surface);
+    if (found->fits.empty()) return found;
+    found->tolerance = found->fits.front();
+    found->agrees = true;
     return found;
 }
 
@@ -114,9 +126,10 @@ std::optional<Suggestion> suggestChamfer(double leg_mm, double U_mm, double angl
 {
     const auto angle = nominalChamferAngle_deg(angle_deg, U_deg);
     if (!angle) return {};
-    auto found = inSeries(leg_mm, chamferLegs_mm(), [&](double) { return U_mm + nominalLimits.chamfer_leg_mm; });
+    auto found = inSeries(leg_mm, U_mm, chamferLegs_mm(), [&](double) { return U_mm + nominalLimits.chamfer_leg_mm; });
     if (!found) return {};
     found->quantity = "leg_mm";
+    found->agrees &= std::abs(std::abs(angle_deg) - *angle) <= U_deg + nominalLimits.rounding_mm;
     found->designation = fmt::format("{}×{}°", found->nominal_mm, *angle);
     return found;
 }
@@ -124,7 +137,7 @@ std::optional<Suggestion> suggestChamfer(double leg_mm, double U_mm, double angl
 std::optional<Suggestion> suggestRadius(double radius_mm, double U_mm)
 {
     const double radius = std::abs(radius_mm);
-    auto found = inSeries(radius, radii_mm(),
+    auto found = inSeries(radius, U_mm, radii_mm(),
                           [&](double nominal) { return std::max(U_mm, nominalLimits.radius_share * nominal); });
     if (!found && radius > radii_mm().back()) found = suggestLength(radius, U_mm);
     if (!found) return {};
@@ -137,8 +150,8 @@ std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
 {
     const double angle = std::abs(cone.half_angle_deg);
     std::vector<std::pair<double, Suggestion>> found;
-    const auto consider = [&](double nominal_deg, double ratio, double window_deg, double spacing_deg,
-                              std::string designation) {
+    const auto consider = [&](double nominal_deg, double ratio, double window_deg, double agreeing_deg,
+                              double spacing_deg, std::string designation) {
         const double off = std::abs(angle - nominal_deg);
         if (!(off <= window_deg + nominalLimits.rounding_mm)) return;
         Suggestion one;
@@ -146,7 +159,8 @@ std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
         one.measured_mm = ratioOf(angle);
         one.nominal_mm = ratio;
         one.difference_um = 1000 * (one.measured_mm - ratio);
-        one.chance_percent = std::min(100.0, 100 * 2 * window_deg / spacing_deg);
+        one.chance_percent = chanceOf_percent(window_deg, spacing_deg);
+        one.agrees = off <= agreeing_deg + nominalLimits.rounding_mm;
         one.designation = std::move(designation);
         found.emplace_back(off, std::move(one));
     };
@@ -166,14 +180,15 @@ std::vector<Suggestion> suggestTapers(const MeasuredCone& cone)
         const auto at = std::lower_bound(angles.begin(), angles.end(), nominal - nominalLimits.rounding_mm);
         const double high = above != angles.end() ? *above : 2 * nominal;
         const double low = at != angles.begin() ? *(at - 1) : 0;
-        consider(nominal, taper.ratio, cone.U_deg + nominalLimits.taper_angle_deg, (high - low) / 2,
-                 std::string(taper.name));
+        const double window = cone.U_deg + nominalLimits.taper_angle_deg;
+        consider(nominal, taper.ratio, window, window, (high - low) / 2, std::string(taper.name));
     }
     if (angle > nominalLimits.steepest_taper_deg) {
         const double side = std::min(cone.length_mm, std::abs(cone.large_mm - cone.small_mm) / 2);
         const double window = cone.U_deg + generalAngleTolerance_deg(side) / 2;
         for (const double one : chamferAngles_deg())
-            consider(one, ratioOf(one), window, nominalLimits.chamfer_angle_spacing_deg, fmt::format("{}°", one));
+            consider(one, ratioOf(one), window, cone.U_deg, nominalLimits.chamfer_angle_spacing_deg,
+                     fmt::format("{}°", one));
     }
     std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Suggestion> result;
@@ -208,26 +223,34 @@ std::optional<Suggestion> suggestThread(double crest_mm, double U_mm, double pit
     found.nominal_mm = *diameter;
     found.difference_um = 1000 * (crest_mm - *diameter);
     found.designation = fmt::format("M{}×{}", *diameter, pitch);
+    found.agrees = true;
     return found;
 }
 
 std::optional<CirclipGroove> circlipGrooveOf(Measured shaft, Measured bottom, Measured width)
 {
-    const auto tolerance_mm = [](int grade, double size_mm) {
-        return standardTolerance_um(grade, size_mm).value_or(0) / 1000;
+    const auto lower_mm = [](std::string_view iso_class, double size_mm) {
+        return limitsOf(iso_class, size_mm).value_or(Limits{}).lower_um / 1000;
     };
     std::optional<CirclipGroove> best;
     for (const CirclipGroove& groove : circlipGrooves()) {
-        const double below_shaft = tolerance_mm(nominalLimits.circlip_shaft_grade, groove.shaft_mm);
-        const double below_bottom = tolerance_mm(nominalLimits.circlip_bottom_grade, groove.groove_mm);
-        if (!isWithin(shaft, groove.shaft_mm, -below_shaft, 0) ||
+        const double lowest_mm = lower_mm(nominalLimits.circlip_shaft_lower, groove.shaft_mm);
+        const double highest_mm =
+            limitsOf(nominalLimits.circlip_shaft_upper, groove.shaft_mm).value_or(Limits{}).upper_um / 1000;
+        const double bottom_mm = lower_mm(circlipBottomClass(groove), groove.groove_mm);
+        if (!isWithin(shaft, groove.shaft_mm, lowest_mm, highest_mm) ||
             !isWithin(width, groove.width_mm, 0, nominalLimits.circlip_width_mm) ||
-            !isWithin(bottom, groove.groove_mm, -below_bottom, 0))
+            !isWithin(bottom, groove.groove_mm, bottom_mm, 0))
             continue;
         if (!best || std::abs(groove.groove_mm - bottom.value_mm) < std::abs(best->groove_mm - bottom.value_mm))
             best = groove;
     }
     return best;
+}
+
+std::string_view circlipBottomClass(const CirclipGroove& groove)
+{
+    return groove.shaft_mm < 10 ? "h10" : groove.shaft_mm <= 22 ? "h11" : "h12";
 }
 
 std::string designationOf(const CirclipGroove& groove)

@@ -8,6 +8,10 @@
 // request.
 //
 // Series (legs, radii, tapers): the nearest member within its window; chance = 2w over the spacing of the series there.
+// Suggestion::agrees: the measured size is within U of the nominal one, or of the limits that go with it (the tightest
+// fit, 6g of a thread, AT8 of a taper, DIN 471, DIN 509); a chamfer's angle too. Limits of general tolerances do not
+// count.
+//
 // U is an expanded uncertainty (k = 2) everywhere. No function throws; for numbers that are not finite the result is
 // empty.
 #pragma once
@@ -59,8 +63,11 @@ struct Measured {
     double value_mm = 0, U_mm = 0;
 };
 
-/// The groove of DIN 471 on a shaft of this diameter (h11 ± U) with this bottom (h12 ± U) and width (+0.14 0 ± U).
+/// The groove of DIN 471 on a shaft of this diameter (from h11 to p6, ± U: seats of bearings have rings too) with this
+/// bottom (circlipBottomClass() ± U) and width (+0.14 0 ± U).
 std::optional<CirclipGroove> circlipGrooveOf(Measured shaft, Measured bottom, Measured width);
+/// Tolerance of the bottom of a groove: h10 up to a shaft of 9 mm, h11 up to 22 mm, h12 above.
+std::string_view circlipBottomClass(const CirclipGroove& groove);
 /// "DIN 471 - 20": the ring is named by its shaft.
 std::string designationOf(const CirclipGroove& groove);
 

@@ -73,6 +73,16 @@ private:
         return nullptr;
     }
 
+    /// With its limits, where the nominal diameter of a cylinder is in place and has one.
+    std::optional<SizeTolerance> toleranceOf(std::size_t i) const
+    {
+        const Suggestion* const diameter = kind(i) == RowKind::Cylinder ? suggestion(i, "diameter_mm") : nullptr;
+        if (!diameter) return {};
+        const auto limits = limitsOf(diameter->tolerance, diameter->nominal_mm);
+        if (!limits) return {};
+        return SizeTolerance{diameter->tolerance, limits->lower_um, limits->upper_um};
+    }
+
     /// The undercut of the standard that row i is part of and that can be put in place; none: it stays as measured.
     std::optional<UndercutRows> standard(std::size_t i) const;
     /// Moves a row's end together with the neighbour that meets it: in one point, or in the u of a plane.
@@ -171,13 +181,15 @@ void RowPlacing::placeCone(std::size_t i)
     if (large) (growth > 0 ? end : start).y() = large->nominal_mm / 2;
     const bool start_known = starts_at_cylinder || (large && growth < 0);
     const bool end_known = ends_at_cylinder || (large && growth > 0);
-    if (start_known && end_known && slope != 0) {
+    if (start_known && end_known && suggestion(i, "taper") && slope != 0) {
         // Its length follows; the end that a plane or the end of the part fixes stays.
         const double length = (end.y() - start.y()) / slope;
         if (isJoined(i + 1))
             end.x() = start.x() + length;
         else
             start.x() = end.x() - length;
+    } else if (start_known && end_known) {
+        slope = (end.y() - start.y()) / (end.x() - start.x());
     } else if (start_known) {
         end.y() = start.y() + slope * (end.x() - start.x());
     } else if (end_known) {
@@ -345,6 +357,7 @@ std::vector<PlacedRow> RowPlacing::rows() const
         placed.push_back(
             {start.x(), end.x(), 2 * start.y(), 2 * end.y(), {}, chain_.row(i).role, static_cast<std::ptrdiff_t>(i)});
         if (piece.isArc()) placed.back().arc_radius_mm = arc_[i];
+        placed.back().tolerance = toleranceOf(i);
         if (face != faces_.end())
             placed.push_back(
                 {end.x(), face->second.x(), 2 * end.y(), 2 * face->second.y(), {}, "undercut", PlacedRow::none});

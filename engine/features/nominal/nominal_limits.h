@@ -62,7 +62,8 @@ struct NominalLimits {
     double smallest_morse_ratio = 0.7, largest_morse_ratio = 1.04;  ///< of a diameter to the gauge diameter
     std::size_t most_tapers = 3;                                    ///< suggested for a cone
     double pitch_share = 0.01;                                      ///< window of a thread's pitch
-    int circlip_shaft_grade = 11, circlip_bottom_grade = 12;        ///< h11 and h12 of DIN 471
+    const char* circlip_shaft_lower = "h11";  ///< DIN 471: rings are made for shafts h11…
+    const char* circlip_shaft_upper = "p6";   ///< …and pass over the seats of bearings
     double circlip_width_mm = 0.14;                                 ///< H13 up to 3 mm
     double undercut_depth_mm = 0.1, undercut_width_mm = 0.2, undercut_radius_mm = 0.1;  ///< tolerances of DIN 509
     double unusual_shaft_price = 0.25;  ///< in shares of these tolerances: decides between equally near undercuts
@@ -77,7 +78,7 @@ struct PlacingLimits {
     double tangent_deg = 0.2;     ///< an arc with a smaller corner to its neighbour is tangent to it
     double on_axis_mm = 0.005;    ///< radius of an arc's end on the axis
     double straight_sine = 1e-6;  ///< of the corner between two neighbours: with less they are one line
-    double changed_mm = 1e-9;     ///< a size that differs by no more is as measured
+    double rounding_mm = 1e-9;    ///< a length that moves by no more is as measured
 };
 
 inline constexpr PlacingLimits placingLimits;

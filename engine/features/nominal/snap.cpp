@@ -12,29 +12,16 @@ namespace {
 
 using Flags = std::vector<bool>;
 
-MeasuredSize measuredOf(const RecognizedRow& row)
+/// `sense`: of the rows along z.
+MeasuredSize measuredOf(const RecognizedRow& row, double sense)
 {
-    return {row.z_end_mm - row.z_start_mm, row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
+    return {sense * (row.z_end_mm - row.z_start_mm), row.start_diameter_mm, row.end_diameter_mm, row.arc_radius_mm,
             row.uncertainty};
 }
 
-bool isChanged(const ShaftSegment& now, const RecognizedRow& row)
+PlacedShaft outsideOf(const Recognition& recognition, const Flags& in_place)
 {
-    const auto differs = [](double a, double b) { return std::abs(a - b) > placingLimits.changed_mm; };
-    return differs(now.length_mm, row.z_end_mm - row.z_start_mm) ||
-           differs(now.start_diameter_mm, row.start_diameter_mm) || differs(now.end_diameter_mm, row.end_diameter_mm) ||
-           differs(now.arc_radius_mm.value_or(0), row.arc_radius_mm.value_or(0));
-}
-
-/// A shaft and, for each of its outer rows, the recognised row that it is (PlacedRow::none: none).
-struct Made {
-    Shaft shaft;
-    std::vector<std::ptrdiff_t> source;
-};
-
-Made outsideOf(const Recognition& recognition, const Flags& in_place, bool keep_measured)
-{
-    Made made;
+    PlacedShaft made;
     for (const PlacedRow& row : placedRows(RowChain(recognition), in_place)) {
         ShaftSegment segment;
         segment.length_mm = row.end_u_mm - row.start_u_mm;
@@ -42,10 +29,9 @@ Made outsideOf(const Recognition& recognition, const Flags& in_place, bool keep_
         segment.end_diameter_mm = row.end_mm;
         segment.arc_radius_mm = row.arc_radius_mm;
         segment.role = row.role;
-        if (row.source != PlacedRow::none && keep_measured) {
-            const RecognizedRow& from = recognition.segments[static_cast<std::size_t>(row.source)];
-            if (isChanged(segment, from)) segment.measured = measuredOf(from);
-        }
+        segment.tolerance = row.tolerance;
+        if (row.source != PlacedRow::none)
+            segment.measured = measuredOf(recognition.segments[static_cast<std::size_t>(row.source)], 1);
         made.shaft.segments.push_back(std::move(segment));
         made.source.push_back(row.source);
     }
@@ -71,15 +57,20 @@ void addPlacedBores(Shaft& shaft, const Recognition& recognition, bool in_place)
         std::optional<double> end_mm;
         if (chain.endsAtEnd()) end_mm = shaft.length_mm();
         ShaftBore bore{chain.isFromChuck() ? ShaftEnd::Chuck : ShaftEnd::Free, {}};
-        for (const PlacedRow& row : placedRows(chain, Flags(chain.size(), in_place), end_mm))
-            bore.segments.push_back(
-                {row.end_u_mm - row.start_u_mm, row.start_mm, row.end_mm, row.arc_radius_mm, row.role});
+        for (const PlacedRow& row : placedRows(chain, Flags(chain.size(), in_place), end_mm)) {
+            BoreSegment segment{row.end_u_mm - row.start_u_mm, row.start_mm, row.end_mm, row.arc_radius_mm, row.role};
+            segment.tolerance = row.tolerance;
+            if (row.source != PlacedRow::none)
+                segment.measured =
+                    measuredOf(chain.row(static_cast<std::size_t>(row.source)), chain.isFromChuck() ? -1 : 1);
+            bore.segments.push_back(std::move(segment));
+        }
         shaft.bores.push_back(std::move(bore));
     }
 }
 
 /// Rows of the recognition that an error of checkShaft() names, and their neighbours; all rows when it names none.
-void leaveOut(const Error& error, const Made& made, Flags& in_place)
+void leaveOut(const Error& error, const PlacedShaft& made, Flags& in_place)
 {
     const Flags before = in_place;
     for (const char* name : {"row", "other_row"}) {
@@ -93,6 +84,13 @@ void leaveOut(const Error& error, const Made& made, Flags& in_place)
         for (std::size_t i = row > 0 ? row - 1 : 0; i < std::min(row + 2, in_place.size()); ++i) in_place[i] = false;
     }
     if (in_place == before) in_place.assign(in_place.size(), false);
+}
+
+PlacedShaft measuredPlaced(const Recognition& recognition)
+{
+    PlacedShaft made = outsideOf(recognition, Flags(recognition.segments.size(), false));
+    addPlacedBores(made.shaft, recognition, false);
+    return made;
 }
 
 bool isSound(const Shaft& shaft)
@@ -109,17 +107,20 @@ bool isSound(const Shaft& shaft)
 
 Shaft measuredShaft(const Recognition& recognition)
 {
-    Made made = outsideOf(recognition, Flags(recognition.segments.size(), false), false);
-    addPlacedBores(made.shaft, recognition, false);
-    return std::move(made.shaft);
+    return measuredPlaced(recognition).shaft;
 }
 
 Shaft appliedNominal(const Recognition& recognition)
 {
+    return placedNominal(recognition).shaft;
+}
+
+PlacedShaft placedNominal(const Recognition& recognition)
+{
     Flags in_place(recognition.segments.size(), true);
-    Made made;
+    PlacedShaft made;
     while (true) {
-        made = outsideOf(recognition, in_place, true);
+        made = outsideOf(recognition, in_place);
         try {
             checkShaft(made.shaft);
             break;
@@ -129,11 +130,11 @@ Shaft appliedNominal(const Recognition& recognition)
         }
     }
     for (const bool nominal_bores : {true, false}) {
-        Shaft shaft = made.shaft;
-        addPlacedBores(shaft, recognition, nominal_bores);
-        if (isSound(shaft)) return shaft;
+        PlacedShaft placed = made;
+        addPlacedBores(placed.shaft, recognition, nominal_bores);
+        if (isSound(placed.shaft)) return placed;
     }
-    return measuredShaft(recognition);
+    return measuredPlaced(recognition);
 }
 
 }  // namespace lathelier::features

@@ -16,16 +16,25 @@
 // false there). An arc that runs behind the edge of an undercut face is cut at the face.
 #pragma once
 
+#include <vector>
+
 #include "engine/features/recognition.h"
 #include "engine/shaft/shaft.h"
 
 namespace lathelier::features {
 
-/// Rows, bores and marks as measured; no name, no material. Precondition: `segments` is not empty.
+/// Rows, bores and marks as measured, each row with `measured` and its uncertainty; no name, no material. Precondition:
+/// `segments` is not empty.
 Shaft measuredShaft(const Recognition& recognition);
 
-/// The same with the first suggestion of each quantity of each row in place (`describeRows()` first). Rows that changed
-/// keep `measured` with its uncertainty. Precondition: `segments` is not empty.
+/// The same with the first suggestion of each quantity of each row in place (`describeRows()` first), whether it agrees
+/// or not (agreeing_sizes.h); nominal diameters with their tolerance. Precondition: `segments` is not empty.
 Shaft appliedNominal(const Recognition& recognition);
+
+struct PlacedShaft {
+    Shaft shaft;
+    std::vector<std::ptrdiff_t> source;  ///< of each outer row, in Recognition::segments; PlacedRow::none: none
+};
+PlacedShaft placedNominal(const Recognition& recognition);
 
 }  // namespace lathelier::features

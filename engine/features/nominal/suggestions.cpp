@@ -31,6 +31,7 @@ Suggestion standardSize(std::string_view quantity, Measured measured, double nom
     one.nominal_mm = nominal_mm;
     one.difference_um = 1000 * (measured.value_mm - nominal_mm);
     one.designation = std::move(designation);
+    one.agrees = true;  // measured sizes are those of the standard within its tolerances
     return one;
 }
 
@@ -82,6 +83,7 @@ void suggestGrooves(const RowChain& chain, const std::vector<GrooveRows>& groove
             const std::string name = designationOf(*circlip);
             list.push_back(standardSize("diameter_mm", bottom, circlip->groove_mm, name));
             list.back().fits = fitsOf(bottom.value_mm, bottom.U_mm, circlip->groove_mm);
+            list.back().tolerance = circlipBottomClass(*circlip);
             list.push_back(standardSize("length_mm", groove.width, circlip->width_mm, name));
         } else {
             append(list, suggestDiameter(bottom.value_mm, bottom.U_mm, surfaceOf(chain)));

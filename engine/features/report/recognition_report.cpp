@@ -247,7 +247,8 @@ std::string suggestionText(const Suggestion& suggestion, const Language& languag
     std::string beside = shownNumber(suggestion.difference_um, unit::um, 1, language) + " " +
                          text(shownUnit(unit::um, language).unit, language);
     if (suggestion.difference_um > 0) beside.insert(0, 1, '+');
-    if (!suggestion.fits.empty()) beside += ", " + suggestion.fits.front();
+    if (!suggestion.tolerance.empty()) beside += ", " + suggestion.tolerance;
+    if (!suggestion.agrees) beside += text(LT_TEXT("Engine", ", beyond U"), language);
     return size + " (" + beside + ")";
 }
 

@@ -43,6 +43,7 @@ Json rowsJson(const std::vector<RecognizedRow>& rows)
         for (const Suggestion& suggestion : row.suggestions) {
             Json suggested = nestedJson(describedValues(suggestion));
             suggested["fits"] = suggestion.fits;
+            suggested["agrees"] = suggestion.agrees;
             one["suggestions"].push_back(suggested);
         }
         list.push_back(one);
@@ -98,7 +99,8 @@ const std::vector<QuantityOf<Suggestion>>& quantitiesOf(const Suggestion*)
         quantity<S>("difference_um", &S::difference_um, {LT_TEXT("Engine", "Difference"), unit::um, 1}),
         quantity<S>("grid_mm", &S::grid_mm, {LT_TEXT("Engine", "Grid"), unit::mm, 2}),
         quantity<S>("chance_percent", &S::chance_percent, {LT_TEXT("Engine", "Chance"), unit::percent, 1}),
-        quantity<S>("designation", &S::designation, {LT_TEXT("Engine", "Designation")}));
+        quantity<S>("designation", &S::designation, {LT_TEXT("Engine", "Designation")}),
+        quantity<S>("tolerance", &S::tolerance, {LT_TEXT("Engine", "Tolerance")}));
     return all;
 }
 

@@ -67,6 +67,14 @@ TEST(ShaftCsv, TheFullTableComesBackToTheSameBits)
         EXPECT_EQ(read(shaftCsv(shaft, {'.', '\t'})), nameless(shaft)) << shaft.name;
         EXPECT_EQ(read(shaftCsv(shaft, {',', ','})), nameless(shaft)) << shaft.name;  // quoted numbers
     }
+    Shaft marked = tableOne();
+    marked.marks = {{MarkKind::Keyway}, {MarkKind::Other}};
+    marked.marks[0].z_start_mm = 1.0 / 3;
+    marked.marks[0].width_mm = 8;
+    marked.marks[0].designation = "DIN 6885, \"A\" 8×7×40";
+    marked.marks[1].other_kind = "logo";
+    EXPECT_EQ(read(shaftCsv(marked)), nameless(marked));
+    EXPECT_EQ(read(shaftCsv(marked, comma)), nameless(marked));
     Shaft bored = tableOne();
     for (ShaftSegment& one : bored.segments) one.bore_diameter_mm = 8.5;
     EXPECT_EQ(read(shaftCsv(bored)), nameless(bored));

@@ -109,11 +109,16 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     EXPECT_TRUE(cadNotes(taper()).empty());
     EXPECT_TRUE(contains(cadNotes(lemon()), notes::arcBeyondAxis));
     Shaft shaft = tableOne();
-    shaft.marks = {{MarkKind::Keyway}, {MarkKind::Flat}, {MarkKind::Keyway}};
+    shaft.marks = {{MarkKind::Keyway}, {MarkKind::Flat}};
+    shaft.marks[0].z_start_mm = 6;
+    shaft.marks[0].z_end_mm = 34.04;
     const Notes found = cadNotes(shaft);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, notes::marksLeftOut);
-    EXPECT_EQ(std::get<std::string>(*find(found[0].values, "kinds")), "keyway, flat");
+    EXPECT_EQ(std::get<std::string>(*find(found[0].values, "kinds")), "keyway z 6.0-34.0, flat");
+    EXPECT_NO_THROW(requireTurned(shaft));
+    shaft.marks.push_back({MarkKind::Spline});
+    EXPECT_THROW(requireTurned(shaft), Error);
 }
 
 }  // namespace

@@ -67,10 +67,10 @@ TEST(EditedDrawing, ARowWhoseMeasuredValuesStandIsDrawnAsMeasured)
     const Label* const diameter = find(drawing, "⌀30.000 ±0.004");
     ASSERT_NE(diameter, nullptr);
     EXPECT_TRUE(diameter->italic);
-    ASSERT_NE(find(drawing, "⌀36"), nullptr);
-    EXPECT_FALSE(find(drawing, "⌀36")->italic);
+    ASSERT_NE(find(drawing, "⌀36 [1]"), nullptr);
+    EXPECT_FALSE(find(drawing, "⌀36 [1]")->italic);
     EXPECT_NE(find(drawing, "98.000 ±0.010"), nullptr);
-    EXPECT_NE(find(drawing, "italic: as measured, ± U (k = 2)"), nullptr);
+    EXPECT_NE(find(drawing, "italic: as measured; not a specification. ± U: k = 2"), nullptr);
 }
 
 TEST(EditedDrawing, ChainsCanBeReadOnEverySheet)

@@ -44,12 +44,21 @@ inline std::vector<std::string> crossedTexts(const Drawing& drawing)
 {
     std::vector<std::string> found;
     for (const Label& label : drawing.labels) {
-        Box box = boxOf(label).grown(-0.1);
-        (label.angle_deg == 0 ? box.bottom_mm : box.right_mm) +=
-            (label.angle_deg == 0 ? 0.32 : -0.32) * label.height_mm;
-        (label.angle_deg == 0 ? box.top_mm : box.left_mm) -= (label.angle_deg == 0 ? 0.15 : -0.15) * label.height_mm;
-        if (std::any_of(drawing.lines.begin(), drawing.lines.end(),
-                        [&](const Line& line) { return line.layer != Layer::Frame && enters(line, box); }))
+        const double angle = label.angle_deg * std::acos(-1.0) / 180;
+        const auto seen = [&](const Eigen::Vector2d& point) -> Eigen::Vector2d {  // as the writing runs
+            const Eigen::Vector2d off = point - label.at_mm;
+            return {off.x() * std::cos(angle) + off.y() * std::sin(angle),
+                    off.y() * std::cos(angle) - off.x() * std::sin(angle)};
+        };
+        Label level = label;
+        level.at_mm = {0, 0};
+        level.angle_deg = 0;
+        Box box = boxOf(level).grown(-0.1);
+        box.bottom_mm += 0.32 * label.height_mm;
+        box.top_mm -= 0.15 * label.height_mm;
+        if (std::any_of(drawing.lines.begin(), drawing.lines.end(), [&](const Line& line) {
+                return line.layer != Layer::Frame && enters({seen(line.from_mm), seen(line.to_mm)}, box);
+            }))
             found.push_back(label.text);
     }
     return found;

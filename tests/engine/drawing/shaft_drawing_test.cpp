@@ -10,6 +10,7 @@
 #include <set>
 
 #include "engine/drawing/features.h"
+#include "engine/drawing/marks/section_outline.h"
 #include "engine/drawing/rows.h"
 #include "engine/drawing/view.h"
 #include "engine/shaft/shaft_contour.h"
@@ -41,9 +42,7 @@ DrawingOptions measuredOptions(const Shaft& shaft)
 {
     DrawingOptions options;
     options.measured = true;
-    options.scan = InputFile{"scans/part.xyz", 1, std::string(64, '5')};
     options.date = "2026-03-02";
-    options.method = "robust";
     SizeUncertainty uncertainty;
     uncertainty.z_start_um = 9;
     uncertainty.z_end_um = 12;
@@ -81,8 +80,9 @@ TEST(ShaftDrawing, TapersSayTheirRatioOrTheirAngle)
 TEST(ShaftDrawing, AKeywayGetsItsSection)
 {
     const Drawing drawing = drawShaft(keywayPart(), {});
-    EXPECT_THAT(dimensions(drawing), ElementsAre("1.5×45°", "10", "126", "157.5", "1×45°", "26", "50", "61", "8", "86",
-                                                 "92", "A", "A", "R1", "⌀30", "⌀35", "⌀35.01", "⌀40", "⌀46"));
+    EXPECT_THAT(dimensions(drawing),
+                ElementsAre("(length 40)", "1.5×45°", "10", "126", "157.5", "1×45°", "26", "50", "61", "8", "86", "92",
+                            "A", "A", "R1", "⌀30", "⌀35", "⌀35.01", "⌀40", "⌀46"));
     EXPECT_TRUE(says(drawing, "A-A"));
 }
 
@@ -180,18 +180,23 @@ TEST(ShaftDrawing, MassIsThatOfTheVolume)
 TEST(ShaftDrawing, MeasuredSizesAreItalicAndNominalOnesUpright)
 {
     Shaft shaft = table1Part();
-    shaft.segments[0].measured = MeasuredSize{};  // snapped: nominal
+    shaft.recovered = {"part.xyz", std::string(64, '5'), "robust"};
+    shaft.segments[0].measured = MeasuredSize{98.012, 30.007, 30.007, {}, {}};  // snapped: nominal
     shaft.segments[2].tolerance = SizeTolerance{"h6", {}, {}};
     DrawingOptions options = measuredOptions(shaft);
     options.decimal_separator = ",";
     const Drawing drawing = drawShaft(shaft, options);
     std::map<std::string, bool> italic;
     for (const Label& label : drawing.labels) italic[label.text] = label.italic;
-    EXPECT_EQ(italic.at("⌀30"), false);
+    EXPECT_EQ(italic.at("⌀30 [1]"), false);
     EXPECT_EQ(italic.at("⌀37,000 ±0,004"), true);
     EXPECT_EQ(italic.at("⌀33,8 h6"), false);
-    EXPECT_EQ(italic.at("98"), false);
-    EXPECT_EQ(italic.at("108,000 ±0,015"), true);  // √(9² + 12²)
+    EXPECT_EQ(italic.at("98 [2]"), false);
+    EXPECT_EQ(italic.at("+0,007"), false);  // the table of differences
+    EXPECT_EQ(italic.at("30,007 ±0,004"), true);
+    EXPECT_EQ(italic.at("98,012 ±0,015"), true);  // √(9² + 12²)
+    EXPECT_EQ(italic.at("+0,012"), false);
+    EXPECT_EQ(italic.at("108 [3]"), false);  // it begins where the replaced length ends
     EXPECT_TRUE(italic.contains("recovered from a scan; measured values are not a specification"));
     EXPECT_TRUE(italic.contains("part.xyz"));
     EXPECT_TRUE(italic.contains(std::string(64, '5')));
@@ -260,9 +265,9 @@ TEST(ShaftDrawing, AKeywayInABoredShaftShowsTheBore)
     Shaft shaft = keywayPart();
     shaft.bores = {{ShaftEnd::Free, {{157.5, 10, 10, {}, ""}}}};
     const Features features = featuresOf(shaft, {});
-    ASSERT_EQ(features.keyways.size(), 1U);
-    EXPECT_EQ(features.keyways[0].bore_diameter_mm, 10);
-    for (const Line& line : keywaySection(features.keyways[0], 1).lines)
+    ASSERT_EQ(features.sections.size(), 1U);
+    EXPECT_EQ(features.sections[0].bore_diameter_mm, 10);
+    for (const Line& line : sectionOutline(features.sections[0], 1).lines)
         if (line.layer == Layer::Hatch) {
             EXPECT_GT(((line.from_mm + line.to_mm) / 2).norm(), 4.9);
         }

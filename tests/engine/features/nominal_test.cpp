@@ -21,12 +21,12 @@ TEST(Nominal, WorkedExamplesOfDiameters)
     EXPECT_EQ(fifty.nominal_mm, 50);
     EXPECT_EQ(fifty.grid_mm, 5);
     EXPECT_NEAR(fifty.difference_um, -27, 1e-6);
-    EXPECT_NEAR(fifty.chance_percent, 2.08, 1e-9);
+    EXPECT_NEAR(fifty.chance_percent.value(), 2.08, 1e-9);
     EXPECT_THAT(fifty.fits, Contains("f7"));
     const Suggestion tenth = suggestDiameter(33.7998, 0.0004).value();
     EXPECT_EQ(tenth.nominal_mm, 33.8);
     EXPECT_EQ(tenth.grid_mm, 0.1);
-    EXPECT_NEAR(tenth.chance_percent, 10, 1e-9);
+    EXPECT_NEAR(tenth.chance_percent.value(), 10, 1e-9);
 }
 
 TEST(Nominal, GridsCountOnlyWhereTheUncertaintyAllows)
@@ -46,7 +46,7 @@ TEST(Nominal, Lengths)
     EXPECT_EQ(baseline.quantity, "z_mm");
     EXPECT_EQ(baseline.nominal_mm, 98);
     EXPECT_EQ(baseline.grid_mm, 1);
-    EXPECT_NEAR(baseline.chance_percent, 10, 1e-9);
+    EXPECT_NEAR(baseline.chance_percent.value(), 10, 1e-9);
     EXPECT_EQ(suggestLength(183.02, 0.03)->nominal_mm, 183);
     EXPECT_FALSE(suggestLength(0.3, 0.001));
 }
@@ -105,6 +105,27 @@ TEST(Nominal, Chamfers)
     EXPECT_FALSE(suggestChamfer(1, 0.02, 38, 0.5));
 }
 
+TEST(Nominal, OnlySizesWithinUOrTheirLimitsAgree)
+{
+    // 25.009 ± 0.001: k5 of 25 mm is +2…+11 µm, m5 +8…+17 µm.
+    const Suggestion seat = suggestDiameter(25.009, 0.001).value();
+    EXPECT_TRUE(seat.agrees);
+    EXPECT_EQ(seat.tolerance, "k5");
+    EXPECT_FALSE(suggestLength(45.098, 0.006, "z_mm")->agrees);
+    EXPECT_TRUE(suggestLength(98.004, 0.006, "z_mm")->agrees);
+    EXPECT_FALSE(suggestChamfer(0.697, 0.036, 45, 0.5)->agrees);
+    EXPECT_TRUE(suggestChamfer(1.003, 0.036, 45.1, 0.5)->agrees);
+    EXPECT_FALSE(suggestChamfer(1.003, 0.036, 45.7, 0.5)->agrees);
+    EXPECT_TRUE(suggestRadius(1.04, 0.05)->agrees);
+    EXPECT_FALSE(suggestRadius(1.04, 0.01)->agrees);
+    EXPECT_TRUE(suggestThread(15.85, 0.007, 2)->agrees);                           // within 6g
+    EXPECT_TRUE(suggestTapers({2.8624 + 0.004, 0.001, 24, 28, 40}).at(0).agrees);  // within AT8
+    EXPECT_FALSE(suggestTapers({-30.1, 0.05, 26, 30, 3.46}).at(0).agrees);
+    // Every chamfer is as near to a member of the series: no chance is given.
+    EXPECT_FALSE(suggestChamfer(1.003, 0.036, 45.1, 0.5)->chance_percent);
+    EXPECT_TRUE(suggestDiameter(25.009, 0.001)->chance_percent);
+}
+
 TEST(Nominal, Radii)
 {
     const Suggestion one = suggestRadius(-1.04, 0.01).value();
@@ -152,6 +173,11 @@ TEST(Nominal, CirclipGrooves)
     EXPECT_EQ(groove.width_mm, 1.3);
     EXPECT_EQ(designationOf(groove), "DIN 471 - 20");
     EXPECT_FALSE(circlipGrooveOf({20, 0.002}, {18.5, 0.003}, {1.31, 0.03}));
+    EXPECT_EQ(circlipBottomClass(groove), "h11");
+    // On the seat of a bearing, k6 (+2…+15) or m6 (+8…+21) for 25 mm; a shaft of 25.1 mm has no ring.
+    for (const double seat : {25.002, 25.009, 25.015, 25.021})
+        EXPECT_EQ(circlipGrooveOf({seat, 0.001}, {23.85, 0.005}, {1.32, 0.01})->shaft_mm, 25);
+    EXPECT_FALSE(circlipGrooveOf({25.1, 0.001}, {23.85, 0.005}, {1.32, 0.01}));
     EXPECT_FALSE(circlipGrooveOf({20, 0.002}, {19, 0.003}, {1.7, 0.03}));
     EXPECT_FALSE(circlipGrooveOf({21, 0.002}, {19, 0.003}, {1.3, 0.03}));
 }

@@ -121,7 +121,12 @@ TEST(Snap, MeasuredIsUntouched)
     expectTable(shaft, measured, 1e-12);
     EXPECT_EQ(shaft.marks, part.marks);
     EXPECT_TRUE(shaft.name.empty());
-    for (const ShaftSegment& row : shaft.segments) EXPECT_FALSE(row.measured);
+    for (const ShaftSegment& row : shaft.segments) {
+        ASSERT_TRUE(row.measured);
+        EXPECT_EQ(row.measured->start_diameter_mm, row.start_diameter_mm);
+        EXPECT_NEAR(*row.measured->length_mm, row.length_mm, 1e-12);
+        EXPECT_FALSE(row.tolerance);
+    }
     EXPECT_NO_THROW(checkShaft(shaft));
 }
 
@@ -271,7 +276,7 @@ TEST(Snap, EditedSuggestionsCount)
     const Shaft shaft = appliedNominal(part);
     EXPECT_NEAR(shaft.segments[1].end_diameter_mm, 37.5, 1e-9);
     EXPECT_NEAR(shaft.segments[0].end_diameter_mm, 30.002, 1e-9);
-    EXPECT_FALSE(shaft.segments[0].measured);
+    EXPECT_EQ(shaft.segments[0].measured->start_diameter_mm, 30.002);
 }
 
 /// Contours of any rows: wherever the measured shaft keeps the rules, the nominal one does.

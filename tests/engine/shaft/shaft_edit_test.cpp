@@ -211,10 +211,9 @@ TEST(ShaftItem, KeepsWhatItWasRecoveredFrom)
 {
     Shaft shaft;
     shaft.segments = turnedRows();
-    const RecoveredFrom from{"worn.ply", std::string(64, 'a'), "robust"};
-    EXPECT_EQ(recoveredFrom(itemValues(shaft, from)), from);
-    EXPECT_EQ(shaftOf(itemValues(shaft, from)), shaft);
-    EXPECT_EQ(recoveredFrom(toValues(shaft)), std::nullopt);
+    shaft.recovered = {"worn.ply", std::string(64, 'a'), "robust"};
+    EXPECT_EQ(shaftOf(toValues(shaft)), shaft);
+    EXPECT_EQ(*find(toValues(shaft), "recovered_from_scan"), Value(std::string("worn.ply")));
 }
 
 }  // namespace

@@ -291,9 +291,8 @@ private slots:
     {
         child<QToolButton>("useShaft")->click();
         const Values& values = session_->project().items.at("shaft").values;
-        const auto from = recoveredFrom(values);
-        QVERIFY(from && from->scan == "shaft.xyz" && from->scan_sha256.size() == 64);
         const auto shaft = shaftOf(values);
+        QVERIFY(shaft->recovered.scan == "shaft.xyz" && shaft->recovered.scan_sha256.size() == 64);
         for (const ShaftSegment& row : shaft->segments) {
             QVERIFY(row.measured && row.measured->uncertainty.start_diameter_um);
             QCOMPARE(*row.measured->start_diameter_mm, row.start_diameter_mm);

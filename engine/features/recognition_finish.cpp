@@ -29,6 +29,7 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
                            [&](const Cut& cut) { return (cut.*holds)(plane.z_mm); });
     };
     if (is_any(&Cut::isAtLimit)) return false;
+    if (outline.balls[start ? 0 : 1]) return true;
     if (outline.face_seen[start ? 0 : 1]) return true;
     // Between jaws the last of the part may be hidden in all directions.
     if (is_any(&Cut::contains)) return false;

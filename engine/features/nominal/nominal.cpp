@@ -220,7 +220,9 @@ std::optional<CirclipGroove> circlipGrooveOf(Measured shaft, Measured bottom, Me
     for (const CirclipGroove& groove : circlipGrooves()) {
         const double below_shaft = tolerance_mm(nominalLimits.circlip_shaft_grade, groove.shaft_mm);
         const double below_bottom = tolerance_mm(nominalLimits.circlip_bottom_grade, groove.groove_mm);
-        if (!isWithin(shaft, groove.shaft_mm, -below_shaft, 0) ||
+        // Rings are also fitted on seats of bearings, which lie above the nominal size.
+        const std::optional<Limits> seat = limitsOf(nominalLimits.circlip_seat_class, groove.shaft_mm);
+        if (!isWithin(shaft, groove.shaft_mm, -below_shaft, seat ? seat->upper_um / 1000 : 0) ||
             !isWithin(width, groove.width_mm, 0, nominalLimits.circlip_width_mm) ||
             !isWithin(bottom, groove.groove_mm, -below_bottom, 0))
             continue;

@@ -59,7 +59,8 @@ struct Measured {
     double value_mm = 0, U_mm = 0;
 };
 
-/// The groove of DIN 471 on a shaft of this diameter (h11 ± U) with this bottom (h12 ± U) and width (+0.14 0 ± U).
+/// The groove of DIN 471 on a shaft of this diameter (from the lower limit of h11 to the upper one of n6, ± U) with
+/// this bottom (h12 ± U) and width (+0.14 0 ± U).
 std::optional<CirclipGroove> circlipGrooveOf(Measured shaft, Measured bottom, Measured width);
 /// "DIN 471 - 20": the ring is named by its shaft.
 std::string designationOf(const CirclipGroove& groove);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 namespace lathelier::features {
 
@@ -63,7 +64,8 @@ struct NominalLimits {
     std::size_t most_tapers = 3;                                    ///< suggested for a cone
     double pitch_share = 0.01;                                      ///< window of a thread's pitch
     int circlip_shaft_grade = 11, circlip_bottom_grade = 12;        ///< h11 and h12 of DIN 471
-    double circlip_width_mm = 0.14;                                 ///< H13 up to 3 mm
+    std::string_view circlip_seat_class = "n6";  ///< of the seats of bearings that rings are fitted on the largest
+    double circlip_width_mm = 0.14;              ///< H13 up to 3 mm
     double undercut_depth_mm = 0.1, undercut_width_mm = 0.2, undercut_radius_mm = 0.1;  ///< tolerances of DIN 509
     double unusual_shaft_price = 0.25;  ///< in shares of these tolerances: decides between equally near undercuts
     std::size_t most_fits = 3;          ///< ISO 286-1 classes of one size

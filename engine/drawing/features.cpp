@@ -202,6 +202,19 @@ private:
                 isMeasured(rows[first])};
     }
 
+    /// R of an arc; of a ball SR, or S⌀ where more than half of it is there (ISO 129-1).
+    DimensionText arcText(const ContourRow& row, std::optional<double> u_um) const
+    {
+        const double radius = std::abs(row.arc_radius_mm);
+        const bool is_ball = row.isBall(), has_diameter = is_ball && row.length_mm() > radius;
+        if (has_diameter && u_um) *u_um *= 2;
+        return withPrefix(has_diameter ? std::string("S") + diameterPrefix
+                          : is_ball    ? "SR"
+                                       : "R",
+                          size({.is_nominal = row.is_nominal, .as_measured = row.as_measured},
+                               has_diameter ? 2 * radius : radius, u_um));
+    }
+
     void addCallouts(const std::vector<ContourRow>& rows, const std::vector<SizeUncertainty>& known, bool outside,
                      Mouth mouth = Mouth::None)
     {
@@ -220,9 +233,7 @@ private:
                     break;
                 case RowKind::Radius:
                 case RowKind::Curve:
-                    add(withPrefix("R", size({.is_nominal = row.is_nominal, .as_measured = row.as_measured},
-                                             std::abs(row.arc_radius_mm), uncertaintyOf(row, known).arc_radius_um)),
-                        row.middle_mm(), Of::ArcRadius, i);
+                    add(arcText(row, uncertaintyOf(row, known).arc_radius_um), row.middle_mm(), Of::ArcRadius, i);
                     break;
                 case RowKind::Taper: add({taperText(rows, i), isMeasured(row)}, row.middle_mm(), Of::Taper, i); break;
                 case RowKind::Groove:

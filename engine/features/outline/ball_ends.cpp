@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "engine/core/statistics.h"
 #include "engine/features/model/selection_criterion.h"
 #include "engine/features/outline/outline_limits.h"
 
@@ -14,6 +16,7 @@ namespace {
 struct PoleView {
     double on_ball_mm = 0;  ///< smallest distance from the axis of points on the ball
     double any_mm = 0;      ///< the same of all points near the pole
+    bool is_flat = false;   ///< within `on_ball_mm` points lie on a plane across the axis: a face
 };
 
 class BallEnd {
@@ -80,14 +83,27 @@ private:
         const double rho = ball.radius_mm(), side = start_ ? -1 : 1;
         const double reach_mm = ballLimits.on_ball_sigmas * outline_.model.sigma_mm + ballLimits.on_ball_share * rho;
         std::vector<double> on_ball, any;
+        std::vector<std::pair<double, double>> off_ball;  // distance from the axis, z
         for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i) {
             const double off = static_cast<double>(input_.cloud.z_mm[i]) - ball.centre_z_mm,
                          r = static_cast<double>(input_.cloud.r_mm[i]);
             if (side * off < rho / 2) continue;
             any.push_back(r);
-            if (std::abs(std::hypot(off, r) - rho) < reach_mm) on_ball.push_back(r);
+            if (std::abs(std::hypot(off, r) - rho) < reach_mm)
+                on_ball.push_back(r);
+            else
+                off_ball.emplace_back(r, off);
         }
-        return {innermost(on_ball), innermost(any)};
+        PoleView view{innermost(on_ball), innermost(any), false};
+        std::vector<double> heights;
+        for (const auto& [r, z] : off_ball)
+            if (r < view.on_ball_mm) heights.push_back(z);
+        if (heights.size() <= ballLimits.stray_points) return view;
+        const double middle = upperMedianInPlace(heights);
+        for (double& z : heights) z = std::abs(z - middle);
+        view.is_flat = madToSigma * upperMedianInPlace(heights) <
+                       ballLimits.flat_sigmas * outline_.model.sigma_mm + ballLimits.flat_mm;
+        return view;
     }
 
     static double innermost(std::vector<double>& radii_mm)
@@ -104,7 +120,7 @@ private:
         const Element& ball = outline_.model.runs[run_].elements[element_];
         const PoleView view = viewOf(ball);
         const double rho = ball.radius_mm();
-        if (!(view.on_ball_mm < ballLimits.largest_cap_share * rho)) return false;
+        if (view.is_flat || !(view.on_ball_mm < ballLimits.largest_cap_share * rho)) return false;
         const double cap_mm = rho - std::sqrt(rho * rho - view.on_ball_mm * view.on_ball_mm);
         return cap_mm < ballLimits.highest_cap_mm &&
                view.any_mm < std::max(ballLimits.lost_radius_mm, ballLimits.grazed_share * rho);

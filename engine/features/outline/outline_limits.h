@@ -162,6 +162,7 @@ struct BallLimits {
     double highest_cap_mm = 0.5;      ///< and its height
     double lost_radius_mm = 2;        ///< points are seen within this of the axis, on the ball or not,
     double grazed_share = 0.2;        ///< or within this share of the ball's radius
+    double flat_sigmas = 1.5, flat_mm = 0.01;  ///< scatter along the axis of points on a face in place of the pole
 };
 
 inline constexpr BallLimits ballLimits;

@@ -81,7 +81,9 @@ private:
     PoleView viewOf(const Element& ball) const
     {
         const double rho = ball.radius_mm(), side = start_ ? -1 : 1;
-        const double reach_mm = ballLimits.on_ball_sigmas * outline_.model.sigma_mm + ballLimits.on_ball_share * rho;
+        // Near the pole the spot moves readings off the ball by as much as along the axis.
+        const double reach_mm = ballLimits.on_ball_sigmas * outline_.model.sigma_mm + ballLimits.on_ball_share * rho +
+                                outline_.model.spot_mm / 2;
         std::vector<double> on_ball, any;
         std::vector<std::pair<double, double>> off_ball;  // distance from the axis, z
         for (std::size_t i = 0; i < input_.cloud.z_mm.size(); ++i) {

@@ -33,11 +33,16 @@ public:
 
     void close()
     {
-        const Element& arc = outline_.model.runs[run_].elements[element_];
-        if (!arc.arc || !arc.convex || arc.flat || outline_.model.planes[plane_].data_end || isCut()) return;
         const Model before = outline_.model;
+        dropTip();
+        const Element& arc = outline_.model.runs[run_].elements[element_];
+        if (!arc.arc || !arc.convex || arc.flat || outline_.model.planes[plane_].data_end || isCut() || isShort()) {
+            outline_.model = before;
+            return;
+        }
+        const Model without_tip = outline_.model;
         const double free = tied(false);
-        outline_.model = before;
+        outline_.model = without_tip;
         const double on_axis = tied(true);
         const Run& run = outline_.model.runs[run_];
         if (!(on_axis <= free) || run.violation > selectionLimits.largest_violation || !isSeenToPole()) {
@@ -49,6 +54,26 @@ public:
     }
 
 private:
+    /// A short element before an arc lies where little of a ball is seen.
+    void dropTip()
+    {
+        Run& run = outline_.model.runs[run_];
+        const std::size_t n = run.elements.size();
+        if (n < 2 || run.elements[element_].arc || !run.elements[start_ ? 1 : n - 2].arc) return;
+        if (run.nodes_mm[element_ + 1] - run.nodes_mm[element_] > ballLimits.highest_cap_mm) return;
+        run.elements.erase(run.elements.begin() + static_cast<std::ptrdiff_t>(element_));
+        run.nodes_mm.erase(run.nodes_mm.begin() + static_cast<std::ptrdiff_t>(start_ ? 1 : n - 1));
+        if (!start_) --element_;
+        releaseLostTies(run);
+        resolve(outline_.model, run);
+    }
+
+    bool isShort() const
+    {
+        const std::vector<double>& nodes = outline_.model.runs[run_].nodes_mm;
+        return nodes[element_ + 1] - nodes[element_] < 2 * ballLimits.highest_cap_mm;
+    }
+
     bool isCut() const
     {
         const double z_mm = outline_.model.planes[plane_].z_mm;
@@ -56,8 +81,8 @@ private:
                            [&](const Cut& cut) { return cut.isAtLimit(z_mm) || cut.contains(z_mm); });
     }
 
-    /// Misfit and price of the arc and its neighbour, over walls that count in both cases; of an arc that is on the
-    /// axis its pole is the plane then.
+    /// Misfit and price of the arc and its neighbour, over the walls beyond the cap that need not be seen; of an arc
+    /// that is on the axis its pole is the plane then.
     double tied(bool on_axis)
     {
         Model& model = outline_.model;
@@ -65,12 +90,12 @@ private:
         const Scope scope = scopeOf(run, run_, element_, element_);
         double from = scope.from_mm, to = scope.to_mm;
         double& limit = start_ ? from : to;
-        const double clear_mm = ballLimits.clear_mm + model.edge_mm + model.spot_mm / 2;
-        limit += start_ ? clear_mm : -clear_mm;
+        limit += start_ ? ballLimits.highest_cap_mm : -ballLimits.highest_cap_mm;
         if (on_axis) {
             Element& arc = run.elements[element_];
             (start_ ? arc.start : arc.end) = Tie::Axis;
             model.planes[plane_].pole = true;
+            model.planes[plane_].lean = ballLimits.highest_cap_mm;
             resolve(model, run);
         }
         const double chi2 = fitWindow(model, scope.window, from, to, selectionLimits.insert_iterations);

@@ -114,6 +114,8 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].code, notes::marksLeftOut);
     EXPECT_EQ(std::get<std::string>(*find(found[0].values, "kinds")), "keyway, flat");
+    shaft.marks = {{MarkKind::Sphere}};  // made of its row
+    EXPECT_TRUE(cadNotes(shaft).empty());
 }
 
 }  // namespace

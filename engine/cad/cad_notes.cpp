@@ -12,7 +12,7 @@
 namespace lathelier::cad {
 namespace {
 
-constexpr std::size_t mostNamed = 12;  // marks in one note
+constexpr std::int64_t mostNamed = 12;  // marks in one note
 
 /// "keyway z 6.0-34.0"
 std::string placed(const ShaftMark& mark)
@@ -26,18 +26,15 @@ std::string placed(const ShaftMark& mark)
 Notes cadNotes(const Shaft& shaft)
 {
     Notes notes;
-    if (!shaft.marks.empty()) {
-        std::string marks;
-        for (std::size_t i = 0; i < shaft.marks.size(); ++i) {
-            if (i == mostNamed) {
-                marks += ", …";
-                break;
-            }
-            marks += (i > 0 ? ", " : "") + placed(shaft.marks[i]);
-        }
-        notes.push_back(
-            {notes::marksLeftOut, {{"count", static_cast<std::int64_t>(shaft.marks.size())}, {"kinds", marks}}});
+    std::int64_t left_out = 0;
+    std::string marks;
+    for (const ShaftMark& mark : shaft.marks) {
+        if (mark.kind == MarkKind::Sphere) continue;  // made of its row
+        if (left_out < mostNamed) marks += (left_out > 0 ? ", " : "") + placed(mark);
+        if (left_out == mostNamed) marks += ", …";
+        ++left_out;
     }
+    if (left_out > 0) notes.push_back({notes::marksLeftOut, {{"count", left_out}, {"kinds", marks}}});
     for (const ContourPiece& piece : outerContour(shaft))
         if (piece.isArc() && piece.centre_mm().y() < -meet_mm)
             notes.push_back({notes::arcBeyondAxis, {{"row", static_cast<std::int64_t>(piece.row + 1)}}});

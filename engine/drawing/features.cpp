@@ -223,11 +223,13 @@ private:
                 texts_.isMeasured(startDiameter(rows[first], known))};
     }
 
-    /// A ball is given by its diameter (ISO 129-1: S⌀).
-    DimensionText radiusText(const ContourRow& row, const std::vector<SizeUncertainty>& known, bool outside)
+    /// R of an arc; of a ball SR, or S⌀ where more than half of it is there (ISO 129-1).
+    DimensionText arcText(const ContourRow& row, const std::vector<SizeUncertainty>& known, bool outside)
     {
         Size size = radius(row, known);
-        if (!outside || !markOver(shaft_, MarkKind::Sphere, row)) return texts_.text("R", size);
+        const bool is_ball = row.isBall() || (outside && markOver(shaft_, MarkKind::Sphere, row));
+        if (!is_ball || !(row.length_mm() > std::abs(row.arc_radius_mm)))
+            return texts_.text(is_ball ? "SR" : "R", size);
         size.value_mm *= 2;
         if (size.measured_mm) *size.measured_mm *= 2;
         if (size.U_um) *size.U_um *= 2;
@@ -248,7 +250,7 @@ private:
             switch (row.kind) {
                 case RowKind::Chamfer: add(chamferText(row, known), row.middle_mm(), Of::Chamfer, i); break;
                 case RowKind::Radius:
-                case RowKind::Curve: add(radiusText(row, known, outside), row.middle_mm(), Of::ArcRadius, i); break;
+                case RowKind::Curve: add(arcText(row, known, outside), row.middle_mm(), Of::ArcRadius, i); break;
                 case RowKind::Taper: add(taperText(rows, i, known), row.middle_mm(), Of::Taper, i); break;
                 case RowKind::Groove:
                 case RowKind::Undercut: {

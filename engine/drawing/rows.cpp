@@ -89,6 +89,15 @@ double ContourRow::angle_deg() const
     return std::atan2(std::abs(end_diameter_mm - start_diameter_mm) / 2, length_mm()) * 180 / std::numbers::pi;
 }
 
+bool ContourRow::isBall() const
+{
+    const bool starts = start_diameter_mm < meet_mm, ends = end_diameter_mm < meet_mm;
+    if (!(arc_radius_mm > 0) || starts == ends) return false;
+    // The circle through the pole and the other end: ρ = (l² + r²)/2l.
+    const double length = length_mm(), r = std::max(start_diameter_mm, end_diameter_mm) / 2;
+    return std::abs(length * length + r * r - 2 * length * arc_radius_mm) < meet_mm * arc_radius_mm;
+}
+
 bool ContourRow::isMinor() const
 {
     return kind == RowKind::Chamfer || kind == RowKind::Radius || kind == RowKind::Groove || kind == RowKind::Undercut;

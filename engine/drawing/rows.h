@@ -31,6 +31,8 @@ struct ContourRow {
     Eigen::Vector2d middle_mm() const;
     /// Angle between the surface and the axis, of a cone.
     double angle_deg() const;
+    /// Part of a ball that ends on the axis, where its centre lies.
+    bool isBall() const;
     /// Chamfers, radii, grooves and undercuts: no length of their own is given.
     bool isMinor() const;
 };

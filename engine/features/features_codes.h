@@ -38,6 +38,13 @@ inline constexpr NoteCode endNotSeen{
     "end_not_seen", Severity::Warning,
     LT_TEXT("Engine", "The {end} of the part is not seen: the data end at z {z_mm} mm. The length is not known.")};
 
+inline constexpr NoteCode endIsBall{
+    "end_is_ball", Severity::Info,
+    LT_TEXT("Engine",
+            "The {end} is a ball of {diameter_mm} mm with its centre on the axis: it was closed at the ball's pole. "
+            "Within {unseen_diameter_mm} mm about the axis no points of it are seen: a small flat there would not be "
+            "either.")};
+
 inline constexpr NoteCode endConfirmed{
     "end_confirmed", Severity::Info,
     LT_TEXT("Engine", "The length of {length_mm} mm was stated; the data alone do not show the {end}.")};

@@ -7,6 +7,7 @@
 #include "engine/features/features_codes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
+#include "engine/features/outline/ball_ends.h"
 #include "engine/features/outline/bore_rows.h"
 #include "engine/features/outline/dimensions.h"
 #include "engine/features/outline/outline.h"
@@ -178,6 +179,19 @@ void takeMarks(std::vector<ShaftMark> marks, double zero_mm, Recognition& result
         result.notes.push_back({notes::marksFound, {{"count", static_cast<std::int64_t>(result.marks.size())}}});
 }
 
+/// Balls at the ends, as marks in order of z.
+void addBalls(const Outline& outside, Recognition& result)
+{
+    for (ShaftMark& mark : ballMarks(outside, result.segments)) {
+        const bool is_free = *mark.z_start_mm <= result.segments.front().z_start_mm;
+        result.notes.push_back({notes::endIsBall,
+                                {{"end", is_free ? LT_TEXT("Engine", "free end") : LT_TEXT("Engine", "chuck end")},
+                                 {"diameter_mm", *mark.diameter_mm},
+                                 {"unseen_diameter_mm", *outside.balls[is_free ? 0 : 1]}}});
+        result.marks.insert(is_free ? result.marks.begin() : result.marks.end(), std::move(mark));
+    }
+}
+
 void noteRoughZones(const Outline& outside, Recognition& result)
 {
     const double zero = outside.model.planes.front().z_mm;
@@ -266,6 +280,7 @@ Recognition recognizeOnce(const Scan& scan, const RecognitionParameters& paramet
     takeOutside(found.outside, fit, added, result);
     if (found.bore) addSeenBores(*found.bore, zero, result.ends.back().z_mm, fit, added, result);
     takeMarks(findMarks(meridian.cloud, found.outside, found.seen(meridian.cloud).bore, fitting), zero, result);
+    addBalls(found.outside, result);
     noteRoughZones(found.outside, result);
     describeStructure(found.seen(meridian.cloud), found.structure, zero, result, fitting);
     if (!registration::isBodyOfRevolution(fit) && result.unexplained.empty())

@@ -30,6 +30,7 @@ bool isPartEnd(const Outline& outline, bool start, const std::string& closed_by)
                            [&](const Cut& cut) { return (cut.*holds)(plane.z_mm); });
     };
     if (is_any(&Cut::isAtLimit)) return false;
+    if (outline.balls[start ? 0 : 1]) return true;
     if (outline.face_seen[start ? 0 : 1]) return true;
     // Between jaws the last of the part may be hidden in all directions.
     if (is_any(&Cut::contains)) return false;
@@ -54,7 +55,11 @@ void dropUndetermined(Recognition& result)
     for (std::size_t i = 0; i < result.segments.size(); ++i)
         for (const auto& [member, name] : sizes) {
             std::optional<double>& stated_um = result.segments[i].uncertainty.*member;
-            if (!stated_um || *stated_um <= recognitionLimits.unsure_um) continue;
+            double most_um = recognitionLimits.unsure_um;
+            if (member == &U::arc_radius_um)
+                most_um = std::max(most_um, 1e3 * recognitionLimits.unsure_radius_share *
+                                                std::abs(result.segments[i].arc_radius_mm.value_or(0)));
+            if (!stated_um || *stated_um <= most_um) continue;
             result.notes.push_back(
                 {notes::sizeNotDetermined,
                  {{"row", static_cast<std::int64_t>(i) + 1}, {"size", name}, {"uncertainty_mm", 1e-3 * *stated_um}}});

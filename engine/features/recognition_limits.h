@@ -31,9 +31,10 @@ struct RecognitionLimits {
     double least_ovality_um = 5;     ///< of a turned part, where the scanner's accuracy is finer
 
     // Rows where noise is correlated or passes differ.
-    double unsure_um = 1000;       ///< a size with a larger U is not determined
-    double coverage_factor = 2;    ///< of the shared errors that a row has to exceed
-    double unproven_jump_u = 2.5;  ///< five standard errors: a lower jump between cylinders may be chance
+    double unsure_um = 1000;            ///< a size with a larger U is not determined,
+    double unsure_radius_share = 0.05;  ///< nor a radius when it is this share of the radius as well
+    double coverage_factor = 2;         ///< of the shared errors that a row has to exceed
+    double unproven_jump_u = 2.5;       ///< five standard errors: a lower jump between cylinders may be chance
 
     // Ends.
     double chamfer_half_angle_deg = 10;  ///< a cone that is steeper closes an end as a chamfer

@@ -31,6 +31,12 @@ void placeCentre(const Model& model, Run& run, std::size_t k)
 {
     Element& arc = run.elements[k];
     const double rho = arc.radius_mm(), g = sideOf(arc);
+    if (arc.flat) {
+        const double q = std::sqrt(1 + square(arc.slope));
+        arc.centre_z_mm = arc.at_mm + g * rho * arc.slope / q;
+        arc.centre_r_mm = arc.level_mm - g * rho / q;
+        return;
+    }
     const Element* const before = k > 0 ? &run.elements[k - 1] : nullptr;
     const Element* const after = k + 1 < run.elements.size() ? &run.elements[k + 1] : nullptr;
     if (arc.start == Tie::Plane) arc.centre_z_mm = model.planes[run.left].z_mm + rho;
@@ -40,6 +46,14 @@ void placeCentre(const Model& model, Run& run, std::size_t k)
         return line.level_mm - g * rho * std::sqrt(1 + square(line.slope));
     };
     const bool tangent_start = arc.start == Tie::Tangent && before, tangent_end = arc.end == Tie::Tangent && after;
+    if (isOnAxis(arc)) {
+        arc.centre_r_mm = 0;
+        if (!tangent_start && !tangent_end) return;
+        const Element& line = tangent_start ? *before : *after;
+        const double distance_mm = std::abs(line.radiusAt_mm(arc.centre_z_mm)) / std::sqrt(1 + square(line.slope));
+        arc.log_radius = std::log(std::max(fitLimits.least_element_mm, distance_mm));
+        return;
+    }
     if (tangent_start && tangent_end) {
         const double bend = before->slope - after->slope;
         if (std::abs(bend) > fitLimits.parallel_slope) {
@@ -127,6 +141,11 @@ double normalNoiseShift_mm(const Element& arc, double z_mm, double sigma_mm)
 
 }  // namespace
 
+bool isOnAxis(const Element& arc)
+{
+    return arc.start == Tie::Axis || arc.end == Tie::Axis;
+}
+
 double Element::radius_mm() const
 {
     return std::exp(log_radius);
@@ -136,6 +155,12 @@ double Element::radiusAt_mm(double z_mm) const
 {
     if (!arc) return level_mm + slope * (z_mm - at_mm);
     const double rho = radius_mm(), off = z_mm - centre_z_mm;
+    if (flat) {
+        // level + g (√(ρ² - off²) - ρ/q) without the difference of large numbers.
+        const double g = sideOf(*this), from_mm = z_mm - at_mm, at_middle_mm = rho / std::sqrt(1 + square(slope));
+        return level_mm + g * from_mm * (2 * g * slope * at_middle_mm - from_mm) /
+                              (std::sqrt(std::max(0.0, rho * rho - off * off)) + at_middle_mm);
+    }
     return centre_r_mm + (convex ? 1 : -1) * std::sqrt(std::max(0.0, rho * rho - off * off));
 }
 
@@ -154,8 +179,10 @@ void resolve(const Model& model, Run& run)
     for (std::size_t k = 0; k < n; ++k)
         if (run.elements[k].arc) placeCentre(model, run, k);
     if (run.nodes_mm.size() != n + 1) run.nodes_mm.assign(n + 1, 0);
-    run.nodes_mm.front() = model.planes[run.left].z_mm;
-    run.nodes_mm.back() = model.planes[run.right].z_mm;
+    const Element &first = run.elements.front(), &last = run.elements.back();
+    run.nodes_mm.front() =
+        first.start == Tie::Axis ? first.centre_z_mm - first.radius_mm() : model.planes[run.left].z_mm;
+    run.nodes_mm.back() = last.end == Tie::Axis ? last.centre_z_mm + last.radius_mm() : model.planes[run.right].z_mm;
     for (std::size_t k = 0; k + 1 < n; ++k)
         run.nodes_mm[k + 1] = meet(run.elements[k], run.elements[k + 1], run.nodes_mm[k + 1], run.violation);
     for (std::size_t k = 0; k < n; ++k) {
@@ -178,8 +205,8 @@ void releaseLostTies(Run& run)
         const bool first = i == 0, last = i + 1 == run.elements.size();
         if (e.start == Tie::Tangent && (first || run.elements[i - 1].arc)) e.start = Tie::Free;
         if (e.end == Tie::Tangent && (last || run.elements[i + 1].arc)) e.end = Tie::Free;
-        if (e.start == Tie::Plane && !first) e.start = Tie::Free;
-        if (e.end == Tie::Plane && !last) e.end = Tie::Free;
+        if ((e.start == Tie::Plane || e.start == Tie::Axis) && !first) e.start = Tie::Free;
+        if ((e.end == Tie::Plane || e.end == Tie::Axis) && !last) e.end = Tie::Free;
     }
 }
 

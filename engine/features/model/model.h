@@ -3,8 +3,9 @@
 // Junctions: line and line meet in their intersection; a line and an arc that is tied to it in the foot of the
 // perpendicular from the arc's centre, else in the nearer intersection; anything ends at a plane where the plane is.
 // An arc has a centre and a radius less one parameter for each tie: tangent to the neighbouring line, or touching the
-// neighbouring plane (the centre lies one radius from it). The value that a wall is compared with is the mean of the
-// meridian over the spot of the scanner and the spread of the wall's points in z (3 × 3 Gauss points).
+// neighbouring plane (the centre lies one radius from it), or a centre on the axis (the run ends at the pole). The
+// value that a wall is compared with is the mean of the meridian over the spot of the scanner and the spread of the
+// wall's points in z (3 × 3 Gauss points).
 #pragma once
 
 #include <cstddef>
@@ -14,12 +15,15 @@
 
 namespace lathelier::features {
 
-enum class Tie { Free, Tangent, Plane };
+/// Axis: the centre lies on the axis, and the run ends at the arc's pole.
+enum class Tie { Free, Tangent, Plane, Axis };
 
 struct Element {
     bool arc = false;                           ///< an arc, else a line
     bool cylinder = false;                      ///< a line whose slope stays 0
     double level_mm = 0, slope = 0, at_mm = 0;  ///< line: r = level + slope·(z - at); `at` stays
+    bool flat = false;  ///< arc of a radius far beyond its length: given by level and slope at `at` in place of its
+                        ///< centre, which the radius would move by as much
     double centre_z_mm = 0, centre_r_mm = 0,
            log_radius = 0;                   ///< arc; values determined by its ties follow from the neighbours
     bool convex = false;                     ///< arc: material bulges, r = r_c + √…; else r = r_c - √…
@@ -33,11 +37,15 @@ struct Element {
     double slopeAt(double z_mm) const;
 };
 
+/// Is it part of a ball, with its centre on the axis?
+bool isOnAxis(const Element& arc);
+
 /// A plane across the axis, or the limit of the data.
 struct Plane {
     double z_mm = 0;                   ///< along the axis
     double seen_mm = 0, sigma_mm = 1;  ///< where it was observed: one datum of the fit
     bool data_end = false;             ///< no face: the data end here
+    bool pole = false;                 ///< no face: an arc with Tie::Axis ends here and places it
     double lean = 0;        ///< distance within which the lower wall does not count, since inclined rays miss it there
     int low_side = 0;       ///< of a shoulder: the lower wall lies before it, -1, or behind it, 1; else 0
     bool is_clear = false;  ///< of a shoulder: high enough that no wall mixes points of both sides

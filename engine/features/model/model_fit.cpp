@@ -146,7 +146,7 @@ double planesMisfit(const Model& model)
 {
     double sum = 0;
     for (const Plane& plane : model.planes)
-        if (!plane.data_end) sum += std::pow((plane.z_mm - plane.seen_mm) / plane.sigma_mm, 2);
+        if (!plane.data_end && !plane.pole) sum += std::pow((plane.z_mm - plane.seen_mm) / plane.sigma_mm, 2);
     return sum;
 }
 
@@ -234,10 +234,15 @@ std::vector<Slot> slotsOf(const Model& model, std::size_t run, std::size_t first
             continue;
         }
         const int tangents = (e.start == Tie::Tangent) + (e.end == Tie::Tangent);
-        const bool touches = e.start == Tie::Plane || e.end == Tie::Plane;
-        slots.push_back({Slot::Of::LogRadius, run, k});
+        const bool touches = e.start == Tie::Plane || e.end == Tie::Plane, on_axis = isOnAxis(e);
+        if (e.flat) {
+            for (const Slot::Of of : {Slot::Of::Level, Slot::Of::Slope, Slot::Of::LogRadius})
+                slots.push_back({of, run, k});
+            continue;
+        }
+        if (!on_axis || tangents == 0) slots.push_back({Slot::Of::LogRadius, run, k});
         if (tangents < 2 && !touches) slots.push_back({Slot::Of::CentreZ, run, k});
-        if (tangents == 0) slots.push_back({Slot::Of::CentreR, run, k});
+        if (tangents == 0 && !on_axis) slots.push_back({Slot::Of::CentreR, run, k});
     }
     return slots;
 }
@@ -246,7 +251,7 @@ std::vector<Slot> allSlots(const Model& model)
 {
     std::vector<Slot> slots;
     for (std::size_t p = 0; p < model.planes.size(); ++p)
-        if (!model.planes[p].data_end) slots.push_back({Slot::Of::Plane, p, 0});
+        if (!model.planes[p].data_end && !model.planes[p].pole) slots.push_back({Slot::Of::Plane, p, 0});
     for (std::size_t r = 0; r < model.runs.size(); ++r) {
         const std::vector<Slot> own = slotsOf(model, r, 0, model.runs[r].elements.size());
         slots.insert(slots.end(), own.begin(), own.end());

@@ -61,6 +61,11 @@ bool selectKind(Model& model, std::size_t r, std::size_t k)
     line.cylinder = false;
     line.slope = (r1 - r0) / std::max(length, 1e-6);
     if (before.elements[k].arc) attempt(line);
+    if (before.elements[k].flat) {  // too long for the starts of a fillet
+        model.runs[r] = best.run;
+        resolve(model, model.runs[r]);
+        return changed;
+    }
     const double chord = std::hypot(length, r1 - r0);
     for (const bool convex : {false, true})
         for (const Tie start : possibleTies(model, before, k, true))
@@ -300,6 +305,11 @@ std::vector<Element> elementsOf(const std::vector<Piece>& pieces, std::span<cons
             element.log_radius = std::log(std::max(piece.radius_mm, selectionLimits.least_radius_mm));
             element.centre_z_mm = piece.centre_z_mm;
             element.centre_r_mm = piece.centre_r_mm;
+            element.flat = piece.flat;
+            if (piece.flat) {
+                element.slope = piece.slope;
+                element.cylinder = false;
+            }
         }
         elements.push_back(element);
     }

@@ -16,7 +16,7 @@ struct PlacedRow {
     double start_mm = 0, end_mm = 0;      ///< diameters at its start and its end
     std::optional<double> arc_radius_mm;  ///< none: straight
     std::string role;                     ///< as ShaftSegment::role
-    std::ptrdiff_t source = none;                  ///< row of the chain; `none`: a gap's bridge or a relieved face that was not seen
+    std::ptrdiff_t source = none;  ///< row of the chain; `none`: a gap's bridge or a relieved face that was not seen
     std::optional<SizeTolerance> tolerance = {};  ///< of a cylinder whose nominal diameter is in place
 };
 

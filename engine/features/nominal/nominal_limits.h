@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 namespace lathelier::features {
 
@@ -62,8 +63,8 @@ struct NominalLimits {
     double smallest_morse_ratio = 0.7, largest_morse_ratio = 1.04;  ///< of a diameter to the gauge diameter
     std::size_t most_tapers = 3;                                    ///< suggested for a cone
     double pitch_share = 0.01;                                      ///< window of a thread's pitch
-    const char* circlip_shaft_lower = "h11";  ///< DIN 471: rings are made for shafts h11…
-    const char* circlip_shaft_upper = "p6";   ///< …and pass over the seats of bearings
+    const char* circlip_shaft_lower = "h11";                        ///< DIN 471: rings are made for shafts h11…
+    const char* circlip_shaft_upper = "p6";                         ///< …and pass over the seats of bearings
     double circlip_width_mm = 0.14;                                 ///< H13 up to 3 mm
     double undercut_depth_mm = 0.1, undercut_width_mm = 0.2, undercut_radius_mm = 0.1;  ///< tolerances of DIN 509
     double unusual_shaft_price = 0.25;  ///< in shares of these tolerances: decides between equally near undercuts

@@ -20,10 +20,11 @@ Sizes sizesOf(const Run& run, std::size_t k)
 {
     const Element& e = run.elements[k];
     const double from = run.nodes_mm[k], to = run.nodes_mm[k + 1];
+    // At a pole the root of the arc is ill-conditioned.
     return {from,
             to,
-            e.radiusAt_mm(from),
-            e.radiusAt_mm(to),
+            e.start == Tie::Axis ? 0 : e.radiusAt_mm(from),
+            e.end == Tie::Axis ? 0 : e.radiusAt_mm(to),
             e.arc ? e.radius_mm() : 0,
             e.arc ? 0 : std::atan(e.slope) * deg_per_rad,
             to - from};
@@ -70,7 +71,14 @@ std::vector<Sizes> sigmas(const Outline& outline)
 std::string tiesOf(const Element& e)
 {
     if (!e.arc) return {};
-    const auto one = [](Tie tie) { return tie == Tie::Free ? "free" : tie == Tie::Tangent ? "tangent" : "plane"; };
+    const auto one = [](Tie tie) {
+        switch (tie) {
+            case Tie::Tangent: return "tangent";
+            case Tie::Plane: return "plane";
+            case Tie::Axis: return "axis";
+            default: return "free";
+        }
+    };
     const std::string start = one(e.start), end = one(e.end);
     return start == end ? start : start + "-" + end;
 }

@@ -5,6 +5,7 @@
 
 #include "engine/features/model/selection.h"
 #include "engine/features/model/undercut_search.h"
+#include "engine/features/outline/ball_ends.h"
 #include "engine/features/outline/outline_limits.h"
 #include "engine/features/outline/plane_places.h"
 #include "engine/features/outline/stretches.h"
@@ -160,6 +161,7 @@ std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& pro
     selectKinds(model, progress);
     selectKinds(model, progress);
     simplify(model, progress);
+    closeBallEnds(input, outline);
     for (const MergedJunction& junction : mergeWithinForm(model, input.form_mm)) outline.merged.push_back(junction);
     // Shared errors decide which elements there are; what they add to the sizes is added to the uncertainty.
     for (Run& run : model.runs)
@@ -167,6 +169,7 @@ std::optional<Outline> fitOutline(const OutlineInput& input, const Progress& pro
     fitAll(model, outlineLimits.iterations, progress);
     placePlanes(input, outline, borders, progress);
     outline.fit = fitAll(model, outlineLimits.last_iterations, progress);
+    placePoles(outline);
     meetCones(outline, borders);
     progress.report(1);
     return outline;

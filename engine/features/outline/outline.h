@@ -58,6 +58,7 @@ struct Outline {
     std::vector<MergedJunction> merged;  ///< within the form tolerance
     std::optional<EndPlace> ends[2];     ///< at the first and the last plane; nullopt: not estimated
     bool face_seen[2] = {false, false};
+    std::optional<double> balls[2];       ///< ends closed by their ball: diameter about the axis that is not seen
     std::vector<double> unsure_edges_mm;  ///< shoulders that hits and misses of rays do not place
     std::vector<Cut> cuts;                ///< as OutlineInput::cuts
     bool surface_scan = false;            ///< most faces are seen: not the rays of a rotary scanner

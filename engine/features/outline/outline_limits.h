@@ -151,6 +151,21 @@ struct OutlineLimits {
 
 inline constexpr OutlineLimits outlineLimits;
 
+/// Ends that are balls (ball_ends.h). What is lost about the axis: readings within 0.8 mm of the scanner's axis, of a
+/// part up to 0.8 mm beside it, and rays that graze the surface at less than 12°.
+struct BallLimits {
+    double on_ball_sigmas = 4;                 ///< points so far from the ball are on it,
+    double on_ball_share = 5e-4;               ///< and this share of its radius further
+    std::size_t stray_points = 10;             ///< so many may be nearer to the axis by chance
+    double largest_cap_share = 0.35;           ///< of the radius: that of the cap that is not seen is smaller,
+    double highest_cap_mm = 0.5;               ///< and its height; walls within it do not count in the fit of the ball
+    double lost_radius_mm = 2;                 ///< points are seen within this of the axis, on the ball or not,
+    double grazed_share = 0.2;                 ///< or within this share of the ball's radius
+    double flat_sigmas = 1.5, flat_mm = 0.01;  ///< scatter along the axis of points on a face in place of the pole
+};
+
+inline constexpr BallLimits ballLimits;
+
 /// Worn seats as one row (wear.h).
 struct WearLimits {
     double largest_bend_rad = selectionLimits.merged_bend_rad;  ///< a sharper bend is a designed feature

@@ -283,6 +283,7 @@ public:
     {
         const Run& run = start ? model_.runs.front() : model_.runs.back();
         Plane& plane = model_.planes[start ? run.left : run.right];
+        if (plane.pole) return;
         const double radius = start ? startRadius_mm(run) : endRadius_mm(run);
         const auto part_end = std::find_if(input_.part_ends.begin(), input_.part_ends.end(), [&](const Plane& end) {
             return std::abs(end.z_mm - plane.z_mm) < planeLimits.part_end_mm;

@@ -11,6 +11,25 @@ namespace {
 
 constexpr double infiniteCost = std::numeric_limits<double>::infinity();
 
+/// y = zeroth + first x + second x², and by how much less its squares are than those of the line.
+struct Parabola {
+    double zeroth = 0, first = 0, second = 0, gain = 0;
+
+    double slopeAt(double x) const { return first + 2 * second * x; }
+    /// Of the curve at x, without its sign.
+    double curvatureAt(double x) const
+    {
+        const double q = 1 + slopeAt(x) * slopeAt(x);
+        return 2 * std::abs(second) / (q * std::sqrt(q));
+    }
+    /// Is an arc that ends at x = 0 and begins an extent before it so flat that it is this parabola?
+    bool isFlat(double extent_mm) const
+    {
+        return extent_mm * curvatureAt(-extent_mm / 2) < segmentationLimits.flat_chord_share &&
+               std::abs(slopeAt(-extent_mm / 2)) < segmentationLimits.flat_chord_share;
+    }
+};
+
 /// Sums over walls relative to one place, so that short arcs far from z = 0 lose no digits.
 class Sums {
 public:
@@ -33,6 +52,35 @@ public:
         sxq_ += w * x * q;
         syq_ += w * y * q;
         sqq_ += w * q * q;
+        sxxx_ += w * x * x * x;
+        sxxxx_ += w * x * x * x * x;
+        sxxy_ += w * x * x * y;
+    }
+    /// The parabola of least squares.
+    Parabola parabola() const
+    {
+        Parabola found;
+        const double cxx = sxx_ - sx_ * sx_ / s_, cxy = sxy_ - sx_ * sy_ / s_;
+        if (!(cxx > 0)) return found;
+        const double share = (sxxx_ - sx_ * sxx_ / s_) / cxx;  // of x in x²
+        const double square = sxxxx_ - sxx_ * sxx_ / s_ - share * share * cxx;
+        if (!(square > 0)) return found;
+        const double common = sxxy_ - sxx_ * sy_ / s_ - share * cxy;
+        found.second = common / square;
+        found.first = cxy / cxx - found.second * share;
+        found.zeroth = (sy_ - found.first * sx_ - found.second * sxx_) / s_;
+        found.gain = common * common / square;
+        return found;
+    }
+    /// Cost of an arc over `extent_mm`; infinite where there is none.
+    double arcOver(double extent_mm) const
+    {
+        if (extent_mm > segmentationLimits.longest_circle_mm) {
+            const Parabola found = parabola();
+            if (found.isFlat(extent_mm)) return std::max(0.0, line() - found.gain);
+        }
+        double a = 0, b = 0, c = 0;
+        return arc(a, b, c);
     }
     double line() const
     {
@@ -68,6 +116,19 @@ public:
         piece.slope = cxx > 0 ? cxy / cxx : 0;
         piece.slope_error = cxx > 0 ? 1 / std::sqrt(cxx) : infiniteCost;
     }
+    void flatArcOf(const Parabola& found, double extent_mm, Piece& piece) const
+    {
+        const double x = -extent_mm / 2, q = std::sqrt(1 + found.slopeAt(x) * found.slopeAt(x));
+        piece.flat = true;
+        piece.convex = found.second < 0;
+        piece.at_mm = z_ + x;
+        piece.level_mm = r_ + found.zeroth + (found.first + found.second * x) * x;
+        piece.slope = found.slopeAt(x);
+        piece.radius_mm = 1 / found.curvatureAt(x);
+        const double toward_axis = piece.convex ? 1 : -1;
+        piece.centre_z_mm = piece.at_mm + toward_axis * piece.radius_mm * piece.slope / q;
+        piece.centre_r_mm = piece.level_mm - toward_axis * piece.radius_mm / q;
+    }
     double meanY() const { return sy_ / s_; }
     double z() const { return z_; }
     double r() const { return r_; }
@@ -75,6 +136,7 @@ public:
 private:
     double z_, r_;
     double s_ = 0, sx_ = 0, sy_ = 0, sxx_ = 0, sxy_ = 0, syy_ = 0, sq_ = 0, sxq_ = 0, syq_ = 0, sqq_ = 0;
+    double sxxx_ = 0, sxxxx_ = 0, sxxy_ = 0;
 };
 
 Sums sumsOf(std::span<const Wall> walls)
@@ -93,6 +155,14 @@ Piece pieceOf(std::span<const Wall> walls, std::size_t begin, std::size_t end, b
     const Sums sums = sumsOf(walls.subspan(begin, end - begin));
     sums.lineOf(piece);
     if (!arc) return piece;
+    const double extent_mm = walls[end - 1].z_mm - walls[begin].z_mm;
+    if (extent_mm > segmentationLimits.longest_circle_mm) {
+        const Parabola found = sums.parabola();
+        if (found.isFlat(extent_mm)) {
+            sums.flatArcOf(found, extent_mm, piece);
+            return piece;
+        }
+    }
     double a = 0, b = 0, c = 0;
     sums.arc(a, b, c);
     piece.centre_z_mm = sums.z() + a / 2;
@@ -126,8 +196,7 @@ double lineCost(std::span<const Wall> walls)
 
 double arcCost(std::span<const Wall> walls)
 {
-    double a = 0, b = 0, c = 0;
-    return sumsOf(walls).arc(a, b, c);
+    return sumsOf(walls).arcOver(walls.back().z_mm - walls.front().z_mm);
 }
 
 std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& progress)
@@ -155,10 +224,10 @@ std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& pr
                 is_arc[j] = 0;
             }
             if (length < limits.least_arc_walls) continue;
-            if (walls[j - 1].z_mm - walls[i].z_mm > limits.longest_arc_mm) continue;
             if (before[i] + arc_price >= best[j] || line < arc_price - line_price) continue;
-            double a = 0, b = 0, c = 0;
-            const double arc = sums.arc(a, b, c);
+            const double extent_mm = walls[j - 1].z_mm - walls[i].z_mm;
+            if (extent_mm > limits.longest_circle_mm && sums.parabola().gain < arc_price - line_price) continue;
+            const double arc = sums.arcOver(extent_mm);
             if (before[i] + arc + arc_price < best[j]) {
                 best[j] = before[i] + arc + arc_price;
                 from[j] = i;

@@ -3,8 +3,10 @@
 // Of all cuttings the one with the least sum of misfit and price, found by dynamic programming: F(j) = min over i < j
 // of F(i) + cost(i, j) + β. Cost of a line: χ² = S_rr - S_zr²/S_zz. Cost of an arc: the algebraic circle q = Ax + By +
 // C, q = x² + y², its residuals divided by 4ρ² and by the mean squared cosine of the normal, because the noise is
-// radial. Prices: 5 ln n for a line, 7.5 ln n for an arc. Up to two walls between two pieces may be left out, for
-// 2 ln n each: points on both sides of a step of the radius lie in them, and neither piece explains their mean.
+// radial. A flat
+// arc longer than 30 mm is a parabola, whose least squares know no bias for radii of any size. Prices: 5 ln n for a
+// line, 7.5 ln n for an arc. Up to two walls between two pieces may be left out, for 2 ln n each: points on both sides
+// of a step of the radius lie in them, and neither piece explains their mean.
 #pragma once
 
 #include <span>
@@ -25,9 +27,10 @@ struct Piece {
     double slope_error = 0;                                  ///< standard uncertainty of the slope
     double centre_z_mm = 0, centre_r_mm = 0, radius_mm = 0;  ///< arc
     bool convex = false;                                     ///< arc: bulges away from the axis
+    bool flat = false;  ///< arc: by a parabola; `level_mm` and `slope` are those of the arc at `at_mm`, its middle
 };
 
-/// O(n²) in the number of walls; arcs up to 30 mm long. Throws Cancelled.
+/// O(n²) in the number of walls. Throws Cancelled.
 std::vector<Piece> cutIntoPieces(std::span<const Wall> walls, const Progress& progress = {});
 
 /// χ² of one piece over walls, as the cutting counts it: for tests against brute force.

@@ -66,6 +66,20 @@ struct WallLimits {
 
 inline constexpr WallLimits wallLimits;
 
+/// Steep flanks (steep_walls.h).
+struct SteepLimits {
+    double least_slope = 1.3;      ///< chains reach over less (WallLimits::chain_slope)
+    double largest_slope = 6.5;    ///< 81°; steeper flanks have too few walls
+    double uneven_share = 0.25;    ///< of the slope: largest difference between those to both neighbours; an arc of
+                                   ///< 5 mm that is this steep has more
+    double uneven_errors = 3;      ///< standard errors of that difference, added
+    double quantile_share = 0.84;  ///< of an even spread of radii, between their 8 % and 92 % quantiles
+    double least_fill = 0.5;       ///< of the spread that the slope explains: less is no flank
+    std::size_t least_walls = 3;   ///< between two neighbours each
+};
+
+inline constexpr SteepLimits steepLimits;
+
 /// Points of coarse meshes (mesh_points.h).
 struct MeshLimits {
     double least_sagitta_mm = 5e-4;    ///< facets with less are flat enough
@@ -118,7 +132,9 @@ struct SegmentationLimits {
     std::size_t most_omitted_walls = 2;                     ///< between two pieces
     double form_floor_mm = 1e-3;             ///< standard deviation of the walls' form besides their noise; with
                                              ///< 3 µm an undercut DIN 509-E 0.6×0.2 became one arc
-    double longest_arc_mm = 30;              ///< along the axis; bounds the time
+    double longest_circle_mm = 30;           ///< along the axis: longer arcs are tried only where a parabola is better
+                                             ///< than the line by their price, which bounds the time
+    double flat_chord_share = 0.05;          ///< of the radius: such a long arc is a parabola to 1e-7 of its chord
     double least_mean_square_cosine = 0.02;  ///< of an arc's normal: steeper arcs are not seen along the radius
 };
 

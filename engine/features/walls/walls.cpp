@@ -8,6 +8,7 @@
 
 #include "engine/core/parallel.h"
 #include "engine/core/statistics.h"
+#include "engine/features/walls/steep_walls.h"
 #include "engine/features/walls/wall_limits.h"
 #include "engine/registration/revolution/quick_turn.h"
 
@@ -121,8 +122,9 @@ Cluster clusterOf(const MeridianCloud& cloud, std::vector<std::uint32_t> points,
     for (const float r : radii) offs.push_back(static_cast<float>(std::abs(static_cast<double>(r) - median)));
     const double sigma = std::max(madToSigma * medianOf(offs), limits.least_sigma_share * sigma_mm);
     Cluster cluster;
-    cluster.wall.compact = at(limits.high_share) - at(limits.low_share) <=
-                           limits.compact_sigmas * sigma_mm + limits.compact_bins * bin_mm + limits.compact_mm;
+    cluster.wall.spread_mm = at(limits.high_share) - at(limits.low_share);
+    cluster.wall.compact =
+        cluster.wall.spread_mm <= limits.compact_sigmas * sigma_mm + limits.compact_bins * bin_mm + limits.compact_mm;
     double n = 0, sz = 0, szz = 0, sr = 0, srr = 0;
     for (const std::uint32_t i : points) {
         const double r = static_cast<double>(cloud.r_mm[i]), z = static_cast<double>(cloud.z_mm[i]);
@@ -279,7 +281,8 @@ void appendWall(std::vector<Chain>& open, const Wall& wall, double bin_mm)
         const double dz = wall.z_mm - last.z_mm;
         if (!(dz > wallLimits.next_wall_bins * bin_mm)) continue;
         const double off = std::abs(wall.r_mm - last.r_mm);
-        if (off <= wallLimits.chain_step_mm + wallLimits.chain_slope * dz && off < nearest) {
+        const double steepest = std::max({1.0, std::abs(last.slope), std::abs(wall.slope)});
+        if (off <= wallLimits.chain_step_mm + wallLimits.chain_slope * steepest * dz && off < nearest) {
             nearest = off;
             best = &one;
         }
@@ -391,6 +394,10 @@ MeridianCloud meridianCloud(const std::vector<Eigen::Vector3d>& points, const Pr
 Walls findWalls(const MeridianCloud& cloud, double bin_mm, double sigma_mm, const Progress& progress)
 {
     ClustersOfBins found = clustersOfBins(cloud, binned(cloud, bin_mm), bin_mm, sigma_mm, progress);
+    std::vector<std::vector<Wall*>> walls_of_bins(found.size());
+    for (std::size_t b = 0; b < found.size(); ++b)
+        for (Cluster& cluster : found[b]) walls_of_bins[b].push_back(&cluster.wall);
+    findSteepWalls(walls_of_bins, sigma_mm, bin_mm);
     Walls walls;
     walls.bin_mm = bin_mm;
     std::vector<Chain> chains = linkedChains(cloud, found, bin_mm, progress);

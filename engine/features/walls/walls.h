@@ -27,6 +27,8 @@ struct Wall {
     double width_mm = 0;   ///< of an even spread of z with the same variance as its points have
     double points = 0;     ///< number of points
     double coverage = 0;   ///< share of the circle covered by its points, 0…1
+    double spread_mm = 0;  ///< of the radii of its points, from their 8 % to their 92 % quantile
+    double slope = 0;      ///< dr/dz of a steep flank (findSteepWalls()); 0: of none
     bool compact = true;   ///< its points lie as close together as noise and a slope of 45° explain
     double form_mm = 0;    ///< of a worn seat: wear that was subtracted from r_mm because its row does not describe it
     double shared_mm = 0;  ///< standard uncertainty of r_mm beside that of independent points (withSharedErrors())

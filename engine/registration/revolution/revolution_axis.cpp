@@ -171,7 +171,8 @@ private:
         std::vector<PoseTrial> trials;
         int tried = 0;
         for (const Eigen::Isometry3d& candidate : candidates.axis_T_scan) {
-            const PoseTrial trial = tryCandidate(small, candidate, noise_mm_, progress_);
+            PoseTrial trial = tryCandidate(small, candidate, noise_mm_, progress_);
+            if (!isSure(trial)) trial = betterStraightened(small, candidate, std::move(trial));
             if (trial.score() > best_.score()) best_ = trial;
             trials.push_back(trial);
             if (isSure(best_) || ++tried == axisFit.most_trials) break;
@@ -188,6 +189,18 @@ private:
         return trial.consistent > axisFit.sure_consistent_share && trial.on_bins > axisFit.sure_share_on_bins;
     }
 
+    /// The trial on points without their bend, where that scores better: of a bent bar the radii scatter so much that
+    /// no bin counts, or only those where the bend crosses the axis.
+    PoseTrial betterStraightened(const std::vector<Vector3d>& small, const Eigen::Isometry3d& pose,
+                                 PoseTrial trial) const
+    {
+        const Bend bend = findBend(small, pose, makeBins(small, pose, axisFit.trial_bins));
+        const double round_mm = std::max(axisFit.round_noises * noise_mm_, axisFit.round_share * trial.bins.largest_mm);
+        if (!bend.isSeen() || bend.scatter_mm > round_mm) return trial;
+        PoseTrial straight = tryCandidate(straightened(small, bend, progress_), pose, noise_mm_, progress_);
+        return straight.score() > trial.score() ? straight : trial;
+    }
+
     /// With a strong bend all trials score badly; the one with round sections is right.
     void preferRoundSections(const std::vector<Vector3d>& small, const std::vector<PoseTrial>& trials)
     {
@@ -200,7 +213,8 @@ private:
         }
     }
 
-    /// A bend is subtracted from the points in two iterations, since the radii of the first are those of the bent part.
+    /// A bend is subtracted from the points in iterations, since the radii of the first are those of the bent part: a
+    /// parabola twice, then what is left of its shape.
     /// Not done where the sections are not round, because their centres are not defined. False: the bend is large.
     bool subtractBend()
     {
@@ -210,6 +224,9 @@ private:
         const std::vector<Vector3d> first = straightened(sample_, bend, progress_);
         bend = Bend::sum(bend, findBend(first, pose_, makeBins(first, pose_, axisFit.coarse_bins)));
         if (!bend.isSeen()) return true;
+        const std::vector<Vector3d> second = straightened(sample_, bend, progress_);
+        bend =
+            Bend::sum(bend, findBend(second, pose_, makeBins(second, pose_, axisFit.coarse_bins), BendShape::Quartic));
         fit_.bend = bend;
         if (bend.isLarge()) return false;
         sample_ = straightened(sample_, bend, progress_);

@@ -17,16 +17,20 @@ struct BendThresholds {
 };
 inline constexpr BendThresholds bendThresholds{};
 
-/// The curve of the section centres, a parabola over the length; its least-squares line is the axis.
+/// The curve of the section centres over the length, t from -1 to 1: a parabola, and terms of the third and the fourth
+/// degree where these are significant (a bar bent over a support is no parabola). Its least-squares line is the axis.
 struct Bend {
     Eigen::Vector3d along = Eigen::Vector3d::UnitZ();
-    double middle_mm = 0;                              ///< of the data, along that direction
-    double half_mm = 1;                                ///< half their length
-    Eigen::Vector3d bow_mm = Eigen::Vector3d::Zero();  ///< from mid length to the chord between the ends
-    double sigma_mm = 0;                               ///< standard uncertainty of the bow
-    double scatter_mm = 0;                             ///< of the points about the circles of their sections
+    double middle_mm = 0;                                  ///< of the data, along that direction
+    double half_mm = 1;                                    ///< half their length
+    Eigen::Vector3d bow_mm = Eigen::Vector3d::Zero();      ///< times t² - 1/3
+    Eigen::Vector3d cubic_mm = Eigen::Vector3d::Zero();    ///< times t³ - 3t/5
+    Eigen::Vector3d quartic_mm = Eigen::Vector3d::Zero();  ///< times t⁴ - 6t²/7 + 3/35
+    double largest_mm = 0;                                 ///< distance of the curve from the chord between the ends
+    double sigma_mm = 0;                                   ///< standard uncertainty of the bow
+    double scatter_mm = 0;                                 ///< of the points about the circles of their sections
 
-    double size_mm() const { return bow_mm.norm(); }
+    double size_mm() const { return largest_mm; }
     double length_mm() const { return 2 * half_mm; }
     /// More than its uncertainty (3 sigma) and 20 µm.
     bool isSeen() const
@@ -42,16 +46,21 @@ struct Bend {
 
     Eigen::Vector3d straightened(const Eigen::Vector3d& point) const
     {
-        const double t = (along.dot(point) - middle_mm) / half_mm;
-        return point - bow_mm * (t * t - 1.0 / 3);
+        const double t = (along.dot(point) - middle_mm) / half_mm, square = t * t;
+        return point - bow_mm * (square - 1.0 / 3) - cubic_mm * (t * (square - 0.6)) -
+               quartic_mm * (square * (square - 6.0 / 7) + 3.0 / 35);
     }
     /// The total bend when `rest` was found after `first` had been removed.
     static Bend sum(const Bend& first, const Bend& rest);
 };
 
-/// The bend of a sample about its axis (in the frame of the points). A robust circle for each section and a parabola
-/// through the centres, whose scatter about it enters the uncertainty.
+/// Degree of the curve through the centres.
+enum class BendShape { Parabola, Quartic };
+
+/// The bend of a sample about its axis (in the frame of the points). A robust circle for each section and a curve
+/// through the centres, whose scatter about it enters the uncertainty; where the terms of a quartic are not significant
+/// it is a parabola too.
 Bend findBend(const std::vector<Eigen::Vector3d>& sample, const Eigen::Isometry3d& axis_T_scan,
-              const MeridianBins& bins);
+              const MeridianBins& bins, BendShape shape = BendShape::Parabola);
 
 }  // namespace lathelier::registration

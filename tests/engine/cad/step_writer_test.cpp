@@ -119,6 +119,8 @@ TEST(CadNotes, MarksAndArcsBeyondTheAxis)
     EXPECT_NO_THROW(requireTurned(shaft));
     shaft.marks.push_back({MarkKind::Spline});
     EXPECT_THROW(requireTurned(shaft), Error);
+    shaft.marks = {{MarkKind::Sphere}};  // made of its row
+    EXPECT_TRUE(cadNotes(shaft).empty());
 }
 
 }  // namespace

@@ -180,6 +180,10 @@ TEST(Nominal, CirclipGrooves)
     EXPECT_FALSE(circlipGrooveOf({25.1, 0.001}, {23.85, 0.005}, {1.32, 0.01}));
     EXPECT_FALSE(circlipGrooveOf({20, 0.002}, {19, 0.003}, {1.7, 0.03}));
     EXPECT_FALSE(circlipGrooveOf({21, 0.002}, {19, 0.003}, {1.3, 0.03}));
+    // On the seat of a bearing: 25 n6 is +15 to +28 µm, 25 p6 begins at +22 and reaches to +35.
+    EXPECT_EQ(designationOf(circlipGrooveOf({25.009, 0.002}, {23.9, 0.003}, {1.32, 0.03}).value()), "DIN 471 - 25");
+    EXPECT_EQ(designationOf(circlipGrooveOf({25.029, 0.002}, {23.9, 0.003}, {1.32, 0.03}).value()), "DIN 471 - 25");
+    EXPECT_FALSE(circlipGrooveOf({25.034, 0.002}, {23.9, 0.003}, {1.32, 0.03}));
 }
 
 TEST(Nominal, Undercuts)

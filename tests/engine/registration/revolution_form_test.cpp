@@ -124,6 +124,58 @@ TEST(NotTurned, TakesItsMeasureFromTheArc)
     EXPECT_FALSE(contains(compare(whole, whole, revolution()).notes, notes::coverageBelowHalf));
 }
 
+/// A bar ⌀25 × 240 with chamfers, bent by `shape` of z over its length.
+Scan bentBar(const std::function<double(double)>& shape, std::uint64_t seed)
+{
+    sample::ScannerModel scanner;
+    scanner.row_pitch_mm = 0.4;
+    scanner.angle_step_deg = 3;
+    scanner.sigma_mm = 0.03;
+    scanner.seed = seed;
+    const auto piece = [](double from, double to, double r0, double r1) {
+        sample::ShaftPiece made;
+        made.z_start_mm = from;
+        made.z_end_mm = to;
+        made.radius_start_mm = r0;
+        made.radius_end_mm = r1;
+        return made;
+    };
+    Scan scan =
+        sample::scanShaft({piece(0, 1, 11.5, 12.5), piece(1, 239, 12.5, 12.5), piece(239, 240, 12.5, 11.5)}, scanner);
+    for (Vector3d& p : scan.points_mm) p.y() += shape(std::clamp(p.z() / 240, 0.0, 1.0));
+    return scan;
+}
+
+TEST(BentPart, PlainBarsOfAnyBowAndShape)
+{
+    std::uint64_t seed = 30;
+    for (const double bow_mm : {0.05, 0.3, 0.5, 0.95}) {
+        const auto sine = [&](double t) { return bow_mm * std::sin(pi * t); };
+        const auto parabola = [&](double t) { return bow_mm * 4 * t * (1 - t); };
+        // A bar on two supports with a force at mid length.
+        const auto beam = [&](double t) {
+            const double x = std::min(t, 1 - t);
+            return bow_mm * (3 * x - 4 * x * x * x);
+        };
+        for (const std::function<double(double)>& shape :
+             {std::function<double(double)>(sine), std::function<double(double)>(parabola),
+              std::function<double(double)>(beam)}) {
+            const RevolutionFit fit = fitRevolution(bentBar(shape, ++seed).points_mm);
+            ASSERT_TRUE(isBodyOfRevolution(fit)) << bow_mm;
+            EXPECT_NEAR(fit.bend.size_mm(), bow_mm, 0.03 * bow_mm + 2 * fit.bend.sigma_mm) << seed;
+            EXPECT_NEAR(fit.sigma_mm, 0.03, 0.002) << seed;
+            std::vector<double> radii = fit.profile.radius_mm;
+            std::erase_if(radii, [](double r) { return std::isnan(r); });
+            std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+            EXPECT_NEAR(radii[radii.size() / 2], 12.5, 0.001) << seed;
+        }
+    }
+    const auto strong = [](double t) { return 1.6 * std::sin(pi * t); };
+    EXPECT_EQ(fitRevolution(bentBar(strong, 50).points_mm).not_turned, NotTurned::Bent);
+    const auto straight = [](double) { return 0.0; };
+    EXPECT_FALSE(fitRevolution(bentBar(straight, 51).points_mm).bend.isSeen());
+}
+
 TEST(BentPart, IsJudgedByItsBowAndNotByTheNumberOfPoints)
 {
     for (const double pitch : {0.5, 0.2}) {

@@ -1,0 +1,120 @@
+#include "engine/features/holes/hole_rim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/core/units.h"
+#include "engine/features/holes/hole_limits.h"
+
+namespace lathelier::features {
+namespace {
+
+/// Points of the wall and all rays in one part of a view.
+struct Seen {
+    double wall = 0, all = 0;
+};
+
+/// Distance of a ray from the rim and its direction from the centre as a share of a turn.
+struct AboutRim {
+    double distance_mm = 0, turn = 0;
+    bool on_wall = true;
+};
+
+std::vector<AboutRim> aboutRim(const RimView& view, const RimShape& rim)
+{
+    const double z = (rim.start_mm + rim.end_mm) / 2;
+    std::vector<AboutRim> all;
+    for (const RimRay& ray : view.rays) {
+        const double angle = std::atan2(ray.across_mm - rim.middle_mm(), ray.z_mm - z);
+        all.push_back({distanceFrom(rim, ray.z_mm, ray.across_mm).distance_mm, angle / turn_rad + 0.5, ray.on_wall});
+    }
+    return all;
+}
+
+/// Points of the wall for each mm² of it, well outside the rim.
+double density(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
+{
+    constexpr double reach = holeLimits.clear_mm + holeLimits.ring_mm;
+    double points = 0;
+    for (const AboutRim& ray : rays) points += ray.on_wall && ray.distance_mm > 0 && ray.distance_mm < reach ? 1 : 0;
+    return points / std::max(1e-9, areaWithin_mm2(rim, view, reach) - areaWithin_mm2(rim, view, 0));
+}
+
+/// Is the wall missing inside and seen all around?
+bool isHole(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
+{
+    const double clear = holeLimits.clear_mm + holeLimits.clear_blurs * std::max(rim.blur_mm, rim.blur_z_mm);
+    Seen inside;
+    std::vector<Seen> ring(holeLimits.sectors);
+    for (const AboutRim& ray : rays) {
+        if (ray.distance_mm < -clear) {
+            inside.all += 1;
+            inside.wall += ray.on_wall ? 1 : 0;
+        } else if (ray.distance_mm > clear && ray.distance_mm < clear + holeLimits.ring_mm) {
+            Seen& sector =
+                ring[std::min(ring.size() - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(ring.size())))];
+            sector.all += 1;
+            sector.wall += ray.on_wall ? 1 : 0;
+        }
+    }
+    if (!view.has_misses) {
+        const double per_mm2 = density(rays, view, rim);
+        inside.all = per_mm2 * areaWithin_mm2(rim, view, -clear);
+        const double about = areaWithin_mm2(rim, view, clear + holeLimits.ring_mm) - areaWithin_mm2(rim, view, clear);
+        for (Seen& sector : ring) sector.all = per_mm2 * about / static_cast<double>(ring.size());
+    }
+    const auto hidden = static_cast<std::size_t>(std::count_if(ring.begin(), ring.end(), [](const Seen& sector) {
+        return sector.all < holeLimits.least_ring_rays || sector.wall < holeLimits.least_ring_share * sector.all;
+    }));
+    return inside.all >= holeLimits.least_rays && inside.wall <= holeLimits.most_wall_inside * inside.all &&
+           hidden <= holeLimits.most_hidden;
+}
+
+/// Is the rim of each sector at the same distance from the centre?
+bool isCircle(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
+{
+    constexpr double reach = holeLimits.rim_reach_mm;
+    std::vector<Seen> sectors(holeLimits.rim_sectors);
+    std::vector<double> sums(sectors.size(), 0);
+    for (const AboutRim& ray : rays) {
+        if (std::abs(ray.distance_mm) > reach) continue;
+        const std::size_t s =
+            std::min(sectors.size() - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(sectors.size())));
+        sectors[s].all += 1;
+        sectors[s].wall += ray.on_wall ? 1 : 0;
+        sums[s] += ray.on_wall ? ray.distance_mm : 0;
+    }
+    double squares = 0, judged = 0;
+    for (std::size_t s = 0; s < sectors.size(); ++s) {
+        if (sectors[s].wall < holeLimits.least_ring_rays) continue;
+        // The wall begins where the points of an even density from there to `reach` have their mean, or their number.
+        const double begin = view.has_misses ? reach - 2 * reach * sectors[s].wall / sectors[s].all
+                                             : 2 * sums[s] / sectors[s].wall - reach;
+        squares += begin * begin;
+        judged += 1;
+    }
+    if (judged + static_cast<double>(holeLimits.most_hidden) < static_cast<double>(sectors.size())) return false;
+    const double spacing = 1 / std::sqrt(std::max(1e-9, density(rays, view, rim)));
+    return std::sqrt(squares / judged) <=
+           holeLimits.rim_rms_mm + holeLimits.rim_share * rim.width_mm() + holeLimits.spacings * spacing;
+}
+
+}  // namespace
+
+std::optional<RoundHole> roundHole(const RimView& view, const RimShape& first, const Progress& progress)
+{
+    const RimShape rough = bestRim(view, first, progress).rim;
+    if (rough.width_mm() < holeLimits.least_diameter_mm) return std::nullopt;
+    if (rough.start_mm < view.from_mm || rough.end_mm > view.to_mm) return std::nullopt;
+    if (view.radius_mm > 0 && rough.width_mm() > 2 * holeLimits.most_radius_share * view.radius_mm) return std::nullopt;
+    if (!isHole(aboutRim(view, rough), view, rough)) return std::nullopt;
+    const RimFit fit = fitRim(view, rough, progress);
+    const std::vector<AboutRim> rays = aboutRim(view, fit.rim);
+    if (!isHole(rays, view, fit.rim) || !isCircle(rays, view, fit.rim)) return std::nullopt;
+    return RoundHole{(fit.rim.start_mm + fit.rim.end_mm) / 2, fit.rim.middle_mm(), fit.rim.width_mm(),
+                     std::hypot(fit.width_sigma_mm, holeLimits.form_mm),
+                     std::max(fit.middle_sigma_mm, fit.start_sigma_mm)};
+}
+
+}  // namespace lathelier::features

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/features/features_codes.h"
+#include "engine/features/holes/bolt_circles.h"
 #include "engine/features/holes/cross_holes.h"
 #include "engine/features/marks/marks.h"
 #include "engine/features/nominal/snap.h"
@@ -231,8 +232,11 @@ std::vector<ShaftMark> marksOf(const Meridian& meridian, const PartFit& found, c
 {
     const StructureInput seen = found.seen(meridian.cloud);
     const WallScan scan{meridian.cloud, found.outside.model, meridian.scanner, found.outside.surface_scan};
-    return withHoles(findMarks(meridian.cloud, found.outside, seen.bore, meridian.scanner, progress),
-                     crossHoles(scan, found.structure.map, found.surface, found.form_mm, progress));
+    std::vector<ShaftMark> holes = crossHoles(scan, found.structure.map, found.surface, found.form_mm, progress);
+    const std::vector<ShaftMark> circles =
+        boltCircles(seenFaces(meridian.cloud, found.outside, seen.bore, progress), progress);
+    holes.insert(holes.end(), circles.begin(), circles.end());
+    return withHoles(findMarks(meridian.cloud, found.outside, seen.bore, meridian.scanner, progress), holes);
 }
 
 /// Recognises all points, or those that `parameters` keep, without `left_out`.

@@ -11,6 +11,7 @@
 #include "engine/features/marks/off_regions.h"
 #include "engine/features/structure/map_cells.h"
 #include "engine/features/structure/map_regions.h"
+#include "engine/features/structure/unexplained.h"
 
 namespace lathelier::features {
 namespace {
@@ -70,6 +71,25 @@ std::optional<WallHole> holeIn(const WallScan& scan, const ResidualMap& map, con
     if (floor.is_dent) return std::nullopt;
     found.depth_mm = floor.depth_mm;
     return found;
+}
+
+/// All holes with a proven rim; none where the scan has patches without points, which may be round.
+std::vector<WallHole> wallHoles(const WallScan& scan, const ResidualMap& map, const SurfaceTable& surface,
+                                double form_mm, const Progress& progress)
+{
+    std::vector<WallHole> holes;
+    std::size_t patches = 0;
+    for (const std::vector<std::size_t>& region : connectedRegions(missingCells(map, form_mm), mapSectors, true)) {
+        progress.check();
+        if (const auto hole = holeIn(scan, map, surface, region, progress))
+            holes.push_back(*hole);
+        else
+            patches += static_cast<std::size_t>(std::count_if(
+                region.begin(), region.end(), [&](std::size_t c) { return map.cells[c].on + map.cells[c].far == 0; }));
+    }
+    if (static_cast<double>(patches) > structureThresholds.most_missing * static_cast<double>(map.cells.size()))
+        holes.clear();
+    return holes;
 }
 
 bool areOpposite(const WallHole& a, const WallHole& b)
@@ -140,11 +160,7 @@ bool startsBefore(const ShaftMark& a, const ShaftMark& b)
 std::vector<ShaftMark> crossHoles(const WallScan& scan, const ResidualMap& map, const SurfaceTable& surface,
                                   double form_mm, const Progress& progress)
 {
-    std::vector<WallHole> holes;
-    for (const std::vector<std::size_t>& region : connectedRegions(missingCells(map, form_mm), mapSectors, true)) {
-        progress.check();
-        if (const auto hole = holeIn(scan, map, surface, region, progress)) holes.push_back(*hole);
-    }
+    const std::vector<WallHole> holes = wallHoles(scan, map, surface, form_mm, progress);
     std::vector<ShaftMark> marks;
     std::vector<std::uint8_t> taken(holes.size(), 0);
     for (std::size_t i = 0; i < holes.size(); ++i) {
@@ -168,6 +184,7 @@ std::vector<ShaftMark> withHoles(std::vector<ShaftMark> marks, const std::vector
 {
     std::erase_if(marks, [&](const ShaftMark& mark) {
         return mark.kind == MarkKind::Keyway && std::any_of(holes.begin(), holes.end(), [&](const ShaftMark& hole) {
+                   if (hole.kind != MarkKind::CrossHole) return false;
                    const double middle = (*mark.z_start_mm + *mark.z_end_mm) / 2;
                    const double apart_deg = std::abs(std::remainder(*mark.angle_deg - *hole.angle_deg, 360));
                    const bool is_there = apart_deg < 10 || (hole.through.value_or(0) > 0 && apart_deg > 170);

@@ -19,10 +19,14 @@ struct HoleLimits {
     double clear_mm = 0.1, clear_blurs = 3;      ///< from the rim: nearer points are on either side
     double ring_mm = 0.9;                        ///< width of the ring outside where the wall must be seen
     std::size_t sectors = 12;                    ///< of that ring
+    double least_open_share = 0.5;               ///< of a sector within the wall or face: others are not judged
+    std::size_t least_judged = 8;                ///< sectors
     std::size_t most_hidden = 1;                 ///< sectors whose wall is not seen
     double least_ring_share = 0.5;               ///< of the wall's points in a sector that is seen
     double least_ring_rays = 3;                  ///< expected in a sector
     std::size_t rim_sectors = 8;                 ///< whose own distance from the centre is compared
+    double rim_open_share = 0.95;                ///< of such a sector within the wall or face
+    std::size_t least_rims = 5;                  ///< such sectors
     double rim_reach_mm = 0.7;                   ///< of the points that place the rim of a sector
     double rim_rms_mm = 0.17, rim_share = 0.01;  ///< rms of these distances, and of the diameter
     double spacings = 0.35;                      ///< of the points' spacing, in that rms besides
@@ -37,7 +41,7 @@ struct HoleLimits {
     double pair_mm = 0.35;        ///< difference of place and diameter
     double pair_sigmas = 4;       ///< besides
     double opposite_share = 0.8;  ///< of the wall seen opposite a hole that ends inside
-    double form_mm = 0.05;        ///< standard uncertainty of a diameter beside that of the rays: edges are not sharp
+    double form_mm = 0.08;        ///< standard uncertainty of a diameter beside that of the rays: edges are not sharp
     // Bolt circles.
     std::size_t least_bolts = 3, most_bolts = 12;
     double circle_mm = 0.15;   ///< of places on the circle, radially and along it; and of diameters

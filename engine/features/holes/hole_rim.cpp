@@ -32,43 +32,76 @@ std::vector<AboutRim> aboutRim(const RimView& view, const RimShape& rim)
     return all;
 }
 
-/// Points of the wall for each mm² of it, well outside the rim.
-double density(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
+/// A ring about a rim, from one distance to another.
+struct Ring {
+    double from_mm = 0, to_mm = 1;
+};
+
+std::size_t sectorOf(const AboutRim& ray, std::size_t count)
 {
-    constexpr double reach = holeLimits.clear_mm + holeLimits.ring_mm;
-    double points = 0;
-    for (const AboutRim& ray : rays) points += ray.on_wall && ray.distance_mm > 0 && ray.distance_mm < reach ? 1 : 0;
-    return points / std::max(1e-9, areaWithin_mm2(rim, view, reach) - areaWithin_mm2(rim, view, 0));
+    return std::min(count - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(count)));
+}
+
+/// Share of each sector of a ring that lies within the wall or face.
+std::vector<double> openShares(const RimView& view, const RimShape& rim, const Ring& ring, std::size_t count)
+{
+    constexpr int fine = 8;
+    std::vector<double> shares(count, 0);
+    const double z = (rim.start_mm + rim.end_mm) / 2, half = rim.width_mm() / 2;
+    for (std::size_t s = 0; s < count; ++s)
+        for (int a = 0; a < fine; ++a)
+            for (int k = 0; k < fine; ++k) {
+                const double turn = (static_cast<double>(s) + (a + 0.5) / fine) / static_cast<double>(count) - 0.5;
+                const double r = half + ring.from_mm + (ring.to_mm - ring.from_mm) * (k + 0.5) / fine;
+                if (view.holds(z + r * std::cos(turn * turn_rad), rim.middle_mm() + r * std::sin(turn * turn_rad)))
+                    shares[s] += 1.0 / (fine * fine);
+            }
+    return shares;
+}
+
+/// Points of the wall for each mm² of it, in a ring.
+double density(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim, const Ring& ring)
+{
+    double points = 0, open = 0;
+    for (const AboutRim& ray : rays)
+        points += ray.on_wall && ray.distance_mm > ring.from_mm && ray.distance_mm < ring.to_mm ? 1 : 0;
+    for (const double share : openShares(view, rim, ring, holeLimits.sectors))
+        open += share / static_cast<double>(holeLimits.sectors);
+    const double area = areaWithin_mm2(rim, view, ring.to_mm) - areaWithin_mm2(rim, view, ring.from_mm);
+    return points / std::max(1e-9, area * open);
 }
 
 /// Is the wall missing inside and seen all around?
 bool isHole(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
 {
     const double clear = holeLimits.clear_mm + holeLimits.clear_blurs * std::max(rim.blur_mm, rim.blur_z_mm);
+    const Ring about{clear, clear + holeLimits.ring_mm};
     Seen inside;
     std::vector<Seen> ring(holeLimits.sectors);
     for (const AboutRim& ray : rays) {
-        if (ray.distance_mm < -clear) {
-            inside.all += 1;
-            inside.wall += ray.on_wall ? 1 : 0;
-        } else if (ray.distance_mm > clear && ray.distance_mm < clear + holeLimits.ring_mm) {
-            Seen& sector =
-                ring[std::min(ring.size() - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(ring.size())))];
-            sector.all += 1;
-            sector.wall += ray.on_wall ? 1 : 0;
-        }
+        const bool is_about = ray.distance_mm > about.from_mm && ray.distance_mm < about.to_mm;
+        if (!is_about && !(ray.distance_mm < -clear)) continue;
+        Seen& seen = is_about ? ring[sectorOf(ray, ring.size())] : inside;
+        seen.all += 1;
+        seen.wall += ray.on_wall ? 1 : 0;
     }
+    const std::vector<double> open = openShares(view, rim, about, ring.size());
     if (!view.has_misses) {
-        const double per_mm2 = density(rays, view, rim);
+        const double per_mm2 = density(rays, view, rim, about);
+        const double area = areaWithin_mm2(rim, view, about.to_mm) - areaWithin_mm2(rim, view, about.from_mm);
         inside.all = per_mm2 * areaWithin_mm2(rim, view, -clear);
-        const double about = areaWithin_mm2(rim, view, clear + holeLimits.ring_mm) - areaWithin_mm2(rim, view, clear);
-        for (Seen& sector : ring) sector.all = per_mm2 * about / static_cast<double>(ring.size());
+        for (std::size_t s = 0; s < ring.size(); ++s)
+            ring[s].all = per_mm2 * area * open[s] / static_cast<double>(ring.size());
     }
-    const auto hidden = static_cast<std::size_t>(std::count_if(ring.begin(), ring.end(), [](const Seen& sector) {
-        return sector.all < holeLimits.least_ring_rays || sector.wall < holeLimits.least_ring_share * sector.all;
-    }));
+    std::size_t judged = 0, hidden = 0;
+    for (std::size_t s = 0; s < ring.size(); ++s) {
+        if (open[s] < holeLimits.least_open_share) continue;
+        ++judged;
+        if (ring[s].all < holeLimits.least_ring_rays || ring[s].wall < holeLimits.least_ring_share * ring[s].all)
+            ++hidden;
+    }
     return inside.all >= holeLimits.least_rays && inside.wall <= holeLimits.most_wall_inside * inside.all &&
-           hidden <= holeLimits.most_hidden;
+           judged >= holeLimits.least_judged && hidden <= holeLimits.most_hidden;
 }
 
 /// Is the rim of each sector at the same distance from the centre?
@@ -79,23 +112,23 @@ bool isCircle(const std::vector<AboutRim>& rays, const RimView& view, const RimS
     std::vector<double> sums(sectors.size(), 0);
     for (const AboutRim& ray : rays) {
         if (std::abs(ray.distance_mm) > reach) continue;
-        const std::size_t s =
-            std::min(sectors.size() - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(sectors.size())));
+        const std::size_t s = sectorOf(ray, sectors.size());
         sectors[s].all += 1;
         sectors[s].wall += ray.on_wall ? 1 : 0;
         sums[s] += ray.on_wall ? ray.distance_mm : 0;
     }
+    const std::vector<double> open = openShares(view, rim, {0, reach}, sectors.size());
     double squares = 0, judged = 0;
     for (std::size_t s = 0; s < sectors.size(); ++s) {
-        if (sectors[s].wall < holeLimits.least_ring_rays) continue;
+        if (sectors[s].wall < holeLimits.least_ring_rays || open[s] < holeLimits.rim_open_share) continue;
         // The wall begins where the points of an even density from there to `reach` have their mean, or their number.
         const double begin = view.has_misses ? reach - 2 * reach * sectors[s].wall / sectors[s].all
                                              : 2 * sums[s] / sectors[s].wall - reach;
         squares += begin * begin;
         judged += 1;
     }
-    if (judged + static_cast<double>(holeLimits.most_hidden) < static_cast<double>(sectors.size())) return false;
-    const double spacing = 1 / std::sqrt(std::max(1e-9, density(rays, view, rim)));
+    if (judged < static_cast<double>(holeLimits.least_rims)) return false;
+    const double spacing = 1 / std::sqrt(std::max(1e-9, density(rays, view, rim, {0, reach})));
     return std::sqrt(squares / judged) <=
            holeLimits.rim_rms_mm + holeLimits.rim_share * rim.width_mm() + holeLimits.spacings * spacing;
 }

@@ -7,6 +7,7 @@
 // as likely anywhere between them, and U says so.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,14 @@ struct RimView {
     bool has_misses = false;             ///< rays are known, else points only
     double from_mm = -1e9, to_mm = 1e9;  ///< the wall along z
     double radius_mm = 0;                ///< of the wall; 0: a plane
+    double inner_mm = 0, outer_mm = 0;   ///< of a plane: radii of the ring that is judged, about the origin
+
+    /// Is the wall judged there?
+    bool holds(double z_mm, double across_mm) const
+    {
+        const double r = outer_mm > 0 ? std::hypot(z_mm, across_mm) : 0;
+        return z_mm > from_mm && z_mm < to_mm && r >= inner_mm && (outer_mm <= 0 || r <= outer_mm);
+    }
 };
 
 enum class RimKind : std::uint8_t { Circle, Slot };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 #include "engine/core/units.h"
 #include "engine/features/structure/map_cells.h"
@@ -12,27 +11,46 @@
 namespace lathelier::features {
 namespace {
 
-/// Half the width of a mark about the axis, with its rim; none: all around.
-std::optional<double> halfWidth_rad(const ShaftMark& mark, double radius_mm)
+/// Where a cell lies, and where its points do.
+struct CellPlace {
+    double z_mm = 0, angle_rad = 0;
+    double wall_mm = 1;    ///< radius of the wall
+    double points_mm = 1;  ///< of the points on another surface, where they are most of the cell; else that of the wall
+};
+
+CellPlace placeOf(const ResidualMap& map, const SurfaceTable& surface, std::size_t c)
 {
-    const bool is_hole = mark.kind == MarkKind::CrossHole;
-    const std::optional<double>& width_mm = is_hole ? mark.diameter_mm : mark.width_mm;
-    if (!mark.angle_deg || !width_mm) return std::nullopt;
-    return std::asin(std::min(1.0, *width_mm / (2 * radius_mm))) + structureThresholds.beside_mark_mm / radius_mm;
+    const MapCell& cell = map.cells[c];
+    CellPlace place;
+    place.z_mm = map.middle_mm(c / mapSectors);
+    place.angle_rad = turn_rad * (static_cast<double>(c % mapSectors) + 0.5) / mapSectors;
+    place.wall_mm = place.points_mm = std::max(1e-3, static_cast<double>(surface.at(place.z_mm).radius_mm));
+    if (cell.far > cell.on) place.points_mm += static_cast<double>(cell.far_sum_mm / static_cast<float>(cell.far));
+    return place;
 }
 
-/// Does a named mark cover the place? Angles as shares of a turn.
-bool isNamed(const std::vector<ShaftMark>& marks, double z_mm, double turn, double radius_mm)
+/// Does a hole across the axis cover the place, or hold its points? Near the axis these have any direction.
+bool isInHole(const ShaftMark& hole, const CellPlace& place)
+{
+    const double off_rad = place.angle_rad - *hole.angle_deg / deg_per_rad, half_mm = *hole.diameter_mm / 2;
+    if (std::abs(place.points_mm * std::sin(off_rad)) < half_mm && place.points_mm < place.wall_mm) return true;
+    const double period_rad = hole.through.value_or(0) > 0 ? turn_rad / 2 : turn_rad;
+    const double half_rad =
+        std::asin(std::min(1.0, half_mm / place.wall_mm)) + structureThresholds.beside_mark_mm / place.wall_mm;
+    return std::abs(std::remainder(off_rad, period_rad)) < half_rad;
+}
+
+/// Does a named mark cover the place?
+bool isNamed(const std::vector<ShaftMark>& marks, const CellPlace& place)
 {
     return std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
         if (!mark.z_start_mm || !mark.z_end_mm || mark.kind == MarkKind::BoltCircle) return false;
         const double rim = structureThresholds.beside_mark_mm;
-        if (z_mm < *mark.z_start_mm - rim || z_mm > *mark.z_end_mm + rim) return false;
-        const std::optional<double> half_rad = halfWidth_rad(mark, radius_mm);
-        if (!half_rad) return true;
-        const double off = turn * turn_rad - *mark.angle_deg / deg_per_rad;
-        const bool is_through = mark.kind == MarkKind::CrossHole && mark.through.value_or(0) > 0;
-        return std::abs(std::remainder(off, is_through ? turn_rad / 2 : turn_rad)) < *half_rad;
+        if (place.z_mm < *mark.z_start_mm - rim || place.z_mm > *mark.z_end_mm + rim) return false;
+        if (mark.kind == MarkKind::CrossHole) return isInHole(mark, place);
+        if (!mark.angle_deg || !mark.width_mm) return true;
+        const double half = std::asin(std::min(1.0, *mark.width_mm / (2 * place.wall_mm))) + rim / place.wall_mm;
+        return std::abs(std::remainder(place.angle_rad - *mark.angle_deg / deg_per_rad, turn_rad)) < half;
     });
 }
 
@@ -71,10 +89,8 @@ bool isNamed(const std::vector<ShaftMark>& marks, const ResidualMap& map, const 
              const std::vector<std::size_t>& region)
 {
     std::size_t named = 0;
-    for (const std::size_t c : region) {
-        const double z = map.middle_mm(c / mapSectors), turn = (static_cast<double>(c % mapSectors) + 0.5) / mapSectors;
-        if (isNamed(marks, z, turn, std::max(1e-3, static_cast<double>(surface.at(z).radius_mm)))) ++named;
-    }
+    for (const std::size_t c : region)
+        if (isNamed(marks, placeOf(map, surface, c))) ++named;
     return 2 * named > region.size();
 }
 

@@ -17,6 +17,13 @@ inline constexpr ErrorCode solidVolumeWrong{
     LT_TEXT("Engine",
             "The solid made of this shaft has {found_mm3} mm³ instead of {expected_mm3} mm³; it is not written.")};
 
+inline constexpr ErrorCode holeNotCut{
+    "hole_not_cut", ErrorKind::NoAnswer,
+    LT_TEXT(
+        "Engine",
+        "The shaft has holes ({mark}, ⌀ {diameter_mm:2} mm, z {z_start_mm:1} to {z_end_mm:1} mm), and CAD files are "
+        "made of its rows alone: none is written. Its drawing and its shaft file show them.")};
+
 inline constexpr ErrorCode noSolid{
     "no_solid", ErrorKind::InputRejected,
     LT_TEXT("Engine", "The STEP file holds no solid; wireframes and loose surfaces do not bound a part.")};

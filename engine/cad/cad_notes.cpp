@@ -29,4 +29,15 @@ Notes cadNotes(const Shaft& shaft)
     return notes;
 }
 
+void requireNoHoles(const Shaft& shaft)
+{
+    const auto size = [](const std::optional<double>& stated) { return stated ? Value(*stated) : Value(); };
+    for (const ShaftMark& mark : shaft.marks)
+        if (mark.kind == MarkKind::CrossHole || mark.kind == MarkKind::BoltCircle)
+            throw Error(errors::holeNotCut, {{"mark", nameOf(mark)},
+                                             {"diameter_mm", size(mark.diameter_mm)},
+                                             {"z_start_mm", size(mark.z_start_mm)},
+                                             {"z_end_mm", size(mark.z_end_mm)}});
+}
+
 }  // namespace lathelier::cad

@@ -9,4 +9,7 @@ namespace lathelier::cad {
 /// Notes marksLeftOut and arcBeyondAxis, for whoever writes a CAD file of this shaft.
 Notes cadNotes(const Shaft& shaft);
 
+/// Error holeNotCut where a mark of the shaft is a hole or a circle of holes: CAD files are made of the rows alone.
+void requireNoHoles(const Shaft& shaft);
+
 }  // namespace lathelier::cad

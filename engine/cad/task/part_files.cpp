@@ -4,6 +4,7 @@
 
 #include <ctime>
 
+#include "engine/cad/cad_notes.h"
 #include "engine/cad/drawing_dxf.h"
 #include "engine/cad/dxf_writer.h"
 #include "engine/cad/freecad_macro.h"
@@ -31,6 +32,7 @@ std::string stepOf(const PartToWrite& part, const Progress& progress)
 
 std::string dxfOfPart(const PartToWrite& part, const Language& language)
 {
+    requireNoHoles(part.shaft);
     return part.cad.dxf_contour ? contourDxf(part.shaft) : dxfText(dxfOf(part.drawing(language)));
 }
 

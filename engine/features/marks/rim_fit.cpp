@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "engine/core/random.h"
 
@@ -20,9 +21,9 @@ struct RimLimits {
     std::array<double, 6> steps_mm{0.4, 0.2, 0.1, 0.05, 0.02, 0.008};  ///< of the search
     int search_rounds = 12;                                            ///< for each step
     double least_half_mm = 0.5;                                        ///< of a rim
-    std::uint64_t warm_up = 240, samples = 400;                        ///< sweeps over the parameters
+    std::uint64_t warm_up = 160, samples = 280;                        ///< sweeps over the parameters
     std::uint64_t adapted = 40;                                        ///< sweeps after which steps are adapted
-    int strips = 48;                                                   ///< across, of an area
+    std::size_t strips = 32;                                                   ///< across, of an area
 };
 constexpr RimLimits rimLimits{};
 
@@ -137,6 +138,26 @@ void climb(const RimLikelihood& likelihood, std::size_t count, RimNumbers& at, c
         }
 }
 
+/// Places and widths of strips across, as shares of half the width. They are equal in the angle of a circle: its edge
+/// is as well resolved as its middle.
+struct Strip {
+    double place = 0, width = 0;
+};
+
+const std::array<Strip, rimLimits.strips>& strips()
+{
+    static const auto all = [] {
+        std::array<Strip, rimLimits.strips> made;
+        const double step = std::numbers::pi / static_cast<double>(rimLimits.strips);
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const double angle = (static_cast<double>(i) + 0.5) * step - std::numbers::pi / 2;
+            made[i] = {std::sin(angle), std::cos(angle) * step};
+        }
+        return made;
+    }();
+    return all;
+}
+
 /// Sums of a quantity over the samples.
 struct Moments {
     double sum = 0, squares = 0, count = 0;
@@ -183,20 +204,18 @@ double areaWithin_mm2(const RimShape& rim, const RimView& view, double grown_mm)
 {
     const double half = rim.width_mm() / 2, reach = half + grown_mm;
     double area = 0;
-    for (int i = 0; i < rimLimits.strips; ++i) {
-        // Strips equal in the angle of a circle: its edge is as well resolved as its middle.
-        const double turn = M_PI * ((i + 0.5) / rimLimits.strips - 0.5);
-        const double aside = reach * std::sin(turn), wide = reach * std::cos(turn) * M_PI / rimLimits.strips;
+    for (const auto& [sine, wide] : strips()) {
+        const double aside = reach * sine;
         const double round = std::sqrt(std::max(0.0, reach * reach - aside * aside));
         const double start = rim.round_start ? rim.start_mm + half - round : rim.start_mm - grown_mm;
         const double end = rim.round_end ? rim.end_mm - half + round : rim.end_mm + grown_mm;
         const double length = std::min(end, view.to_mm) - std::max(start, view.from_mm);
         double stretch = 1;
         if (view.radius_mm > 0) {
-            const double sine = std::min(0.995, std::abs(rim.middle_mm() + aside) / view.radius_mm);
-            stretch = 1 / std::sqrt(1 - sine * sine);
+            const double slope = std::min(0.995, std::abs(rim.middle_mm() + aside) / view.radius_mm);
+            stretch = 1 / std::sqrt(1 - slope * slope);
         }
-        area += std::max(0.0, length) * wide * stretch;
+        area += std::max(0.0, length) * reach * wide * stretch;
     }
     return area;
 }

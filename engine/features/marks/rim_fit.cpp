@@ -23,7 +23,7 @@ struct RimLimits {
     double least_half_mm = 0.5;                                        ///< of a rim
     std::uint64_t warm_up = 160, samples = 280;                        ///< sweeps over the parameters
     std::uint64_t adapted = 40;                                        ///< sweeps after which steps are adapted
-    std::size_t strips = 32;                                                   ///< across, of an area
+    std::size_t strips = 32;                                           ///< across, of an area
 };
 constexpr RimLimits rimLimits{};
 

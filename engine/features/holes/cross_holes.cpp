@@ -103,6 +103,18 @@ bool areOpposite(const WallHole& a, const WallHole& b)
            std::abs(a.rim.diameter_mm - b.rim.diameter_mm) < size;
 }
 
+/// Drops holes without a floor where many have no equal: round places that the scanner did not see.
+void dropPatches(std::vector<WallHole>& single)
+{
+    const auto isLone = [&](const WallHole& hole) {
+        return !hole.depth_mm && std::count_if(single.begin(), single.end(), [&](const WallHole& other) {
+                                     return std::abs(other.rim.diameter_mm - hole.rim.diameter_mm) < holeLimits.pair_mm;
+                                 }) == 1;
+    };
+    if (static_cast<std::size_t>(std::count_if(single.begin(), single.end(), isLone)) > holeLimits.most_lone)
+        std::erase_if(single, [](const WallHole& hole) { return !hole.depth_mm; });
+}
+
 /// Is the wall seen opposite a hole?
 bool isWallOpposite(const WallScan& scan, const WallHole& hole, const Progress& progress)
 {
@@ -162,18 +174,22 @@ std::vector<ShaftMark> crossHoles(const WallScan& scan, const ResidualMap& map, 
 {
     const std::vector<WallHole> holes = wallHoles(scan, map, surface, form_mm, progress);
     std::vector<ShaftMark> marks;
+    std::vector<WallHole> single;
     std::vector<std::uint8_t> taken(holes.size(), 0);
     for (std::size_t i = 0; i < holes.size(); ++i) {
-        if (taken[i]) continue;
         for (std::size_t k = i + 1; k < holes.size() && !taken[i]; ++k)
             if (!taken[k] && areOpposite(holes[i], holes[k])) {
                 taken[i] = taken[k] = 1;
                 marks.push_back(markOfPair(holes[i], holes[k]));
+                break;
             }
-        if (taken[i]) continue;
-        ShaftMark mark = markOfHole(holes[i]);
-        mark.depth_mm = holes[i].depth_mm;
-        if (mark.depth_mm || isWallOpposite(scan, holes[i], progress)) mark.through = 0;
+        if (!taken[i]) single.push_back(holes[i]);
+    }
+    dropPatches(single);
+    for (const WallHole& hole : single) {
+        ShaftMark mark = markOfHole(hole);
+        mark.depth_mm = hole.depth_mm;
+        if (mark.depth_mm || isWallOpposite(scan, hole, progress)) mark.through = 0;
         marks.push_back(std::move(mark));
     }
     std::sort(marks.begin(), marks.end(), startsBefore);

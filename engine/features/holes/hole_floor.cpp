@@ -36,7 +36,7 @@ struct FloorLine {
     double at_axis_mm = 0, slope_mm = 0, rms_mm = 0;
 };
 
-FloorLine lineThrough(const std::vector<DeepPoint>& points)
+FloorLine floorLine(const std::vector<DeepPoint>& points)
 {
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (const DeepPoint& p : points) {
@@ -74,7 +74,7 @@ HoleFloor floorOf(const MeridianCloud& cloud, const WallRim& rim, double limit_m
     const double deepest = lowerQuantileInPlace(all, 0.9), shallow = lowerQuantileInPlace(outer, 0.2);
     floor.is_dent = shallow < std::max(holeLimits.least_depth_mm, holeLimits.least_wall_share * deepest);
     if (floor.is_dent) return floor;
-    FloorLine line = lineThrough(points);
+    FloorLine line = floorLine(points);
     if (line.rms_mm > holeLimits.floor_scatter_mm) return floor;
     const bool is_point = line.slope_mm > holeLimits.least_tip_slope * rim.radius_mm;
     double mean = 0;

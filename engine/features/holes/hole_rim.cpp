@@ -33,17 +33,17 @@ std::vector<AboutRim> aboutRim(const RimView& view, const RimShape& rim)
 }
 
 /// A ring about a rim, from one distance to another.
-struct Ring {
+struct RimBand {
     double from_mm = 0, to_mm = 1;
 };
 
-std::size_t sectorOf(const AboutRim& ray, std::size_t count)
+std::size_t rimSector(const AboutRim& ray, std::size_t count)
 {
     return std::min(count - 1, static_cast<std::size_t>(ray.turn * static_cast<double>(count)));
 }
 
 /// Share of each sector of a ring that lies within the wall or face.
-std::vector<double> openShares(const RimView& view, const RimShape& rim, const Ring& ring, std::size_t count)
+std::vector<double> openShares(const RimView& view, const RimShape& rim, const RimBand& ring, std::size_t count)
 {
     constexpr int fine = 8;
     std::vector<double> shares(count, 0);
@@ -60,7 +60,7 @@ std::vector<double> openShares(const RimView& view, const RimShape& rim, const R
 }
 
 /// Points of the wall for each mm² of it, in a ring.
-double density(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim, const Ring& ring)
+double density(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim, const RimBand& ring)
 {
     double points = 0, open = 0;
     for (const AboutRim& ray : rays)
@@ -75,13 +75,13 @@ double density(const std::vector<AboutRim>& rays, const RimView& view, const Rim
 bool isHole(const std::vector<AboutRim>& rays, const RimView& view, const RimShape& rim)
 {
     const double clear = holeLimits.clear_mm + holeLimits.clear_blurs * std::max(rim.blur_mm, rim.blur_z_mm);
-    const Ring about{clear, clear + holeLimits.ring_mm};
+    const RimBand about{clear, clear + holeLimits.ring_mm};
     Seen inside;
     std::vector<Seen> ring(holeLimits.sectors);
     for (const AboutRim& ray : rays) {
         const bool is_about = ray.distance_mm > about.from_mm && ray.distance_mm < about.to_mm;
         if (!is_about && !(ray.distance_mm < -clear)) continue;
-        Seen& seen = is_about ? ring[sectorOf(ray, ring.size())] : inside;
+        Seen& seen = is_about ? ring[rimSector(ray, ring.size())] : inside;
         seen.all += 1;
         seen.wall += ray.on_wall ? 1 : 0;
     }
@@ -112,7 +112,7 @@ bool isCircle(const std::vector<AboutRim>& rays, const RimView& view, const RimS
     std::vector<double> sums(sectors.size(), 0);
     for (const AboutRim& ray : rays) {
         if (std::abs(ray.distance_mm) > reach) continue;
-        const std::size_t s = sectorOf(ray, sectors.size());
+        const std::size_t s = rimSector(ray, sectors.size());
         sectors[s].all += 1;
         sectors[s].wall += ray.on_wall ? 1 : 0;
         sums[s] += ray.on_wall ? ray.distance_mm : 0;
@@ -137,7 +137,7 @@ bool isCircle(const std::vector<AboutRim>& rays, const RimView& view, const RimS
 
 std::optional<RoundHole> roundHole(const RimView& view, const RimShape& first, const Progress& progress)
 {
-    const RimShape rough = bestRim(view, first, progress).rim;
+    const RimShape rough = bestRim(view, first, progress);
     if (rough.width_mm() < holeLimits.least_diameter_mm) return std::nullopt;
     if (rough.start_mm < view.from_mm || rough.end_mm > view.to_mm) return std::nullopt;
     if (view.radius_mm > 0 && rough.width_mm() > 2 * holeLimits.most_radius_share * view.radius_mm) return std::nullopt;

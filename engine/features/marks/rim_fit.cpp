@@ -220,7 +220,7 @@ double areaWithin_mm2(const RimShape& rim, const RimView& view, double grown_mm)
     return area;
 }
 
-RimFit bestRim(const RimView& view, const RimShape& first, const Progress& progress)
+RimShape bestRim(const RimView& view, const RimShape& first, const Progress& progress)
 {
     RimShape start = first;
     start.blur_mm = start.blur_z_mm = rimLimits.coarse_blur_mm;
@@ -231,18 +231,21 @@ RimFit bestRim(const RimView& view, const RimShape& first, const Progress& progr
     at = RimNumbers(start);
     const RimLikelihood likelihood(view, start, rimLimits.reach_mm);
     climb(likelihood, at.count(), at, progress);
-    RimFit fit;
-    fit.rim = at.shape();
-    fit.log_likelihood = likelihood.at(fit.rim);
-    return fit;
+    return at.shape();
+}
+
+double logLikelihood(const RimView& view, const RimShape& about, const RimShape& rim)
+{
+    return RimLikelihood(view, about, rimLimits.coarse_reach_mm).at(rim);
 }
 
 RimFit fitRim(const RimView& view, const RimShape& first, const Progress& progress)
 {
-    RimFit fit = bestRim(view, first, progress);
+    RimFit fit;
+    fit.rim = bestRim(view, first, progress);
     const RimLikelihood likelihood(view, fit.rim, rimLimits.reach_mm);
     RimNumbers at(fit.rim);
-    double now = fit.log_likelihood = likelihood.at(fit.rim);
+    double now = likelihood.at(fit.rim);
     std::array<double, mostParameters> step{}, taken{};
     for (std::size_t k = 0; k < at.count(); ++k) step[k] = k < at.places() ? 0.05 : 0.5;
     std::array<Moments, mostParameters> moments;

@@ -75,7 +75,10 @@ struct RimFit {
 /// The rim about `first`, which must be right to about 1 mm. Throws Cancelled.
 RimFit fitRim(const RimView& view, const RimShape& first, const Progress& progress = {});
 
-/// The most likely rim, without its uncertainty.
-RimFit bestRim(const RimView& view, const RimShape& first, const Progress& progress = {});
+/// The most likely rim.
+RimShape bestRim(const RimView& view, const RimShape& first, const Progress& progress = {});
+
+/// Logarithm of the likelihood of a rim, up to a constant of the rays about `about`: for the comparison of rims.
+double logLikelihood(const RimView& view, const RimShape& about, const RimShape& rim);
 
 }  // namespace lathelier::features

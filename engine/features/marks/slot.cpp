@@ -25,14 +25,16 @@ struct SlotLimits {
 };
 constexpr SlotLimits slotLimits{};
 
-RimFit bestEnds(const RimView& view, RimShape first, const Progress& progress)
+/// The most likely rim with round or straight ends.
+RimShape bestEnds(const RimView& view, const RimShape& first, const Progress& progress)
 {
-    RimFit best = bestRim(view, first, progress);
+    RimShape best = bestRim(view, first, progress);
     for (bool RimShape::*end : {&RimShape::round_start, &RimShape::round_end}) {
-        RimShape straight = best.rim;
+        RimShape straight = best;
         straight.*end = false;
-        const RimFit other = bestRim(view, straight, progress);
-        if (other.log_likelihood > best.log_likelihood + slotLimits.end_gain) best = other;
+        straight = bestRim(view, straight, progress);
+        const double gain = logLikelihood(view, first, straight) - logLikelihood(view, first, best);
+        if (gain > slotLimits.end_gain) best = straight;
     }
     return best;
 }
@@ -59,7 +61,7 @@ bool measureSlot(const WallScan& scan, ShaftMark& mark, const Progress& progress
     first.high_mm = half;
     first.start_mm = *mark.z_start_mm;
     first.end_mm = std::max(*mark.z_end_mm, *mark.z_start_mm + 2 * half);
-    const RimFit fit = fitRim(view, bestEnds(view, first, progress).rim, progress);
+    const RimFit fit = fitRim(view, bestEnds(view, first, progress), progress);
     const double width = fit.rim.width_mm(), length = fit.rim.end_mm - fit.rim.start_mm;
     if (!(std::abs(width - 2 * half) < slotLimits.most_change_mm) || length < slotLimits.least_length * width)
         return false;

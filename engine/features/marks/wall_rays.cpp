@@ -77,7 +77,7 @@ RimRay rayAt(const Vector3d& place, double angle_rad, bool on_wall)
     return {place.z(), place.y() * std::cos(angle_rad) - place.x() * std::sin(angle_rad), on_wall};
 }
 
-bool isWithin(const Vector3d& place, const WallWindow& window, double margin_mm)
+bool isInWindow(const Vector3d& place, const WallWindow& window, double margin_mm)
 {
     if (place.z() < window.from_mm + margin_mm || place.z() > window.to_mm - margin_mm) return false;
     return std::abs(std::remainder(std::atan2(place.y(), place.x()) - window.angle_rad, turn_rad)) < window.half_rad;
@@ -148,7 +148,7 @@ bool addMissed(const std::vector<Vector3d>& on_wall, const Run& run, const WallW
         const double angle = columns->first_rad + static_cast<double>(number) * columns->step_rad;
         for (const double height : missedHeights(own, pitch, low, high)) {
             const Vector3d place = frame.hit({angle, height}, run, view.radius_mm);
-            if (isWithin(place, window, columnLimits.window_pitches * pitch))
+            if (isInWindow(place, window, columnLimits.window_pitches * pitch))
                 view.rays.push_back(rayAt(place, window.angle_rad, false));
         }
     }

@@ -104,7 +104,7 @@ std::vector<FaceHole> holesOn(const FaceGrid& grid, const SeenFace& face)
     return holes;
 }
 
-bool isNamed(const FaceHole& hole, double z_mm, const std::vector<ShaftMark>& marks)
+bool isBolt(const FaceHole& hole, double z_mm, const std::vector<ShaftMark>& marks)
 {
     return std::any_of(marks.begin(), marks.end(), [&](const ShaftMark& mark) {
         if (mark.kind != MarkKind::BoltCircle || !mark.diameter_mm || !mark.pitch_circle_mm || !mark.count)
@@ -152,7 +152,7 @@ std::vector<UnexplainedStructure> holesInFaces(const std::vector<SeenFace>& face
         found.z_start_mm = found.z_end_mm = face.z_mm;
         found.places = 0;
         for (const FaceHole& hole : face.holes) {
-            if (isNamed(hole, face.z_mm, marks)) continue;
+            if (isBolt(hole, face.z_mm, marks)) continue;
             ++found.places;
             found.area_mm2 += hole.area_mm2;
         }

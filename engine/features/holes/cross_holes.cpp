@@ -103,16 +103,15 @@ bool areOpposite(const WallHole& a, const WallHole& b)
            std::abs(a.rim.diameter_mm - b.rim.diameter_mm) < size;
 }
 
-/// Drops holes without a floor where many have no equal: round places that the scanner did not see.
+/// Drops holes without a floor where there are many that are not all equal: round places that the scanner did not see.
 void dropPatches(std::vector<WallHole>& single)
 {
-    const auto isLone = [&](const WallHole& hole) {
-        return !hole.depth_mm && std::count_if(single.begin(), single.end(), [&](const WallHole& other) {
-                                     return std::abs(other.rim.diameter_mm - hole.rim.diameter_mm) < holeLimits.pair_mm;
-                                 }) == 1;
-    };
-    if (static_cast<std::size_t>(std::count_if(single.begin(), single.end(), isLone)) > holeLimits.most_lone)
-        std::erase_if(single, [](const WallHole& hole) { return !hole.depth_mm; });
+    std::vector<double> diameters_mm;
+    for (const WallHole& hole : single)
+        if (!hole.depth_mm) diameters_mm.push_back(hole.rim.diameter_mm);
+    if (diameters_mm.size() <= holeLimits.most_lone) return;
+    const auto [least, most] = std::minmax_element(diameters_mm.begin(), diameters_mm.end());
+    if (*most - *least > holeLimits.pair_mm) std::erase_if(single, [](const WallHole& hole) { return !hole.depth_mm; });
 }
 
 /// Is the wall seen opposite a hole?

@@ -37,7 +37,7 @@ struct HoleLimits {
     double outer_share = 0.5, floor_share = 0.85;  ///< of the radius: outer part of a floor; all of it
     double floor_scatter_mm = 0.25;                ///< rms of points about a floor
     double least_tip_slope = 0.2;                  ///< of a floor that is the point of a drill; 118° have 0.6
-    std::size_t most_lone = 3;  ///< holes of different sizes, without a second rim or a floor: more are patches
+    std::size_t most_lone = 3;                     ///< unequal holes without a second rim or a floor: more are patches
     // Two rims of one hole.
     double pair_mm = 0.35;        ///< difference of place and diameter
     double pair_sigmas = 4;       ///< besides

@@ -101,9 +101,14 @@ TEST(CrossHoles, BlindHoleWithItsFloor)
 {
     for (const double tip_mm : {0.0, 1.8}) {
         const Recognition result = recognized([&](const AroundPoint& p) {
-            const double from_axis = fromHole_mm(p, 20, 0.7);
-            // A drill's point rises to the full diameter.
-            return from_axis < 3 ? (7.5 - tip_mm * (1 - from_axis / 3)) / std::cos(p.angle_rad - 0.7) : p.r_mm;
+            if (fromHole_mm(p, 20, 0.7) > 3) return p.r_mm;
+            // The point of a drill rises to the full diameter: where the ray meets this cone.
+            AroundPoint on_floor = p;
+            for (int i = 0; i < 40; ++i) {
+                const double from_axis = fromHole_mm(on_floor, 20, 0.7);
+                on_floor.r_mm = (7.5 - tip_mm * (1 - from_axis / 3)) / std::cos(p.angle_rad - 0.7);
+            }
+            return on_floor.r_mm;
         });
         ASSERT_EQ(result.marks.size(), 1U) << tip_mm;
         EXPECT_EQ(result.marks[0].kind, MarkKind::CrossHole) << tip_mm;
@@ -194,6 +199,9 @@ Scan flange(const std::vector<double>& angles_rad, double diameter_mm, double ci
     add(10, 30, 30, 30, is_through);
     add(30, 30, 30, 42, false);
     add(0, 30, 42, 42, true);
+    // Not face by face, which would look like the rows of a rotary scanner.
+    for (std::size_t i = scan.points_mm.size() - 1; i > 0; --i)
+        std::swap(scan.points_mm[i], scan.points_mm[randomBits(12, 0, i) % (i + 1)]);
     return scan;
 }
 

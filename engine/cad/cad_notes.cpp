@@ -7,11 +7,20 @@
 #include "engine/shaft/shaft_contour.h"
 
 namespace lathelier::cad {
+namespace {
+
+bool isHoleMark(const ShaftMark& mark)
+{
+    return mark.kind == MarkKind::CrossHole || mark.kind == MarkKind::BoltCircle;
+}
+
+}  // namespace
 
 Notes cadNotes(const Shaft& shaft)
 {
     Notes notes;
-    if (!shaft.marks.empty()) {
+    // Of a shaft with holes no CAD file is written.
+    if (!shaft.marks.empty() && std::none_of(shaft.marks.begin(), shaft.marks.end(), isHoleMark)) {
         std::vector<std::string> seen;
         std::string kinds;
         for (const ShaftMark& mark : shaft.marks) {
@@ -33,7 +42,7 @@ void requireNoHoles(const Shaft& shaft)
 {
     const auto size = [](const std::optional<double>& stated) { return stated ? Value(*stated) : Value(); };
     for (const ShaftMark& mark : shaft.marks)
-        if (mark.kind == MarkKind::CrossHole || mark.kind == MarkKind::BoltCircle)
+        if (isHoleMark(mark))
             throw Error(errors::holeNotCut, {{"mark", nameOf(mark)},
                                              {"diameter_mm", size(mark.diameter_mm)},
                                              {"z_start_mm", size(mark.z_start_mm)},
